@@ -1,0 +1,66 @@
+#pragma once
+// The concept of a fibre scattering model, and the registry. Angles in radians (docs/conventions.md): theta_i, theta_o
+// inclinations from the normal plane, phi = phi_o - phi_i, h in [-1, 1]. No cosine of the incident angle is included.
+#include <span>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/core/result.h>
+
+namespace cuticle::bsdf {
+
+enum class Precision { f32, f64, gpu };
+/// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of the path
+/// at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident directions.
+enum class Quantity { S, M, N, A, albedo };
+
+struct Conventions {
+  std::string_view field;        ///< "near" or "far"
+  std::string_view cosine;       ///< "not included" or "included"
+  std::string_view tilt_sign;    ///< words: which way positive tilt moves the R lobe
+  std::string_view roughness;    ///< "standard deviation in theta_i", "variance", ...
+  std::string_view absorption;   ///< "per fibre radius"
+};
+
+/// One point of evaluation, in double; each precision narrows it itself. Quantities use what they need:
+/// S(theta_i, theta_o, phi), M(theta_i, theta_o), N(theta_d, phi), A(theta_d, h), albedo(theta_o).
+struct Point {
+  double theta_i = 0, theta_o = 0, theta_d = 0, phi = 0, h = 0;
+};
+
+/// Work for one call: one quantity, one lobe (index into lobes; -1 = the sum over lobes) at many points.
+struct Request {
+  Quantity quantity = Quantity::S;
+  int lobe = -1;
+  std::span<const Point> points;
+};
+
+/// A registered model. M and A do not depend on colour where the model says so; every result is rgb.
+struct Model {
+  registry::Entry entry;
+  std::span<const std::string_view> lobes;  ///< "R", "TT", "TRT"
+  Conventions conventions;
+  /// Evaluates into `out` (one rgb per point) in the precision named. Values are finite at every point of the domain.
+  void (*evaluate_f32)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
+  void (*evaluate_f64)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
+  /// The values that the model's GLSL `make_parameters` reads, in its order (at most 32 floats).
+  std::vector<float> (*pack)(const registry::ParameterValues&);
+  /// Named starting points, "blonde" -> "eta=1.55,sigma_a=...".
+  std::span<const registry::StudyCase> presets;
+};
+
+/// All registered models, and one by name (Error: usage, with the nearest name).
+std::span<const Model* const> models();
+Result<const Model*> find_model(std::string_view name);
+/// Index of a lobe by name; "sum" is -1. Error: usage, listing the lobes.
+Result<int> find_lobe(const Model& model, std::string_view lobe);
+/// "S", "M", "N", "A", "albedo". Error: usage, listing them.
+Result<Quantity> find_quantity(std::string_view name);
+
+/// Evaluates on the CPU (f32 or f64) with all threads.
+Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision, const Request& request,
+                      std::span<glm::dvec3> out);
+
+}  // namespace cuticle::bsdf

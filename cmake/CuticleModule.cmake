@@ -1,0 +1,33 @@
+# One library per module; one include link per module, so that <cuticle/bsdf/model.h> names bsdf/model.h.
+set(CUTICLE_INCLUDE_DIR ${CMAKE_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${CUTICLE_INCLUDE_DIR}/cuticle)
+set_property(GLOBAL PROPERTY CUTICLE_TARGETS "")
+
+function(cuticle_include_link MODULE)
+  if(NOT EXISTS ${CUTICLE_INCLUDE_DIR}/cuticle/${MODULE})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${MODULE} ${CUTICLE_INCLUDE_DIR}/cuticle/${MODULE} SYMBOLIC)
+  endif()
+endfunction()
+foreach(module core strands gpu bsdf lut shadows sim render scene plan study viz cli tests)
+  cuticle_include_link(${module})
+endforeach()
+
+# cuticle_library(NAME SOURCES ... DEPENDS cuticle targets (public) ... PRIVATE external or hidden targets ...)
+# makes the target cuticle_NAME with the alias cuticle::NAME.
+function(cuticle_library NAME)
+  cmake_parse_arguments(ARG "NO_INSTALL" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  if(NOT ARG_SOURCES)
+    set(ARG_SOURCES ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
+  endif()
+  add_library(cuticle_${NAME} STATIC ${ARG_SOURCES})
+  add_library(cuticle::${NAME} ALIAS cuticle_${NAME})
+  set_target_properties(cuticle_${NAME} PROPERTIES EXPORT_NAME ${NAME})
+  target_compile_features(cuticle_${NAME} PUBLIC cxx_std_20)
+  target_include_directories(cuticle_${NAME} PUBLIC
+    $<BUILD_INTERFACE:${CUTICLE_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
+  target_include_directories(cuticle_${NAME} PRIVATE ${CMAKE_BINARY_DIR}/shaders ${CMAKE_BINARY_DIR}/generated)
+  target_link_libraries(cuticle_${NAME} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:cuticle_warnings>)
+  if(NOT ARG_NO_INSTALL)
+    set_property(GLOBAL APPEND PROPERTY CUTICLE_TARGETS cuticle_${NAME})
+  endif()
+endfunction()

@@ -1,0 +1,258 @@
+#pragma once
+// A Vulkan device without Vulkan types: choice, buffers, textures, pipelines, recorded work, timestamps, dispatch counts.
+// Knows nothing about hair. Everything made by a Device keeps it alive. One Device is used from one thread at a time.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <cuticle/core/result.h>
+#include <cuticle/core/trace.h>
+
+namespace cuticle::gpu {
+
+struct DeviceInfo {
+  int index = 0;
+  std::string name, driver, api_version;
+  bool is_software = false;
+  std::uint32_t subgroup_size = 0;
+  std::uint64_t max_storage_buffer_bytes = 0;
+  std::uint64_t heap_bytes = 0;
+  std::uint32_t max_workgroup_invocations = 0;
+  std::uint32_t max_image_size = 0;
+  std::vector<int> sample_counts;  ///< multisampling offered for colour and depth
+  bool timestamps = false;
+  bool wide_lines = false;
+};
+
+struct DeviceRequest {
+  /// "" = the environment variable CUTICLE_DEVICE, else the first GPU, else software Vulkan; "cpu" = software; "gpu" = a real
+  /// GPU or an error; a number = that index; anything else = the first device whose name contains it.
+  std::string choice;
+  /// On: a validation message becomes an error of the next submit. Default: the environment variable CUTICLE_VALIDATION=1.
+  bool validation = false;
+};
+
+/// All Vulkan devices; empty when there is no loader or no driver.
+std::vector<DeviceInfo> list_devices();
+
+enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, depth32f };
+enum class Filter { nearest, linear };
+enum class BlendMode { none, alpha, additive };
+enum class Topology { triangles, lines };
+
+class Device;
+
+/// Device memory, addressed as a storage buffer. Move-only; empty when default-constructed.
+class Buffer {
+ public:
+  Buffer();
+  ~Buffer();
+  Buffer(Buffer&&) noexcept;
+  Buffer& operator=(Buffer&&) noexcept;
+  std::size_t size() const;
+  explicit operator bool() const { return impl_ != nullptr; }
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  friend class Device;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A 2D image, sampled (clamped to the edge) and, if asked for, rendered to.
+class Texture {
+ public:
+  Texture();
+  ~Texture();
+  Texture(Texture&&) noexcept;
+  Texture& operator=(Texture&&) noexcept;
+  glm::ivec2 size() const;
+  TextureFormat format() const;
+  int samples() const;
+  explicit operator bool() const { return impl_ != nullptr; }
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  friend class Device;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct TextureDescription {
+  glm::ivec2 size{1};
+  TextureFormat format = TextureFormat::rgba16f;
+  Filter filter = Filter::linear;
+  int samples = 1;
+  bool render_target = false;
+};
+
+/// Shader resources are set 0. Bindings 0 .. storage_buffers-1 are storage buffers; the textures follow at
+/// storage_buffers .. storage_buffers+textures-1 as combined image samplers.
+struct ShaderInterface {
+  std::uint32_t storage_buffers = 0;
+  std::uint32_t textures = 0;
+  std::uint32_t push_constant_bytes = 0;               ///< at most 128
+  std::vector<std::uint32_t> specialization = {};      ///< values of constant_id 0, 1, 2, ...
+};
+
+/// A compute pipeline.
+class Kernel {
+ public:
+  Kernel();
+  ~Kernel();
+  Kernel(Kernel&&) noexcept;
+  Kernel& operator=(Kernel&&) noexcept;
+  explicit operator bool() const { return impl_ != nullptr; }
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  friend class Device;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct GraphicsDescription {
+  std::span<const std::uint32_t> vertex_spirv, fragment_spirv;
+  ShaderInterface interface;                            ///< shared by both stages; vertices are pulled from storage buffers
+  Topology topology = Topology::triangles;
+  std::vector<TextureFormat> color_formats;
+  BlendMode blend = BlendMode::none;
+  bool depth_test = false, depth_write = false;
+  int samples = 1;
+  float line_width = 1;                                 ///< used where the device has wide lines
+  bool cull_back_faces = false;
+};
+/// A graphics pipeline (dynamic rendering; viewport follows the target).
+class GraphicsPipeline {
+ public:
+  GraphicsPipeline();
+  ~GraphicsPipeline();
+  GraphicsPipeline(GraphicsPipeline&&) noexcept;
+  GraphicsPipeline& operator=(GraphicsPipeline&&) noexcept;
+  explicit operator bool() const { return impl_ != nullptr; }
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  friend class Device;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// What one pass cost: timestamps (0 where the device has none), and how much was dispatched and drawn.
+struct PassCost {
+  std::string name;
+  double gpu_ms = 0;
+  std::uint32_t dispatches = 0;
+  std::uint32_t draws = 0;
+};
+
+/// Work recorded for one submission. A memory barrier stands between any two recorded operations, so each sees what the
+/// one before wrote. Dispatches and draws count toward the pass that is open.
+class Commands {
+ public:
+  Commands(Commands&&) noexcept;
+  ~Commands();
+  void begin_pass(std::string_view name);
+  void end_pass();
+  void dispatch(const Kernel& kernel, std::initializer_list<const Buffer*> buffers,
+                std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
+                std::uint32_t groups_x, std::uint32_t groups_y = 1, std::uint32_t groups_z = 1);
+  /// Every 32-bit word of the buffer := value.
+  void fill(const Buffer& buffer, std::uint32_t value);
+  void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0, std::size_t to_offset = 0);
+  /// Rendering to these targets until end_rendering. A multisampled color target resolves into `resolve` (may be null).
+  struct Target {
+    const Texture* color = nullptr;
+    const Texture* resolve = nullptr;
+    glm::vec4 clear{0};
+    bool keep = false;  ///< load what is there instead of clearing
+  };
+  void begin_rendering(std::span<const Target> color, const Texture* depth, bool keep_depth = false);
+  void draw(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
+            std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
+            std::uint32_t vertices, std::uint32_t instances = 1);
+  void end_rendering();
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  friend class Device;
+  explicit Commands(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// What a submission did, pass by pass, with its wall time (submit to finish, milliseconds).
+struct SubmitCost {
+  double wall_ms = 0;
+  std::vector<PassCost> passes;
+};
+
+class Device : public std::enable_shared_from_this<Device> {
+ public:
+  /// Error: no_device, saying what was found and what to install or choose.
+  static Result<std::shared_ptr<Device>> open(const DeviceRequest& request = {});
+  ~Device();
+  const DeviceInfo& info() const;
+
+  /// Error: out_of_memory, naming size and limit (a single buffer is at most info().max_storage_buffer_bytes).
+  Result<Buffer> make_buffer(std::size_t bytes);
+  Result<void> upload(const Buffer& buffer, std::span<const std::byte> data, std::size_t offset = 0);
+  Result<void> download(const Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0);
+
+  Result<Texture> make_texture(const TextureDescription& description);
+  /// `data`: tightly packed rows of the texture's format (rgba16f and rgba32f take floats and are converted).
+  Result<void> upload(const Texture& texture, std::span<const float> data);
+  /// Floats, four per texel (one for r32f and depth32f).
+  Result<std::vector<float>> download(const Texture& texture);
+
+  Result<Kernel> make_kernel(std::span<const std::uint32_t> spirv, const ShaderInterface& interface);
+  Result<GraphicsPipeline> make_graphics(const GraphicsDescription& description);
+
+  Commands record();
+  /// Runs the work and waits. Error: internal on a validation message, no_device when the device was lost.
+  Result<SubmitCost> submit(Commands commands, Trace* trace = nullptr);
+
+  /// Bytes of buffers and textures alive now, and the most there have been.
+  std::size_t allocated_bytes() const;
+  std::size_t peak_allocated_bytes() const;
+
+  struct Impl;
+  Impl* impl() const { return impl_.get(); }
+
+ private:
+  Device();
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Bytes of a plain struct, for push constants and uploads.
+template <class T>
+std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span<const T, 1>(&value, 1)); }
+
+/// A buffer holding a copy of the data.
+template <class T>
+Result<Buffer> make_buffer_from(Device& device, std::span<const T> data) {
+  CUTICLE_ASSIGN(Buffer buffer, device.make_buffer(data.size_bytes()));
+  CUTICLE_TRY(device.upload(buffer, std::as_bytes(data)));
+  return buffer;
+}
+template <class T>
+Result<std::vector<T>> read_buffer(Device& device, const Buffer& buffer, std::size_t count) {
+  std::vector<T> data(count);
+  CUTICLE_TRY(device.download(buffer, std::as_writable_bytes(std::span<T>(data))));
+  return data;
+}
+
+/// Work split so that no part passes a limit: consecutive [begin, end) ranges of at most limit_bytes / bytes_each items.
+struct Chunk {
+  std::size_t begin = 0, end = 0;
+};
+std::vector<Chunk> chunks(std::size_t items, std::size_t bytes_each, std::uint64_t limit_bytes);
+
+}  // namespace cuticle::gpu

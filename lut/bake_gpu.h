@@ -1,0 +1,14 @@
+#pragma once
+// Baking on the device: any layout of any registered model, through the model's batch kernel.
+#include <cuticle/gpu/device.h>
+#include <cuticle/lut/table_set.h>
+
+namespace cuticle::lut {
+
+/// As `bake`, in float on the device.
+Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values,
+                          const Layout& layout, int size);
+/// Tables as rgba16f textures (missing channels 0), in the order of the layout, sampled bilinearly and clamped.
+Result<std::vector<gpu::Texture>> upload(gpu::Device& device, const TableSet& set);
+
+}  // namespace cuticle::lut

@@ -1,0 +1,45 @@
+#pragma once
+// Runs the frames of a scene by its plan on one device.
+#include <memory>
+
+#include <cuticle/core/image/image.h>
+#include <cuticle/core/progress.h>
+#include <cuticle/core/trace.h>
+#include <cuticle/gpu/device.h>
+#include <cuticle/lut/table_set.h>
+#include <cuticle/plan/plan.h>
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::plan {
+
+struct FrameOptions {
+  bool render = true;          ///< false: simulate only
+  bool read_state = false;     ///< control hairs' state in the result
+};
+struct FrameResult {
+  Image color;                 ///< linear RGBA
+  Image depth;                 ///< when the scene asks for it
+  sim::State state;            ///< when asked for
+  gpu::SubmitCost cost;        ///< passes named as the plan names them
+};
+
+/// Owns everything a scene needs on the device. Frames are run in order; running frame k advances the simulation to k.
+class FrameRunner {
+ public:
+  static Result<std::unique_ptr<FrameRunner>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                     Progress& progress, Trace* trace = nullptr);
+  ~FrameRunner();
+  const Plan& plan() const;
+  const strands::Groom& control_groom() const;   ///< simulated hairs at rest
+  const lut::TableSet& tables() const;
+  Result<FrameResult> run(int frame, const FrameOptions& options = {});
+  /// The drawn strands of the frame last run, read back.
+  Result<strands::Groom> drawn_strands();
+
+ private:
+  struct Impl;
+  explicit FrameRunner(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cuticle::plan

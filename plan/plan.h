@@ -1,0 +1,37 @@
+#pragma once
+// From a scene's facts to the passes that they demand, each with its reason.
+#include <string>
+#include <vector>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/scene/scene.h>
+
+namespace cuticle::plan {
+
+/// Every registered model, layout, method, effect and pass.
+const scene::Catalogue& catalogue();
+
+struct PlannedPass {
+  const registry::Entry* entry = nullptr;
+  std::string reason;
+  std::uint32_t dispatches = 0, draws = 0;  ///< per frame
+};
+struct LeftOut {
+  const registry::Entry* entry = nullptr;
+  std::string reason;
+};
+struct Plan {
+  registry::Facts facts;
+  registry::FrameShape shape;
+  std::vector<PlannedPass> passes;          ///< in the order in which they run
+  std::vector<LeftOut> left_out;
+};
+
+/// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands", "output_color", ...
+registry::Facts facts_of(const scene::Scene& scene);
+/// `shape` of the frame as built (strands loaded or grown).
+Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape);
+std::string to_text(const Plan& plan);
+std::string to_json(const Plan& plan);
+
+}  // namespace cuticle::plan

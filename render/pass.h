@@ -1,0 +1,16 @@
+#pragma once
+// The concept of a render pass: one folder each, with its demands, its shader and its cost.
+#include <span>
+#include <string_view>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/core/result.h>
+
+namespace cuticle::render {
+
+struct Pass {
+  registry::Entry entry;
+};
+std::span<const Pass* const> passes();
+
+}  // namespace cuticle::render

@@ -1,0 +1,88 @@
+#pragma once
+// The scene file (JSON, docs/scene.schema.json) as data. Knows no effect by name: blocks are tables checked against a Catalogue.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/core/view.h>
+#include <cuticle/strands/growing/growing.h>
+
+namespace cuticle::scene {
+
+/// The registered entries that a scene may name. The caller gathers them (plan::catalogue()).
+struct Catalogue {
+  std::vector<const registry::Entry*> models, layouts, methods, effects, passes;
+};
+
+/// A registered thing with its validated parameters.
+struct Block {
+  std::string name;
+  registry::ParameterValues values;
+  bool operator==(const Block&) const = default;
+};
+
+struct GroomSource {
+  std::string file;                          ///< absolute path; empty: grown on the head by `grow`
+  double metres_per_unit = 0;                ///< 0 = guess, and say so
+  double radius = 0;                         ///< metres; 0 = the file's own, or strands::k_default_radius
+  registry::ParameterValues grow;            ///< of strands::growing_parameters()
+};
+struct HeadSource {
+  bool present = true;                       ///< false: bare strands
+  std::string mesh;                          ///< OBJ file; empty: the procedural head
+  double metres_per_unit = 1;
+};
+struct MotionSource {
+  std::string bvh;                           ///< absolute path
+  std::string joint = "Head";
+  double start_time = 0;                     ///< seconds into the clip
+  double amplitude = 1;                      ///< rotation scaled about the first frame
+};
+struct MaterialSource {
+  Block model;                               ///< bsdf model with its parameters
+  std::string layout = "nalu";
+  int lut_size = 128;
+};
+struct SimulationSource {
+  std::optional<Block> solver;               ///< absent: nothing moves but what the head moves rigidly
+  std::map<std::string, registry::ParameterValues, std::less<>> effects;
+};
+struct CameraPath {
+  Camera camera;
+  double turntable_degrees_per_frame = 0;    ///< about the target's vertical axis
+};
+struct Outputs {
+  bool color = true, depth = false, transmittance = false;
+  double exposure_stops = 0;
+};
+
+struct Scene {
+  int schema_version = 1;
+  std::string name;
+  GroomSource groom;
+  HeadSource head;
+  std::optional<MotionSource> motion;
+  MaterialSource material;
+  SimulationSource simulation;
+  std::vector<Sphere> colliders;             ///< in the head's rest space; "head": true in the file adds the head's own spheres
+  bool head_colliders = false;
+  std::vector<Light> lights;
+  std::optional<Block> shadow;               ///< shadow method with its parameters
+  double fibre_alpha = 0.4;                  ///< opacity of one crossing
+  CameraPath camera;
+  double frames_per_second = 30;
+  int strand_vertices = 30;                  ///< per drawn strand, 2 .. 64
+  int strand_count = 4095;                   ///< drawn strands
+  Outputs outputs;
+};
+
+/// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.
+Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue);
+/// From text; `folder` resolves relative paths, `where` names the source in errors.
+Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where, const Catalogue& catalogue);
+/// The JSON Schema (draft 7), generated from the catalogue.
+std::string scene_schema(const Catalogue& catalogue);
+
+}  // namespace cuticle::scene

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Installs what is missing: Debian packages (scripts/packages.txt) and Python packages (scripts/requirements.txt) into .venv.
+# Safe to run again: it does nothing when everything is there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+wanted=$(grep -vE '^(#|$)' scripts/packages.txt)
+missing=""
+for package in $wanted; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+done
+if [ -n "$missing" ]; then
+  echo "setup: installing$missing" >&2
+  as_root=""
+  [ "$(id -u)" = 0 ] || as_root=sudo
+  $as_root apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+fi
+
+stamp=.venv/requirements.stamp
+if ! cmp -s scripts/requirements.txt "$stamp"; then
+  echo "setup: Python packages into .venv" >&2
+  [ -x .venv/bin/python ] || /usr/bin/python3 -m venv .venv
+  .venv/bin/python -m pip install --quiet --disable-pip-version-check -r scripts/requirements.txt
+  cp scripts/requirements.txt "$stamp"
+fi

@@ -1,0 +1,48 @@
+#pragma once
+// The concept of a shadow method: transmittance of light from outside the hair to points inside it.
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/core/result.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::shadows {
+
+/// What casts: strands as cylinders of their radii, each crossing taking away `alpha` of the light.
+struct Casters {
+  const strands::Groom* groom = nullptr;
+  double alpha = 0.4;                    ///< opacity of one fibre crossing, 0 .. 1
+  glm::dvec3 to_light{0, 1, 0};          ///< unit, from the scene to the light
+};
+
+/// Where transmittance is asked for. A point that lies on a strand says which, so that it does not shadow itself.
+struct Receivers {
+  std::span<const glm::vec3> points;
+  std::span<const std::uint32_t> strands = {};  ///< one per point, or empty
+};
+
+struct Cost {
+  double build_ms = 0, lookup_ms = 0;  ///< wall clock
+  std::size_t bytes = 0;               ///< of the structure that is looked up
+  std::string device;                  ///< "cpu (N threads)" or a GPU's name
+};
+
+/// Transmittance in [0, 1], one per receiver, with the noise of the estimate (0 for deterministic methods).
+struct Transmittance {
+  std::vector<float> values;
+  std::vector<float> standard_error;   ///< empty unless the method is stochastic
+  Cost cost;
+};
+
+struct Method {
+  registry::Entry entry;
+  Result<Transmittance> (*evaluate)(const Casters&, const Receivers&, const registry::ParameterValues&);
+};
+std::span<const Method* const> methods();
+Result<const Method*> find_method(std::string_view name);
+
+}  // namespace cuticle::shadows

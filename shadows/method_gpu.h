@@ -1,0 +1,35 @@
+#pragma once
+// GPU half of a shadow method: a builder that fills its map from the strand buffer and writes one transmittance per vertex.
+#include <memory>
+
+#include <cuticle/gpu/device.h>
+#include <cuticle/shadows/method.h>
+
+namespace cuticle::shadows {
+
+/// Strands on the device: vec4 (position, radius) per vertex, and one uint per segment: the index of its first vertex.
+struct GpuStrands {
+  const gpu::Buffer* vertices = nullptr;   ///< vec4 x vertex_count
+  const gpu::Buffer* segments = nullptr;   ///< uint x segment_count; the segment joins vertex k and k + 1
+  std::uint32_t vertex_count = 0, segment_count = 0;
+  strands::Bounds bounds;                  ///< of all vertices, metres; the light's frame is fitted to it
+};
+
+/// A method's passes, recorded into a frame. `transmittance` receives one float per vertex.
+class GpuShadow {
+ public:
+  virtual ~GpuShadow() = default;
+  virtual Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
+                              const gpu::Buffer& transmittance) = 0;
+  /// Dispatches that `record` will make: what a plan prints.
+  virtual std::uint32_t dispatches_per_frame(const GpuStrands& strands) const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+struct GpuMethod {
+  std::string_view name;
+  Result<std::unique_ptr<GpuShadow>> (*create)(std::shared_ptr<gpu::Device>, const registry::ParameterValues&);
+};
+std::span<const GpuMethod* const> gpu_methods();
+Result<const GpuMethod*> find_gpu_method(std::string_view name);
+
+}  // namespace cuticle::shadows

@@ -1,0 +1,55 @@
+#pragma once
+// The concept of a strand solver and of the effects that act in it. State is stored relative to the head's frame origin.
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include <cuticle/core/registry/entry.h>
+#include <cuticle/core/result.h>
+#include <cuticle/core/view.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::sim {
+
+/// Parameters of the effects that the plan demands, by effect name ("gravity", "colliders", ...). An absent name: the effect
+/// is not simulated and none of its work is dispatched.
+using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
+
+/// What moves between two frames. Transforms are rest -> world of the head; colliders are given in rest space of the head
+/// and move with it. Between begin and end every substep interpolates.
+struct FrameInput {
+  double duration = 1.0 / 60;                ///< seconds, 0 .. 100
+  glm::dmat4 head_begin{1}, head_end{1};
+  std::span<const Sphere> colliders;
+  bool teleport = false;                     ///< the whole state moves rigidly with the head, velocity kept in its frame
+};
+
+/// State at the end of a frame, in world space, one entry per control vertex.
+struct State {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> velocities;         ///< metres per second
+  std::uint32_t guards_fired = 0;            ///< strands that were reset because something was not finite
+};
+/// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots).
+std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions);
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual Result<void> advance(const FrameInput& input) = 0;
+  virtual Result<State> state() = 0;
+};
+
+/// A solver (entry.name "classic") or an effect (entry.name "gravity"); effects have no `create`.
+struct Effect {
+  registry::Entry entry;
+  Result<std::unique_ptr<Solver>> (*create)(const strands::Groom& rest, const registry::ParameterValues& solver,
+                                            const EffectBlocks& effects);
+};
+std::span<const Effect* const> effects();
+Result<const Effect*> find_effect(std::string_view name);
+
+}  // namespace cuticle::sim

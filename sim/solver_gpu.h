@@ -1,0 +1,27 @@
+#pragma once
+// GPU half: the same solvers on the device; positions stay there for the passes that follow.
+#include <memory>
+
+#include <cuticle/gpu/device.h>
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim {
+
+class GpuSolver : public Solver {
+ public:
+  /// Records one frame's passes ("simulate.integrate", "simulate.constraints", "simulate.colliders") into `commands`.
+  virtual Result<void> record(gpu::Commands& commands, const FrameInput& input) = 0;
+  /// World positions after the recorded work, vec4 per control vertex.
+  virtual const gpu::Buffer& positions() const = 0;
+  /// Dispatches per effect name that `record` will make for this input: what a plan prints.
+  virtual std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const = 0;
+};
+struct GpuEffect {
+  std::string_view name;
+  Result<std::unique_ptr<GpuSolver>> (*create)(std::shared_ptr<gpu::Device>, const strands::Groom& rest,
+                                               const registry::ParameterValues& solver, const EffectBlocks& effects);
+};
+std::span<const GpuEffect* const> gpu_effects();
+Result<const GpuEffect*> find_gpu_effect(std::string_view name);
+
+}  // namespace cuticle::sim

@@ -1,0 +1,41 @@
+#pragma once
+// Strand files in and out: Cem Yuksel .hair, TressFX .tfx (versions 3 and 4), OBJ meshes.
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cuticle/core/result.h>
+#include <cuticle/strands/groom.h>
+#include <cuticle/strands/mesh.h>
+
+namespace cuticle::strands {
+
+/// How to take a file's numbers. metres_per_unit 0: guess_units; radius 0: the file's own thickness, or k_default_radius.
+struct ReadOptions {
+  double metres_per_unit = 0;
+  double radius = 0;
+};
+/// A groom with what was guessed or dropped, one sentence each.
+struct GroomFile {
+  Groom groom;
+  double metres_per_unit = 1;
+  std::vector<std::string> notes;
+};
+
+/// By extension. Errors are bad_input and name file, field, offset and the allowed range.
+Result<GroomFile> read_groom(const std::string& path, const ReadOptions& options = {});
+/// By extension (.hair, .tfx); what the format cannot hold is in `notes`.
+Result<std::vector<std::string>> write_groom(const std::string& path, const Groom& groom, double metres_per_unit = 1);
+
+/// Parsers over bytes (fuzzed). Positions in file units; nothing is scaled.
+Result<Groom> parse_hair(std::span<const std::byte> bytes, const std::string& where);
+Result<Groom> parse_tfx(std::span<const std::byte> bytes, const std::string& where);
+Result<Mesh> parse_obj(std::string_view text, const std::string& where);
+Result<Mesh> read_obj(const std::string& path, double metres_per_unit);
+
+std::vector<std::byte> format_hair(const Groom& groom);
+/// version 3 or 4. Error: bad_input when strands differ in vertex count.
+Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version);
+
+}  // namespace cuticle::strands

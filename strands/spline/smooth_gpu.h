@@ -1,0 +1,35 @@
+#pragma once
+// GPU half of N4 and N5: control positions on the device -> smoothed -> interpolated drawn strands with tangents.
+#include <memory>
+
+#include <cuticle/gpu/device.h>
+#include <cuticle/strands/spline/smooth.h>
+
+namespace cuticle::strands {
+
+struct StrandGeneratorInput {
+  const Groom* control = nullptr;                    ///< rest: offsets, radii
+  int vertices_per_strand = 30;
+  std::span<const std::array<std::uint32_t, 3>> hairs;   ///< per drawn strand: its three control strands
+  std::span<const glm::vec3> weights;                ///< per drawn strand, sum 1
+  float radius = 35e-6f;                             ///< drawn fibre radius, metres; tapers to half at the tip
+};
+/// Records "generate.smooth" and "generate.interpolate": one dispatch each (more only past the buffer limit).
+class StrandGenerator {
+ public:
+  static Result<std::unique_ptr<StrandGenerator>> create(std::shared_ptr<gpu::Device> device, const StrandGeneratorInput& input);
+  ~StrandGenerator();
+  Result<void> record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions);
+  Result<void> record_interpolate(gpu::Commands& commands);
+  const gpu::Buffer& vertices() const;   ///< vec4 (position, radius)
+  const gpu::Buffer& tangents() const;   ///< vec4 (unit tangent, fraction of length root -> tip)
+  const gpu::Buffer& segments() const;   ///< uint: first vertex of each segment
+  std::uint32_t vertex_count() const, segment_count() const;
+
+ private:
+  struct Impl;
+  explicit StrandGenerator(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cuticle::strands
