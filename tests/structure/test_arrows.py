@@ -1,0 +1,105 @@
+"""The arrows of docs/architecture.md: who may include whom, who may link whom, and where heavy packages may appear."""
+import re
+
+import pytest
+
+from repository import ARROWS, BUILD, EXTRA, LEAVES, ROOT, WITH_GPU_HALF, closure, code_files, includes, is_gpu_half, module_of
+
+HEAVY = {
+    r"embree3/|embree4/": "strands/rays/", r"OpenImageIO/|OpenEXR/|Imath/": "core/image/", r"ceres/": "lut/",
+    r"vtk\w+\.h": "viz/", r"vulkan/|volk\.h": "gpu/",
+}
+
+
+def allowed_modules(path):
+    allowed = closure(module_of(path))
+    for folder, more in EXTRA.items():
+        if path.startswith(folder + "/"):
+            for module in more:
+                allowed |= closure(module)
+    if is_gpu_half(path) and module_of(path) in WITH_GPU_HALF:
+        allowed |= {"gpu"}
+    return allowed
+
+
+def checked_files():
+    return [p for p in code_files() if module_of(p) in ARROWS and not re.search(r"_(test|fuzz|bench)\.cpp$", p)]
+
+
+def violations(paths):
+    found = []
+    for path in paths:
+        for name in includes(path):
+            if module_of(name) not in allowed_modules(path):
+                found.append(f"{path} includes {name}")
+            if is_gpu_half(name) and name.split("/")[0] in WITH_GPU_HALF and not is_gpu_half(path):
+                found.append(f"{path} is no GPU half but includes {name}")
+    return found
+
+
+def test_Includes_EveryFile_FollowsTheArrows():
+    assert violations(checked_files()) == []
+
+
+def test_Includes_AForbiddenArrow_IsNoticed(tmp_path, monkeypatch):
+    import repository
+    (tmp_path / "bsdf").mkdir()
+    (tmp_path / "bsdf/wrong.h").write_text("#include <cuticle/lut/table_set.h>\n")
+    monkeypatch.setattr(repository, "ROOT", tmp_path)
+    assert violations(["bsdf/wrong.h"]) == ["bsdf/wrong.h includes lut/table_set.h"]
+
+
+def test_Leaves_NothingPointsToThem():
+    wrong = [f"{p} includes {n}" for p in checked_files() for n in includes(p) if n.split("/")[0] in LEAVES]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("pattern,home", HEAVY.items())
+def test_HeavyPackage_AppearsInOnePlaceOnly(pattern, home):
+    wrong = []
+    for path in code_files():
+        if path.startswith(home) or re.search(r"_test\.cpp$", path) or path.endswith(".py"):
+            continue
+        if re.search(r'#\s*include\s*[<"](%s)' % pattern, (ROOT / path).read_text(errors="replace")):
+            wrong.append(path)
+    assert wrong == []
+
+
+def test_PublicHeaders_HoldNoHeavyType():
+    heavy = r'#\s*include\s*[<"](embree\d?/|OpenImageIO/|OpenEXR/|Imath/|ceres/|vtk\w+|vulkan/|volk|nlohmann/)'
+    wrong = [p for p in code_files() if p.endswith(".h") and "/detail/" not in p and module_of(p) in ARROWS
+             and re.search(heavy, (ROOT / p).read_text())]
+    assert wrong == []
+
+
+def target_module(target):
+    name = target.replace("cuticle::", "").replace("cuticle_", "", 1) if target.startswith("cuticle") else None
+    special = {"core_image": "core/image", "strands_rays": "strands/rays", "study_oracle": "study/oracle", "study_shadows": "study"}
+    if name is None or name in ("", "warnings", "cuticle"):
+        return None
+    return special.get(name, name.removesuffix("_gpu"))
+
+
+def linked_pairs():
+    for line in (BUILD / "generated/link_graph.txt").read_text().splitlines():
+        target, _, libraries = line.partition(": ")
+        for library in re.split(r"[;\s]+", libraries):
+            library = re.sub(r"\$<(LINK_ONLY|BUILD_INTERFACE):(.*)>", r"\2", library)
+            if library.startswith("cuticle") and "warnings" not in library and "parts" not in library:
+                yield target, library
+
+
+def test_LinkGraph_EveryTarget_FollowsTheArrows():
+    wrong = []
+    pairs = list(linked_pairs())
+    assert len(pairs) > 10
+    for target, library in pairs:
+        module = target_module(target)
+        if module is None or module in LEAVES:
+            continue
+        allowed = closure(module) | {"gpu"} if target.endswith("_gpu") else closure(module)
+        if module == "shadows":
+            allowed |= {"strands/rays"}
+        if target_module(library) not in allowed or (library.endswith("_gpu") and not target.endswith("_gpu")):
+            wrong.append(f"{target} links {library}")
+    assert wrong == []
