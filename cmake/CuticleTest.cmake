@@ -43,3 +43,18 @@ function(cuticle_fuzz FILE)
   target_link_libraries(${stem} PRIVATE ${ARG_LIBS} cuticle_warnings)
   target_link_options(${stem} PRIVATE -fsanitize=fuzzer)
 endfunction()
+
+# cuticle_pytest(NAME FOLDER [LABELS ...] [TIMEOUT s] [ENVIRONMENT A=b ...]): a pytest folder or file as one ctest entry.
+function(cuticle_pytest NAME FOLDER)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "LABELS;ENVIRONMENT" ${ARGN})
+  if(NOT CUTICLE_TESTS)
+    return()
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 240)
+  endif()
+  add_test(NAME ${NAME} COMMAND ${PROJECT_SOURCE_DIR}/.venv/bin/python -m pytest -q -p no:cacheprovider ${FOLDER}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(${NAME} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
+    ENVIRONMENT "CUTICLE_BUILD_DIR=${CMAKE_BINARY_DIR};CUTICLE_PROGRAM=${CMAKE_BINARY_DIR}/bin/cuticle;CUTICLE_DEVICE=cpu;CUTICLE_TEST_DATA=$ENV{CUTICLE_TEST_DATA};${ARG_ENVIRONMENT}")
+endfunction()

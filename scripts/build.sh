@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Configures and builds a preset: scripts/build.sh PRESET [TARGET ...].
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=$1
+shift
+export PATH="$PWD/.venv/bin:$PATH"
+log=build/$preset.configure.log
+mkdir -p build
+cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+cmake --build --preset "$preset" -- --quiet ${@:+"$@"}

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# The main job on a fresh machine: set up, build, run `cuticle demo`. Arguments go to it (--groom FILE, --out DIR).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+scripts/build.sh release cuticle
+exec build/release/bin/cuticle demo "$@"

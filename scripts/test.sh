@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# All tests: scripts/test.sh [--full]. Builds `release` and runs its tests, runs the CPU tests under ASan + UBSan, and
+# fuzzes every reader (120 s in total; ten times that with --full). --full adds the presets `minimal`, `double` and `dev`.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+full=no
+[ "${1:-}" = --full ] && full=yes
+started=$SECONDS
+say() { printf '\n== %s (%d s)\n' "$1" $((SECONDS - started)); }
+
+scripts/setup.sh
+say "build release"
+scripts/build.sh release
+say "tests of release"
+ctest --preset release -j2 --output-junit "$PWD/build/release/report.xml"
+say "rows of docs/systems.md that ran and passed"
+scripts/coverage-of-systems
+
+say "build asan-ubsan"
+scripts/build.sh asan-ubsan
+say "tests of asan-ubsan"
+ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions="$PWD/cmake/leaks.supp" UBSAN_OPTIONS=print_stacktrace=1 \
+  ctest --preset asan-ubsan -j2
+
+say "build fuzz"
+scripts/build.sh fuzz
+say "fuzzing"
+scripts/fuzz.sh $([ $full = yes ] && echo 1200 || echo 120)
+
+if [ $full = yes ]; then
+  for preset in minimal double dev; do
+    say "build and tests of $preset"
+    scripts/build.sh $preset
+    ctest --preset $preset -j2
+  done
+fi
+say "all passed"
