@@ -1,0 +1,180 @@
+#include <cuticle/study/demo/demo.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include <fmt/core.h>
+
+#include <cuticle/core/file.h>
+#include <cuticle/core/image/image.h>
+#include <cuticle/plan/frame_runner_gpu.h>
+#include <cuticle/strands/formats/formats.h>
+#include <cuticle/study/demo/demo_page.h>
+#include <cuticle/study/demo/demo_study.h>
+
+namespace cuticle::study {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Sums of a pass over all frames.
+struct PassTotal {
+  double gpu_ms = 0;
+  std::uint64_t dispatches = 0, draws = 0;
+};
+
+/// The job's state, one step a method; each step adds its section to the page.
+class DemoJob {
+ public:
+  DemoJob(std::shared_ptr<gpu::Device> device, const DemoOptions& options, Progress& progress, Trace* trace)
+      : device_(std::move(device)), options_(options), progress_(progress), trace_(trace) {}
+
+  Result<void> run() {
+    CUTICLE_TRY(make_folder(options_.out + "/frames"));
+    CUTICLE_TRY(load());
+    CUTICLE_TRY(write_tables());
+    CUTICLE_TRY(run_frames());
+    CUTICLE_TRY(write_pictures());
+    CUTICLE_TRY(write_costs());
+    CUTICLE_TRY(run_study());
+    page_.title = fmt::format("Cuticle: {}", options_.groom_file.empty() ? "hair grown on the head" : options_.groom_file);
+    return write_page(page_, options_.out);
+  }
+
+ private:
+  Result<void> load() {
+    CUTICLE_ASSIGN(scene_, scene::load_scene(options_.scene_file, plan::catalogue()));
+    if (!options_.groom_file.empty()) {
+      scene_.groom.file = options_.groom_file;
+      scene_.groom.metres_per_unit = options_.metres_per_unit;
+      scene_.groom.radius = options_.radius;
+    }
+    CUTICLE_ASSIGN(runner_, plan::FrameRunner::create(device_, scene_, progress_, trace_));
+    return write_text_file(options_.out + "/plan.json", plan::to_json(runner_->plan()));
+  }
+
+  Result<void> write_tables() {
+    const lut::TableSet& set = runner_->tables();
+    CUTICLE_TRY(make_folder(options_.out + "/lut"));
+    lut::TableSet certified = set;
+    CUTICLE_TRY(lut::certify(certified, lut::Format::exr, progress_));
+    CUTICLE_TRY(lut::write(certified, lut::Format::exr, options_.out + "/lut"));
+    DemoSection section{"Lookup textures", fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, in half floats.",
+                                                       set.layout->entry.name, set.size, set.size, set.model->entry.name, set.baked_on, set.bake_ms),
+                        {{"lut/preview.png", "the tables, tone mapped"}},
+                        {{"channel", "rms error / rms signal", "worst error / peak"}, {}}};
+    for (const lut::Table& table : certified.tables)
+      for (const lut::ChannelError& error : table.errors)
+        section.table.rows.push_back({error.channel, fmt::format("{:.2e}", error.signal_rms > 0 ? error.rms / error.signal_rms : 0.0),
+                                      fmt::format("{:.2e}", error.peak > 0 ? error.maximum / error.peak : 0.0)});
+    page_.sections.push_back(std::move(section));
+    return {};
+  }
+
+  Result<void> run_frames() {
+    const auto start = std::chrono::steady_clock::now();
+    for (int frame = 0; frame < options_.frames; ++frame) {
+      CUTICLE_ASSIGN(plan::FrameResult result, runner_->run(frame, {.render = true, .read_state = true}));
+      CUTICLE_TRY(keep_frame(frame, result));
+      progress_.update("frames", std::size_t(frame) + 1, std::size_t(options_.frames));
+    }
+    frames_seconds_ = seconds_since(start);
+    return {};
+  }
+
+  Result<void> keep_frame(int frame, const plan::FrameResult& result) {
+    wall_ms_ += result.cost.wall_ms;
+    for (const gpu::PassCost& pass : result.cost.passes) {
+      PassTotal& total = totals_[pass.name];
+      total.gpu_ms += pass.gpu_ms;
+      total.dispatches += pass.dispatches;
+      total.draws += pass.draws;
+    }
+    const std::vector<float> stretch = sim::stretch(runner_->control_groom(), result.state.positions);
+    if (!stretch.empty()) largest_stretch_ = std::max(largest_stretch_, *std::max_element(stretch.begin(), stretch.end()));
+    const Image picture = tone_map(result.color, scene_.outputs.exposure_stops);
+    if (on_sheet(frame)) sheet_.push_back(picture);
+    return write_png(fmt::format("{}/frames/frame_{:04d}.png", options_.out, frame), picture);
+  }
+
+  bool on_sheet(int frame) const {
+    const int count = std::clamp(options_.sheet_frames, 1, options_.frames);
+    for (int k = 0; k < count; ++k)
+      if (frame == (count == 1 ? 0 : k * (options_.frames - 1) / (count - 1))) return true;
+    return false;
+  }
+
+  Result<void> write_pictures() {
+    CUTICLE_TRY(write_png(options_.out + "/contact_sheet.png", contact_sheet(sheet_, 4)));
+    CUTICLE_ASSIGN(drawn_, runner_->drawn_strands());
+    CUTICLE_ASSIGN(auto notes, strands::write_groom(options_.out + "/state.hair", drawn_));
+    for (const std::string& note : notes) progress_.message(note);
+    page_.sections.insert(page_.sections.begin(),
+                          {"Frames", fmt::format("{} strands, {} vertices drawn; {} control hairs simulated over {} frames; longest segment {:.3f} of its rest length.",
+                                                 drawn_.strand_count(), drawn_.vertex_count(), runner_->control_groom().strand_count(), options_.frames, largest_stretch_),
+                           {{"contact_sheet.png", "the head turn, camera turning"}}, {}});
+    return {};
+  }
+
+  Result<void> write_costs() {
+    const double frames = options_.frames;
+    DemoSection section{"Plan and cost", fmt::format("Only these passes ran, each for the reason given; {:.0f} ms a frame by wall clock on {}. Device times are its own timestamps.",
+                                                     wall_ms_ / frames, device_->info().name),
+                        {}, {{"pass", "reason", "dispatches a frame", "draws a frame", "device ms a frame"}, {}}};
+    for (const plan::PlannedPass& pass : runner_->plan().passes) {
+      const PassTotal total = totals_[std::string(pass.entry->name)];
+      section.table.rows.push_back({std::string(pass.entry->name), pass.reason, fmt::format("{:g}", double(total.dispatches) / frames),
+                                    fmt::format("{:g}", double(total.draws) / frames), fmt::format("{:.2f}", total.gpu_ms / frames)});
+    }
+    for (const plan::LeftOut& left : runner_->plan().left_out)
+      section.table.rows.push_back({std::string(left.entry->name), "left out: " + left.reason, "0", "0", "0"});
+    CUTICLE_TRY(write_text_file(options_.out + "/costs.csv", csv_of(section.table)));
+    page_.sections.push_back(std::move(section));
+    progress_.message(fmt::format("{} frames in {:.1f} s, {:.0f} ms of device work a frame", options_.frames, frames_seconds_, wall_ms_ / frames));
+    return {};
+  }
+
+  static std::string csv_of(const DemoTable& table) {
+    std::string text;
+    auto add = [&](const std::vector<std::string>& row) {
+      for (std::size_t i = 0; i < row.size(); ++i) text += fmt::format("{}\"{}\"", i ? "," : "", row[i]);
+      text += "\n";
+    };
+    add(table.columns);
+    for (const auto& row : table.rows) add(row);
+    return text;
+  }
+
+  Result<void> run_study() {
+    CUTICLE_ASSIGN(DemoSection section, run_demo_study(drawn_, scene_, options_.out + "/study", progress_));
+    page_.sections.push_back(std::move(section));
+    return {};
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  DemoOptions options_;
+  Progress& progress_;
+  Trace* trace_;
+  scene::Scene scene_;
+  std::unique_ptr<plan::FrameRunner> runner_;
+  strands::Groom drawn_;
+  std::vector<Image> sheet_;
+  std::map<std::string, PassTotal> totals_;
+  double wall_ms_ = 0, frames_seconds_ = 0;
+  float largest_stretch_ = 1;
+  DemoPage page_;
+};
+
+}  // namespace
+
+Result<void> run_demo(std::shared_ptr<gpu::Device> device, const DemoOptions& options, Progress& progress, Trace* trace) {
+  if (options.frames < 2 || options.frames > 2000)
+    return usage_error(fmt::format("--frames: {} is outside 2 .. 2000", options.frames));
+  return DemoJob(std::move(device), options, progress, trace).run();
+}
+
+}  // namespace cuticle::study
