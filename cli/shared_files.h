@@ -1,0 +1,16 @@
+#pragma once
+// Files that travel with the program (scenes) and the Python package that makes pages.
+#include <string>
+
+#include <cuticle/core/progress.h>
+
+namespace cuticle::cli {
+
+/// Full path of a file that travels with the program: in CUTICLE_SHARE, beside the program (../share/cuticle), or in the source tree.
+std::string share_file(const std::string& name);
+
+/// Runs `python -m cuticle_report [mode] folder`, which makes index.html and the plots from the data there. Where Python or the package
+/// is missing, says so and leaves the data. Gives the exit code 0, also then.
+int make_page(const std::string& mode, const std::string& folder, Progress& progress);
+
+}  // namespace cuticle::cli
