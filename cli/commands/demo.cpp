@@ -35,6 +35,7 @@ void add_demo(CLI::App& app, Context& context) {
   command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own or 35e-6")->check(CLI::Range(0.0, 0.01));
   command->add_option("--out", options->out, "folder to write (default: demo)");
   command->add_option("--frames", options->frames, "frames to simulate and render")->check(CLI::Range(2, 2000));
+  command->add_flag("!--no-study", options->study, "leave the shadow study out");
   command->callback([&context, options] {
     context.action = [&context, options] {
       options->scene_file = share_file(options->groom_file.empty() ? "scenes/demo.json" : "scenes/demo_groom.json");

@@ -40,7 +40,7 @@ class DemoJob {
     CUTICLE_TRY(run_frames());
     CUTICLE_TRY(write_pictures());
     CUTICLE_TRY(write_costs());
-    CUTICLE_TRY(run_study());
+    if (options_.study) CUTICLE_TRY(run_study());
     page_.title = fmt::format("Cuticle: {}", options_.groom_file.empty() ? "hair grown on the head" : options_.groom_file);
     return write_page(page_, options_.out);
   }

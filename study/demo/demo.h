@@ -17,6 +17,7 @@ struct DemoOptions {
   double radius = 0;               ///< metres; 0 = the file's own or the default
   std::string out;                 ///< folder to write
   int frames = 48;                 ///< simulated and rendered, 2 .. 2000
+  bool study = true;               ///< false: leave the shadow study out
   int sheet_frames = 8;            ///< of them on the contact sheet, spread evenly
 };
 
