@@ -14,6 +14,7 @@ namespace cuticle::scene {
 /// The registered entries that a scene may name. The caller gathers them (plan::catalogue()).
 struct Catalogue {
   std::vector<const registry::Entry*> models, layouts, methods, effects, passes;
+  std::vector<const registry::Entry*> solvers;   ///< those of sim::effects() that are solvers; `effects` holds the others
 };
 
 /// A registered thing with its validated parameters.
@@ -48,10 +49,12 @@ struct MaterialSource {
 struct SimulationSource {
   std::optional<Block> solver;               ///< absent: nothing moves but what the head moves rigidly
   std::map<std::string, registry::ParameterValues, std::less<>> effects;
+  double settle_time = 0;                    ///< seconds simulated before frame 0, the head at rest
 };
 struct CameraPath {
   Camera camera;
   double turntable_degrees_per_frame = 0;    ///< about the target's vertical axis
+  bool automatic = false;                    ///< framed on the hair: position and target are not used
 };
 struct Outputs {
   bool color = true, depth = false, transmittance = false;
@@ -76,6 +79,7 @@ struct Scene {
   int strand_vertices = 30;                  ///< per drawn strand, 2 .. 64
   int strand_count = 4095;                   ///< drawn strands
   Outputs outputs;
+  std::map<std::string, registry::ParameterValues, std::less<>> passes;  ///< of render passes, by name; absent: defaults
 };
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.

@@ -1,0 +1,139 @@
+// Walks a JSON value beside its specification and stops at the first thing that is wrong.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/scene/specification.h>
+
+namespace cuticle::scene {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Where a value stands: the source, and the path of keys to it.
+struct Place {
+  std::string source, path;
+  Place at(const std::string& key) const { return {source, path.empty() ? key : path + "." + key}; }
+  Place at(std::size_t index) const { return {source, fmt::format("{}[{}]", path, index)}; }
+  std::string text() const { return path.empty() ? source : source + ": " + path; }
+};
+
+Result<void> check_value(const Spec& spec, const Json& value, const Place& place);
+
+Error wrong_type(const Place& place, std::string_view expected, const Json& value) {
+  return bad_input(fmt::format("{}: expected {}, found {}", place.text(), expected, value.type_name()));
+}
+
+Error unknown_key(const Place& place, const std::string& key, std::span<const std::string_view> known) {
+  const std::string near = registry::nearest_name(key, known);
+  return bad_input(fmt::format("{}: unknown key '{}'; allowed: {}", place.text(), key, fmt::join(known, ", ")),
+                   near.empty() ? "" : fmt::format("write '{}'", near));
+}
+
+Result<void> check_number(const Spec& spec, const Json& value, const Place& place) {
+  const bool whole = spec.kind == SpecKind::integer;
+  if (!value.is_number()) return wrong_type(place, whole ? "a whole number" : "a number", value);
+  const double number = value.get<double>();
+  if (whole && number != std::floor(number))
+    return bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number, spec.minimum, spec.maximum));
+  if (!(number >= spec.minimum && number <= spec.maximum))
+    return bad_input(fmt::format("{} = {} is outside {} .. {}", place.text(), number, spec.minimum, spec.maximum));
+  return {};
+}
+
+Result<void> check_numbers(const Spec& spec, const Json& value, const Place& place) {
+  if (!value.is_array() || value.size() != std::size_t(spec.count))
+    return bad_input(fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum));
+  for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_number(spec, value[i], place.at(i)));
+  return {};
+}
+
+Result<void> check_text(const Spec& spec, const Json& value, const Place& place) {
+  if (!value.is_string()) return wrong_type(place, "a text", value);
+  const auto text = value.get<std::string>();
+  if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end()) return {};
+  return bad_input(fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", ")));
+}
+
+Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
+  auto values = registry::values_from_json(table, value.dump(-1, ' ', false, Json::error_handler_t::replace), place.text());
+  if (values) return {};
+  return Error{ErrorKind::bad_input, values.error().message, values.error().hint};
+}
+
+Result<void> check_blocks(const Spec& spec, const Json& value, const Place& place) {
+  if (!value.is_object()) return wrong_type(place, "an object of named blocks", value);
+  std::vector<std::string_view> known;
+  for (const registry::Entry* entry : spec.entries) known.push_back(entry->name);
+  if (spec.kind == SpecKind::block && value.size() != 1)
+    return bad_input(fmt::format("{}: expected exactly one of: {}", place.text(), fmt::join(known, ", ")));
+  for (const auto& [key, block] : value.items()) {
+    const auto found = std::ranges::find(spec.entries, key, &registry::Entry::name);
+    if (found == spec.entries.end()) return unknown_key(place, key, known);
+    CUTICLE_TRY(check_parameters((*found)->parameters, block, place.at(key)));
+  }
+  return {};
+}
+
+Result<void> check_known_keys(const Spec& spec, const Json& value, const Place& place) {
+  std::vector<std::string_view> known;
+  for (const Spec& child : spec.children) known.push_back(child.key);
+  for (const auto& [key, unused] : value.items())
+    if (std::ranges::find(known, key) == known.end()) return unknown_key(place, key, known);
+  return {};
+}
+
+Result<void> check_object(const Spec& spec, const Json& value, const Place& place) {
+  if (!value.is_object()) return wrong_type(place, "an object", value);
+  CUTICLE_TRY(check_known_keys(spec, value, place));
+  for (const Spec& child : spec.children) {
+    const auto found = value.find(child.key);
+    if (found != value.end()) CUTICLE_TRY(check_value(child, *found, place.at(child.key)));
+    else if (child.required) return bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary));
+  }
+  return {};
+}
+
+Result<void> check_array(const Spec& spec, const Json& value, const Place& place) {
+  if (!value.is_array()) return wrong_type(place, "a list", value);
+  if (double(value.size()) > spec.maximum)
+    return bad_input(fmt::format("{}: {} items; allowed: 0 .. {}", place.text(), value.size(), spec.maximum));
+  for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_value(spec.children[0], value[i], place.at(i)));
+  return {};
+}
+
+Result<void> check_value(const Spec& spec, const Json& value, const Place& place) {
+  switch (spec.kind) {
+    case SpecKind::object: return check_object(spec, value, place);
+    case SpecKind::array: return check_array(spec, value, place);
+    case SpecKind::block:
+    case SpecKind::blocks: return check_blocks(spec, value, place);
+    case SpecKind::parameters: return check_parameters(spec.table, value, place);
+    case SpecKind::text:
+    case SpecKind::file: return check_text(spec, value, place);
+    case SpecKind::real:
+    case SpecKind::integer: return check_number(spec, value, place);
+    case SpecKind::numbers: return check_numbers(spec, value, place);
+    case SpecKind::boolean: break;
+  }
+  if (!value.is_boolean()) return wrong_type(place, "true or false", value);
+  return {};
+}
+
+}  // namespace
+
+Result<void> check(const Spec& spec, std::string_view json, const std::string& where) {
+  try {
+    return check_value(spec, Json::parse(json), {where, ""});
+  } catch (const Json::parse_error& error) {
+    return bad_input(fmt::format("{}: not JSON at byte {}", where, error.byte), "check commas, quotes and brackets there");
+  } catch (const Json::exception& error) {
+    return bad_input(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+}  // namespace cuticle::scene

@@ -1,0 +1,230 @@
+// Reads a checked scene file into a Scene. What `check` has refused cannot appear here.
+#include <filesystem>
+#include <numbers>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/core/file.h>
+#include <cuticle/scene/specification.h>
+
+namespace cuticle::scene {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Keys of one object; absent keys leave the default in place.
+struct Reader {
+  const Json& value;
+  const std::string& where;
+  const std::string& folder;
+
+  template <class T>
+  void get(const char* key, T& target) const {
+    if (const auto found = value.find(key); found != value.end()) target = found->get<T>();
+  }
+  void get(const char* key, glm::dvec3& target) const {
+    if (const auto found = value.find(key); found != value.end())
+      target = {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+  }
+  bool has(const char* key) const { return value.contains(key); }
+  Reader child(const char* key) const {
+    static const Json empty = Json::object();
+    const auto found = value.find(key);
+    return {found == value.end() ? empty : *found, where, folder};
+  }
+  /// The absolute name of a file that exists; empty when the key is absent.
+  Result<std::string> file(const char* key, std::string_view path) const {
+    if (!has(key)) return std::string();
+    const std::filesystem::path name = std::filesystem::path(folder) / value[key].get<std::string>();
+    std::error_code code;
+    if (std::filesystem::is_regular_file(name, code)) return name.lexically_normal().string();
+    return bad_input(fmt::format("{}: {}: no file '{}'", where, path, name.lexically_normal().string()),
+                     "file names are relative to the scene file");
+  }
+};
+
+const registry::Entry& entry_of(std::span<const registry::Entry* const> entries, std::string_view name) {
+  return **std::ranges::find(entries, name, &registry::Entry::name);
+}
+
+registry::ParameterValues values_of(registry::ParameterTable table, const Json& json) {
+  return registry::values_from_json(table, json.dump(-1, ' ', false, Json::error_handler_t::replace), "").value();
+}
+
+Block block_of(std::span<const registry::Entry* const> entries, const Json& json) {
+  const std::string name = json.begin().key();
+  return {name, values_of(entry_of(entries, name).parameters, json.begin().value())};
+}
+
+std::map<std::string, registry::ParameterValues, std::less<>> blocks_of(std::span<const registry::Entry* const> entries,
+                                                                        const Json& json) {
+  std::map<std::string, registry::ParameterValues, std::less<>> blocks;
+  for (const auto& [name, values] : json.items()) blocks[name] = values_of(entry_of(entries, name).parameters, values);
+  return blocks;
+}
+
+Result<glm::dvec3> direction(const Reader& reader, const char* key, const std::string& path) {
+  glm::dvec3 vector{0};
+  reader.get(key, vector);
+  if (glm::length(vector) > 0) return glm::normalize(vector);
+  return bad_input(fmt::format("{}: {}.{} is the zero vector; allowed: any direction", reader.where, path, key));
+}
+
+Result<void> read_groom(const Reader& reader, Scene& scene) {
+  CUTICLE_ASSIGN(scene.groom.file, reader.file("file", "groom.file"));
+  reader.get("metres_per_unit", scene.groom.metres_per_unit);
+  reader.get("radius_m", scene.groom.radius);
+  scene.groom.grow = values_of(strands::growing_parameters(), reader.child("grow").value);
+  if (!scene.groom.file.empty() && reader.has("grow"))
+    return bad_input(fmt::format("{}: groom has both 'file' and 'grow'", reader.where), "keep one of them");
+  return {};
+}
+
+Result<void> read_head(const Reader& root, Scene& scene) {
+  const Reader reader = root.child("head");
+  scene.head.present = scene.groom.file.empty() || root.has("head");
+  reader.get("present", scene.head.present);
+  reader.get("metres_per_unit", scene.head.metres_per_unit);
+  CUTICLE_ASSIGN(scene.head.mesh, reader.file("mesh", "head.mesh"));
+  return {};
+}
+
+Result<void> read_motion(const Reader& root, Scene& scene) {
+  if (!root.has("motion")) return {};
+  const Reader reader = root.child("motion");
+  MotionSource motion;
+  CUTICLE_ASSIGN(motion.bvh, reader.file("bvh", "motion.bvh"));
+  reader.get("joint", motion.joint);
+  reader.get("start_time_s", motion.start_time);
+  reader.get("amplitude", motion.amplitude);
+  scene.motion = motion;
+  return {};
+}
+
+/// The named entry with its defaults, or the first one registered.
+Block default_block(std::span<const registry::Entry* const> entries, std::string_view name) {
+  const auto found = std::ranges::find(entries, name, &registry::Entry::name);
+  if (entries.empty()) return {};
+  const registry::Entry& entry = found == entries.end() ? *entries.front() : **found;
+  return {std::string(entry.name), registry::default_values(entry.parameters)};
+}
+
+void read_material(const Reader& reader, const Catalogue& catalogue, Scene& scene) {
+  scene.material.model = reader.has("model") ? block_of(catalogue.models, reader.value["model"])
+                                             : default_block(catalogue.models, "marschner");
+  reader.get("layout", scene.material.layout);
+  reader.get("lut_size", scene.material.lut_size);
+}
+
+void read_simulation(const Reader& root, const Catalogue& catalogue, Scene& scene) {
+  if (!root.has("simulation")) return;
+  const Reader reader = root.child("simulation");
+  scene.simulation.solver = block_of(catalogue.solvers, reader.value["solver"]);
+  scene.simulation.effects = blocks_of(catalogue.effects, reader.child("effects").value);
+  reader.get("settle_time_s", scene.simulation.settle_time);
+}
+
+void read_colliders(const Reader& reader, Scene& scene) {
+  reader.get("head", scene.head_colliders);
+  if (!reader.has("spheres")) return;
+  for (const Json& item : reader.value["spheres"]) {
+    Sphere& sphere = scene.colliders.emplace_back();
+    const Reader fields{item, reader.where, reader.folder};
+    fields.get("center_m", sphere.center);
+    fields.get("radius_m", sphere.radius);
+  }
+}
+
+Result<void> read_lights(const Reader& root, Scene& scene) {
+  if (!root.has("lights")) return {};
+  for (const Json& item : root.value["lights"]) {
+    const Reader reader{item, root.where, root.folder};
+    Light light;
+    reader.get("name", light.name);
+    reader.get("irradiance", light.irradiance);
+    CUTICLE_ASSIGN(light.to_light, direction(reader, "to_light", fmt::format("lights[{}]", scene.lights.size())));
+    scene.lights.push_back(light);
+  }
+  return {};
+}
+
+void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
+  if (!root.has("shadow")) return;
+  const Reader reader = root.child("shadow");
+  scene.shadow = block_of(catalogue.methods, reader.value["method"]);
+  reader.get("fibre_alpha", scene.fibre_alpha);
+}
+
+Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {
+  if (camera.near_plane >= camera.far_plane)
+    return bad_input(fmt::format("{}: camera.near_m = {} is not below camera.far_m = {}", where, camera.near_plane, camera.far_plane));
+  const glm::dvec3 forward = camera.target - camera.position;
+  if (!automatic && glm::length(glm::cross(forward, camera.up)) <= 0)
+    return bad_input(fmt::format("{}: camera.up is parallel to the view from camera.position_m to camera.target_m", where));
+  return {};
+}
+
+Result<void> read_camera(const Reader& reader, Scene& scene) {
+  Camera& camera = scene.camera.camera;
+  scene.camera.automatic = !reader.has("position_m");
+  reader.get("position_m", camera.position);
+  reader.get("target_m", camera.target);
+  reader.get("up", camera.up);
+  double degrees = camera.vertical_field_of_view * 180 / std::numbers::pi;
+  reader.get("fov_deg", degrees);
+  camera.vertical_field_of_view = degrees * std::numbers::pi / 180;
+  reader.get("near_m", camera.near_plane);
+  reader.get("far_m", camera.far_plane);
+  if (reader.has("resolution_px")) {
+    const Json& size = reader.value["resolution_px"];
+    camera.resolution = {int(size[0].get<double>()), int(size[1].get<double>())};
+  }
+  reader.get("turntable_deg_per_frame", scene.camera.turntable_degrees_per_frame);
+  return check_camera(camera, scene.camera.automatic, reader.where);
+}
+
+void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
+  root.get("name", scene.name);
+  root.child("strands").get("count", scene.strand_count);
+  root.child("strands").get("vertices", scene.strand_vertices);
+  root.get("frames_per_second", scene.frames_per_second);
+  const Reader outputs = root.child("outputs");
+  outputs.get("color", scene.outputs.color);
+  outputs.get("exposure_stops", scene.outputs.exposure_stops);
+  scene.passes = blocks_of(catalogue.passes, root.child("passes").value);
+}
+
+Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
+  Scene scene;
+  CUTICLE_TRY(read_groom(root.child("groom"), scene));
+  CUTICLE_TRY(read_head(root, scene));
+  CUTICLE_TRY(read_motion(root, scene));
+  read_material(root.child("material"), catalogue, scene);
+  read_simulation(root, catalogue, scene);
+  read_colliders(root.child("colliders"), scene);
+  CUTICLE_TRY(read_lights(root, scene));
+  read_shadow(root, catalogue, scene);
+  CUTICLE_TRY(read_camera(root.child("camera"), scene));
+  read_counts(root, catalogue, scene);
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where, const Catalogue& catalogue) {
+  CUTICLE_TRY(check(specification(catalogue), json, where));
+  const Json value = Json::parse(json);
+  return read_scene({value, where, folder}, catalogue);
+}
+
+Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue) {
+  CUTICLE_ASSIGN(const std::string text, read_text_file(path));
+  std::error_code code;
+  const std::filesystem::path folder = std::filesystem::absolute(path, code).parent_path();
+  return parse_scene(text, folder.string(), path, catalogue);
+}
+
+}  // namespace cuticle::scene

@@ -1,0 +1,130 @@
+#include <cuticle/scene/specification.h>
+
+namespace cuticle::scene {
+
+namespace {
+
+constexpr double k_metres = 1000;  // scenes live within a kilometre of their origin
+
+Spec real(std::string key, double minimum, double maximum, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::real, .summary = std::move(summary), .minimum = minimum, .maximum = maximum};
+}
+Spec integer(std::string key, double minimum, double maximum, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::integer, .summary = std::move(summary), .minimum = minimum, .maximum = maximum};
+}
+Spec boolean(std::string key, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::boolean, .summary = std::move(summary)};
+}
+Spec text(std::string key, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::text, .summary = std::move(summary)};
+}
+Spec file(std::string key, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::file, .summary = std::move(summary)};
+}
+Spec numbers(std::string key, int count, double minimum, double maximum, std::string summary) {
+  return {.key = std::move(key), .kind = SpecKind::numbers, .summary = std::move(summary), .minimum = minimum,
+          .maximum = maximum, .count = count};
+}
+Spec object(std::string key, std::string summary, std::vector<Spec> children) {
+  return {.key = std::move(key), .kind = SpecKind::object, .summary = std::move(summary), .children = std::move(children)};
+}
+Spec array(std::string key, int most, std::string summary, Spec item) {
+  return {.key = std::move(key), .kind = SpecKind::array, .summary = std::move(summary), .maximum = double(most),
+          .children = {std::move(item)}};
+}
+Spec block(std::string key, std::string summary, std::vector<const registry::Entry*> entries) {
+  return {.key = std::move(key), .kind = SpecKind::block, .summary = std::move(summary), .entries = std::move(entries)};
+}
+Spec blocks(std::string key, std::string summary, std::vector<const registry::Entry*> entries) {
+  return {.key = std::move(key), .kind = SpecKind::blocks, .summary = std::move(summary), .entries = std::move(entries)};
+}
+Spec required(Spec spec) {
+  spec.required = true;
+  return spec;
+}
+
+Spec groom() {
+  Spec grow{.key = "grow", .kind = SpecKind::parameters, .summary = "how hair grows on the head's scalp",
+            .table = strands::growing_parameters()};
+  return object("groom", "the hair: a file, or grown on the head",
+                {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
+                 real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow)});
+}
+
+Spec head() {
+  return object("head", "what the hair grows on; with a groom file there is no head unless this is given",
+                {boolean("present", "false: bare strands"), file("mesh", "OBJ; absent: the procedural head"),
+                 real("metres_per_unit", 1e-6, 1000, "scale of the mesh")});
+}
+
+Spec motion() {
+  return object("motion", "how the head moves",
+                {required(file("bvh", "BVH clip")), text("joint", "joint that the head follows"),
+                 real("start_time_s", 0, 1e6, "time in the clip of frame 0"),
+                 real("amplitude", 0, 10, "factor on the rotation away from frame 0")});
+}
+
+Spec material(const Catalogue& catalogue) {
+  Spec layout = text("layout", "layout of the lookup tables");
+  for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
+  return object("material", "how a fibre scatters light",
+                {block("model", "scattering model and its parameters", catalogue.models), std::move(layout),
+                 integer("lut_size", 16, 1024, "texels along each side of a table")});
+}
+
+Spec simulation(const Catalogue& catalogue) {
+  return object("simulation", "what moves the hair; absent: it follows the head rigidly",
+                {required(block("solver", "solver and its parameters", catalogue.solvers)),
+                 blocks("effects", "effects that act, each with its parameters", catalogue.effects),
+                 real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest")});
+}
+
+Spec colliders() {
+  Spec sphere = object("", "one sphere, in the head's rest space",
+                       {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
+                        required(real("radius_m", 1e-6, k_metres, "radius"))});
+  return object("colliders", "what the hair may not enter",
+                {boolean("head", "the head's own spheres"), array("spheres", 256, "spheres that move with the head", std::move(sphere))});
+}
+
+Spec lights() {
+  Spec light = object("", "a distant light",
+                      {text("name", "for messages"), required(numbers("to_light", 3, -1e6, 1e6, "direction from the scene to the light")),
+                       required(numbers("irradiance", 3, 0, 1e6, "on a plane facing the light, linear Rec.709"))});
+  return array("lights", 8, "lights; none: no shading by light and no shadow", std::move(light));
+}
+
+Spec shadow(const Catalogue& catalogue) {
+  return object("shadow", "self-shadowing; absent: none",
+                {required(block("method", "shadow method and its parameters", catalogue.methods)),
+                 real("fibre_alpha", 0, 1, "opacity of one fibre crossing")});
+}
+
+Spec camera() {
+  return object("camera", "absent position: framed on the hair",
+                {numbers("position_m", 3, -k_metres, k_metres, "eye"), numbers("target_m", 3, -k_metres, k_metres, "looked at"),
+                 numbers("up", 3, -1, 1, "up"), real("fov_deg", 0.6, 170, "vertical field of view"),
+                 real("near_m", 1e-5, k_metres, "near plane"), real("far_m", 1e-4, 1e6, "far plane"),
+                 numbers("resolution_px", 2, 16, 4096, "width, height"),
+                 real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
+}
+
+Spec outputs() {
+  return object("outputs", "pictures wanted",
+                {boolean("color", "radiance"), real("exposure_stops", -20, 20, "for the tone-mapped picture")});
+}
+
+}  // namespace
+
+Spec specification(const Catalogue& catalogue) {
+  return object("", "A scene of Cuticle.",
+                {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(), motion(),
+                 material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
+                 object("strands", "the strands that are drawn",
+                        {integer("count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
+                         integer("vertices", 2, 64, "vertices of each")}),
+                 real("frames_per_second", 1, 1000, "frame rate"), outputs(),
+                 blocks("passes", "parameters of render passes", catalogue.passes)});
+}
+
+}  // namespace cuticle::scene

@@ -1,0 +1,34 @@
+#pragma once
+// The scene file's shape as data: one tree that the checker, the reader and the JSON Schema all walk.
+#include <string>
+#include <vector>
+
+#include <cuticle/scene/scene.h>
+
+namespace cuticle::scene {
+
+/// What a key holds. `block`: an object with one registered name as its only key; `blocks`: any number of them;
+/// `parameters`: an object checked against a parameter table; `file`: the name of a file that must exist.
+enum class SpecKind { object, array, block, blocks, parameters, text, file, real, integer, boolean, numbers };
+
+/// One key of the file (or one item of an array).
+struct Spec {
+  std::string key;
+  SpecKind kind = SpecKind::object;
+  std::string summary = {};
+  double minimum = 0, maximum = 0;                     ///< of numbers; of the item count of an array
+  int count = 0;                                       ///< of `numbers`: how many
+  bool required = false;
+  std::vector<std::string> choices = {};               ///< of a text; empty: any
+  std::vector<Spec> children = {};                     ///< fields of an object; the item of an array
+  std::vector<const registry::Entry*> entries = {};    ///< of block and blocks
+  registry::ParameterTable table = {};                 ///< of parameters
+};
+
+/// The whole file, for the entries that are registered.
+Spec specification(const Catalogue& catalogue);
+
+/// Checks the text against the tree. Error: bad_input naming source, key, value, allowed range or keys.
+Result<void> check(const Spec& spec, std::string_view json, const std::string& where);
+
+}  // namespace cuticle::scene
