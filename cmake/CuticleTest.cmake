@@ -1,6 +1,9 @@
 # cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [TIMEOUT s]): one ctest entry per test file.
 # LABELS carry the ids of the rows of systems.md that the file covers. DATA: registered only when the environment
 # variable CUTICLE_TEST_DATA names the folder of real grooms at configure time.
+# The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
+add_custom_target(all_tests)
+add_custom_target(all_fuzz_targets)
 if(CUTICLE_TESTS)
   enable_testing()
   find_package(GTest REQUIRED)
@@ -16,6 +19,7 @@ function(cuticle_test FILE)
   endif()
   get_filename_component(stem ${FILE} NAME_WE)
   add_executable(${stem} ${FILE})
+  add_dependencies(all_tests ${stem})
   set_target_properties(${stem} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(${stem} PRIVATE ${CUTICLE_INCLUDE_DIR} ${CMAKE_BINARY_DIR}/shaders ${CMAKE_BINARY_DIR}/generated)
   target_link_libraries(${stem} PRIVATE ${ARG_LIBS} GTest::gtest_main GTest::gmock cuticle_warnings)
@@ -39,6 +43,7 @@ function(cuticle_fuzz FILE)
   endif()
   get_filename_component(stem ${FILE} NAME_WE)
   add_executable(${stem} ${FILE})
+  add_dependencies(all_fuzz_targets ${stem})
   set_target_properties(${stem} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
   target_link_libraries(${stem} PRIVATE ${ARG_LIBS} cuticle_warnings)
   target_link_options(${stem} PRIVATE -fsanitize=fuzzer)

@@ -1,0 +1,37 @@
+"""scripts/new makes folders that compile against the headers as they are."""
+import subprocess
+
+import pytest
+
+from repository import BUILD, ROOT
+
+PLACES = {"model": "bsdf", "method": "shadows", "effect": "sim", "pass": "render/passes"}
+
+
+def make(kind, name, root):
+    return subprocess.run([ROOT / "scripts/new", kind, name, "--root", root], capture_output=True, text=True)
+
+
+@pytest.mark.parametrize("kind", PLACES)
+def test_New_EachKind_MakesAFolderThatCompiles(kind, tmp_path):
+    done = make(kind, "toy_thing", tmp_path)
+    assert done.returncode == 0, done.stderr
+    folder = tmp_path / PLACES[kind] / "toy_thing"
+    link = tmp_path / "include/cuticle" / PLACES[kind]
+    link.parent.mkdir(parents=True)
+    link.symlink_to(folder.parent)
+    sources = sorted(folder.glob("*.cpp"))
+    assert len(sources) >= 2 and (folder / "README.md").exists() and (folder / "CMakeLists.txt").exists()
+    for source in sources:
+        command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", f"-I{tmp_path / 'include'}", f"-I{BUILD / 'include'}", source]
+        compiled = subprocess.run(command, capture_output=True, text=True)
+        assert compiled.returncode == 0, compiled.stderr
+
+
+def test_New_ExistingFolder_IsRefused(tmp_path):
+    assert make("method", "twice", tmp_path).returncode == 0
+    assert "exists already" in make("method", "twice", tmp_path).stderr
+
+
+def test_New_BadName_IsRefused(tmp_path):
+    assert "snake_case" in make("method", "BadName", tmp_path).stderr
