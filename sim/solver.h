@@ -1,7 +1,10 @@
 #pragma once
 // The concept of a strand solver and of the effects that act in it. State is stored relative to the head's frame origin.
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,10 +21,11 @@ namespace cuticle::sim {
 /// is not simulated and none of its work is dispatched.
 using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
 
-/// What moves between two frames. Transforms are rest -> world of the head; colliders are given in rest space of the head
-/// and move with it. Between begin and end every substep interpolates.
+/// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space of
+/// the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is taken to
+/// stand at head_begin; the first frame starts from the rest pose there.
 struct FrameInput {
-  double duration = 1.0 / 60;                ///< seconds, 0 .. 100
+  double duration = 1.0 / 60;                ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders;
   bool teleport = false;                     ///< the whole state moves rigidly with the head, velocity kept in its frame
@@ -30,15 +34,17 @@ struct FrameInput {
 /// State at the end of a frame, in world space, one entry per control vertex.
 struct State {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> velocities;         ///< metres per second
-  std::uint32_t guards_fired = 0;            ///< strands that were reset because something was not finite
+  std::vector<glm::vec3> velocities;         ///< metres per second, the mean over the last substep
+  std::uint32_t guards_fired = 0;            ///< strands reset in the last frame because something was not finite
 };
+
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots).
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions);
 
 class Solver {
  public:
   virtual ~Solver() = default;
+  /// Error: bad_input naming the field when the input is not finite, not rigid or out of range; the state is then unchanged.
   virtual Result<void> advance(const FrameInput& input) = 0;
   virtual Result<State> state() = 0;
 };
@@ -47,7 +53,9 @@ class Solver {
 struct Effect {
   registry::Entry entry;
   Result<std::unique_ptr<Solver>> (*create)(const strands::Groom& rest, const registry::ParameterValues& solver,
-                                            const EffectBlocks& effects);
+                                            const EffectBlocks& effects) = nullptr;
+  /// Substeps that the solver takes for a frame of this duration (seconds): FrameShape::substeps. Null for effects.
+  std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
 };
 std::span<const Effect* const> effects();
 Result<const Effect*> find_effect(std::string_view name);
