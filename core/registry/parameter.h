@@ -46,6 +46,9 @@ class ParameterValues {
   std::map<std::string, Value, std::less<>> values_;
 };
 
+/// A row of the table by name. Error: usage, listing the known names and hinting at the nearest.
+Result<const Parameter*> find_parameter(ParameterTable table, std::string_view name);
+
 /// The defaults of a table.
 ParameterValues default_values(ParameterTable table);
 

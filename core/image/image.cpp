@@ -1,0 +1,73 @@
+#include <cuticle/core/image/image.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Imath/half.h>
+
+namespace cuticle {
+
+Image make_image(int width, int height, std::vector<std::string> channel_names) {
+  CUTICLE_EXPECT(width >= 0 && height >= 0, "an image has a size");
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.channel_names = std::move(channel_names);
+  image.pixels.assign(std::size_t(width) * std::size_t(height) * image.channel_names.size(), 0.0f);
+  return image;
+}
+
+float round_to_half(float value) { return float(Imath::half(value)); }
+
+namespace {
+
+/// Linear up to 0.8, then a shoulder with slope 1 at its foot that reaches 1 at infinity.
+float filmic_shoulder(float linear) {
+  constexpr float foot = 0.8f;
+  if (linear <= foot) return linear;
+  const float over = (linear - foot) / (1.0f - foot);
+  return foot + (1.0f - foot) * (over / (1.0f + over));
+}
+
+/// IEC 61966-2-1.
+float srgb_transfer(float linear) {
+  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float display_value(float radiance, float gain) {
+  if (!(radiance > 0.0f)) return 0.0f;
+  return std::min(srgb_transfer(filmic_shoulder(std::min(radiance * gain, 1e30f))), 1.0f);
+}
+
+void paste(const Image& from, Image& sheet, int left, int top) {
+  const int channels = std::min(from.channels(), sheet.channels());
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x)
+      for (int c = 0; c < channels; ++c) sheet.at(left + x, top + y, c) = from.at(x, y, c);
+}
+
+}  // namespace
+
+Image tone_map(const Image& linear, double exposure_stops) {
+  Image display = linear;
+  const float gain = float(std::exp2(exposure_stops));
+  const int channels = linear.channels();
+  for (std::size_t i = 0; i < display.pixels.size(); ++i)
+    if (linear.channel_names[i % std::size_t(channels)] != "A") display.pixels[i] = display_value(linear.pixels[i], gain);
+  return display;
+}
+
+Image contact_sheet(const std::vector<Image>& images, int columns) {
+  if (images.empty()) return {};
+  columns = std::clamp(columns, 1, int(images.size()));
+  const int rows = (int(images.size()) + columns - 1) / columns;
+  const Image& first = images.front();
+  Image sheet = make_image(first.width * columns, first.height * rows, first.channel_names);
+  for (int i = 0; i < int(images.size()); ++i) {
+    CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height, "pictures of a sheet have equal sizes");
+    paste(images[i], sheet, (i % columns) * first.width, (i / columns) * first.height);
+  }
+  return sheet;
+}
+
+}  // namespace cuticle
