@@ -44,6 +44,7 @@ struct Entry {
   /// Compute dispatches per frame for these parameters, and draws per frame; null = none.
   std::uint32_t (*dispatches)(const ParameterValues& values, const FrameShape& shape) = nullptr;
   std::uint32_t draws = 0;
+  std::span<const std::string_view> after = {};       ///< entries of the same stage that run before this one, when they run
 };
 
 /// A fact of a scene: whether it holds, and the words for it ("2 sphere colliders", "the scene has no light").
