@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <cuticle/lut/cell_average.h>
+
+namespace cuticle::lut {
+namespace {
+
+constexpr int k_smallest = 16, k_largest = 1024;
+
+/// Values of a channel's lobes at every texel, shared by the channels that differ in the colour component only.
+struct LobeGrid {
+  const Channel* channel = nullptr;
+  std::vector<glm::dvec3> values;
+  std::vector<std::uint8_t> singular;
+};
+
+std::vector<bsdf::Point> texel_points(const TableLayout& table, int size) {
+  std::vector<bsdf::Point> points;
+  points.reserve(std::size_t(size) * size);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      points.push_back(make_point(table, axis_value(table.u, size, (x + 0.5) / size), axis_value(table.v, size, (y + 0.5) / size)));
+  return points;
+}
+
+std::vector<PhiInterval> texel_cells(const TableLayout& table, int size) {
+  std::vector<PhiInterval> cells;
+  cells.reserve(std::size_t(size) * size);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      cells.push_back(phi_interval(table, size, double(x) / size, (x + 1.0) / size, (y + 0.5) / size));
+  return cells;
+}
+
+std::vector<glm::dvec3> cosines_of_theta_d(std::span<const bsdf::Point> points) {
+  std::vector<glm::dvec3> values;
+  for (const bsdf::Point& point : points) values.emplace_back(std::cos(point.theta_d));
+  return values;
+}
+
+Result<LobeGrid> evaluate_grid(const Source& source, const Channel& channel, const TableLayout& table, int size) {
+  LobeGrid grid{&channel, {}, {}};
+  if (channel.texel == Texel::cell_average) {
+    CUTICLE_ASSIGN(PhiAverages averages, average_over_phi(source, channel, texel_cells(table, size)));
+    grid.values = std::move(averages.values);
+    grid.singular = std::move(averages.singular);
+  } else if (channel.lobe.empty()) {
+    grid.values = cosines_of_theta_d(texel_points(table, size));
+  } else {
+    CUTICLE_ASSIGN(grid.values, evaluate_points(source, channel, texel_points(table, size)));
+  }
+  return grid;
+}
+
+void store(Table& table, int channel, const LobeGrid& grid) {
+  const int component = table.layout->channels[channel].component;
+  const std::size_t stride = table.layout->channels.size();
+  for (std::size_t i = 0; i < grid.values.size(); ++i) {
+    table.image.pixels[i * stride + channel] = float(grid.values[i][component]);
+    if (!grid.singular.empty()) table.singular[i] |= grid.singular[i];
+  }
+}
+
+Table empty_table(const TableLayout& layout, int size) {
+  Table table;
+  table.layout = &layout;
+  std::vector<std::string> names;
+  for (const Channel& channel : layout.channels) names.emplace_back(channel.name);
+  table.scale.assign(names.size(), 1.0);
+  table.singular.assign(std::size_t(size) * size, 0);
+  table.image = make_image(size, size, std::move(names));
+  return table;
+}
+
+Result<Table> bake_table(const Source& source, const TableLayout& layout, int size) {
+  Table table = empty_table(layout, size);
+  LobeGrid grid;
+  for (int c = 0; c < int(layout.channels.size()); ++c) {
+    const Channel& channel = layout.channels[c];
+    if (!grid.channel || !same_lobes(*grid.channel, channel)) {
+      CUTICLE_ASSIGN(grid, evaluate_grid(source, channel, layout, size));
+    }
+    store(table, c, grid);
+  }
+  return table;
+}
+
+Result<void> check_size(int size) {
+  if (size >= k_smallest && size <= k_largest) return {};
+  return usage_error(fmt::format("size: {} is outside {} .. {}", size, k_smallest, k_largest), "--size 128");
+}
+
+}  // namespace
+
+Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values) {
+  return {&model, [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+            return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
+          }};
+}
+
+bool same_lobes(const Channel& a, const Channel& b) {
+  return a.quantity == b.quantity && a.lobe == b.lobe && a.texel == b.texel;
+}
+
+Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view names) {
+  std::vector<int> lobes;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find('+'));
+    CUTICLE_ASSIGN(lobes.emplace_back(), bsdf::find_lobe(model, name));
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+  }
+  return lobes;
+}
+
+Result<std::vector<glm::dvec3>> evaluate_points(const Source& source, const Channel& channel,
+                                                std::span<const bsdf::Point> points) {
+  CUTICLE_ASSIGN(const std::vector<int> lobes, find_lobes(*source.model, channel.lobe));
+  std::vector<glm::dvec3> sum(points.size(), glm::dvec3(0)), values(points.size());
+  for (int lobe : lobes) {
+    CUTICLE_TRY(source.evaluate({channel.quantity, lobe, points}, values));
+    for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
+  }
+  return sum;
+}
+
+Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,
+                           Progress& progress) {
+  CUTICLE_TRY(check_size(size));
+  TableSet set{&layout, source.model, values, size, {}, 0, {}};
+  for (const TableLayout& table : layout.tables) {
+    progress.update("bake", set.tables.size(), layout.tables.size());
+    CUTICLE_ASSIGN(set.tables.emplace_back(), bake_table(source, table, size));
+  }
+  progress.update("bake", set.tables.size(), layout.tables.size());
+  return set;
+}
+
+Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues& values, const Layout& layout, int size,
+                      Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  CUTICLE_ASSIGN(TableSet set, bake_from(cpu_source(model, values), values, layout, size, progress));
+  set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  set.baked_on = "cpu";
+  return set;
+}
+
+double exact_value(const bsdf::Model& model, const registry::ParameterValues& values, const TableLayout& table,
+                   const Channel& channel, double u, double v) {
+  const bsdf::Point point = make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
+                                       table.v.lower + v * (table.v.upper - table.v.lower));
+  if (channel.lobe.empty()) return std::cos(point.theta_d);
+  const auto result = evaluate_points(cpu_source(model, values), channel, std::span(&point, 1));
+  CUTICLE_EXPECT(result.ok(), "the model has the layout's lobes");
+  return (*result)[0][channel.component];
+}
+
+}  // namespace cuticle::lut

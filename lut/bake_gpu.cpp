@@ -1,0 +1,50 @@
+#include <cuticle/lut/bake_gpu.h>
+
+#include <chrono>
+
+#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/lut/evaluate.h>
+
+namespace cuticle::lut {
+namespace {
+
+/// Halving phi further than this would step below the spacing of float near pi at 1,024 texels.
+constexpr int k_float_halvings = 12;
+
+Source device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
+  return {&model, [&device, &model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+            return bsdf::evaluate_gpu(device, model, values, request, out);
+          }, k_float_halvings};
+}
+
+/// Four floats a texel, values with their scale applied, missing channels 0.
+std::vector<float> texels_of(const Table& table) {
+  const int channels = table.image.channels();
+  std::vector<float> texels(std::size_t(table.image.width) * table.image.height * 4, 0.0F);
+  for (std::size_t i = 0; i < texels.size() / 4; ++i)
+    for (int c = 0; c < channels; ++c) texels[i * 4 + c] = float(double(table.image.pixels[i * channels + c]) * table.scale[c]);
+  return texels;
+}
+
+}  // namespace
+
+Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values,
+                          const Layout& layout, int size) {
+  const auto start = std::chrono::steady_clock::now();
+  const Source source = device_source(device, model, values);
+  CUTICLE_ASSIGN(TableSet set, bake_from(source, values, layout, size, silent_progress()));
+  set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  set.baked_on = device.info().name;
+  return set;
+}
+
+Result<std::vector<gpu::Texture>> upload(gpu::Device& device, const TableSet& set) {
+  std::vector<gpu::Texture> textures;
+  for (const Table& table : set.tables) {
+    CUTICLE_ASSIGN(textures.emplace_back(), device.make_texture({.size = {table.image.width, table.image.height}}));
+    CUTICLE_TRY(device.upload(textures.back(), texels_of(table)));
+  }
+  return textures;
+}
+
+}  // namespace cuticle::lut

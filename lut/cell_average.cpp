@@ -1,0 +1,131 @@
+#include <cuticle/lut/cell_average.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <glm/common.hpp>
+
+namespace cuticle::lut {
+namespace {
+
+constexpr int k_nodes = 15;
+constexpr double k_tolerance = 1e-5;
+constexpr int k_early = 8;                  ///< halvings after which what has not converged is a caustic
+constexpr std::size_t k_pieces_at_once = 16384;
+
+/// Nodes on [-1, 1] with the weights of both rules (0 where the 7-point rule has no node).
+struct Rule {
+  std::array<double, k_nodes> node, kronrod, gauss;
+};
+Rule make_rule() {
+  const auto& nodes = boost::math::quadrature::gauss_kronrod<double, k_nodes>::abscissa();
+  const auto& weights = boost::math::quadrature::gauss_kronrod<double, k_nodes>::weights();
+  const auto& inner = boost::math::quadrature::gauss<double, 7>::weights();
+  Rule rule;
+  for (int i = 0; i < k_nodes; ++i) {
+    const int half = std::abs(i - k_nodes / 2);
+    rule.node[i] = i < k_nodes / 2 ? -nodes[half] : nodes[half];
+    rule.kronrod[i] = weights[half];
+    rule.gauss[i] = half % 2 == 0 ? inner[half / 2] : 0;
+  }
+  return rule;
+}
+
+struct Piece {
+  std::uint32_t interval = 0;
+  double begin = 0, end = 0;
+};
+
+std::vector<bsdf::Point> points_of(const Rule& rule, std::span<const Piece> pieces, std::span<const PhiInterval> intervals) {
+  std::vector<bsdf::Point> points;
+  points.reserve(pieces.size() * k_nodes);
+  for (const Piece& piece : pieces)
+    for (double node : rule.node) {
+      bsdf::Point& point = points.emplace_back();
+      point.theta_d = intervals[piece.interval].theta_d;
+      point.phi = (piece.begin + piece.end) / 2 + node * (piece.end - piece.begin) / 2;
+    }
+  return points;
+}
+
+/// The part of an interval's mean that a piece gives, and its error estimate.
+struct Share {
+  glm::dvec3 mean{0};
+  double error = 0;
+};
+Share share_of(const Rule& rule, const Piece& piece, const PhiInterval& interval, std::span<const glm::dvec3> values) {
+  glm::dvec3 fine(0), coarse(0);
+  for (int i = 0; i < k_nodes; ++i) {
+    fine += rule.kronrod[i] * values[i];
+    coarse += rule.gauss[i] * values[i];
+  }
+  const double width = (piece.end - piece.begin) / (interval.end - interval.begin) / 2;
+  const glm::dvec3 difference = glm::abs(fine - coarse) * width;
+  return {fine * width, std::max({difference.x, difference.y, difference.z})};
+}
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The pieces of one level of halving: each is added to its interval's mean or split in two.
+class Averager {
+ public:
+  Averager(const Source& source, const Channel& channel, std::span<const PhiInterval> intervals)
+      : source_(source), channel_(channel), intervals_(intervals), rule_(make_rule()) {
+    result_.values.assign(intervals.size(), glm::dvec3(0));
+    result_.singular.assign(intervals.size(), 0);
+    for (std::uint32_t i = 0; i < intervals.size(); ++i) pieces_.push_back({i, intervals[i].begin, intervals[i].end});
+  }
+  Result<PhiAverages> run() {
+    for (int level = 0; !pieces_.empty(); ++level) CUTICLE_TRY(advance(level));
+    return std::move(result_);
+  }
+
+ private:
+  Result<void> advance(int level) {
+    const std::vector<Piece> pieces = std::exchange(pieces_, {});
+    for (std::size_t first = 0; first < pieces.size(); first += k_pieces_at_once) {
+      const auto part = std::span(pieces).subspan(first, std::min(k_pieces_at_once, pieces.size() - first));
+      CUTICLE_ASSIGN(const std::vector<glm::dvec3> values,
+                     evaluate_points(source_, channel_, points_of(rule_, part, intervals_)));
+      for (std::size_t i = 0; i < part.size(); ++i) settle(level, part[i], std::span(values).subspan(i * k_nodes, k_nodes));
+    }
+    return {};
+  }
+  void settle(int level, const Piece& piece, std::span<const glm::dvec3> values) {
+    const Share share = share_of(rule_, piece, intervals_[piece.interval], values);
+    glm::dvec3& mean = result_.values[piece.interval];
+    const bool converged = share.error <= k_tolerance * largest(mean + share.mean);
+    if (!converged && level >= k_early) result_.singular[piece.interval] = 1;
+    if (converged || level >= source_.halvings) {
+      mean += share.mean;
+      return;
+    }
+    const double middle = (piece.begin + piece.end) / 2;
+    pieces_.push_back({piece.interval, piece.begin, middle});
+    pieces_.push_back({piece.interval, middle, piece.end});
+  }
+
+  const Source& source_;
+  const Channel& channel_;
+  std::span<const PhiInterval> intervals_;
+  Rule rule_;
+  std::vector<Piece> pieces_;
+  PhiAverages result_;
+};
+
+}  // namespace
+
+PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, double u_end, double v) {
+  CUTICLE_EXPECT(table.u.quantity == AxisQuantity::cos_phi, "cell averages need cos_phi along u");
+  const double lower = axis_value(table.u, size, u_begin), upper = axis_value(table.u, size, u_end);
+  return {std::acos(axis_value(table.v, size, v)), std::acos(upper), std::acos(lower)};
+}
+
+Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel, std::span<const PhiInterval> intervals) {
+  return Averager(source, channel, intervals).run();
+}
+
+}  // namespace cuticle::lut

@@ -1,0 +1,23 @@
+#pragma once
+// Means of an azimuthal term over intervals of phi, through integrable infinite peaks. Private to lut.
+#include <cuticle/lut/evaluate.h>
+
+namespace cuticle::lut {
+
+/// An interval of azimuth (radians, 0 <= begin < end <= pi) at one theta_d.
+struct PhiInterval {
+  double theta_d = 0, begin = 0, end = 0;
+};
+struct PhiAverages {
+  std::vector<glm::dvec3> values;        ///< mean over phi, one per interval
+  std::vector<std::uint8_t> singular;    ///< 1 where a peak kept the quadrature from converging early: a caustic lies inside
+};
+
+/// The interval of phi that texture coordinates [u_begin, u_end] of a cos_phi axis cover.
+PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, double u_end, double v);
+
+/// Means of N for the channel's lobes. Gauss-Kronrod 7/15, every interval halved until its error estimate is below 1e-5 of
+/// its mean or `source.halvings` is reached; an inverse square root peak then still lacks about 5 % * 2^(-halvings / 2).
+Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel, std::span<const PhiInterval> intervals);
+
+}  // namespace cuticle::lut

@@ -1,0 +1,34 @@
+#pragma once
+// Where baking takes the model's values from: the CPU or a device. Private to lut.
+#include <functional>
+
+#include <cuticle/lut/table_set.h>
+
+namespace cuticle::lut {
+
+/// Evaluates one request of the model that is baked.
+using Evaluate = std::function<Result<void>(const bsdf::Request&, std::span<glm::dvec3>)>;
+
+/// A source of values and how far its precision lets an interval of phi be halved toward a caustic.
+struct Source {
+  const bsdf::Model* model = nullptr;
+  Evaluate evaluate;
+  int halvings = 20;
+};
+/// The CPU in double.
+Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values);
+
+/// The model's point for two axis values.
+bsdf::Point make_point(const TableLayout& table, double u_value, double v_value);
+/// Whether two channels differ in the colour component only, so that one evaluation serves both.
+bool same_lobes(const Channel& a, const Channel& b);
+/// Lobes of a channel ("TT+TRT" names two), as indices. Error: usage when the model lacks one.
+Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view names);
+/// Value of a channel's quantity, summed over its lobes, at many points.
+Result<std::vector<glm::dvec3>> evaluate_points(const Source& source, const Channel& channel, std::span<const bsdf::Point> points);
+
+/// `bake` from any source; bake_ms and baked_on are left to the caller.
+Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,
+                           Progress& progress);
+
+}  // namespace cuticle::lut

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <cuticle/core/file.h>
+#include <cuticle/lut/table_set.h>
+
+namespace cuticle::lut {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder beside the final files that vanishes unless its files were moved out.
+class Staging {
+ public:
+  explicit Staging(const std::string& folder) : target_(folder), path_(target_ / fmt::format(".cuticle-{}", ::getpid())) {
+    std::error_code code;
+    existed_ = fs::exists(target_, code);
+  }
+  ~Staging() {
+    std::error_code code;
+    fs::remove_all(path_, code);
+    if (!existed_ && !moved_) fs::remove(target_, code);
+  }
+  Result<void> make() { return make_folder(path_.string()); }
+  std::string file(std::string_view name) const { return (path_ / name).string(); }
+  Result<void> move_out() {
+    moved_ = true;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+      std::error_code code;
+      fs::rename(entry.path(), target_ / entry.path().filename(), code);
+      if (code) return bad_input(fmt::format("{}: {}", (target_ / entry.path().filename()).string(), code.message()));
+    }
+    return {};
+  }
+
+ private:
+  fs::path target_, path_;
+  bool existed_ = false, moved_ = false;
+};
+
+/// One channel group of a table as a grey or rgb picture, its 99th percentile at 0.8 of white.
+Image preview_of(const Table& table, int first, int count) {
+  Image picture = make_image(table.image.width, table.image.height, {"R", "G", "B"});
+  std::vector<double> values;
+  const auto value = [&](int x, int y, int c) { return double(table.image.at(x, y, c)) * table.scale[c]; };
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int c = 0; c < count; ++c) values.push_back(value(x, y, first + c));
+  const auto rank = values.begin() + std::ptrdiff_t(0.99 * double(values.size() - 1));
+  std::nth_element(values.begin(), rank, values.end());
+  const double white = *rank > 0 ? 0.8 / *rank : 1;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = float(value(x, y, first + std::min(c, count - 1)) * white);
+  return picture;
+}
+
+/// Each table's first three channels in colour and its fourth in grey.
+Image preview(const TableSet& set) {
+  std::vector<Image> pictures;
+  for (const Table& table : set.tables) {
+    pictures.push_back(tone_map(preview_of(table, 0, std::min(3, table.image.channels()))));
+    if (table.image.channels() > 3) pictures.push_back(tone_map(preview_of(table, 3, 1)));
+  }
+  return contact_sheet(pictures, int(pictures.size()));
+}
+
+/// A copy whose channels are named R, G, B, A, which is what engines look for.
+Image engine_image(const Table& table) {
+  static const std::vector<std::string> names = {"R", "G", "B", "A"};
+  Image image = table.image;
+  image.channel_names.assign(names.begin(), names.begin() + image.channels());
+  return image;
+}
+
+Result<void> write_table(const Table& table, Format format, const std::string& path, const std::string& manifest) {
+  const Image image = engine_image(table);
+  if (format == Format::exr) return write_exr(path, image, ExrType::half, {{"cuticle:manifest", manifest}});
+  return write_png(path, image, format == Format::png8 ? 8 : 16);
+}
+
+Result<void> write_all(const TableSet& set, Format format, const Staging& staging) {
+  const std::string manifest = manifest_json(set, format);
+  for (const Table& table : set.tables)
+    CUTICLE_TRY(write_table(table, format, staging.file(file_name(table, format)), manifest));
+  CUTICLE_TRY(write_text_file(staging.file("manifest.json"), manifest));
+  return write_png(staging.file("preview.png"), preview(set));
+}
+
+}  // namespace
+
+Result<void> write(const TableSet& set, Format format, const std::string& folder) {
+  Staging staging(folder);
+  CUTICLE_TRY(staging.make());
+  CUTICLE_TRY(write_all(set, format, staging));
+  return staging.move_out();
+}
+
+}  // namespace cuticle::lut
