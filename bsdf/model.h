@@ -58,8 +58,14 @@ Result<const Model*> find_model(std::string_view name);
 Result<int> find_lobe(const Model& model, std::string_view lobe);
 /// "S", "M", "N", "A", "albedo". Error: usage, listing them.
 Result<Quantity> find_quantity(std::string_view name);
+/// The parameters of a model's preset ("blonde"). Error: usage, listing the presets.
+Result<registry::ParameterValues> find_preset(const Model& model, std::string_view name);
 
-/// Evaluates on the CPU (f32 or f64) with all threads.
+/// Whether every coordinate that the quantity uses is finite and in its range, and the lobe exists. `room`: size of the
+/// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
+Result<void> check_request(const Model& model, const Request& request, std::size_t room);
+
+/// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision, const Request& request,
                       std::span<glm::dvec3> out);
 

@@ -1,0 +1,1 @@
+#include <cuticle/bsdf/model_gpu.h>
