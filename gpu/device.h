@@ -29,6 +29,7 @@ struct DeviceInfo {
   std::vector<int> sample_counts;  ///< multisampling offered for colour and depth
   bool timestamps = false;
   bool wide_lines = false;
+  std::string unusable;  ///< why Device::open refuses it; empty if it can be used
 };
 
 struct DeviceRequest {

@@ -1,0 +1,52 @@
+#pragma once
+// Private to gpu/ (not installed): pipelines with their layouts.
+#include <array>
+
+#include <cuticle/gpu/detail/device_impl.h>
+
+namespace cuticle::gpu {
+
+struct PipelineObject {
+  std::shared_ptr<Device> device;
+  VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  ShaderInterface interface;
+  VkShaderStageFlags stages = 0;
+  ~PipelineObject();
+};
+struct Kernel::Impl {
+  std::shared_ptr<PipelineObject> object;
+};
+struct GraphicsPipeline::Impl {
+  std::shared_ptr<PipelineObject> object;
+};
+
+/// A PipelineObject with its layouts, still without a pipeline. Error: bad_input past a limit of the device.
+Result<std::shared_ptr<PipelineObject>> make_layout(std::shared_ptr<Device> device, const ShaderInterface& interface,
+                                                    VkShaderStageFlags stages);
+
+/// A shader module, destroyed at the end of the scope (a pipeline does not need it after its creation).
+class ShaderModule {
+ public:
+  ShaderModule(Device::Impl& device, std::span<const std::uint32_t> spirv);
+  ~ShaderModule();
+  ShaderModule(const ShaderModule&) = delete;
+  ShaderModule& operator=(const ShaderModule&) = delete;
+  VkShaderModule handle = VK_NULL_HANDLE;
+  VkResult result = VK_SUCCESS;
+
+ private:
+  Device::Impl& device_;
+};
+
+/// Specialization constants 0, 1, 2, ... of an interface; alive as long as the pipeline is being created.
+struct Specialization {
+  explicit Specialization(const ShaderInterface& interface);
+  std::vector<VkSpecializationMapEntry> entries;
+  VkSpecializationInfo info{};
+};
+VkPipelineShaderStageCreateInfo shader_stage(VkShaderStageFlagBits stage, const ShaderModule& shader,
+                                             const Specialization& specialization);
+
+}  // namespace cuticle::gpu

@@ -1,0 +1,12 @@
+#version 460
+// out[i] = in[i] * factor + offset, for the tests.
+layout(local_size_x_id = 0) in;
+layout(constant_id = 1) const uint k_offset = 0;
+layout(std430, binding = 0) readonly buffer Source { float source[]; };
+layout(std430, binding = 1) writeonly buffer Target { float target[]; };
+layout(push_constant) uniform Constants { float factor; uint count; };
+
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i < count) target[i] = source[i] * factor + float(k_offset);
+}
