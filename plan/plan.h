@@ -31,6 +31,8 @@ struct Plan {
 registry::Facts facts_of(const scene::Scene& scene);
 /// `shape` of the frame as built (strands loaded or grown).
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape);
+/// The planned pass of that name, or null.
+const PlannedPass* find_pass(const Plan& plan, std::string_view name);
 std::string to_text(const Plan& plan);
 std::string to_json(const Plan& plan);
 

@@ -1,5 +1,6 @@
 #pragma once
 // GPU half of a render pass, and the resources that the passes of one frame share.
+#include <map>
 #include <memory>
 
 #include <cuticle/core/view.h>
@@ -20,14 +21,30 @@ struct FrameResources {
   std::vector<const gpu::Buffer*> transmittance;       ///< per light: one float per vertex
   std::vector<const gpu::Texture*> tables;             ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
+  std::uint32_t vertices_per_strand = 0;               ///< of the drawn strands, all alike
+  double fibre_radius = 35e-6;                         ///< metres, at the root
   const strands::Mesh* head = nullptr;                 ///< rest pose
+  const strands::Mesh* scalp = nullptr;                ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
   const gpu::Texture *color = nullptr, *depth = nullptr;   ///< targets, at supersampled size, samples as the device offers
   const gpu::Texture *resolved = nullptr;              ///< single-sample, supersampled size
   const gpu::Texture *output = nullptr;                ///< rgba32f or rgba16f, output size
   int supersampling = 2;
+  bool keep_target = false;      ///< the targets hold what an earlier pass of this frame drew
+  bool resolve_target = true;    ///< this pass is the last to draw: its multisampled colour goes to `resolved`
+  /// Parameters of the passes by name, as the scene gives them; absent: defaults.
+  std::map<std::string, registry::ParameterValues, std::less<>> parameters;
 };
 
+/// The most lights that a frame is shaded by.
+inline constexpr std::size_t k_max_lights = 8;
+
+/// The parameters of a pass in this frame.
+registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
+/// Begins rendering into the frame's targets, as `keep_target` and `resolve_target` say.
+void begin_target(gpu::Commands& commands, const FrameResources& resources);
+
+/// The runner opens the pass of the entry's name around `record`.
 class GpuPass {
  public:
   virtual ~GpuPass() = default;
@@ -35,6 +52,7 @@ class GpuPass {
 };
 struct GpuPassEntry {
   std::string_view name;
+  /// Makes pipelines for the targets, tables, head and parameters named in `resources`; these stay alive and unchanged.
   Result<std::unique_ptr<GpuPass>> (*create)(std::shared_ptr<gpu::Device>, const FrameResources& resources);
 };
 std::span<const GpuPassEntry* const> gpu_passes();

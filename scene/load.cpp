@@ -188,8 +188,8 @@ Result<void> read_camera(const Reader& reader, Scene& scene) {
 
 void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   root.get("name", scene.name);
-  root.child("strands").get("count", scene.strand_count);
-  root.child("strands").get("vertices", scene.strand_vertices);
+  root.get("strand_count", scene.strand_count);
+  root.get("strand_vertices", scene.strand_vertices);
   root.get("frames_per_second", scene.frames_per_second);
   const Reader outputs = root.child("outputs");
   outputs.get("color", scene.outputs.color);

@@ -120,9 +120,8 @@ Spec specification(const Catalogue& catalogue) {
   return object("", "A scene of Cuticle.",
                 {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(), motion(),
                  material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
-                 object("strands", "the strands that are drawn",
-                        {integer("count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
-                         integer("vertices", 2, 64, "vertices of each")}),
+                 integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
+                 integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
                  real("frames_per_second", 1, 1000, "frame rate"), outputs(),
                  blocks("passes", "parameters of render passes", catalogue.passes)});
 }

@@ -1,0 +1,59 @@
+#include <filesystem>
+
+#include <fmt/core.h>
+
+#include <cuticle/plan/plan.h>
+
+namespace cuticle::plan {
+
+namespace {
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+registry::Fact strands_fact(const scene::Scene& scene) {
+  if (scene.groom.file.empty()) return {true, "hair grown on the head"};
+  return {true, fmt::format("hair of {}", std::filesystem::path(scene.groom.file).filename().string())};
+}
+
+registry::Fact colliders_fact(const scene::Scene& scene) {
+  const bool own = scene.head_colliders;
+  if (!own && scene.colliders.empty()) return {false, "the scene has no colliders"};
+  if (scene.colliders.empty()) return {true, "the head collides"};
+  return {true, counted(scene.colliders.size(), "sphere collider") + (own ? " and the head's" : "")};
+}
+
+registry::Fact motion_fact(const scene::Scene& scene) {
+  if (!scene.motion) return {false, "the head does not move"};
+  return {true, fmt::format("joint '{}' moves the head", scene.motion->joint)};
+}
+
+void add_effects(const scene::Scene& scene, registry::Facts& facts) {
+  for (const registry::Entry* effect : catalogue().effects) {
+    const std::string name(effect->name);
+    const bool asked = scene.simulation.effects.contains(name);
+    facts[name] = {asked, fmt::format("the scene {} '{}'", asked ? "asks for" : "does not ask for", name)};
+  }
+}
+
+}  // namespace
+
+registry::Facts facts_of(const scene::Scene& scene) {
+  registry::Facts facts;
+  add_effects(scene, facts);
+  facts["strands"] = strands_fact(scene);
+  facts["light"] = {!scene.lights.empty(), scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
+  facts["shadow_method"] = {scene.shadow.has_value(), scene.shadow ? fmt::format("shadows by '{}'", scene.shadow->name)
+                                                                   : "the scene names no shadow method"};
+  facts["motion"] = motion_fact(scene);
+  facts["simulation"] = {scene.simulation.solver.has_value(),
+                         scene.simulation.solver ? fmt::format("the hair is simulated by '{}'", scene.simulation.solver->name)
+                                                 : "the hair is not simulated"};
+  facts["colliders"] = colliders_fact(scene);
+  facts["head"] = {scene.head.present, scene.head.present ? "the scene has a head" : "the scene has no head"};
+  facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
+  return facts;
+}
+
+}  // namespace cuticle::plan

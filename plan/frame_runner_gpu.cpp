@@ -1,0 +1,120 @@
+#include <cuticle/plan/frame_runner_gpu.h>
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include <cuticle/plan/picture_gpu.h>
+#include <cuticle/plan/strand_motion_gpu.h>
+
+namespace cuticle::plan {
+
+namespace {
+
+/// Modules name their recorded passes "stage.name"; a plan knows them by the entry's name.
+std::string entry_name(const std::string& recorded) {
+  if (recorded == "generate.smooth") return "smooth_strands";
+  if (recorded == "generate.interpolate") return "interpolate_strands";
+  const std::size_t dot = recorded.find('.');
+  return dot == std::string::npos ? recorded : recorded.substr(dot + 1);
+}
+
+/// Adds a submission's passes to the cost, those of one entry together.
+void add_cost(const gpu::SubmitCost& more, gpu::SubmitCost& cost) {
+  cost.wall_ms += more.wall_ms;
+  for (const gpu::PassCost& pass : more.passes) {
+    const std::string name = entry_name(pass.name);
+    auto found = std::ranges::find(cost.passes, name, &gpu::PassCost::name);
+    if (found == cost.passes.end()) found = cost.passes.insert(found, {.name = name});
+    found->gpu_ms += pass.gpu_ms;
+    found->dispatches += pass.dispatches;
+    found->draws += pass.draws;
+  }
+}
+
+}  // namespace
+
+struct FrameRunner::Impl {
+  std::shared_ptr<gpu::Device> device;
+  scene::Scene scene;
+  Trace* trace = nullptr;
+  StrandSet set;
+  strands::Bounds rest_bounds;
+  Plan plan;
+  std::unique_ptr<StrandMotion> motion;
+  std::unique_ptr<Picture> picture;
+
+  Result<void> build(Progress& progress) {
+    CUTICLE_ASSIGN(set, build_strand_set(scene));
+    for (const std::string& note : set.notes) progress.message(note);
+    rest_bounds = strands::bounds(set.control);
+    registry::FrameShape shape = shape_of(scene, set);
+    shape.max_storage_buffer_bytes = device->info().max_storage_buffer_bytes;
+    CUTICLE_TRY(check_size(shape));
+    plan = make_plan(scene, shape);
+    CUTICLE_ASSIGN(motion, StrandMotion::create(device, scene, set, plan));
+    if (!scene.outputs.color) return {};
+    CUTICLE_ASSIGN(picture, Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
+    return {};
+  }
+
+  /// The drawn strands live in one buffer each of positions and tangents.
+  static Result<void> check_size(const registry::FrameShape& shape) {
+    const std::uint64_t most = shape.max_storage_buffer_bytes / sizeof(glm::vec4);
+    if (shape.vertices <= most) return {};
+    return bad_input(fmt::format("strand_count: {} strands have {} vertices; this device allows 1 .. {} vertices in one buffer",
+                                 shape.strands, shape.vertices, most),
+                     "lower strand_count or strand_vertices");
+  }
+
+  Result<void> paint(int frame, FrameResult& result) {
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
+                                                               .bounds = motion->bounds(),
+                                                               .head = motion->head(),
+                                                               .camera = camera_at(scene.camera, rest_bounds, frame)},
+                                                              trace));
+    add_cost(cost, result.cost);
+    CUTICLE_ASSIGN(result.color, picture->read_color());
+    return {};
+  }
+};
+
+FrameRunner::FrameRunner(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+FrameRunner::~FrameRunner() = default;
+
+Result<std::unique_ptr<FrameRunner>> FrameRunner::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                         Progress& progress, Trace* trace) {
+  auto impl = std::make_unique<Impl>();
+  impl->device = std::move(device);
+  impl->scene = scene;
+  impl->trace = trace;
+  CUTICLE_TRY(impl->build(progress));
+  return std::unique_ptr<FrameRunner>(new FrameRunner(std::move(impl)));
+}
+
+const Plan& FrameRunner::plan() const { return impl_->plan; }
+const strands::Groom& FrameRunner::control_groom() const { return impl_->set.control; }
+
+const lut::TableSet& FrameRunner::tables() const {
+  static const lut::TableSet none;
+  return impl_->picture ? impl_->picture->tables() : none;
+}
+
+Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
+  if (frame < 0) return usage_error(fmt::format("frame {} is below 0", frame));
+  FrameResult result;
+  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace));
+  add_cost(cost, result.cost);
+  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, result));
+  if (options.read_state) {
+    CUTICLE_ASSIGN(result.state, impl_->motion->state());
+  }
+  return result;
+}
+
+Result<strands::Groom> FrameRunner::drawn_strands() {
+  if (!impl_->picture) return usage_error("the scene wants no picture, so no strands are drawn", "set outputs.color to true");
+  return impl_->picture->read_strands();
+}
+
+}  // namespace cuticle::plan

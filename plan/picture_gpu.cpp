@@ -1,0 +1,165 @@
+#include <cuticle/plan/picture_gpu.h>
+
+#include <algorithm>
+
+#include <cuticle/lut/bake_gpu.h>
+
+namespace cuticle::plan {
+
+namespace {
+
+constexpr int k_supersampling = 2;
+
+/// The multisampling to draw with: 4 where the device offers it.
+int sample_count(const gpu::DeviceInfo& info) {
+  return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
+}
+
+const render::GpuPassEntry* find_gpu_pass(std::string_view name) {
+  for (const render::GpuPassEntry* entry : render::gpu_passes())
+    if (entry->name == name) return entry;
+  return nullptr;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set,
+                                                 const Plan& plan, const Camera& first_camera, Progress& progress) {
+  std::unique_ptr<Picture> picture(new Picture(std::move(device), scene, set, plan));
+  picture->resources_.camera = first_camera;
+  picture->resources_.parameters = scene.passes;
+  CUTICLE_TRY(picture->make_strands());
+  CUTICLE_TRY(picture->make_shadows());
+  CUTICLE_TRY(picture->make_tables(progress));
+  CUTICLE_TRY(picture->make_targets(first_camera.resolution));
+  CUTICLE_TRY(picture->make_passes());
+  return picture;
+}
+
+Result<void> Picture::make_strands() {
+  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(device_, {.control = &set_.control,
+                                                                        .vertices_per_strand = scene_.strand_vertices,
+                                                                        .hairs = set_.hairs,
+                                                                        .weights = set_.weights,
+                                                                        .radius = set_.radius}));
+  resources_.strands = {.vertices = &generator_->vertices(),
+                        .segments = &generator_->segments(),
+                        .vertex_count = generator_->vertex_count(),
+                        .segment_count = generator_->segment_count()};
+  resources_.tangents = &generator_->tangents();
+  resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
+  resources_.fibre_radius = set_.radius;
+  resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
+  resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
+  resources_.lights = scene_.lights;
+  return {};
+}
+
+Result<void> Picture::make_shadows() {
+  if (!scene_.shadow || !find_pass(plan_, scene_.shadow->name)) return {};
+  CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
+  for (std::size_t k = 0; k < scene_.lights.size(); ++k) {
+    CUTICLE_ASSIGN(auto shadow, method->create(device_, scene_.shadow->values));
+    CUTICLE_ASSIGN(gpu::Buffer reached, device_->make_buffer(generator_->vertex_count() * sizeof(float)));
+    shadows_.push_back(std::move(shadow));
+    transmittance_.push_back(std::move(reached));
+  }
+  for (const gpu::Buffer& buffer : transmittance_) resources_.transmittance.push_back(&buffer);
+  return {};
+}
+
+Result<void> Picture::make_tables(Progress& progress) {
+  if (!find_pass(plan_, "bake_tables")) return {};
+  progress.message("baking lookup tables");
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene_.material.model.name));
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));
+  CUTICLE_ASSIGN(table_set_, lut::bake_gpu(*device_, *model, scene_.material.model.values, *layout, scene_.material.lut_size));
+  CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_));
+  for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
+  resources_.table_set = &table_set_;
+  return {};
+}
+
+Result<void> Picture::make_targets(glm::ivec2 resolution) {
+  using gpu::Filter, gpu::TextureFormat;
+  const int samples = sample_count(device_->info());
+  const glm::ivec2 size = resolution * k_supersampling;
+  CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
+  CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true}));
+  CUTICLE_ASSIGN(output_, device_->make_texture({resolution, TextureFormat::rgba32f, Filter::nearest, 1, true}));
+  if (samples > 1) {
+    CUTICLE_ASSIGN(resolved_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, 1, true}));
+  }
+  resources_.color = &color_;
+  resources_.depth = &depth_;
+  resources_.resolved = samples > 1 ? &resolved_ : &color_;
+  resources_.output = &output_;
+  resources_.supersampling = k_supersampling;
+  return {};
+}
+
+Result<void> Picture::make_passes() {
+  for (const PlannedPass& planned : plan_.passes) {
+    const render::GpuPassEntry* entry = find_gpu_pass(planned.entry->name);
+    if (!entry) continue;
+    CUTICLE_ASSIGN(auto pass, entry->create(device_, resources_));
+    passes_.push_back({planned.entry->name, planned.entry->stage, std::move(pass)});
+  }
+  return {};
+}
+
+Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
+  CUTICLE_TRY(generator_->record_smooth(commands, *input.control_positions));
+  return generator_->record_interpolate(commands);
+}
+
+Result<void> Picture::record_shadows(gpu::Commands& commands) {
+  for (std::size_t k = 0; k < shadows_.size(); ++k)
+    CUTICLE_TRY(shadows_[k]->record(commands, resources_.strands, scene_.fibre_alpha, scene_.lights[k].to_light, transmittance_[k]));
+  return {};
+}
+
+Result<void> Picture::record_passes(gpu::Commands& commands) {
+  const auto shades = [](const DrawnPass& pass) { return pass.stage == registry::Stage::shade; };
+  auto left = std::ranges::count_if(passes_, shades);
+  resources_.keep_target = false;
+  for (DrawnPass& drawn : passes_) {
+    if (shades(drawn)) resources_.resolve_target = --left == 0;
+    commands.begin_pass(drawn.name);
+    CUTICLE_TRY(drawn.pass->record(commands, resources_));
+    commands.end_pass();
+    resources_.keep_target = resources_.keep_target || shades(drawn);
+  }
+  return {};
+}
+
+Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
+  resources_.strands.bounds = input.bounds;
+  resources_.head_transform = input.head;
+  resources_.camera = input.camera;
+  gpu::Commands commands = device_->record();
+  CUTICLE_TRY(record_generate(commands, input));
+  CUTICLE_TRY(record_shadows(commands));
+  CUTICLE_TRY(record_passes(commands));
+  return device_->submit(std::move(commands), trace);
+}
+
+Result<Image> Picture::read_color() const {
+  Image image = make_image(output_.size().x, output_.size().y, {"R", "G", "B", "A"});
+  CUTICLE_ASSIGN(image.pixels, device_->download(output_));
+  return image;
+}
+
+Result<strands::Groom> Picture::read_strands() const {
+  const std::size_t count = generator_->vertex_count();
+  CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, generator_->vertices(), count));
+  strands::Groom groom;
+  for (std::size_t v = 0; v < count; ++v) {
+    groom.positions.emplace_back(vertices[v]);
+    groom.radii.push_back(vertices[v].w);
+    if ((v + 1) % std::size_t(scene_.strand_vertices) == 0) groom.offsets.push_back(std::uint32_t(v + 1));
+  }
+  return groom;
+}
+
+}  // namespace cuticle::plan

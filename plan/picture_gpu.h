@@ -1,0 +1,64 @@
+#pragma once
+// From control hairs to a picture: drawn strands, shadows, the render passes, in the plan's order.
+#include <memory>
+#include <vector>
+
+#include <cuticle/core/image/image.h>
+#include <cuticle/core/progress.h>
+#include <cuticle/plan/plan.h>
+#include <cuticle/plan/strand_set.h>
+#include <cuticle/render/pass_gpu.h>
+#include <cuticle/strands/spline/smooth_gpu.h>
+
+namespace cuticle::plan {
+
+/// What changes from frame to frame.
+struct PictureInput {
+  const gpu::Buffer* control_positions = nullptr;
+  strands::Bounds bounds;
+  glm::dmat4 head{1};
+  Camera camera;
+};
+
+class Picture {
+ public:
+  static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set,
+                                                 const Plan& plan, const Camera& first_camera, Progress& progress);
+  /// Runs every planned pass after the simulation, in one submission.
+  Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
+  Result<Image> read_color() const;
+  Result<strands::Groom> read_strands() const;
+  const lut::TableSet& tables() const { return table_set_; }
+
+ private:
+  Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
+      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
+  Result<void> make_strands();
+  Result<void> make_shadows();
+  Result<void> make_tables(Progress& progress);
+  Result<void> make_targets(glm::ivec2 resolution);
+  Result<void> make_passes();
+  Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
+  Result<void> record_shadows(gpu::Commands& commands);
+  Result<void> record_passes(gpu::Commands& commands);
+
+  std::shared_ptr<gpu::Device> device_;
+  const scene::Scene& scene_;
+  const StrandSet& set_;
+  const Plan& plan_;
+  std::unique_ptr<strands::StrandGenerator> generator_;
+  std::vector<std::unique_ptr<shadows::GpuShadow>> shadows_;  ///< one per light
+  std::vector<gpu::Buffer> transmittance_;
+  lut::TableSet table_set_;
+  std::vector<gpu::Texture> tables_;
+  gpu::Texture color_, depth_, resolved_, output_;
+  render::FrameResources resources_;
+  struct DrawnPass {
+    std::string_view name;
+    registry::Stage stage;
+    std::unique_ptr<render::GpuPass> pass;
+  };
+  std::vector<DrawnPass> passes_;
+};
+
+}  // namespace cuticle::plan

@@ -1,0 +1,100 @@
+#include <cuticle/plan/strand_motion_gpu.h>
+
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace cuticle::plan {
+
+sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
+  sim::EffectBlocks blocks;
+  for (const registry::Entry* effect : catalogue().effects) {
+    if (!find_pass(plan, effect->name)) continue;
+    const auto given = scene.simulation.effects.find(effect->name);
+    blocks[std::string(effect->name)] =
+        given == scene.simulation.effects.end() ? registry::default_values(effect->parameters) : given->second;
+  }
+  return blocks;
+}
+
+Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                           const StrandSet& set, const Plan& plan) {
+  std::unique_ptr<StrandMotion> motion(new StrandMotion(std::move(device), scene, set, plan));
+  CUTICLE_ASSIGN(motion->path_, HeadPath::create(scene, set.pivot));
+  if (!scene.simulation.solver) {
+    CUTICLE_ASSIGN(motion->carried_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
+  }
+  return motion;
+}
+
+const gpu::Buffer& StrandMotion::positions() const { return solver_ ? solver_->positions() : carried_; }
+
+Result<void> StrandMotion::restart() {
+  frame_ = -1;
+  if (!scene_.simulation.solver) return {};
+  const scene::Block& block = *scene_.simulation.solver;
+  CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect(block.name));
+  CUTICLE_ASSIGN(solver_, effect->create(device_, set_.control, block.values, planned_effects(scene_, plan_)));
+  return settle();
+}
+
+Result<void> StrandMotion::settle() {
+  const glm::dmat4 rest = path_.at(0);
+  const int frames = int(std::ceil(scene_.simulation.settle_time * scene_.frames_per_second));
+  for (int k = 0; k < frames; ++k) CUTICLE_TRY(simulate(rest, rest, nullptr));
+  return {};
+}
+
+Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
+  gpu::Commands commands = device_->record();
+  CUTICLE_TRY(solver_->record(commands, {.duration = 1 / scene_.frames_per_second,
+                                         .head_begin = begin,
+                                         .head_end = end,
+                                         .colliders = find_pass(plan_, "colliders") ? set_.colliders : std::span<const Sphere>()}));
+  return device_->submit(std::move(commands), trace);
+}
+
+Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
+  if (frame_ < 0 || frame < frame_) CUTICLE_TRY(restart());
+  gpu::SubmitCost cost;
+  for (int next = solver_ ? frame_ + 1 : frame; next <= frame; ++next) {
+    head_ = path_.at(next);
+    if (!solver_) break;
+    CUTICLE_ASSIGN(cost, simulate(path_.at(std::max(0, next - 1)), head_, trace));
+  }
+  frame_ = frame;
+  if (!solver_) CUTICLE_TRY(carry());
+  CUTICLE_TRY(measure());
+  return cost;
+}
+
+Result<void> StrandMotion::carry() {
+  std::vector<glm::vec4> places;
+  for (const glm::vec3& position : set_.control.positions) places.emplace_back(head_ * glm::dvec4(position, 1));
+  return device_->upload(carried_, std::as_bytes(std::span<const glm::vec4>(places)));
+}
+
+Result<void> StrandMotion::measure() {
+  CUTICLE_ASSIGN(const std::vector<glm::vec4> places, gpu::read_buffer<glm::vec4>(*device_, positions(), set_.control.vertex_count()));
+  bounds_ = {glm::vec3(places.front()), glm::vec3(places.front())};
+  for (const glm::vec4& place : places) {
+    bounds_.lower = glm::min(bounds_.lower, glm::vec3(place));
+    bounds_.upper = glm::max(bounds_.upper, glm::vec3(place));
+  }
+  // Curves through the control vertices may bulge past them.
+  const glm::vec3 margin(0.02f * glm::distance(bounds_.lower, bounds_.upper) + 1e-4f);
+  bounds_ = {bounds_.lower - margin, bounds_.upper + margin};
+  return {};
+}
+
+Result<sim::State> StrandMotion::state() {
+  if (solver_) return solver_->state();
+  CUTICLE_ASSIGN(const std::vector<glm::vec4> places, gpu::read_buffer<glm::vec4>(*device_, carried_, set_.control.vertex_count()));
+  sim::State state;
+  state.positions.assign(places.begin(), places.end());
+  state.velocities.assign(places.size(), glm::vec3(0));
+  return state;
+}
+
+}  // namespace cuticle::plan

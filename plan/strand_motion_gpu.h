@@ -1,0 +1,51 @@
+#pragma once
+// Where the control hairs are in each frame: simulated on the device, or carried rigidly by the head.
+#include <memory>
+
+#include <cuticle/plan/head_path.h>
+#include <cuticle/plan/plan.h>
+#include <cuticle/plan/strand_set.h>
+#include <cuticle/sim/solver_gpu.h>
+
+namespace cuticle::plan {
+
+class StrandMotion {
+ public:
+  static Result<std::unique_ptr<StrandMotion>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                      const StrandSet& set, const Plan& plan);
+  /// Brings the control hairs to a frame: every frame from the last one to this is simulated; an earlier frame starts anew
+  /// from rest. Frame 0 is settled at rest, then simulated for one frame with the head still, so that all frames cost alike.
+  /// Returns the cost of the last of them.
+  Result<gpu::SubmitCost> advance_to(int frame, Trace* trace);
+
+  /// World positions, vec4 per control vertex.
+  const gpu::Buffer& positions() const;
+  const strands::Bounds& bounds() const { return bounds_; }
+  const glm::dmat4& head() const { return head_; }
+  Result<sim::State> state();
+
+ private:
+  StrandMotion(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
+      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
+  Result<void> restart();
+  Result<void> settle();
+  Result<gpu::SubmitCost> simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace);
+  Result<void> carry();
+  Result<void> measure();
+
+  std::shared_ptr<gpu::Device> device_;
+  const scene::Scene& scene_;
+  const StrandSet& set_;
+  const Plan& plan_;
+  HeadPath path_;
+  std::unique_ptr<sim::GpuSolver> solver_;   ///< null: carried rigidly
+  gpu::Buffer carried_;
+  strands::Bounds bounds_;
+  glm::dmat4 head_{1};
+  int frame_ = -1;
+};
+
+/// The effects of a plan with the scene's parameters, as a solver takes them.
+sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan);
+
+}  // namespace cuticle::plan

@@ -1,0 +1,157 @@
+#include <cuticle/plan/strand_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include <cuticle/plan/plan.h>
+#include <cuticle/sim/solver.h>
+#include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/growing/growing.h>
+
+namespace cuticle::plan {
+
+namespace {
+
+constexpr std::uint64_t k_root_seed = 20050401;
+
+std::vector<glm::vec3> roots_of(const strands::Groom& groom) {
+  std::vector<glm::vec3> roots;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    if (groom.strand_size(s) > 0) roots.push_back(groom.strand(s)[0]);
+  return roots;
+}
+
+Result<void> grow(const scene::Scene& scene, StrandSet& set) {
+  if (!scene.head.mesh.empty())
+    return bad_input("head.mesh: hair is grown on the procedural head only", "give groom.file, or leave head.mesh out");
+  strands::Head head = strands::make_head();
+  CUTICLE_ASSIGN(set.control, strands::plant_control_hairs(head, scene.groom.grow));
+  for (const strands::Root& root : strands::scatter_roots(head.scalp, std::size_t(scene.strand_count), k_root_seed)) {
+    set.hairs.push_back(head.scalp.triangles[root.triangle]);
+    set.weights.push_back(root.weights);
+  }
+  set.scalp = std::move(head.scalp);
+  if (scene.head.present) set.head = std::move(head.mesh);
+  if (scene.head_colliders) set.colliders = std::move(head.colliders);
+  return {};
+}
+
+/// The two other roots nearest to root `own`.
+std::array<std::uint32_t, 2> nearest_two(std::span<const glm::vec3> roots, std::uint32_t own) {
+  std::array<std::uint32_t, 2> found{own, own};
+  std::array<float, 2> distances;
+  distances.fill(std::numeric_limits<float>::max());
+  for (std::uint32_t other = 0; other < roots.size(); ++other) {
+    const glm::vec3 apart = roots[other] - roots[own];
+    const float distance = glm::dot(apart, apart);
+    if (other == own || distance >= distances[1]) continue;
+    found[1] = other;
+    distances[1] = distance;
+    if (distances[1] < distances[0]) std::swap(found[0], found[1]), std::swap(distances[0], distances[1]);
+  }
+  return found;
+}
+
+/// Barycentric weights of follower k: two additive recurrences folded into the triangle.
+glm::vec3 follower_weights(std::size_t k) {
+  double u = std::fmod(double(k) * 0.7548776662466927, 1.0), v = std::fmod(double(k) * 0.5698402909980532, 1.0);
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  return {1 - u - v, u, v};
+}
+
+void add_followers(std::size_t wanted, StrandSet& set) {
+  const std::vector<glm::vec3> roots = roots_of(set.control);
+  const std::size_t own = set.hairs.size();
+  std::vector<std::array<std::uint32_t, 2>> near;
+  for (std::size_t k = own; k < wanted; ++k) {
+    const auto leader = std::uint32_t((k - own) % own);
+    if (near.size() <= leader) near.push_back(nearest_two(roots, leader));
+    set.hairs.push_back({leader, near[leader][0], near[leader][1]});
+    set.weights.push_back(follower_weights(k - own + 1));
+  }
+}
+
+Result<void> read(const scene::Scene& scene, StrandSet& set) {
+  CUTICLE_ASSIGN(strands::GroomFile file, strands::read_groom(scene.groom.file, {scene.groom.metres_per_unit, scene.groom.radius}));
+  set.control = std::move(file.groom);
+  set.notes = std::move(file.notes);
+  for (const strands::Root& root : strands::identity_roots(set.control.strand_count())) {
+    set.hairs.push_back({root.triangle, root.triangle, root.triangle});
+    set.weights.push_back(root.weights);
+  }
+  const std::vector<glm::vec3> roots = roots_of(set.control);
+  if (roots.size() != set.control.strand_count()) return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
+  for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
+  add_followers(std::size_t(scene.strand_count), set);
+  if (scene.head.present && scene.head.mesh.empty()) set.head = strands::make_head().mesh;
+  if (!scene.head_colliders) return {};
+  CUTICLE_ASSIGN(Sphere sphere, fit_sphere(roots));
+  sphere.radius *= 0.97;  // below the roots, so that hair starts outside
+  set.colliders.push_back(sphere);
+  return {};
+}
+
+double root_radius(const strands::Groom& groom) {
+  return groom.radii.empty() || !(groom.radii[0] > 0) ? strands::k_default_radius : groom.radii[0];
+}
+
+Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
+  const double vertices = double(set.hairs.size()) * scene.strand_vertices;
+  if (vertices < 4e9 / 16) return {};
+  return bad_input(fmt::format("strand_count = {} with strand_vertices = {} makes {} vertices; allowed: 0 .. 250000000", set.hairs.size(),
+                               scene.strand_vertices, vertices));
+}
+
+}  // namespace
+
+Result<Sphere> fit_sphere(std::span<const glm::vec3> points) {
+  // |p|^2 = 2 c.p + (r^2 - |c|^2): linear in c and the last term. Solved about the mean, for accuracy.
+  glm::dvec3 mean{0};
+  for (const glm::vec3& point : points) mean += glm::dvec3(point) / double(points.size());
+  glm::dmat4 matrix{0};
+  glm::dvec4 right{0};
+  for (const glm::vec3& point : points) {
+    const glm::dvec3 p = glm::dvec3(point) - mean;
+    const glm::dvec4 row(2.0 * p, 1);
+    matrix += glm::outerProduct(row, row);
+    right += row * glm::dot(p, p);
+  }
+  const glm::dvec4 solution = glm::inverse(matrix) * right;
+  const double squared = solution.w + glm::dot(glm::dvec3(solution), glm::dvec3(solution));
+  if (points.size() < 4 || !std::isfinite(squared) || !(squared > 0))
+    return bad_input("colliders.head: no sphere can be fitted to the roots", "give colliders.spheres");
+  return Sphere{glm::dvec3(solution) + mean, std::sqrt(squared)};
+}
+
+Result<StrandSet> build_strand_set(const scene::Scene& scene) {
+  StrandSet set;
+  if (scene.groom.file.empty()) CUTICLE_TRY(grow(scene, set));
+  else CUTICLE_TRY(read(scene, set));
+  set.radius = float(scene.groom.radius > 0 ? scene.groom.radius : root_radius(set.control));
+  if (scene.head.present && !scene.head.mesh.empty()) {
+    CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
+  }
+  set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
+  CUTICLE_TRY(limit(scene, set));
+  return set;
+}
+
+registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set) {
+  registry::FrameShape shape;
+  shape.control_strands = std::uint32_t(set.control.strand_count());
+  shape.control_vertices = std::uint32_t(set.control.vertex_count());
+  shape.strands = std::uint32_t(set.hairs.size());
+  shape.vertices = shape.strands * std::uint32_t(scene.strand_vertices);
+  shape.segments = shape.strands * std::uint32_t(scene.strand_vertices - 1);
+  shape.lights = std::uint32_t(scene.lights.size());
+  if (!scene.simulation.solver) return shape;
+  const auto solver = sim::find_effect(scene.simulation.solver->name);
+  if (solver && (*solver)->substeps) shape.substeps = (*solver)->substeps(scene.simulation.solver->values, 1 / scene.frames_per_second);
+  return shape;
+}
+
+}  // namespace cuticle::plan

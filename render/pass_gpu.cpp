@@ -1,0 +1,17 @@
+#include <cuticle/render/pass_gpu.h>
+
+namespace cuticle::render {
+
+registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass) {
+  const auto found = resources.parameters.find(pass.entry.name);
+  return found == resources.parameters.end() ? registry::default_values(pass.entry.parameters) : found->second;
+}
+
+void begin_target(gpu::Commands& commands, const FrameResources& resources) {
+  const gpu::Commands::Target target{.color = resources.color,
+                                     .resolve = resources.resolve_target && resources.color != resources.resolved ? resources.resolved : nullptr,
+                                     .keep = resources.keep_target};
+  commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
+}
+
+}  // namespace cuticle::render

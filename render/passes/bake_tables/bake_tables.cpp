@@ -1,0 +1,23 @@
+#include <cuticle/render/pass.h>
+
+namespace cuticle::render::bake_tables {
+
+namespace {
+
+constexpr std::string_view k_demands[] = {"light", "strands", "output_color"};
+constexpr std::string_view k_systems[] = {"N12"};
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "bake_tables",
+                          .summary = "lookup tables of the scattering model, once, before the first frame",
+                          .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23",
+                          .demands = k_demands,
+                          .stage = registry::Stage::prepare,
+                          .systems = k_systems}};
+  return pass;
+}
+
+}  // namespace cuticle::render::bake_tables

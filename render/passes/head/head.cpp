@@ -1,0 +1,34 @@
+#include <cuticle/render/passes/head/head.h>
+
+namespace cuticle::render::head {
+
+namespace {
+
+using registry::Parameter;
+using registry::ParameterType;
+
+constexpr std::string_view k_demands[] = {"head", "output_color"};
+constexpr Parameter k_parameters[] = {
+    {.name = "skin", .type = ParameterType::rgb, .minimum = 0, .maximum = 1, .default_text = "0.42/0.27/0.2",
+     .summary = "diffuse albedo of the face"},
+    {.name = "scalp", .type = ParameterType::rgb, .minimum = 0, .maximum = 1, .default_text = "0.05/0.033/0.02",
+     .summary = "diffuse albedo where hair grows, close to that of the hair's depth"},
+    {.name = "wrap", .minimum = 0, .maximum = 1, .default_text = "0.4", .summary = "light carried past the terminator"},
+    {.name = "ambient", .minimum = 0, .maximum = 1, .default_text = "0.12", .summary = "share of the lights' sum that arrives from everywhere"},
+};
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "head",
+                          .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
+                          .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
+                          .parameters = k_parameters,
+                          .demands = k_demands,
+                          .stage = registry::Stage::shade,
+                          .draws = 1}};
+  return pass;
+}
+
+}  // namespace cuticle::render::head

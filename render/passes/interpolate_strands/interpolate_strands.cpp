@@ -1,0 +1,28 @@
+#include <cuticle/render/pass.h>
+
+namespace cuticle::render::interpolate_strands {
+
+namespace {
+
+constexpr std::string_view k_demands[] = {"strands", "output_color"};
+constexpr std::string_view k_after[] = {"smooth_strands"};
+constexpr std::string_view k_systems[] = {"N5"};
+
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "interpolate_strands",
+                          .summary = "drawn strands between three smoothed control hairs each",
+                          .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.2",
+                          .demands = k_demands,
+                          .stage = registry::Stage::generate,
+                          .systems = k_systems,
+                          .dispatches = dispatches,
+                          .after = k_after}};
+  return pass;
+}
+
+}  // namespace cuticle::render::interpolate_strands

@@ -1,0 +1,92 @@
+#include <cuticle/render/passes/lines/frame_gpu.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+namespace cuticle::render::lines {
+
+namespace {
+
+constexpr std::string_view k_tables[] = {"M", "N_TT_R", "N_TRT"};
+
+bool is_readable(const lut::TableSet& set) {
+  if (set.tables.size() != std::size(k_tables)) return false;
+  for (std::size_t k = 0; k < std::size(k_tables); ++k)
+    if (set.tables[k].layout->name != k_tables[k]) return false;
+  return true;
+}
+
+glm::vec4 scale_bias(const lut::Table& table, int size) {
+  const lut::AxisMap u = lut::axis_map(table.layout->u, size), v = lut::axis_map(table.layout->v, size);
+  return {u.scale, v.scale, u.bias, v.bias};
+}
+
+glm::vec4 channel_scale(const lut::Table& table) {
+  glm::vec4 scale{1};
+  for (std::size_t c = 0; c < std::min<std::size_t>(table.scale.size(), 4); ++c) scale[int(c)] = float(table.scale[c]);
+  return scale;
+}
+
+/// Share of light that a fibre lit and seen across scatters in total.
+Result<glm::dvec3> albedo(const lut::TableSet& set) {
+  const bsdf::Point across;
+  glm::dvec3 result{0};
+  CUTICLE_TRY(bsdf::evaluate(*set.model, set.values, bsdf::Precision::f64,
+                             {.quantity = bsdf::Quantity::albedo, .points = {&across, 1}}, {&result, 1}));
+  return glm::clamp(result, 0.0, 1.0);
+}
+
+/// An isotropic fibre of albedo a has S = a / pi^2. Light that reaches the eye after about three scatterings is tinted a^3.
+Result<glm::vec4> multiple_scattering(const lut::TableSet& set, double strength) {
+  if (strength == 0) return glm::vec4(0);
+  CUTICLE_ASSIGN(const glm::dvec3 once, albedo(set));
+  return glm::vec4(once * once * once * (strength / (std::numbers::pi * std::numbers::pi)), 0);
+}
+
+}  // namespace
+
+Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
+  Frame frame{};
+  frame.variation = float(parameters.real("variation"));
+  frame.vertices_per_strand = resources.vertices_per_strand;
+  frame.vertex_count = resources.strands.vertex_count;
+  if (!resources.table_set) return frame;
+  const lut::TableSet& set = *resources.table_set;
+  if (!is_readable(set))
+    return bad_input(fmt::format("material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT", set.layout->entry.name),
+                     "use the layout 'nalu'");
+  frame.m_scale_bias = scale_bias(set.tables[0], set.size);
+  frame.n_scale_bias = scale_bias(set.tables[1], set.size);
+  frame.m_scale = channel_scale(set.tables[0]);
+  frame.n_tt_r_scale = channel_scale(set.tables[1]);
+  frame.n_trt_scale = channel_scale(set.tables[2]);
+  CUTICLE_ASSIGN(frame.multiple, multiple_scattering(set, parameters.real("ambient")));
+  return frame;
+}
+
+void set_view(Frame& frame, const FrameResources& resources) {
+  frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
+  frame.eye = glm::vec4(resources.camera.position, 1);
+  frame.light_count = std::uint32_t(resources.lights.size());
+  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
+    frame.to_light[k] = glm::vec4(resources.lights[k].to_light, 0);
+    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
+  }
+}
+
+float line_width(const FrameResources& resources, const registry::ParameterValues& parameters) {
+  const double given = parameters.real("width_px");
+  if (given > 0) return float(given * resources.supersampling);
+  const Camera& camera = resources.camera;
+  const double pixel = 2 * glm::distance(camera.position, camera.target) * std::tan(camera.vertical_field_of_view / 2) /
+                       double(camera.resolution.y);
+  const double strands = double(resources.strands.vertex_count) / std::max(1u, resources.vertices_per_strand);
+  const double width = 2 * resources.fibre_radius * std::max(1.0, parameters.real("fibres") / std::max(1.0, strands));
+  return float(std::max(1.0, std::min(width / pixel, parameters.real("widest_px")) * resources.supersampling));
+}
+
+}  // namespace cuticle::render::lines

@@ -1,0 +1,42 @@
+#include <cuticle/render/passes/lines/lines.h>
+
+namespace cuticle::render::lines {
+
+namespace {
+
+using registry::Parameter;
+using registry::ParameterType;
+
+constexpr std::string_view k_demands[] = {"strands", "output_color"};
+constexpr std::string_view k_after[] = {"head"};
+constexpr std::string_view k_systems[] = {"N13", "H12"};
+constexpr Parameter k_parameters[] = {
+    {.name = "width_px", .unit = "px", .minimum = 0, .maximum = 16, .default_text = "0",
+     .summary = "line width in pixels of the picture; 0: from the fibres that a drawn strand stands for"},
+    {.name = "fibres", .minimum = 0, .maximum = 1e7, .default_text = "100000",
+     .summary = "fibres on the whole scalp; the drawn strands cover what these would"},
+    {.name = "widest_px", .unit = "px", .minimum = 0.1, .maximum = 16, .default_text = "1.25",
+     .summary = "limit of the derived width, in pixels of the picture"},
+    {.name = "ambient", .minimum = 0, .maximum = 4, .default_text = "1",
+     .summary = "strength of the approximation to light scattered many times; 0: single scattering only"},
+    {.name = "variation", .minimum = 0, .maximum = 1, .default_text = "0.15",
+     .summary = "difference between strands: tilt of their tangents and brightness"},
+};
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "lines",
+                          .summary = "strands as line primitives, shaded from the lookup tables, shadowed per vertex",
+                          .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
+                          .parameters = k_parameters,
+                          .demands = k_demands,
+                          .stage = registry::Stage::shade,
+                          .systems = k_systems,
+                          .draws = 1,
+                          .after = k_after}};
+  return pass;
+}
+
+}  // namespace cuticle::render::lines

@@ -1,0 +1,12 @@
+// What a frame tells the line shaders; frame_gpu.h holds the same fields in the same order.
+layout(std430, set = 0, binding = 4) readonly buffer Frame {
+  mat4 world_to_clip;
+  vec4 eye;
+  vec4 m_scale_bias, n_scale_bias;        // texture coordinate = value * xy + zw
+  vec4 m_scale, n_tt_r_scale, n_trt_scale;  // value = stored * scale
+  vec4 multiple;                          // of light scattered many times, per irradiance
+  uint light_count, vertex_count, vertices_per_strand;
+  float variation;
+  vec4 to_light[8];
+  vec4 irradiance[8];
+};

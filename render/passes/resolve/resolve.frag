@@ -1,0 +1,17 @@
+#version 460
+// Mean of the supersamples of a pixel, then the background behind what they left uncovered.
+layout(set = 0, binding = 0) uniform sampler2D supersampled;
+layout(push_constant) uniform Push {
+  vec4 background;  // a: 1 where it is opaque
+  int supersampling;
+};
+layout(location = 0) out vec4 color;
+
+void main() {
+  ivec2 first = ivec2(gl_FragCoord.xy) * supersampling;
+  vec4 sum = vec4(0.0);
+  for (int y = 0; y < supersampling; ++y)
+    for (int x = 0; x < supersampling; ++x) sum += texelFetch(supersampled, first + ivec2(x, y), 0);
+  vec4 mean = sum / float(supersampling * supersampling);
+  color = vec4(mean.rgb + (1.0 - mean.a) * background.rgb, mix(mean.a, 1.0, background.a));
+}

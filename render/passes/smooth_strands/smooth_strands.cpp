@@ -1,0 +1,26 @@
+#include <cuticle/render/pass.h>
+
+namespace cuticle::render::smooth_strands {
+
+namespace {
+
+constexpr std::string_view k_demands[] = {"strands", "output_color"};
+constexpr std::string_view k_systems[] = {"N4"};
+
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "smooth_strands",
+                          .summary = "control hairs to Bezier curves from this frame's tangents, resampled",
+                          .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.2",
+                          .demands = k_demands,
+                          .stage = registry::Stage::generate,
+                          .systems = k_systems,
+                          .dispatches = dispatches}};
+  return pass;
+}
+
+}  // namespace cuticle::render::smooth_strands
