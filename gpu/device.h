@@ -45,6 +45,7 @@ std::vector<DeviceInfo> list_devices();
 
 enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, depth32f };
 enum class Filter { nearest, linear };
+/// alpha: color = source * source alpha + target * (1 - source alpha), alpha likewise with factor 1; additive: the sum.
 enum class BlendMode { none, alpha, additive };
 enum class Topology { triangles, lines };
 
@@ -120,12 +121,13 @@ class Kernel {
 };
 
 struct GraphicsDescription {
-  std::span<const std::uint32_t> vertex_spirv, fragment_spirv;
+  std::span<const std::uint32_t> vertex_spirv, fragment_spirv;  ///< no fragment shader: only depth is drawn
   ShaderInterface interface;                            ///< shared by both stages; vertices are pulled from storage buffers
   Topology topology = Topology::triangles;
   std::vector<TextureFormat> color_formats;
   BlendMode blend = BlendMode::none;
-  bool depth_test = false, depth_write = false;
+  bool depth_test = false, depth_write = false;         ///< nearer or equal passes; depth clears to 1
+  bool depth_target = false;                            ///< rendered with a depth target though it does neither
   int samples = 1;
   float line_width = 1;                                 ///< used where the device has wide lines
   bool cull_back_faces = false;
@@ -155,7 +157,9 @@ struct PassCost {
 };
 
 /// Work recorded for one submission. A memory barrier stands between any two recorded operations, so each sees what the
-/// one before wrote. Dispatches and draws count toward the pass that is open.
+/// one before wrote (one rendering, with all its draws, is one operation; clip space is Vulkan's: y down, depth 0..1).
+/// Dispatches and draws count toward the pass that is open. What was recorded stays alive until the work is done.
+/// A misuse (an empty buffer, a count that does not fit the shader) is kept and becomes the error of submit.
 class Commands {
  public:
   Commands(Commands&&) noexcept;

@@ -44,6 +44,7 @@ VkImageUsageFlags usage_of(const TextureDescription& description) {
   const VkImageUsageFlags target = description.format == TextureFormat::depth32f
                                        ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
                                        : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  if (description.samples > 1) return target;  // neither sampled nor copied, only resolved
   const VkImageUsageFlags sampled =
       VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   return sampled | (description.render_target ? target : 0);
