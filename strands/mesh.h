@@ -16,6 +16,8 @@ struct Mesh {
   std::vector<glm::vec2> uv;         ///< one per position, or empty
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
+/// v scaled to length 1; +y where v has no direction.
+glm::vec3 unit_or_up(const glm::dvec3& v);
 /// Area-weighted vertex normals; vertices of no or degenerate triangles get +y.
 void compute_normals(Mesh& mesh);
 /// Positions and normals by a rigid transform.

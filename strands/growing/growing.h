@@ -31,7 +31,7 @@ struct Root {
 };
 std::vector<Root> scatter_roots(const Mesh& scalp, std::size_t count, std::uint64_t seed);
 
-/// For a groom of its own (a file): each strand is its own control hair.
+/// For a groom of its own (a file): each strand is its own control hair; `triangle` is then the strand, the weights are 1, 0, 0.
 std::vector<Root> identity_roots(std::size_t strand_count);
 
 }  // namespace cuticle::strands

@@ -1,0 +1,166 @@
+// TressFX .tfx, versions 3 (float3 positions at byte 296) and 4 (float4 positions and root uv at stated offsets).
+#include <cuticle/strands/formats/formats.h>
+
+#include <fmt/core.h>
+
+#include <cuticle/strands/formats/bytes.h>
+
+namespace cuticle::strands {
+
+namespace {
+
+enum HeaderOffset : std::uint64_t {
+  version_at = 0,
+  strand_count_at = 4,
+  strand_size_at = 8,
+  positions_offset_at = 12,
+  uv_offset_at = 16,
+  header_size_4 = 160,
+  header_size_3 = 296
+};
+
+struct Header {
+  int version = 3;
+  std::uint32_t strands = 0, strand_size = 0;
+  std::uint64_t positions = header_size_3, uv = 0;   ///< uv 0: none
+  std::uint64_t vertex_bytes() const { return version == 3 ? 12 : 16; }
+  std::uint64_t vertices() const { return std::uint64_t(strands) * strand_size; }
+};
+
+Result<int> read_version(const ByteView& bytes) {
+  if (bytes.size() < header_size_4)
+    return bytes.error("header", 0, fmt::format("{} bytes, a .tfx header has 160 (version 4) or 296 (version 3)",
+                                                bytes.size()));
+  const float version = bytes.at<float>(version_at);
+  if (version >= 3 && version < 4 && bytes.size() < header_size_3)
+    return bytes.error("header", 0, fmt::format("{} bytes, a version 3 header has 296", bytes.size()));
+  if (version >= 3 && version < 5) return int(version);
+  return bytes.error("version", version_at, fmt::format("{}, allowed 3 <= version < 5", double(version)));
+}
+
+Result<void> read_offsets(const ByteView& bytes, Header& header) {
+  if (header.version == 3) return {};
+  header.positions = bytes.at<std::uint32_t>(positions_offset_at);
+  header.uv = bytes.at<std::uint32_t>(uv_offset_at);
+  if (header.positions < header_size_4 || header.positions > bytes.size())
+    return bytes.error("position offset", positions_offset_at, fmt::format("{}, allowed {} .. {}", header.positions,
+                                                                           std::uint64_t(header_size_4), bytes.size()));
+  if (header.uv != 0 && (header.uv < header_size_4 || header.uv > bytes.size()))
+    return bytes.error("uv offset", uv_offset_at, fmt::format("{}, allowed 0 or {} .. {}", header.uv,
+                                                              std::uint64_t(header_size_4), bytes.size()));
+  return {};
+}
+
+Result<Header> read_header(const ByteView& bytes) {
+  Header header;
+  CUTICLE_ASSIGN(header.version, read_version(bytes));
+  CUTICLE_TRY(read_offsets(bytes, header));
+  header.strands = bytes.at<std::uint32_t>(strand_count_at);
+  header.strand_size = bytes.at<std::uint32_t>(strand_size_at);
+  const std::uint64_t room = (bytes.size() - header.positions) / header.vertex_bytes();
+  if (header.strand_size < 2 || header.strand_size > room)
+    return bytes.error("points per strand", strand_size_at, fmt::format("{}, allowed 2 .. {} in a file of {} bytes",
+                                                                        header.strand_size, room, bytes.size()));
+  if (header.strands < 1 || header.strands > room / header.strand_size)
+    return bytes.error("strand count", strand_count_at,
+                       fmt::format("{} strands of {} points, allowed 1 .. {} strands in a file of {} bytes", header.strands,
+                                   header.strand_size, room / header.strand_size, bytes.size()));
+  return header;
+}
+
+std::vector<std::uint32_t> even_offsets(const Header& header) {
+  std::vector<std::uint32_t> offsets(std::size_t(header.strands) + 1);
+  for (std::size_t s = 0; s < offsets.size(); ++s) offsets[s] = std::uint32_t(s * header.strand_size);
+  return offsets;
+}
+
+/// Whether w follows the usual rule: 0 (pinned) at the root, 1 elsewhere.
+bool is_usual_pin(const std::vector<float>& w, std::uint32_t strand_size) {
+  for (std::size_t v = 0; v < w.size(); ++v)
+    if (w[v] != (v % strand_size == 0 ? 0.0f : 1.0f)) return false;
+  return true;
+}
+
+Result<void> read_positions(const ByteView& bytes, const Header& header, Groom& groom) {
+  const std::size_t step = header.vertex_bytes() / 4;
+  CUTICLE_ASSIGN(const std::vector<float> numbers, read_floats(bytes, "positions", header.positions,
+                                                               header.vertices() * step));
+  std::vector<float> w;
+  groom.positions.reserve(header.vertices());
+  for (std::size_t i = 0; i < numbers.size(); i += step) {
+    groom.positions.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    if (step == 4) w.push_back(numbers[i + 3]);
+  }
+  if (step == 4 && !is_usual_pin(w, header.strand_size))
+    groom.attributes["movability"] = {Attribute::Domain::vertex, 1, std::move(w)};
+  return {};
+}
+
+Result<void> read_root_uv(const ByteView& bytes, const Header& header, Groom& groom) {
+  if (header.uv == 0) return {};
+  CUTICLE_ASSIGN(const std::vector<float> numbers, read_floats(bytes, "root uv", header.uv,
+                                                               2 * std::uint64_t(header.strands)));
+  for (std::size_t s = 0; s < header.strands; ++s) groom.root_uv.emplace_back(numbers[2 * s], numbers[2 * s + 1]);
+  return {};
+}
+
+std::vector<std::byte> format_header(const Groom& groom, int version) {
+  std::vector<std::byte> bytes;
+  append(bytes, float(version));
+  append(bytes, std::uint32_t(groom.strand_count()));
+  append(bytes, std::uint32_t(groom.strand_size(0)));
+  if (version == 4) {
+    append(bytes, std::uint32_t(header_size_4));
+    const std::uint64_t end = header_size_4 + 16 * std::uint64_t(groom.vertex_count());
+    append(bytes, groom.root_uv.empty() ? 0u : std::uint32_t(end));
+  }
+  while (bytes.size() < (version == 3 ? header_size_3 : header_size_4)) append(bytes, std::uint32_t(0));
+  return bytes;
+}
+
+Result<void> check_writable(const Groom& groom, int version) {
+  if (version != 3 && version != 4) return bad_input(fmt::format("tfx version {}, allowed 3 or 4", version));
+  if (groom.strand_count() == 0) return bad_input("tfx: the groom has 0 strands, at least 1 is needed");
+  for (std::size_t s = 1; s < groom.strand_count(); ++s)
+    if (groom.strand_size(s) != groom.strand_size(0))
+      return bad_input(fmt::format("tfx: strand {} has {} points, strand 0 has {}; a .tfx needs equal counts", s,
+                                   groom.strand_size(s), groom.strand_size(0)),
+                       "write a .hair file, or smooth the strands to one vertex count first");
+  if (groom.vertex_count() > (0xffffffffull - header_size_4) / 16)
+    return bad_input(fmt::format("tfx: {} points pass the 32-bit offsets of the format", groom.vertex_count()));
+  return {};
+}
+
+}  // namespace
+
+Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& where) {
+  const ByteView bytes(data, where);
+  CUTICLE_ASSIGN(const Header header, read_header(bytes));
+  if (header.vertices() > 0xffffffffull)
+    return bytes.error("strand count", strand_count_at, fmt::format("{} points in all, allowed 2 .. {}", header.vertices(),
+                                                                    0xffffffffull));
+  Groom groom;
+  groom.offsets = even_offsets(header);
+  CUTICLE_TRY(read_positions(bytes, header, groom));
+  groom.radii.assign(groom.positions.size(), 0.0f);
+  CUTICLE_TRY(read_root_uv(bytes, header, groom));
+  return groom;
+}
+
+Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version) {
+  CUTICLE_TRY(check_writable(groom, version));
+  std::vector<std::byte> bytes = format_header(groom, version);
+  const auto movability = groom.attributes.find("movability");
+  for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
+    append(bytes, groom.positions[v]);
+    if (version == 3) continue;
+    append(bytes, movability != groom.attributes.end() ? movability->second.values[v]
+                  : v % groom.strand_size(0) == 0      ? 0.0f
+                                                       : 1.0f);
+  }
+  if (version == 4)
+    for (const glm::vec2& uv : groom.root_uv) append(bytes, uv);
+  return bytes;
+}
+
+}  // namespace cuticle::strands
