@@ -22,5 +22,7 @@ function(cuticle_shader TARGET FILE)
             --depfile ${header}.d -o ${header} ${source}
     DEPENDS ${source} ${ARG_DEPENDS} DEPFILE ${header}.d VERBATIM
     COMMENT "Shader ${ARG_NAME}")
-  target_sources(${TARGET} PRIVATE ${header})
+  # A target of its own, because the folder of an entry is not the folder of the module's target.
+  add_custom_target(shader_${ARG_NAME} DEPENDS ${header})
+  add_dependencies(${TARGET} shader_${ARG_NAME})
 endfunction()
