@@ -38,7 +38,8 @@ struct State {
   std::uint32_t guards_fired = 0;            ///< strands reset in the last frame because something was not finite
 };
 
-/// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots).
+/// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots
+/// and where the rest length is 0).
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions);
 
 class Solver {

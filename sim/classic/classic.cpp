@@ -1,0 +1,172 @@
+#include <cuticle/sim/classic/classic.h>
+
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include <cuticle/sim/classic/length_constraint.glslh>
+#include <cuticle/sim/classic/verlet.glslh>
+#include <cuticle/sim/turn.glslh>
+
+namespace cuticle::sim::classic {
+namespace {
+
+/// A frame's colliders and how strands meet them.
+struct Contacts {
+  std::vector<glm::vec4> spheres;
+  colliders::ContactSettings settings;
+};
+
+/// One strand's share of the arrays.
+struct StrandView {
+  std::span<const glm::vec4> places, traits;
+  std::span<glm::vec3> positions, starts, velocities;
+
+  std::size_t size() const { return places.size(); }
+  glm::vec3 target(std::size_t vertex, const glm::vec4& rotation) const {
+    return turned(glm::vec3(places[vertex]), glm::vec3(rotation), rotation.w);
+  }
+  glm::vec3 rest_direction(std::size_t vertex, const glm::vec4& rotation) const {
+    return direction_of(target(vertex, rotation) - target(vertex - 1, rotation));
+  }
+};
+
+std::size_t anchor_of(const StrandView& strand, const StepConstants& step) {
+  return std::min<std::size_t>(step.clamped_vertices, strand.size()) - 1;
+}
+
+void integrate(StrandView strand, const StepConstants& step) {
+  for (std::size_t i = 0; i < strand.size(); ++i) {
+    const glm::vec3 carry(step.carry);
+    const glm::vec3 here = turned(strand.positions[i], carry, step.carry.w);
+    const glm::vec3 velocity = turned(strand.velocities[i], carry, step.carry.w);
+    const glm::vec3 target = strand.target(i, step.rotation_begin), next = strand.target(i, step.rotation_end);
+    const float pull = kept(shape_rate(step.shape_rate, step.shape_tip, strand.traits[i].y));
+    const glm::vec3 moved =
+        verlet_position(here, velocity * step.velocity_to_step, target, next, step.head_step, pull, step.fall);
+    strand.starts[i] = here;
+    strand.velocities[i] = velocity;
+    strand.positions[i] = strand.traits[i].x > 0 ? moved : next;
+  }
+}
+
+/// Pulls vertex i back into the reach of the vertex that the head carries.
+void keep_reach(StrandView strand, std::size_t i, std::size_t anchor) {
+  const glm::vec3 before = direction_of(strand.starts[i] - strand.starts[anchor]);
+  strand.positions[i] -= reach_excess(strand.positions[i] - strand.positions[anchor], strand.traits[i].z, before);
+}
+
+/// Corrects the segment from vertex i - 1 to i.
+void keep_length(StrandView strand, std::size_t i, const glm::vec4& rotation) {
+  const float total = strand.traits[i - 1].x + strand.traits[i].x;
+  const glm::vec3 edge = strand.positions[i] - strand.positions[i - 1];
+  const glm::vec3 before = direction_of(strand.starts[i] - strand.starts[i - 1]);
+  const glm::vec3 fallback = lacks_direction(edge, strand.places[i].w) ? strand.rest_direction(i, rotation) : before;
+  const glm::vec3 excess = length_excess(edge, strand.places[i].w, before, fallback) / total;
+  strand.positions[i - 1] += excess * strand.traits[i - 1].x;
+  strand.positions[i] -= excess * strand.traits[i].x;
+}
+
+void constrain(StrandView strand, const StepConstants& step, std::uint32_t iterations) {
+  const std::size_t anchor = anchor_of(strand, step);
+  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep)
+    for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
+      keep_reach(strand, i, anchor);
+      keep_length(strand, i, step.rotation_end);
+    }
+}
+
+void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts) {
+  const std::size_t anchor = anchor_of(strand, step);
+  const glm::vec3 outward = strand.size() > 1 ? direction_of(strand.target(strand.size() - 1, step.rotation_end) -
+                                                             strand.target(0, step.rotation_end)) : glm::vec3(0);
+  colliders::push_out({strand.traits, strand.positions, strand.starts, anchor, step.rotation_begin, step.rotation_end, outward},
+                      contacts.spheres, contacts.settings);
+}
+
+bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void reset(StrandView strand, const StepConstants& step) {
+  for (std::size_t i = 0; i < strand.size(); ++i) {
+    const glm::vec3 target = strand.target(i, step.rotation_begin), next = strand.target(i, step.rotation_end);
+    strand.positions[i] = next;
+    strand.velocities[i] = (next - target + step.head_step) * step.inverse_duration;
+  }
+}
+
+/// Velocities from displacements; true when the strand had to be reset.
+bool finish(StrandView strand, const StepConstants& step) {
+  bool good = true;
+  for (std::size_t i = 0; i < strand.size(); ++i) {
+    if (step.inverse_duration > 0)
+      strand.velocities[i] = (strand.positions[i] - strand.starts[i] + step.head_step) * step.inverse_duration;
+    good = good && finite(strand.positions[i]) && finite(strand.velocities[i]);
+  }
+  if (!good) reset(strand, step);
+  return !good;
+}
+
+class ClassicSolver final : public Solver {
+ public:
+  ClassicSolver(const strands::Groom& rest, const Settings& settings)
+      : settings_(settings), rest_(make_rest_pose(rest, settings.clamped_vertices)), positions_(rest.positions),
+        starts_(rest.positions), velocities_(rest.vertex_count(), glm::vec3(0)), resets_(rest.strand_count(), 0) {}
+
+  Result<void> advance(const FrameInput& input) override {
+    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
+    translation_ = parts.back().translation;
+    std::vector<StepConstants> steps;
+    for (const Substep& part : parts)
+      steps.push_back(make_step(settings_, part, static_cast<std::uint32_t>(rest_.strand_count())));
+    Contacts contacts;
+    if (settings_.contact) contacts = {colliders::packed(input.colliders), *settings_.contact};
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { run_strand(s, steps, contacts); });
+    return {};
+  }
+
+  Result<State> state() override {
+    State state{positions_, velocities_, 0};
+    for (glm::vec3& position : state.positions) position += translation_;
+    for (std::uint32_t fired : resets_) state.guards_fired += fired;
+    return state;
+  }
+
+ private:
+  void run_strand(std::size_t index, std::span<const StepConstants> steps, const Contacts& contacts) {
+    const StrandView strand = view(index);
+    resets_[index] = 0;
+    if (strand.size() == 0) return;
+    for (const StepConstants& step : steps) {
+      integrate(strand, step);
+      constrain(strand, step, settings_.iterations);
+      if (!contacts.spheres.empty()) {
+        meet_spheres(strand, step, contacts);
+        constrain(strand, step, settings_.iterations);
+      }
+      if (finish(strand, step)) resets_[index] = 1;
+    }
+  }
+
+  StrandView view(std::size_t index) {
+    const std::size_t first = rest_.offsets[index], count = rest_.offsets[index + 1] - first;
+    const auto part = [&](auto& values) { return std::span(values).subspan(first, count); };
+    return {part(rest_.places), part(rest_.traits), part(positions_), part(starts_), part(velocities_)};
+  }
+
+  Settings settings_;
+  RestPose rest_;
+  std::vector<glm::vec3> positions_, starts_, velocities_;
+  std::vector<std::uint32_t> resets_;
+  HeadMotion motion_;
+  glm::vec3 translation_{0};
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
+                                       const EffectBlocks& effects) {
+  CUTICLE_TRY(strands::validate(rest));
+  return std::unique_ptr<Solver>(std::make_unique<ClassicSolver>(rest, make_settings(solver, effects)));
+}
+
+}  // namespace cuticle::sim::classic

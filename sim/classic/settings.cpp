@@ -1,0 +1,72 @@
+#include <cuticle/sim/classic/settings.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <cuticle/sim/turn.glslh>
+
+namespace cuticle::sim::classic {
+namespace {
+
+std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
+  return static_cast<std::uint32_t>(values.integer(name));
+}
+
+std::uint32_t count(double duration, double inner_step, std::uint32_t most) {
+  const double rounded = std::ceil(duration / inner_step * (1 - 1e-9));  // 1/30 s is 8 steps of 1/240 s, not 9
+  return static_cast<std::uint32_t>(std::clamp(rounded, 1.0, double(most)));
+}
+
+}  // namespace
+
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
+  return count(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
+}
+std::uint32_t substeps(const Settings& settings, double duration) {
+  return count(duration, settings.inner_step, settings.max_substeps);
+}
+
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  Settings settings;
+  settings.inner_step = solver.real("inner_step");
+  settings.max_substeps = whole(solver, "max_substeps");
+  settings.iterations = whole(solver, "iterations");
+  settings.clamped_vertices = whole(solver, "clamped_vertices");
+  settings.damping = solver.real("damping");
+  settings.shape_stiffness = solver.real("shape_stiffness");
+  settings.shape_tip = static_cast<float>(solver.real("shape_tip"));
+  settings.sag_free = settings.shape_stiffness > 0 && solver.boolean("sag_free");
+  if (auto gravity = effects.find("gravity"); gravity != effects.end()) settings.gravity = gravity->second.rgb("acceleration");
+  if (auto contact = effects.find("colliders"); contact != effects.end())
+    settings.contact = colliders::make_contact_settings(contact->second);
+  return settings;
+}
+
+namespace {
+
+/// The pull towards the rest pose carries the weight that the strand has there; the head turns that force along.
+glm::dvec3 balancing_force(const Settings& settings, const glm::vec4& rotation) {
+  const glm::dvec4 q(rotation);
+  return settings.sag_free ? turned(settings.gravity, glm::dvec3(q), q.w) : glm::dvec3(0);
+}
+
+}  // namespace
+
+StepConstants make_step(const Settings& settings, const Substep& substep, std::uint32_t strand_count) {
+  const double h = substep.duration;
+  StepConstants step;
+  step.carry = substep.carry;
+  step.rotation_begin = substep.rotation_begin;
+  step.rotation_end = substep.rotation_end;
+  step.head_step = substep.translation_step;
+  step.velocity_to_step = static_cast<float>(h * std::exp(-settings.damping * h));
+  step.fall = glm::vec3((settings.gravity - balancing_force(settings, substep.rotation_end)) * double(substep.gravity_factor));
+  step.shape_rate = static_cast<float>(settings.shape_stiffness * h);
+  step.shape_tip = settings.shape_tip;
+  step.inverse_duration = h > 0 ? static_cast<float>(1 / h) : 0.f;
+  step.strand_count = strand_count;
+  step.clamped_vertices = settings.clamped_vertices;
+  return step;
+}
+
+}  // namespace cuticle::sim::classic

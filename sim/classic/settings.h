@@ -1,0 +1,41 @@
+#pragma once
+// The classic solver's parameters as numbers, and the constants of one substep: shared by the CPU twin and the kernels.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cuticle/sim/colliders/contact.h>
+#include <cuticle/sim/head_motion.h>
+
+namespace cuticle::sim::classic {
+
+/// Parameters of the solver and of the effects that act in it; see entry.cpp for units, ranges and defaults.
+struct Settings {
+  double inner_step = 0;
+  std::uint32_t max_substeps = 1, iterations = 1, clamped_vertices = 1;
+  double damping = 0, shape_stiffness = 0;
+  float shape_tip = 0;
+  bool sag_free = false;
+  glm::dvec3 gravity{0};                          ///< m/s^2; zero without the effect
+  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+};
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+/// ceil(duration / inner_step), between 1 and max_substeps: past that the step stretches.
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
+std::uint32_t substeps(const Settings& settings, double duration);
+
+/// Constants of one substep; the layout is that of the kernels' push constants.
+struct StepConstants {
+  glm::vec4 carry{0, 0, 0, 1}, rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
+  glm::vec3 head_step{0};         ///< metres that the head's translation moves
+  float velocity_to_step = 0;     ///< h exp(-damping h): what is left of a velocity, as a displacement
+  glm::vec3 fall{0};              ///< gravity's share of the new position, metres
+  float shape_rate = 0;           ///< shape stiffness times h, at the root
+  float shape_tip = 0;
+  float inverse_duration = 0;     ///< 1/h; 0 when no time passes: velocities are kept
+  std::uint32_t strand_count = 0, clamped_vertices = 1;
+};
+StepConstants make_step(const Settings& settings, const Substep& substep, std::uint32_t strand_count);
+
+}  // namespace cuticle::sim::classic

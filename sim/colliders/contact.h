@@ -1,0 +1,34 @@
+#pragma once
+// Sphere colliders with pearls: settings, the spheres of a frame, and the CPU twin of the kernel.
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim::colliders {
+
+struct ContactSettings {
+  float pearl_radius = 0;  ///< metres, of the sphere on every particle
+  bool fit_pearls = true;  ///< grow each pearl until its straight segments clear the sphere
+};
+ContactSettings make_contact_settings(const registry::ParameterValues& values);
+
+/// xyz: centre in the head's rest space; w: radius; metres.
+std::vector<glm::vec4> packed(std::span<const Sphere> spheres);
+
+/// One strand in a substep. Spans hold one entry per vertex; positions are relative to the head's translation.
+struct Contact {
+  std::span<const glm::vec4> traits;                ///< RestPose::traits
+  std::span<glm::vec3> positions, starts;           ///< at the substep's end and begin
+  std::size_t anchor = 0;                           ///< last vertex that the head carries
+  glm::vec4 rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
+  glm::vec3 fallback{0, 1, 0};                      ///< unit: where a vertex at a sphere's very centre leaves to
+};
+/// Pushes the free vertices out of every sphere in turn, at the end of the substep and, where they began it inside, at its
+/// begin too, so that leaving an overlap gives no velocity.
+void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings);
+
+}  // namespace cuticle::sim::colliders

@@ -1,0 +1,33 @@
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim::colliders {
+namespace {
+
+using registry::Parameter;
+using registry::ParameterType;
+
+constexpr Parameter k_parameters[] = {
+    {.name = "pearl_radius", .type = ParameterType::real, .unit = "m", .minimum = 0, .maximum = 1, .default_text = "0.001",
+     .summary = "radius of the sphere on every particle"},
+    {.name = "fit_pearls", .type = ParameterType::boolean, .default_text = "true",
+     .summary = "grow each pearl until its straight segments clear the collider"},
+};
+constexpr std::string_view k_demands[] = {"simulation", "colliders"};
+constexpr std::string_view k_systems[] = {"N9", "G8"};
+constexpr std::string_view k_after[] = {"classic"};
+
+/// The contact itself, and the length constraints that follow it.
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 2 * shape.substeps; }
+
+}  // namespace
+
+const Effect& entry() {
+  static const Effect effect = {
+      .entry = {.kind = registry::EntryKind::effect, .name = "colliders",
+                .summary = "spheres push the particles out, each with a pearl so that long segments do not cut through",
+                .source = "Nalu, GPU Gems 2, chapter 23, collision", .parameters = k_parameters, .demands = k_demands,
+                .stage = registry::Stage::simulate, .systems = k_systems, .dispatches = dispatches, .after = k_after}};
+  return effect;
+}
+
+}  // namespace cuticle::sim::colliders

@@ -1,0 +1,76 @@
+#include <cuticle/sim/head_motion.h>
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <glm/gtc/quaternion.hpp>
+
+namespace cuticle::sim {
+namespace {
+
+constexpr double k_longest_frame = 100;
+constexpr double k_rigid_tolerance = 1e-3;
+
+Result<void> check_transform(std::string_view name, const glm::dmat4& transform) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!std::isfinite(transform[column][row]))
+        return bad_input(fmt::format("{}: element ({}, {}) is not finite", name, row, column));
+  const glm::dmat3 turn(transform);
+  const glm::dmat3 identity = glm::transpose(turn) * turn;
+  double worst = std::abs(glm::determinant(turn) - 1);
+  for (int k = 0; k < 9; ++k) worst = std::max(worst, std::abs(identity[k / 3][k % 3] - (k % 4 == 0 ? 1 : 0)));
+  if (worst > k_rigid_tolerance)
+    return bad_input(fmt::format("{}: differs from a rotation by {:.3g}, allowed 0 .. {}", name, worst, k_rigid_tolerance),
+                     "give a rigid transform, without scale, shear or mirror");
+  return {};
+}
+
+Result<void> check_colliders(std::span<const Sphere> colliders) {
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    const Sphere& sphere = colliders[i];
+    const bool finite = std::isfinite(sphere.center.x) && std::isfinite(sphere.center.y) && std::isfinite(sphere.center.z);
+    if (!finite || !std::isfinite(sphere.radius) || sphere.radius < 0)
+      return bad_input(fmt::format("colliders[{}]: centre ({}, {}, {}), radius {}: must be finite, radius at least 0", i,
+                                   sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius));
+  }
+  return {};
+}
+
+Result<void> check(const FrameInput& input) {
+  if (!(input.duration >= 0 && input.duration <= k_longest_frame))
+    return bad_input(fmt::format("duration: {} s is outside 0 .. {}", input.duration, k_longest_frame));
+  CUTICLE_TRY(check_transform("head_begin", input.head_begin));
+  CUTICLE_TRY(check_transform("head_end", input.head_end));
+  return check_colliders(input.colliders);
+}
+
+glm::vec4 packed(const glm::dquat& q) { return glm::vec4(glm::dvec4(q.x, q.y, q.z, q.w)); }
+
+}  // namespace
+
+Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::uint32_t substeps) {
+  CUTICLE_TRY(check(input));
+  const bool jump = input.teleport || input.duration == 0;
+  const glm::dquat end = glm::normalize(glm::quat_cast(glm::dmat3(input.head_end)));
+  const glm::dquat before = glm::normalize(glm::quat_cast(glm::dmat3(input.head_begin)));
+  const glm::dquat begin = jump ? end : before;
+  const glm::dvec3 to(input.head_end[3]), from = jump ? to : glm::dvec3(input.head_begin[3]);
+  const double step = input.duration / substeps;
+  std::vector<Substep> parts(substeps);
+  for (std::uint32_t k = 0; k < substeps; ++k) {
+    parts[k].duration = static_cast<float>(step);
+    parts[k].gravity_factor = static_cast<float>(step * (step + (k == 0 ? previous_duration_ : step)) / 2);
+    parts[k].rotation_begin = packed(glm::slerp(begin, end, double(k) / substeps));
+    parts[k].rotation_end = packed(glm::slerp(begin, end, double(k + 1) / substeps));
+    parts[k].translation_step = glm::vec3((to - from) / double(substeps));
+    parts[k].translation = glm::vec3(to);
+  }
+  const glm::dquat jump_turn = jump ? end * glm::conjugate(before) : glm::dquat(1, 0, 0, 0);
+  if (jump || !placed_) parts[0].carry = packed(placed_ ? jump_turn : begin);
+  placed_ = true;
+  if (step > 0) previous_duration_ = step;
+  return parts;
+}
+
+}  // namespace cuticle::sim
