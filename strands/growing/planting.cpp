@@ -20,7 +20,7 @@ using registry::ParameterType;
 
 constexpr Parameter k_parameters[] = {
     {"control_vertices", ParameterType::integer, "1", 2, 64, "7", {}, "Vertices of a control hair"},
-    {"length", ParameterType::real, "m", 0.001, 2, "0.3", {}, "Length of a hair"},
+    {"length", ParameterType::real, "m", 0.001, 2, "0.27", {}, "Length of a hair"},
     {"length_variation", ParameterType::real, "1", 0, 0.9, "0.12", {}, "Part of the length that chance may take away"},
     {"segment_growth", ParameterType::real, "1", 1, 3, "1.25", {}, "Length of a segment over the one before it, root to tip"},
     {"parting", ParameterType::real, "1", 0, 1, "0.8", {}, "Combed straight back (0) or apart from the middle (1)"},
@@ -78,7 +78,7 @@ std::vector<double> sides(const Mesh& scalp, const HeadFrame& frame) {
 /// Where the comb pulls at a place of the head: apart and back on the top, down and back at the sides.
 glm::dvec3 comb_direction(const glm::dvec3& place, double side, double parting) {
   const double top = glm::smoothstep(0.0, 0.42, place.y);
-  const double part = parting * glm::smoothstep(-0.55, 0.1, place.z);
+  const double part = parting * glm::smoothstep(-0.3, 0.2, place.z);
   const double back_at_side = 0.9 * glm::smoothstep(0.02, 0.45, place.z);
   const glm::dvec3 over_top(side * part, -0.1, -0.35 - 0.9 * (1 - part));
   const glm::dvec3 at_side(0, -1, -back_at_side);
