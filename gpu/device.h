@@ -1,6 +1,7 @@
 #pragma once
-// A Vulkan device without Vulkan types: choice, buffers, textures, pipelines, recorded work, timestamps, dispatch counts.
-// Knows nothing about hair. Everything made by a Device keeps it alive. One Device is used from one thread at a time.
+// A Vulkan device without Vulkan types: choice, buffers, textures, pipelines, recorded work, timestamps, dispatch
+// counts. Knows nothing about hair. Everything made by a Device keeps it alive. One Device is used from one thread at a
+// time.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,10 +34,11 @@ struct DeviceInfo {
 };
 
 struct DeviceRequest {
-  /// "" = the environment variable CUTICLE_DEVICE, else the first GPU, else software Vulkan; "cpu" = software; "gpu" = a real
-  /// GPU or an error; a number = that index; anything else = the first device whose name contains it.
+  /// "" = the environment variable CUTICLE_DEVICE, else the first GPU, else software Vulkan; "cpu" = software; "gpu" =
+  /// a real GPU or an error; a number = that index; anything else = the first device whose name contains it.
   std::string choice;
-  /// On: a validation message becomes an error of the next submit. Default: the environment variable CUTICLE_VALIDATION=1.
+  /// On: a validation message becomes an error of the next submit. Default: the environment variable
+  /// CUTICLE_VALIDATION=1.
   bool validation = false;
 };
 
@@ -100,8 +102,8 @@ struct TextureDescription {
 struct ShaderInterface {
   std::uint32_t storage_buffers = 0;
   std::uint32_t textures = 0;
-  std::uint32_t push_constant_bytes = 0;               ///< at most 128
-  std::vector<std::uint32_t> specialization = {};      ///< values of constant_id 0, 1, 2, ...
+  std::uint32_t push_constant_bytes = 0;           ///< at most 128
+  std::vector<std::uint32_t> specialization = {};  ///< values of constant_id 0, 1, 2, ...
 };
 
 /// A compute pipeline.
@@ -122,14 +124,14 @@ class Kernel {
 
 struct GraphicsDescription {
   std::span<const std::uint32_t> vertex_spirv, fragment_spirv;  ///< no fragment shader: only depth is drawn
-  ShaderInterface interface;                            ///< shared by both stages; vertices are pulled from storage buffers
+  ShaderInterface interface;  ///< shared by both stages; vertices are pulled from storage buffers
   Topology topology = Topology::triangles;
   std::vector<TextureFormat> color_formats;
   BlendMode blend = BlendMode::none;
-  bool depth_test = false, depth_write = false;         ///< nearer or equal passes; depth clears to 1
-  bool depth_target = false;                            ///< rendered with a depth target though it does neither
+  bool depth_test = false, depth_write = false;  ///< nearer or equal passes; depth clears to 1
+  bool depth_target = false;                     ///< rendered with a depth target though it does neither
   int samples = 1;
-  float line_width = 1;                                 ///< used where the device has wide lines
+  float line_width = 1;  ///< used where the device has wide lines
   bool cull_back_faces = false;
 };
 /// A graphics pipeline (dynamic rendering; viewport follows the target).
@@ -171,7 +173,8 @@ class Commands {
                 std::uint32_t groups_x, std::uint32_t groups_y = 1, std::uint32_t groups_z = 1);
   /// Every 32-bit word of the buffer := value.
   void fill(const Buffer& buffer, std::uint32_t value);
-  void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0, std::size_t to_offset = 0);
+  void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0,
+            std::size_t to_offset = 0);
   /// Rendering to these targets until end_rendering. A multisampled color target resolves into `resolve` (may be null).
   struct Target {
     const Texture* color = nullptr;
@@ -238,7 +241,9 @@ class Device : public std::enable_shared_from_this<Device> {
 
 /// Bytes of a plain struct, for push constants and uploads.
 template <class T>
-std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span<const T, 1>(&value, 1)); }
+std::span<const std::byte> bytes_of(const T& value) {
+  return std::as_bytes(std::span<const T, 1>(&value, 1));
+}
 
 /// A buffer holding a copy of the data.
 template <class T>
@@ -254,7 +259,8 @@ Result<std::vector<T>> read_buffer(Device& device, const Buffer& buffer, std::si
   return data;
 }
 
-/// Work split so that no part passes a limit: consecutive [begin, end) ranges of at most limit_bytes / bytes_each items.
+/// Work split so that no part passes a limit: consecutive [begin, end) ranges of at most limit_bytes / bytes_each
+/// items.
 struct Chunk {
   std::size_t begin = 0, end = 0;
 };

@@ -58,9 +58,11 @@ Result<int> choose_device(const std::vector<DeviceInfo>& devices, const std::str
   }
   int index = 0;
   if (is_number(choice, index))
-    return first_or_error(devices, [&](const DeviceInfo& device) { return device.index == index; }, "device " + choice);
-  return first_or_error(devices, [&](const DeviceInfo& device) { return device.name.find(choice) != std::string::npos; },
-                        fmt::format("device whose name contains \"{}\"", choice));
+    return first_or_error(
+        devices, [&](const DeviceInfo& device) { return device.index == index; }, "device " + choice);
+  return first_or_error(
+      devices, [&](const DeviceInfo& device) { return device.name.find(choice) != std::string::npos; },
+      fmt::format("device whose name contains \"{}\"", choice));
 }
 
 }  // namespace cuticle::gpu

@@ -19,9 +19,13 @@ Result<void> find_loader() {
 }
 
 Result<void> create_handle(Instance& instance, bool validation) {
-  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pNext = nullptr,
-                                      .pApplicationName = "cuticle", .applicationVersion = 1, .pEngineName = "cuticle",
-                                      .engineVersion = 1, .apiVersion = VK_API_VERSION_1_3};
+  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                      .pNext = nullptr,
+                                      .pApplicationName = "cuticle",
+                                      .applicationVersion = 1,
+                                      .pEngineName = "cuticle",
+                                      .engineVersion = 1,
+                                      .apiVersion = VK_API_VERSION_1_3};
   const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   VkInstanceCreateInfo create{};
   create.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;

@@ -20,7 +20,8 @@ std::uint64_t device_heap(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceMemoryProperties(physical, &memory);
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i)
-    if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) bytes = std::max(bytes, memory.memoryHeaps[i].size);
+    if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+      bytes = std::max(bytes, memory.memoryHeaps[i].size);
   return bytes;
 }
 
@@ -40,7 +41,8 @@ std::string version_text(std::uint32_t version) {
 std::string why_unusable(VkPhysicalDevice physical, std::uint32_t api_version) {
   if (api_version < VK_API_VERSION_1_3) return "its Vulkan is older than 1.3";
   VkQueueFamilyProperties family{};
-  if (queue_family_of(physical, family) >= queue_families(physical).size()) return "it has no graphics and compute queue";
+  if (queue_family_of(physical, family) >= queue_families(physical).size())
+    return "it has no graphics and compute queue";
   VkPhysicalDeviceVulkan13Features features13{};
   features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
   VkPhysicalDeviceFeatures2 features{};
@@ -118,7 +120,8 @@ std::vector<DeviceInfo> list_devices() {
   const auto instance = Instance::create(false);
   if (!instance) return {};
   std::vector<DeviceInfo> devices;
-  for (VkPhysicalDevice physical : physical_devices(**instance)) devices.push_back(describe(physical, int(devices.size())));
+  for (VkPhysicalDevice physical : physical_devices(**instance))
+    devices.push_back(describe(physical, int(devices.size())));
   return devices;
 }
 

@@ -10,7 +10,8 @@ DeviceInfo describe(VkPhysicalDevice physical, int index);
 /// The queue family used for everything (graphics and compute, or compute alone); the family count where there is none.
 std::uint32_t queue_family_of(VkPhysicalDevice physical, VkQueueFamilyProperties& properties);
 
-/// The device that `choice` (DeviceRequest::choice, or the environment's) means. Error: no_device, listing what there is.
+/// The device that `choice` (DeviceRequest::choice, or the environment's) means. Error: no_device, listing what there
+/// is.
 Result<int> choose_device(const std::vector<DeviceInfo>& devices, const std::string& choice);
 
 }  // namespace cuticle::gpu

@@ -11,11 +11,11 @@ struct Commands::Impl {
   VkCommandPool pool = VK_NULL_HANDLE;
   VkCommandBuffer buffer = VK_NULL_HANDLE;
   std::vector<VkDescriptorPool> descriptor_pools;
-  std::vector<VkQueryPool> query_pools;              ///< two timestamps a pass, k_passes_per_pool passes a pool
-  std::vector<std::shared_ptr<const void>> used;     ///< everything recorded, alive until the work is done
+  std::vector<VkQueryPool> query_pools;           ///< two timestamps a pass, k_passes_per_pool passes a pool
+  std::vector<std::shared_ptr<const void>> used;  ///< everything recorded, alive until the work is done
   std::vector<PassCost> passes;
   bool in_pass = false, in_rendering = false;
-  std::optional<Error> error;                        ///< the first misuse; submit returns it
+  std::optional<Error> error;  ///< the first misuse; submit returns it
 
   Impl() = default;
   Impl(const Impl&) = delete;

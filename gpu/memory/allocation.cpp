@@ -27,14 +27,15 @@ int choose_type(const Device::Impl& device, std::uint32_t allowed, MemoryUse use
 Error allocation_error(const Device::Impl& device, VkDeviceSize bytes, VkResult result) {
   if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY && result != VK_ERROR_OUT_OF_HOST_MEMORY)
     return vulkan_error(result, "vkAllocateMemory");
-  return out_of_memory_error(fmt::format("{} bytes do not fit on {}: {} bytes are in use, its memory has {} bytes", bytes,
-                                         device.info.name, device.allocated.load(), device.info.heap_bytes),
+  return out_of_memory_error(fmt::format("{} bytes do not fit on {}: {} bytes are in use, its memory has {} bytes",
+                                         bytes, device.info.name, device.allocated.load(), device.info.heap_bytes),
                              "use fewer strands, smaller pictures or smaller grids");
 }
 
 Result<void> map(Device::Impl& device, Memory& memory) {
   void* mapped = nullptr;
-  CUTICLE_TRY(checked(device.vk.vkMapMemory(device.device, memory.handle, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory"));
+  CUTICLE_TRY(
+      checked(device.vk.vkMapMemory(device.device, memory.handle, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory"));
   memory.mapped = static_cast<std::byte*>(mapped);
   return {};
 }

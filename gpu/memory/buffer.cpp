@@ -17,7 +17,8 @@ Result<BufferObject*> checked_range(const Device* device, const Buffer& buffer, 
   BufferObject& object = *buffer.impl()->object;
   if (object.device.get() != device) return internal_error("gpu: a buffer of another device");
   if (offset > object.size || bytes > object.size - offset)
-    return internal_error(fmt::format("gpu: bytes {}..{} of a buffer of {} bytes", offset, offset + bytes, object.size));
+    return internal_error(
+        fmt::format("gpu: bytes {}..{} of a buffer of {} bytes", offset, offset + bytes, object.size));
   return &object;
 }
 
@@ -44,7 +45,8 @@ Result<void> create_buffer(BufferObject& object) {
   device.vk.vkGetBufferMemoryRequirements(device.device, object.handle, &needs);
   CUTICLE_ASSIGN(object.memory, allocate(device, needs, MemoryUse::device));
   count_allocated(device, object.memory.bytes);
-  return checked(device.vk.vkBindBufferMemory(device.device, object.handle, object.memory.handle, 0), "vkBindBufferMemory");
+  return checked(device.vk.vkBindBufferMemory(device.device, object.handle, object.memory.handle, 0),
+                 "vkBindBufferMemory");
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ Result<Staging*> staging_of(Device::Impl& device, std::size_t bytes) {
   VkMemoryRequirements needs{};
   device.vk.vkGetBufferMemoryRequirements(device.device, device.staging.buffer, &needs);
   CUTICLE_ASSIGN(device.staging.memory, allocate(device, needs, MemoryUse::staging));
-  CUTICLE_TRY(checked(device.vk.vkBindBufferMemory(device.device, device.staging.buffer, device.staging.memory.handle, 0),
-                      "vkBindBufferMemory"));
+  CUTICLE_TRY(
+      checked(device.vk.vkBindBufferMemory(device.device, device.staging.buffer, device.staging.memory.handle, 0),
+              "vkBindBufferMemory"));
   return &device.staging;
 }
 

@@ -25,17 +25,24 @@ void to_floats(std::span<const std::byte> texels, std::span<float> floats, const
 }
 
 // NaN becomes 0, as the clamp's comparison fails.
-std::uint8_t byte_from_float(float value) { return value > 0 ? std::uint8_t(std::lround(std::min(value, 1.0f) * 255)) : 0; }
+std::uint8_t byte_from_float(float value) {
+  return value > 0 ? std::uint8_t(std::lround(std::min(value, 1.0f) * 255)) : 0;
+}
 
 }  // namespace
 
 VkFormat vulkan_format(TextureFormat format) {
   switch (format) {
-    case TextureFormat::rgba8: return VK_FORMAT_R8G8B8A8_UNORM;
-    case TextureFormat::rgba16f: return VK_FORMAT_R16G16B16A16_SFLOAT;
-    case TextureFormat::rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
-    case TextureFormat::r32f: return VK_FORMAT_R32_SFLOAT;
-    case TextureFormat::depth32f: return VK_FORMAT_D32_SFLOAT;
+    case TextureFormat::rgba8:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case TextureFormat::rgba16f:
+      return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case TextureFormat::rgba32f:
+      return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case TextureFormat::r32f:
+      return VK_FORMAT_R32_SFLOAT;
+    case TextureFormat::depth32f:
+      return VK_FORMAT_D32_SFLOAT;
   }
   return VK_FORMAT_UNDEFINED;
 }
@@ -50,17 +57,23 @@ std::size_t floats_per_texel(TextureFormat format) {
 
 std::size_t bytes_per_texel(TextureFormat format) {
   switch (format) {
-    case TextureFormat::rgba16f: return 8;
-    case TextureFormat::rgba32f: return 16;
-    default: return 4;
+    case TextureFormat::rgba16f:
+      return 8;
+    case TextureFormat::rgba32f:
+      return 16;
+    default:
+      return 4;
   }
 }
 
 void texels_from_floats(TextureFormat format, std::span<const float> floats, std::span<std::byte> texels) {
   switch (format) {
-    case TextureFormat::rgba8: return to_texels<std::uint8_t>(floats, texels, byte_from_float);
-    case TextureFormat::rgba16f: return to_texels<std::uint16_t>(floats, texels, half_from_float);
-    default: std::memcpy(texels.data(), floats.data(), floats.size_bytes());
+    case TextureFormat::rgba8:
+      return to_texels<std::uint8_t>(floats, texels, byte_from_float);
+    case TextureFormat::rgba16f:
+      return to_texels<std::uint16_t>(floats, texels, half_from_float);
+    default:
+      std::memcpy(texels.data(), floats.data(), floats.size_bytes());
   }
 }
 
@@ -68,8 +81,10 @@ void floats_from_texels(TextureFormat format, std::span<const std::byte> texels,
   switch (format) {
     case TextureFormat::rgba8:
       return to_floats<std::uint8_t>(texels, floats, [](std::uint8_t value) { return float(value) / 255; });
-    case TextureFormat::rgba16f: return to_floats<std::uint16_t>(texels, floats, float_from_half);
-    default: std::memcpy(floats.data(), texels.data(), floats.size_bytes());
+    case TextureFormat::rgba16f:
+      return to_floats<std::uint16_t>(texels, floats, float_from_half);
+    default:
+      std::memcpy(floats.data(), texels.data(), floats.size_bytes());
   }
 }
 

@@ -16,7 +16,8 @@ Result<void> check_size(const DeviceInfo& info, glm::ivec2 size) {
 Result<void> check_samples(const DeviceInfo& info, const TextureDescription& description) {
   const auto& offered = info.sample_counts;
   if (std::find(offered.begin(), offered.end(), description.samples) == offered.end())
-    return bad_input(fmt::format("{} samples a pixel: {} offers {}", description.samples, info.name, fmt::join(offered, ", ")));
+    return bad_input(
+        fmt::format("{} samples a pixel: {} offers {}", description.samples, info.name, fmt::join(offered, ", ")));
   if (description.samples > 1 && !description.render_target)
     return internal_error("gpu: a multisampled texture that is no render target");
   return {};
@@ -71,7 +72,8 @@ Result<void> create_image_memory(TextureObject& object) {
   device.vk.vkGetImageMemoryRequirements(device.device, object.image, &needs);
   CUTICLE_ASSIGN(object.memory, allocate(device, needs, MemoryUse::device));
   count_allocated(device, object.memory.bytes);
-  return checked(device.vk.vkBindImageMemory(device.device, object.image, object.memory.handle, 0), "vkBindImageMemory");
+  return checked(device.vk.vkBindImageMemory(device.device, object.image, object.memory.handle, 0),
+                 "vkBindImageMemory");
 }
 
 Result<void> create_view(TextureObject& object) {

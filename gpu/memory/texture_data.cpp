@@ -11,7 +11,8 @@ Result<TextureObject*> checked_texture(const Device* device, const Texture& text
   if (!texture) return internal_error("gpu: data moved to or from an empty texture");
   TextureObject& object = *texture.impl()->object;
   if (object.device.get() != device) return internal_error("gpu: a texture of another device");
-  if (object.description.samples > 1) return internal_error("gpu: data moved to or from a multisampled texture; resolve it");
+  if (object.description.samples > 1)
+    return internal_error("gpu: data moved to or from a multisampled texture; resolve it");
   return &object;
 }
 
@@ -44,9 +45,11 @@ Result<void> Device::upload(const Texture& texture, std::span<const float> data)
   const TextureDescription& description = object->description;
   const std::size_t row = std::size_t(description.size.x) * floats_per_texel(description.format);
   if (data.size() != row * std::size_t(description.size.y))
-    return internal_error(fmt::format("gpu: {} floats for a texture of {}", data.size(), row * std::size_t(description.size.y)));
+    return internal_error(
+        fmt::format("gpu: {} floats for a texture of {}", data.size(), row * std::size_t(description.size.y)));
   for (const Chunk& rows : row_chunks(description)) {
-    CUTICLE_ASSIGN(Staging * staging, staging_of(*impl_, texels_in(description, rows) * bytes_per_texel(description.format)));
+    CUTICLE_ASSIGN(Staging * staging,
+                   staging_of(*impl_, texels_in(description, rows) * bytes_per_texel(description.format)));
     texels_from_floats(description.format, data.subspan(rows.begin * row, (rows.end - rows.begin) * row),
                        staged(*staging, description, rows));
     const VkBufferImageCopy region = region_of(description, rows);
@@ -63,7 +66,8 @@ Result<std::vector<float>> Device::download(const Texture& texture) {
   const std::size_t row = std::size_t(description.size.x) * floats_per_texel(description.format);
   std::vector<float> data(row * std::size_t(description.size.y));
   for (const Chunk& rows : row_chunks(description)) {
-    CUTICLE_ASSIGN(Staging * staging, staging_of(*impl_, texels_in(description, rows) * bytes_per_texel(description.format)));
+    CUTICLE_ASSIGN(Staging * staging,
+                   staging_of(*impl_, texels_in(description, rows) * bytes_per_texel(description.format)));
     const VkBufferImageCopy region = region_of(description, rows);
     CUTICLE_TRY(run_now(*impl_, [&](VkCommandBuffer commands) {
       impl_->vk.vkCmdCopyImageToBuffer(commands, object->image, VK_IMAGE_LAYOUT_GENERAL, staging->buffer, 1, &region);

@@ -16,9 +16,9 @@ Result<Kernel> Device::make_kernel(std::span<const std::uint32_t> spirv, const S
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage = shader_stage(VK_SHADER_STAGE_COMPUTE_BIT, shader, specialization);
   info.layout = object->layout;
-  CUTICLE_TRY(checked(
-      impl_->vk.vkCreateComputePipelines(impl_->device, VK_NULL_HANDLE, 1, &info, nullptr, &object->pipeline),
-      "vkCreateComputePipelines"));
+  CUTICLE_TRY(
+      checked(impl_->vk.vkCreateComputePipelines(impl_->device, VK_NULL_HANDLE, 1, &info, nullptr, &object->pipeline),
+              "vkCreateComputePipelines"));
   Kernel kernel;
   kernel.impl_ = std::make_unique<Kernel::Impl>(Kernel::Impl{std::move(object)});
   return kernel;

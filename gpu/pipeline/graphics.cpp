@@ -13,12 +13,14 @@ constexpr VkShaderStageFlags k_stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_S
 
 VkPipelineColorBlendAttachmentState blend_of(BlendMode mode) {
   VkPipelineColorBlendAttachmentState state{};
-  state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  state.colorWriteMask =
+      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   state.blendEnable = mode != BlendMode::none;
   const bool alpha = mode == BlendMode::alpha;
   state.srcColorBlendFactor = alpha ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
   state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  state.dstColorBlendFactor = state.dstAlphaBlendFactor = alpha ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+  state.dstColorBlendFactor = state.dstAlphaBlendFactor =
+      alpha ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
   return state;
 }
 
@@ -63,7 +65,8 @@ FixedState::FixedState(const GraphicsDescription& description, bool wide_lines) 
 void FixedState::set_geometry(const GraphicsDescription& description, bool wide_lines) {
   vertex.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
   assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-  assembly.topology = description.topology == Topology::lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  assembly.topology =
+      description.topology == Topology::lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
   viewport.viewportCount = viewport.scissorCount = 1;
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
@@ -95,7 +98,8 @@ void FixedState::set_targets(const GraphicsDescription& description) {
   rendering.depthAttachmentFormat = has_depth(description) ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED;
 }
 
-VkGraphicsPipelineCreateInfo create_info(const FixedState& state, std::span<const VkPipelineShaderStageCreateInfo> stages,
+VkGraphicsPipelineCreateInfo create_info(const FixedState& state,
+                                         std::span<const VkPipelineShaderStageCreateInfo> stages,
                                          VkPipelineLayout layout) {
   VkGraphicsPipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
@@ -117,10 +121,12 @@ VkGraphicsPipelineCreateInfo create_info(const FixedState& state, std::span<cons
 Result<void> check(const Device::Impl& device, const GraphicsDescription& description) {
   const auto& offered = device.info.sample_counts;
   if (std::find(offered.begin(), offered.end(), description.samples) == offered.end())
-    return bad_input(fmt::format("{} samples a pixel: {} offers {}", description.samples, device.info.name, fmt::join(offered, ", ")));
+    return bad_input(fmt::format("{} samples a pixel: {} offers {}", description.samples, device.info.name,
+                                 fmt::join(offered, ", ")));
   const float* width = device.limits.lineWidthRange;
   if (device.info.wide_lines && !(description.line_width >= width[0] && description.line_width <= width[1]))
-    return bad_input(fmt::format("lines {} pixels wide: {} allows {}..{}", description.line_width, device.info.name, width[0], width[1]));
+    return bad_input(fmt::format("lines {} pixels wide: {} allows {}..{}", description.line_width, device.info.name,
+                                 width[0], width[1]));
   return {};
 }
 
@@ -138,8 +144,9 @@ Result<void> create_pipeline(PipelineObject& object, const GraphicsDescription& 
   }
   const FixedState state(description, device.features.wideLines);
   const VkGraphicsPipelineCreateInfo info = create_info(state, stages, object.layout);
-  return checked(device.vk.vkCreateGraphicsPipelines(device.device, VK_NULL_HANDLE, 1, &info, nullptr, &object.pipeline),
-                 "vkCreateGraphicsPipelines");
+  return checked(
+      device.vk.vkCreateGraphicsPipelines(device.device, VK_NULL_HANDLE, 1, &info, nullptr, &object.pipeline),
+      "vkCreateGraphicsPipelines");
 }
 
 }  // namespace

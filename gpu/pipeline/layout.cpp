@@ -47,7 +47,8 @@ Result<void> create_pipeline_layout(PipelineObject& object) {
   info.pSetLayouts = &object.set_layout;
   info.pushConstantRangeCount = range.size > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
-  return checked(device.vk.vkCreatePipelineLayout(device.device, &info, nullptr, &object.layout), "vkCreatePipelineLayout");
+  return checked(device.vk.vkCreatePipelineLayout(device.device, &info, nullptr, &object.layout),
+                 "vkCreatePipelineLayout");
 }
 
 }  // namespace

@@ -16,11 +16,13 @@ Result<VkDescriptorPool> create_descriptor_pool(Device::Impl& device) {
   info.poolSizeCount = std::uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  CUTICLE_TRY(checked(device.vk.vkCreateDescriptorPool(device.device, &info, nullptr, &pool), "vkCreateDescriptorPool"));
+  CUTICLE_TRY(
+      checked(device.vk.vkCreateDescriptorPool(device.device, &info, nullptr, &pool), "vkCreateDescriptorPool"));
   return pool;
 }
 
-VkResult allocate_from(Device::Impl& device, VkDescriptorPool pool, VkDescriptorSetLayout layout, VkDescriptorSet& set) {
+VkResult allocate_from(Device::Impl& device, VkDescriptorPool pool, VkDescriptorSetLayout layout,
+                       VkDescriptorSet& set) {
   VkDescriptorSetAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
   info.descriptorPool = pool;
@@ -33,10 +35,10 @@ bool fits(Commands::Impl& commands, const ShaderInterface& interface, const Reso
   if (resources.buffers.size() == interface.storage_buffers && resources.textures.size() == interface.textures &&
       resources.push_constants.size() == interface.push_constant_bytes)
     return true;
-  fail(commands, internal_error(fmt::format("gpu: given {} buffers, {} textures, {} bytes of push constants to a shader of {}, {}, {}",
-                                            resources.buffers.size(), resources.textures.size(),
-                                            resources.push_constants.size(), interface.storage_buffers,
-                                            interface.textures, interface.push_constant_bytes)));
+  fail(commands, internal_error(fmt::format(
+                     "gpu: given {} buffers, {} textures, {} bytes of push constants to a shader of {}, {}, {}",
+                     resources.buffers.size(), resources.textures.size(), resources.push_constants.size(),
+                     interface.storage_buffers, interface.textures, interface.push_constant_bytes)));
   return false;
 }
 
@@ -80,7 +82,8 @@ void write_set(Device::Impl& device, VkDescriptorSet set, Writes& writes) {
     writes.writes.push_back(write_of(set, writes.writes.size(), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER));
     writes.writes.back().pImageInfo = &image;
   }
-  device.vk.vkUpdateDescriptorSets(device.device, std::uint32_t(writes.writes.size()), writes.writes.data(), 0, nullptr);
+  device.vk.vkUpdateDescriptorSets(device.device, std::uint32_t(writes.writes.size()), writes.writes.data(), 0,
+                                   nullptr);
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace {
 
 // May an operation be recorded now? Keeps an error for submit if not.
 bool open_for_work(Commands::Impl& commands, std::string_view what) {
-  if (commands.in_rendering) fail(commands, internal_error(fmt::format("gpu: {} between begin_rendering and end_rendering", what)));
+  if (commands.in_rendering)
+    fail(commands, internal_error(fmt::format("gpu: {} between begin_rendering and end_rendering", what)));
   return !commands.error;
 }
 
@@ -15,7 +16,8 @@ bool groups_fit(Commands::Impl& commands, const std::array<std::uint32_t, 3>& gr
   const auto& limit = commands.device->impl()->limits.maxComputeWorkGroupCount;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (groups[axis] > limit[axis]) {
-      fail(commands, bad_input(fmt::format("gpu: {} workgroups on axis {}: the device allows 0..{}", groups[axis], axis, limit[axis])));
+      fail(commands, bad_input(fmt::format("gpu: {} workgroups on axis {}: the device allows 0..{}", groups[axis], axis,
+                                           limit[axis])));
       return false;
     }
   return true;
@@ -23,7 +25,8 @@ bool groups_fit(Commands::Impl& commands, const std::array<std::uint32_t, 3>& gr
 
 bool copy_fits(Commands::Impl& commands, std::size_t size, std::size_t offset, std::size_t bytes) {
   if (offset <= size && bytes <= size - offset) return true;
-  fail(commands, internal_error(fmt::format("gpu: copy of bytes {}..{} of a buffer of {}", offset, offset + bytes, size)));
+  fail(commands,
+       internal_error(fmt::format("gpu: copy of bytes {}..{} of a buffer of {}", offset, offset + bytes, size)));
   return false;
 }
 
@@ -33,7 +36,8 @@ VkResult create_command_buffer(Commands::Impl& commands) {
   pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
   pool.queueFamilyIndex = device.queue_family;
-  if (const VkResult result = device.vk.vkCreateCommandPool(device.device, &pool, nullptr, &commands.pool); result != VK_SUCCESS)
+  if (const VkResult result = device.vk.vkCreateCommandPool(device.device, &pool, nullptr, &commands.pool);
+      result != VK_SUCCESS)
     return result;
   VkCommandBufferAllocateInfo allocation{};
   allocation.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
@@ -72,7 +76,8 @@ void begin(Commands::Impl& commands) {
 std::shared_ptr<BufferObject> object_of(Commands::Impl& commands, const Buffer* buffer) {
   if (!buffer || !*buffer) return fail(commands, internal_error("gpu: an empty buffer was recorded")), nullptr;
   std::shared_ptr<BufferObject> object = buffer->impl()->object;
-  if (object->device != commands.device) return fail(commands, internal_error("gpu: a buffer of another device")), nullptr;
+  if (object->device != commands.device)
+    return fail(commands, internal_error("gpu: a buffer of another device")), nullptr;
   commands.used.push_back(object);
   return object;
 }
@@ -80,7 +85,8 @@ std::shared_ptr<BufferObject> object_of(Commands::Impl& commands, const Buffer* 
 std::shared_ptr<TextureObject> object_of(Commands::Impl& commands, const Texture* texture) {
   if (!texture || !*texture) return fail(commands, internal_error("gpu: an empty texture was recorded")), nullptr;
   std::shared_ptr<TextureObject> object = texture->impl()->object;
-  if (object->device != commands.device) return fail(commands, internal_error("gpu: a texture of another device")), nullptr;
+  if (object->device != commands.device)
+    return fail(commands, internal_error("gpu: a texture of another device")), nullptr;
   commands.used.push_back(object);
   return object;
 }
@@ -88,7 +94,8 @@ std::shared_ptr<TextureObject> object_of(Commands::Impl& commands, const Texture
 void Commands::begin_pass(std::string_view name) {
   if (!open_for_work(*impl_, "begin_pass")) return;
   if (impl_->in_pass)
-    return fail(*impl_, internal_error(fmt::format("gpu: pass {} begun inside pass {}", name, impl_->passes.back().name)));
+    return fail(*impl_,
+                internal_error(fmt::format("gpu: pass {} begun inside pass {}", name, impl_->passes.back().name)));
   impl_->in_pass = true;
   impl_->passes.push_back({std::string(name)});
   write_timestamp(*impl_, impl_->passes.size() - 1, false);
@@ -122,11 +129,13 @@ void Commands::fill(const Buffer& buffer, std::uint32_t value) {
   device.vk.vkCmdFillBuffer(impl_->buffer, object->handle, 0, VK_WHOLE_SIZE, value);
 }
 
-void Commands::copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset, std::size_t to_offset) {
+void Commands::copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset,
+                    std::size_t to_offset) {
   if (!open_for_work(*impl_, "copy") || bytes == 0) return;
   const auto source = object_of(*impl_, &from), target = object_of(*impl_, &to);
   if (!source || !target) return;
-  if (!copy_fits(*impl_, source->size, from_offset, bytes) || !copy_fits(*impl_, target->size, to_offset, bytes)) return;
+  if (!copy_fits(*impl_, source->size, from_offset, bytes) || !copy_fits(*impl_, target->size, to_offset, bytes))
+    return;
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
   const VkBufferCopy region{from_offset, to_offset, bytes};

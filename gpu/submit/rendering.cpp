@@ -29,8 +29,9 @@ std::shared_ptr<TextureObject> target_of(Commands::Impl& commands, const Texture
   const TextureDescription& description = object->description;
   if (attachments.size == glm::ivec2(0)) attachments.size = description.size;
   if (description.render_target && description.size == attachments.size) return object;
-  fail(commands, internal_error(fmt::format("gpu: rendering to a texture of {} x {} that is {}", description.size.x, description.size.y,
-                                            description.render_target ? "of another size than the first" : "no render target")));
+  fail(commands, internal_error(fmt::format(
+                     "gpu: rendering to a texture of {} x {} that is {}", description.size.x, description.size.y,
+                     description.render_target ? "of another size than the first" : "no render target")));
   return nullptr;
 }
 
@@ -99,7 +100,8 @@ void Commands::draw(const GraphicsPipeline& pipeline, std::initializer_list<cons
   if (impl_->error) return;
   if (!impl_->in_rendering) return fail(*impl_, internal_error("gpu: draw outside begin_rendering and end_rendering"));
   if (!pipeline) return fail(*impl_, internal_error("gpu: an empty pipeline was drawn"));
-  if (!bind(*impl_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, {buffers, textures, push_constants})) return;
+  if (!bind(*impl_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, {buffers, textures, push_constants}))
+    return;
   impl_->device->impl()->vk.vkCmdDraw(impl_->buffer, vertices, instances, 0, 0);
   if (impl_->in_pass) ++impl_->passes.back().draws;
 }

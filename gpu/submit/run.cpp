@@ -21,7 +21,8 @@ Result<void> record_and_run(Device::Impl& device, VkCommandPool pool, const Reco
   allocation.commandPool = pool;
   allocation.commandBufferCount = 1;
   VkCommandBuffer commands = VK_NULL_HANDLE;
-  CUTICLE_TRY(checked(device.vk.vkAllocateCommandBuffers(device.device, &allocation, &commands), "vkAllocateCommandBuffers"));
+  CUTICLE_TRY(
+      checked(device.vk.vkAllocateCommandBuffers(device.device, &allocation, &commands), "vkAllocateCommandBuffers"));
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;

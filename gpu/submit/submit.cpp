@@ -17,7 +17,8 @@ Result<void> check_closed(const Commands::Impl& commands) {
 Result<void> check_validation(Device::Impl& device) {
   const std::vector<std::string> messages = device.instance->log.take();
   if (messages.empty()) return {};
-  return internal_error(fmt::format("Vulkan validation, {} messages, the first: {}", messages.size(), messages.front()));
+  return internal_error(
+      fmt::format("Vulkan validation, {} messages, the first: {}", messages.size(), messages.front()));
 }
 
 Result<double> run_timed(Device::Impl& device, Commands::Impl& commands) {

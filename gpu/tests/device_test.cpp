@@ -1,59 +1,115 @@
+// Opening devices, and their memory.
 #include <numeric>
 
-#include <gtest/gtest.h>
-
-#include <scale_comp.spv.h>
-
-#include <cuticle/gpu/device.h>
+#include "shared_device.h"
 
 namespace cuticle::gpu {
 namespace {
 
-std::shared_ptr<Device> open_device() {
-  auto device = Device::open({.choice = "cpu", .validation = true});
-  EXPECT_TRUE(device.ok()) << (device ? "" : device.error().message);
-  return *device;
+TEST(GpuDevice, List_NamesAtLeastOneUsableDevice) {
+  const auto devices = list_devices();
+  ASSERT_FALSE(devices.empty());
+  EXPECT_TRUE(
+      std::any_of(devices.begin(), devices.end(), [](const DeviceInfo& info) { return info.unusable.empty(); }));
 }
 
-std::vector<float> ramp(std::size_t count) {
-  std::vector<float> values(count);
-  std::iota(values.begin(), values.end(), 1.0f);
-  return values;
+TEST(GpuDevice, AbsurdName_IsNoDevice) {
+  const auto device = Device::open({.choice = "no such card"});
+  ASSERT_FALSE(device.ok());
+  EXPECT_EQ(device.error().kind, ErrorKind::no_device);
+  EXPECT_NE(device.error().message.find("no such card"), std::string::npos);
 }
 
-struct ScaleConstants {
-  float factor;
-  std::uint32_t count;
-};
+TEST(GpuDevice, Info_HasItsLimits) {
+  const DeviceInfo& info = shared_device().info();
+  EXPECT_GE(info.max_storage_buffer_bytes, std::uint64_t(1) << 27);
+  EXPECT_GE(info.max_workgroup_invocations, 128u);
+  EXPECT_GE(info.max_image_size, 4096u);
+  ASSERT_FALSE(info.sample_counts.empty());
+  EXPECT_EQ(info.sample_counts.front(), 1);
+}
 
-Kernel scale_kernel(Device& device, std::uint32_t offset = 0) {
-  auto kernel = device.make_kernel(scale_comp, {.storage_buffers = 2, .push_constant_bytes = sizeof(ScaleConstants),
-                                                .specialization = {64, offset}});
-  EXPECT_TRUE(kernel.ok());
-  return std::move(*kernel);
+TEST(GpuDevice, TwoOfThem_WorkSideBySide) {
+  const auto first = open_device(), second = open_device();
+  const std::vector<float> data{1, 2, 3};
+  const Buffer one = must(make_buffer_from<float>(*first, data)), two = must(make_buffer_from<float>(*second, data));
+  EXPECT_EQ(must(read_buffer<float>(*first, one, 3)), data);
+  EXPECT_EQ(must(read_buffer<float>(*second, two, 3)), data);
+}
+
+TEST(GpuDevice, BufferOfAnotherDevice_IsRefused) {
+  const auto other = open_device();
+  const Buffer foreign = must(other->make_buffer(64));
+  Commands commands = shared_device().record();
+  commands.fill(foreign, 0);
+  const auto cost = shared_device().submit(std::move(commands));
+  ASSERT_FALSE(cost.ok());
+  EXPECT_NE(cost.error().message.find("another device"), std::string::npos);
+}
+
+TEST(GpuDevice, Buffers_KeepItAlive) {
+  Buffer buffer;
+  {
+    const auto device = open_device();
+    buffer = must(device->make_buffer(64));
+  }
+  EXPECT_EQ(buffer.size(), 64u);
+}
+
+TEST(GpuMemory, Counts_ReturnToZeroAndThePeakStays) {
+  const auto device = open_device();
+  {
+    const Buffer buffer = must(device->make_buffer(1 << 20));
+    const Texture texture = must(device->make_texture({.size = {64, 64}}));
+    EXPECT_GE(device->allocated_bytes(), (1u << 20) + 64 * 64 * 8);
+  }
+  EXPECT_EQ(device->allocated_bytes(), 0u);
+  EXPECT_GE(device->peak_allocated_bytes(), (1u << 20) + 64 * 64 * 8);
+}
+
+TEST(GpuMemory, BufferPastTheLimit_IsRefusedNamingBoth) {
+  Device& device = shared_device();
+  const std::uint64_t limit = device.info().max_storage_buffer_bytes;
+  const auto buffer = device.make_buffer(limit + 1);
+  ASSERT_FALSE(buffer.ok());
+  EXPECT_EQ(buffer.error().kind, ErrorKind::out_of_memory);
+  EXPECT_NE(buffer.error().message.find(std::to_string(limit + 1)), std::string::npos);
+  EXPECT_NE(buffer.error().message.find(std::to_string(limit)), std::string::npos);
 }
 
 TEST(GpuBuffer, Upload_ComesBackUnchanged) {
-  const auto device = open_device();
-  const std::vector<float> data = ramp(100000);
-  auto buffer = make_buffer_from<float>(*device, data);
-  ASSERT_TRUE(buffer.ok());
-  EXPECT_EQ(*read_buffer<float>(*device, *buffer, data.size()), data);
+  std::vector<float> data(100000);
+  std::iota(data.begin(), data.end(), 1.0f);
+  const Buffer buffer = must(make_buffer_from<float>(shared_device(), data));
+  EXPECT_EQ(must(read_buffer<float>(shared_device(), buffer, data.size())), data);
 }
 
-TEST(GpuKernel, PushConstantsAndSpecialization_ReachTheShader) {
-  const auto device = open_device();
-  const std::vector<float> data = ramp(1000);
-  auto source = make_buffer_from<float>(*device, data);
-  auto target = device->make_buffer(data.size() * sizeof(float));
-  const Kernel kernel = scale_kernel(*device, 7);
-  Commands commands = device->record();
-  const ScaleConstants constants{3, 1000};
-  commands.dispatch(kernel, {&*source, &*target}, {}, bytes_of(constants), 16);
-  const auto cost = device->submit(std::move(commands));
-  ASSERT_TRUE(cost.ok()) << cost.error().message;
-  const auto result = *read_buffer<float>(*device, *target, data.size());
-  for (std::size_t i = 0; i < data.size(); ++i) EXPECT_EQ(result[i], data[i] * 3 + 7);
+TEST(GpuBuffer, UploadAtAnOffset_LeavesTheRest) {
+  Device& device = shared_device();
+  const Buffer buffer = must(make_buffer_from<std::uint32_t>(device, std::vector<std::uint32_t>{1, 2, 3, 4}));
+  const std::vector<std::uint32_t> part{8, 9};
+  ASSERT_TRUE(device.upload(buffer, std::as_bytes(std::span(part)), 4).ok());
+  EXPECT_EQ(must(read_buffer<std::uint32_t>(device, buffer, 4)), (std::vector<std::uint32_t>{1, 8, 9, 4}));
+}
+
+TEST(GpuBuffer, UploadPastItsEnd_IsRefused) {
+  const Buffer buffer = must(shared_device().make_buffer(16));
+  const std::vector<float> data(5);
+  EXPECT_FALSE(shared_device().upload(buffer, std::as_bytes(std::span(data))).ok());
+  EXPECT_FALSE(shared_device().upload(buffer, std::as_bytes(std::span(data).first(1)), 17).ok());
+}
+
+TEST(GpuBuffer, ZeroBytes_MakeASmallBuffer) { EXPECT_EQ(must(shared_device().make_buffer(0)).size(), 16u); }
+
+TEST(GpuBuffer, FillAndCopy_MoveWords) {
+  Device& device = shared_device();
+  const Buffer from = must(device.make_buffer(16));
+  const Buffer to = must(make_buffer_from<std::uint32_t>(device, std::vector<std::uint32_t>{1, 2, 3, 4}));
+  Commands commands = device.record();
+  commands.fill(from, 7);
+  commands.copy(from, to, 8, 0, 4);
+  must(device.submit(std::move(commands)));
+  EXPECT_EQ(must(read_buffer<std::uint32_t>(device, to, 4)), (std::vector<std::uint32_t>{1, 7, 7, 4}));
 }
 
 }  // namespace

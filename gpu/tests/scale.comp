@@ -1,5 +1,5 @@
 #version 460
-// out[i] = in[i] * factor + offset, for the tests.
+// target[i] = source[i] * factor + offset.
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint k_offset = 0;
 layout(std430, binding = 0) readonly buffer Source { float source[]; };

@@ -1,0 +1,164 @@
+// Kernels, recorded work and what it costs.
+#include <numeric>
+
+#include "shared_device.h"
+
+#include <scale_comp.spv.h>
+
+namespace cuticle::gpu {
+namespace {
+
+struct ScaleConstants {
+  float factor;
+  std::uint32_t count;
+};
+
+Kernel scale_kernel(std::uint32_t offset = 0) {
+  return must(shared_device().make_kernel(
+      scale_comp,
+      {.storage_buffers = 2, .push_constant_bytes = sizeof(ScaleConstants), .specialization = {64, offset}}));
+}
+
+std::vector<float> ramp(std::size_t count) {
+  std::vector<float> values(count);
+  std::iota(values.begin(), values.end(), 1.0f);
+  return values;
+}
+
+void scale(Commands& commands, const Kernel& kernel, const Buffer& from, const Buffer& to, float factor) {
+  const ScaleConstants constants{factor, std::uint32_t(to.size() / sizeof(float))};
+  commands.dispatch(kernel, {&from, &to}, {}, bytes_of(constants), (constants.count + 63) / 64);
+}
+
+TEST(GpuKernel, PushConstantsAndSpecialization_ReachTheShader) {
+  Device& device = shared_device();
+  const std::vector<float> data = ramp(1000);
+  const Buffer source = must(make_buffer_from<float>(device, data)), target = must(device.make_buffer(4000));
+  Commands commands = device.record();
+  scale(commands, scale_kernel(7), source, target, 3);
+  must(device.submit(std::move(commands)));
+  const auto result = must(read_buffer<float>(device, target, data.size()));
+  for (std::size_t i = 0; i < data.size(); ++i) EXPECT_EQ(result[i], data[i] * 3 + 7);
+}
+
+TEST(GpuKernel, EachDispatch_SeesWhatTheOneBeforeWrote) {
+  Device& device = shared_device();
+  const std::vector<float> data = ramp(20000);
+  const Buffer a = must(make_buffer_from<float>(device, data)), b = must(device.make_buffer(a.size()));
+  const Kernel kernel = scale_kernel(1);
+  Commands commands = device.record();
+  for (int i = 0; i < 5; ++i) {
+    scale(commands, kernel, a, b, 2);
+    scale(commands, kernel, b, a, 0.5f);
+  }
+  must(device.submit(std::move(commands)));
+  const auto result = must(read_buffer<float>(device, a, data.size()));
+  for (std::size_t i = 0; i < data.size(); ++i) ASSERT_EQ(result[i], data[i] + 7.5f);  // five times (2x + 1) / 2 + 1
+}
+
+TEST(GpuKernel, WrongNumberOfBuffers_IsRefusedAtSubmit) {
+  Device& device = shared_device();
+  const Buffer buffer = must(device.make_buffer(64));
+  Commands commands = device.record();
+  commands.dispatch(scale_kernel(), {&buffer}, {}, {}, 1);
+  EXPECT_FALSE(device.submit(std::move(commands)).ok());
+}
+
+TEST(GpuKernel, TooManyPushConstants_AreRefusedNamingTheLimit) {
+  const auto kernel = shared_device().make_kernel(scale_comp, {.storage_buffers = 2, .push_constant_bytes = 132});
+  ASSERT_FALSE(kernel.ok());
+  EXPECT_NE(kernel.error().message.find("0..128"), std::string::npos);
+}
+
+TEST(GpuKernel, BuffersDroppedAfterRecording_LiveUntilTheWorkIsDone) {
+  Device& device = shared_device();
+  const Buffer target = must(device.make_buffer(400));
+  Commands commands = device.record();
+  {
+    const Buffer source = must(make_buffer_from<float>(device, ramp(100)));
+    scale(commands, scale_kernel(), source, target, 2);
+  }
+  must(device.submit(std::move(commands)));
+  EXPECT_EQ(must(read_buffer<float>(device, target, 100))[99], 200.0f);
+}
+
+TEST(GpuKernel, ManyDispatches_FitOneSubmission) {
+  Device& device = shared_device();
+  const Buffer a = must(make_buffer_from<float>(device, ramp(64))), b = must(device.make_buffer(a.size()));
+  const Kernel kernel = scale_kernel();
+  Commands commands = device.record();
+  for (int i = 0; i < 200; ++i) {
+    commands.begin_pass("pass " + std::to_string(i));
+    scale(commands, kernel, a, b, 1);
+    commands.end_pass();
+  }
+  const SubmitCost cost = must(device.submit(std::move(commands)));
+  EXPECT_EQ(cost.passes.size(), 200u);
+  EXPECT_EQ(cost.passes[199].name, "pass 199");
+}
+
+TEST(GpuCost, Passes_CountTheirDispatchesAndTime) {
+  Device& device = shared_device();
+  const Buffer a = must(device.make_buffer(1 << 22)), b = must(device.make_buffer(1 << 22));
+  const Kernel kernel = scale_kernel();
+  Commands commands = device.record();
+  commands.begin_pass("one");
+  scale(commands, kernel, a, b, 2);
+  commands.end_pass();
+  commands.begin_pass("three");
+  for (int i = 0; i < 3; ++i) scale(commands, kernel, a, b, 2);
+  commands.end_pass();
+  const SubmitCost cost = must(device.submit(std::move(commands)));
+  ASSERT_EQ(cost.passes.size(), 2u);
+  EXPECT_EQ(cost.passes[0].name, "one");
+  EXPECT_EQ(cost.passes[0].dispatches, 1u);
+  EXPECT_EQ(cost.passes[1].dispatches, 3u);
+  EXPECT_EQ(cost.passes[1].draws, 0u);
+  EXPECT_GT(cost.wall_ms, 0);
+  if (device.info().timestamps) {
+    EXPECT_GT(cost.passes[1].gpu_ms, 0);
+    EXPECT_LE(cost.passes[0].gpu_ms + cost.passes[1].gpu_ms, cost.wall_ms);
+  }
+}
+
+TEST(GpuCost, Trace_HoldsTheSubmissionAndItsPasses) {
+  Device& device = shared_device();
+  const Buffer a = must(device.make_buffer(1 << 16)), b = must(device.make_buffer(1 << 16));
+  Trace trace;
+  Commands commands = device.record();
+  commands.begin_pass("scale");
+  scale(commands, scale_kernel(), a, b, 2);
+  commands.end_pass();
+  must(device.submit(std::move(commands), &trace));
+  int cpu = 0, gpu = 0;
+  for (const Span& span : trace.spans()) {
+    cpu += span.track == "cpu" && span.name == "submit";
+    gpu += span.track == "gpu" && span.name == "scale";
+  }
+  EXPECT_EQ(cpu, 1);
+  EXPECT_EQ(gpu, device.info().timestamps ? 1 : 0);
+}
+
+TEST(GpuCost, PassLeftOpen_IsRefusedByName) {
+  Commands commands = shared_device().record();
+  commands.begin_pass("forgotten");
+  const auto cost = shared_device().submit(std::move(commands));
+  ASSERT_FALSE(cost.ok());
+  EXPECT_NE(cost.error().message.find("forgotten"), std::string::npos);
+}
+
+// The shader reads push constants that its interface does not declare: the validation layer must notice, and say so
+// once.
+TEST(GpuValidation, MisdeclaredShader_FailsTheNextSubmitOnly) {
+  const auto device = open_device();
+  auto kernel =
+      device->make_kernel(scale_comp, {.storage_buffers = 2, .push_constant_bytes = 0, .specialization = {64, 0}});
+  const auto cost = device->submit(device->record());
+  ASSERT_FALSE(cost.ok());
+  EXPECT_EQ(cost.error().kind, ErrorKind::internal);
+  EXPECT_NE(cost.error().message.find("validation"), std::string::npos);
+  EXPECT_TRUE(device->submit(device->record()).ok());
+}
+
+}  // namespace
+}  // namespace cuticle::gpu
