@@ -28,6 +28,17 @@ def test_New_EachKind_MakesAFolderThatCompiles(kind, tmp_path):
         assert compiled.returncode == 0, compiled.stderr
 
 
+def test_New_Model_CompilesAsAKernel(tmp_path):
+    assert make("model", "toy_thing", tmp_path).returncode == 0
+    (tmp_path / "include/cuticle").mkdir(parents=True)
+    (tmp_path / "include/cuticle/bsdf").symlink_to(tmp_path / "bsdf")
+    (tmp_path / "model_of_kernel.glslh").write_text('#include "cuticle/bsdf/toy_thing/toy_thing.glslh"\n')
+    command = ["glslangValidator", "-V", "--quiet", "--target-env", "vulkan1.3", f"-I{tmp_path}", f"-I{tmp_path / 'include'}",
+               f"-I{BUILD / 'include'}", "-o", tmp_path / "toy.spv", ROOT / "bsdf/gpu/evaluate.comp"]
+    compiled = subprocess.run(command, capture_output=True, text=True)
+    assert compiled.returncode == 0, compiled.stdout
+
+
 def test_New_ExistingFolder_IsRefused(tmp_path):
     assert make("method", "twice", tmp_path).returncode == 0
     assert "exists already" in make("method", "twice", tmp_path).stderr
