@@ -74,12 +74,18 @@ Result<Quantity> find_quantity(std::string_view name) {
 }
 
 Result<registry::ParameterValues> find_preset(const Model& model, std::string_view name) {
+  return parse_settings(model, name.empty() ? "(none)" : name, {});
+}
+
+Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings) {
+  if (preset.empty()) return registry::parse_assignments(model.entry.parameters, settings);
   std::vector<std::string_view> known;
-  for (const registry::StudyCase& preset : model.presets) {
-    if (preset.name == name) return registry::parse_assignments(model.entry.parameters, preset.settings);
-    known.push_back(preset.name);
+  for (const registry::StudyCase& each : model.presets) {
+    if (each.name == preset)
+      return registry::parse_assignments(model.entry.parameters, fmt::format("{},{}", each.settings, settings));
+    known.push_back(each.name);
   }
-  return unknown_name(fmt::format("preset of {}", model.entry.name), name, known);
+  return unknown_name(fmt::format("preset of {}", model.entry.name), preset, known);
 }
 
 Result<void> check_request(const Model& model, const Request& request, std::size_t room) {

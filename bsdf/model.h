@@ -60,6 +60,8 @@ Result<int> find_lobe(const Model& model, std::string_view lobe);
 Result<Quantity> find_quantity(std::string_view name);
 /// The parameters of a model's preset ("blonde"). Error: usage, listing the presets.
 Result<registry::ParameterValues> find_preset(const Model& model, std::string_view name);
+/// "name=value,name=value" over a preset, or over the defaults where the preset's name is empty. Error: usage.
+Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
 
 /// Whether every coordinate that the quantity uses is finite and in its range, and the lobe exists. `room`: size of the
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
