@@ -1,0 +1,24 @@
+#pragma once
+// The first study: slices and resolution of an opacity map against truth, error against time.
+#include <string>
+#include <vector>
+
+#include <cuticle/study/shadows/comparison.h>
+
+namespace cuticle::study {
+
+struct SlicesStudy {
+  std::vector<int> slices{4, 8, 16, 32, 64, 128};
+  std::vector<int> resolutions{128, 256, 512};
+  ComparisonRequest request;   ///< candidates are filled in
+};
+/// Fewer slices and resolutions, 300 receivers, 256 rays: for demos and tests.
+SlicesStudy quick_slices_study();
+
+/// Every slices x resolution of the opacity map, its filter as wide as the truth's footprint (at least half a texel).
+Result<Comparison> run_slices_study(const SlicesStudy& study, Progress& progress);
+
+/// The groom of the study where none is given: a coat of strands on a half sphere, combed over, 0.2 m across, deterministic.
+strands::Groom study_coat(int strands = 20000);
+
+}  // namespace cuticle::study
