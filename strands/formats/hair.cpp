@@ -47,8 +47,9 @@ Result<void> check_counts(const ByteView& bytes, const Header& header) {
     return bytes.error("arrays", arrays_at, fmt::format("{:#x} has unknown bits, allowed 0 .. 0x1f", header.arrays));
   if (!header.has(points)) return bytes.error("arrays", arrays_at, "bit 1 (points) is not set: there are no positions");
   if (header.strands < 1 || header.strands > room / per_strand)
-    return bytes.error("hair_count", strand_count_at, fmt::format("{} strands, allowed 1 .. {} in a file of {} bytes",
-                                                                  header.strands, room / per_strand, bytes.size()));
+    return bytes.error("hair_count", strand_count_at,
+                       fmt::format("{} strands of {} points in all; at least 1, and {} bytes hold at most {} strands",
+                                   header.strands, header.points, bytes.size(), room / per_strand));
   const std::uint64_t least = 2 * std::uint64_t(header.strands);
   if (header.points < least || header.points > room / 12)
     return bytes.error("point_count", point_count_at, fmt::format("{} points, allowed {} .. {} for {} strands in {} bytes",

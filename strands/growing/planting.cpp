@@ -94,7 +94,7 @@ class Grower {
   double length_of(std::size_t vertex) const {
     const glm::dvec3 place = frame_.place(head_.scalp.positions[vertex]);
     const double front = glm::smoothstep(0.3, 0.5, place.z);
-    const double chance = 1 - style_.variation * uniforms(style_.seed, Stream::length, vertex)[0];
+    const double chance = 1 - style_.variation * random_stream(style_.seed, Chance::length, vertex).next_unit();
     return style_.length * chance * glm::mix(1.0, style_.fringe, front);
   }
 
@@ -127,7 +127,7 @@ class Grower {
 
  private:
   static constexpr double k_clearance = 0.003;   ///< metres
-  static constexpr double k_stiffness = 0.012;   ///< length over which hair turns to where it is pulled, metres
+  static constexpr double k_stiffness = 0.009;   ///< length over which hair turns to where it is pulled, metres
 
   glm::dvec3 turned(const glm::dvec3& point, const glm::dvec3& direction, double side, double travelled, double step) const {
     const SurfaceHit hit = surface_.at(point);
@@ -196,7 +196,7 @@ using Hairs = std::vector<std::vector<glm::dvec3>>;
 Hairs clumped(const Hairs& hairs, const Style& style) {
   std::vector<std::size_t> leaders;
   for (std::size_t h = 0; h < hairs.size(); ++h)
-    if (uniforms(style.seed, Stream::clump, h)[0] < 0.125) leaders.push_back(h);
+    if (random_stream(style.seed, Chance::clump, h).next_unit() < 0.125) leaders.push_back(h);
   Hairs result = hairs;
   if (leaders.empty() || style.clump == 0) return result;
   for (std::size_t h = 0; h < hairs.size(); ++h) {

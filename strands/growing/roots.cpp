@@ -37,9 +37,10 @@ std::vector<Root> scatter_roots(const Mesh& scalp, std::size_t count, std::uint6
   const std::vector<double> sums = area_sums(scalp);
   std::vector<Root> roots(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto chance = uniforms(seed, Stream::root, i);
-    const auto found = std::upper_bound(sums.begin(), sums.end() - 1, chance[0] * sums.back());
-    roots[i] = {std::uint32_t(found - sums.begin()), folded_weights(chance[1], chance[2])};
+    RandomStream random = random_stream(seed, Chance::root, i);
+    const auto found = std::upper_bound(sums.begin(), sums.end() - 1, random.next_unit() * sums.back());
+    const double u = random.next_unit();
+    roots[i] = {std::uint32_t(found - sums.begin()), folded_weights(u, random.next_unit())};
   }
   return roots;
 }
