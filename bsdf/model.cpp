@@ -73,17 +73,13 @@ Result<Quantity> find_quantity(std::string_view name) {
   return unknown_name("quantity", name, quantity_names);
 }
 
-Result<registry::ParameterValues> find_preset(const Model& model, std::string_view name) {
-  return parse_settings(model, name.empty() ? "(none)" : name, {});
-}
-
 Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings) {
   if (preset.empty()) return registry::parse_assignments(model.entry.parameters, settings);
   std::vector<std::string_view> known;
-  for (const registry::StudyCase& each : model.presets) {
-    if (each.name == preset)
-      return registry::parse_assignments(model.entry.parameters, fmt::format("{},{}", each.settings, settings));
-    known.push_back(each.name);
+  for (const registry::StudyCase& candidate : model.presets) {
+    if (candidate.name == preset)
+      return registry::parse_assignments(model.entry.parameters, fmt::format("{},{}", candidate.settings, settings));
+    known.push_back(candidate.name);
   }
   return unknown_name(fmt::format("preset of {}", model.entry.name), preset, known);
 }

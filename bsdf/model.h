@@ -58,8 +58,9 @@ Result<const Model*> find_model(std::string_view name);
 Result<int> find_lobe(const Model& model, std::string_view lobe);
 /// "S", "M", "N", "A", "albedo". Error: usage, listing them.
 Result<Quantity> find_quantity(std::string_view name);
-/// The parameters of a model's preset ("blonde"). Error: usage, listing the presets.
-Result<registry::ParameterValues> find_preset(const Model& model, std::string_view name);
+/// Parameters from a preset's name (may be empty) and settings that go over it, "eta=1.5,alpha_deg=-3". Error: usage, listing
+/// the presets, or naming parameter, value and range.
+Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
 /// "name=value,name=value" over a preset, or over the defaults where the preset's name is empty. Error: usage.
 Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
 

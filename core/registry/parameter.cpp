@@ -1,5 +1,6 @@
 #include <cuticle/core/registry/parameter.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -80,12 +81,40 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+constexpr std::string_view degree_suffix = "_deg";
+constexpr double radians_per_degree = 0.017453292519943295;
+
+/// The angle that `name` means in degrees: "alpha_deg" for a real parameter "alpha" in radians; null for any other name.
+const Parameter* find_angle(ParameterTable table, std::string_view name) {
+  if (!name.ends_with(degree_suffix)) return nullptr;
+  name.remove_suffix(degree_suffix.size());
+  for (const Parameter& parameter : table)
+    if (parameter.name == name && parameter.unit == "rad" && parameter.type == ParameterType::real) return &parameter;
+  return nullptr;
+}
+
+Result<Value> parse_degrees(const Parameter& angle, std::string_view name, std::string_view text) {
+  Parameter in_degrees = angle;
+  in_degrees.name = name;
+  in_degrees.unit = "deg";
+  in_degrees.minimum = angle.minimum / radians_per_degree;
+  in_degrees.maximum = angle.maximum / radians_per_degree;
+  CUTICLE_ASSIGN(double degrees, parse_component(in_degrees, text));
+  return Value(std::clamp(degrees * radians_per_degree, angle.minimum, angle.maximum));
+}
+
 Result<void> assign(ParameterTable table, std::string_view assignment, ParameterValues& values) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     return usage_error(fmt::format("'{}' is not name=value", assignment), "--set name=value,name=value");
-  CUTICLE_ASSIGN(const Parameter* parameter, find_parameter(table, trimmed(assignment.substr(0, equals))));
-  CUTICLE_ASSIGN(Value value, parse_value(*parameter, trimmed(assignment.substr(equals + 1))));
+  const std::string_view name = trimmed(assignment.substr(0, equals)), text = trimmed(assignment.substr(equals + 1));
+  if (const Parameter* angle = find_angle(table, name)) {
+    CUTICLE_ASSIGN(Value radians, parse_degrees(*angle, name, text));
+    values.set(angle->name, std::move(radians));
+    return {};
+  }
+  CUTICLE_ASSIGN(const Parameter* parameter, find_parameter(table, name));
+  CUTICLE_ASSIGN(Value value, parse_value(*parameter, text));
   values.set(parameter->name, std::move(value));
   return {};
 }

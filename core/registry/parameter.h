@@ -56,7 +56,8 @@ ParameterValues default_values(ParameterTable table);
 /// Error: usage, naming parameter, value and allowed range.
 Result<Value> parse_value(const Parameter& parameter, std::string_view text);
 
-/// "name=value,name=value" over the defaults. Unknown names are refused with the nearest known one.
+/// "name=value,name=value" over the defaults. Unknown names are refused with the nearest known one. A real parameter in
+/// radians also takes degrees under its name with `_deg`: "alpha_deg=-7.5".
 Result<ParameterValues> parse_assignments(ParameterTable table, std::string_view text);
 
 /// A value as it would be typed.
