@@ -8,22 +8,29 @@
 namespace cuticle::strands {
 
 struct StrandGeneratorInput {
-  const Groom* control = nullptr;                    ///< rest: offsets, radii
+  const Groom* control = nullptr;  ///< rest: offsets, radii
   int vertices_per_strand = 30;
-  std::span<const std::array<std::uint32_t, 3>> hairs;   ///< per drawn strand: its three control strands
-  std::span<const glm::vec3> weights;                ///< per drawn strand, sum 1
-  float radius = 35e-6f;                             ///< drawn fibre radius, metres; tapers to half at the tip
+  std::span<const std::array<std::uint32_t, 3>> hairs;  ///< per drawn strand: its three control strands
+  std::span<const glm::vec3> weights;                   ///< per drawn strand, sum 1
+  float radius = 35e-6f;                                ///< drawn fibre radius, metres; tapers to half at the tip
 };
-/// Records "generate.smooth" and "generate.interpolate": one dispatch each (more only past the buffer limit).
+/// N4 and N5 on the device: the passes "generate.smooth" (one thread per vertex of a smoothed control hair) and
+/// "generate.interpolate" (one workgroup per drawn strand, one thread per vertex), one dispatch each. The formulas are
+/// those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
+/// float rounding (strand_generator_test). Control positions: vec4 per control vertex, world metres, the fourth
+/// component unused.
 class StrandGenerator {
  public:
-  static Result<std::unique_ptr<StrandGenerator>> create(std::shared_ptr<gpu::Device> device, const StrandGeneratorInput& input);
+  /// Errors: bad_input names the strand whose hair or weight is wrong, or vertices_per_strand outside 2..64;
+  /// out_of_memory names the device's limit where the drawn vertices (16 bytes each) pass its largest buffer.
+  static Result<std::unique_ptr<StrandGenerator>> create(std::shared_ptr<gpu::Device> device,
+                                                         const StrandGeneratorInput& input);
   ~StrandGenerator();
   Result<void> record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions);
   Result<void> record_interpolate(gpu::Commands& commands);
-  const gpu::Buffer& vertices() const;   ///< vec4 (position, radius)
-  const gpu::Buffer& tangents() const;   ///< vec4 (unit tangent, fraction of length root -> tip)
-  const gpu::Buffer& segments() const;   ///< uint: first vertex of each segment
+  const gpu::Buffer& vertices() const;  ///< vec4 (position, radius)
+  const gpu::Buffer& tangents() const;  ///< vec4 (unit tangent, fraction of length root -> tip)
+  const gpu::Buffer& segments() const;  ///< uint: first vertex of each segment
   std::uint32_t vertex_count() const, segment_count() const;
 
  private:

@@ -1,0 +1,157 @@
+#include <cuticle/strands/spline/smooth_gpu.h>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <interpolate_comp.spv.h>
+#include <smooth_comp.spv.h>
+
+namespace cuticle::strands {
+namespace {
+
+constexpr std::uint32_t k_smooth_threads = 64;
+constexpr float k_tip_radius = 0.5f;  // of the root's
+
+struct SmoothConstants {
+  std::uint32_t hairs, vertices;
+};
+struct InterpolateConstants {
+  std::uint32_t strands;
+  float radius, tip_radius;
+};
+
+// A count of workgroups past what Vulkan promises on one axis (65,535), spread over two.
+struct Groups {
+  std::uint32_t x = 0, y = 1;
+};
+Groups spread(std::size_t count) {
+  constexpr std::size_t k_row = 32768;
+  if (count <= k_row) return {std::uint32_t(count), 1};
+  return {std::uint32_t(k_row), std::uint32_t((count + k_row - 1) / k_row)};
+}
+
+Error bad_strand(std::size_t strand, std::string_view what) {
+  return bad_input(fmt::format("drawn strand {}: {}", strand, what));
+}
+
+Result<void> check_strand(const StrandGeneratorInput& input, std::size_t strand) {
+  const std::size_t controls = input.control->strand_count();
+  for (const std::uint32_t hair : input.hairs[strand])
+    if (hair >= controls) return bad_strand(strand, fmt::format("control hair {} of 0..{}", hair, controls - 1));
+  const glm::vec3& weights = input.weights[strand];
+  if (!std::isfinite(weights.x + weights.y + weights.z)) return bad_strand(strand, "a weight is not finite");
+  return {};
+}
+
+Result<void> check(const StrandGeneratorInput& input) {
+  CUTICLE_EXPECT(input.control != nullptr, "a generator needs control hairs");
+  if (input.vertices_per_strand < 2 || input.vertices_per_strand > 64)
+    return bad_input(fmt::format("vertices per strand {}: allowed are 2..64", input.vertices_per_strand));
+  if (input.hairs.size() != input.weights.size())
+    return bad_input(fmt::format("{} triples of hairs, but {} of weights", input.hairs.size(), input.weights.size()));
+  for (std::size_t s = 0; s < input.control->strand_count(); ++s)
+    if (input.control->strand_size(s) == 0) return bad_input(fmt::format("control hair {} has no vertices", s));
+  for (std::size_t s = 0; s < input.hairs.size(); ++s) CUTICLE_TRY(check_strand(input, s));
+  return {};
+}
+
+// Segment k of a strand begins at its vertex k.
+std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t vertices) {
+  std::vector<std::uint32_t> firsts;
+  firsts.reserve(strands * (vertices - 1));
+  for (std::size_t s = 0; s < strands; ++s)
+    for (std::size_t i = 0; i + 1 < vertices; ++i) firsts.push_back(std::uint32_t(s * vertices + i));
+  return firsts;
+}
+
+}  // namespace
+
+struct StrandGenerator::Impl {
+  std::shared_ptr<gpu::Device> device;
+  std::size_t hairs = 0, strands = 0, vertices_per_strand = 0;
+  float radius = 0;
+  gpu::Kernel smooth, interpolate;
+  gpu::Buffer offsets, smoothed, hairs_of_strand, weights, vertices, tangents, segments;
+
+  Result<void> make_kernels();
+  Result<void> upload(const StrandGeneratorInput& input);
+  Result<void> make_outputs();
+};
+
+Result<void> StrandGenerator::Impl::make_kernels() {
+  CUTICLE_ASSIGN(
+      smooth, device->make_kernel(smooth_comp, {.storage_buffers = 3, .push_constant_bytes = sizeof(SmoothConstants)}));
+  CUTICLE_ASSIGN(interpolate,
+                 device->make_kernel(interpolate_comp, {.storage_buffers = 5,
+                                                        .push_constant_bytes = sizeof(InterpolateConstants),
+                                                        .specialization = {std::uint32_t(vertices_per_strand)}}));
+  return {};
+}
+
+Result<void> StrandGenerator::Impl::upload(const StrandGeneratorInput& input) {
+  CUTICLE_ASSIGN(offsets, gpu::make_buffer_from<std::uint32_t>(*device, input.control->offsets));
+  CUTICLE_ASSIGN(hairs_of_strand, gpu::make_buffer_from(*device, input.hairs));
+  CUTICLE_ASSIGN(weights, gpu::make_buffer_from(*device, input.weights));
+  return {};
+}
+
+Result<void> StrandGenerator::Impl::make_outputs() {
+  const std::size_t count = strands * vertices_per_strand;
+  CUTICLE_ASSIGN(smoothed, device->make_buffer(hairs * vertices_per_strand * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(vertices, device->make_buffer(count * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(tangents, device->make_buffer(count * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(segments, gpu::make_buffer_from<std::uint32_t>(*device, first_vertices(strands, vertices_per_strand)));
+  return {};
+}
+
+StrandGenerator::StrandGenerator(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+StrandGenerator::~StrandGenerator() = default;
+const gpu::Buffer& StrandGenerator::vertices() const { return impl_->vertices; }
+const gpu::Buffer& StrandGenerator::tangents() const { return impl_->tangents; }
+const gpu::Buffer& StrandGenerator::segments() const { return impl_->segments; }
+std::uint32_t StrandGenerator::vertex_count() const {
+  return std::uint32_t(impl_->strands * impl_->vertices_per_strand);
+}
+std::uint32_t StrandGenerator::segment_count() const {
+  return std::uint32_t(impl_->strands * (impl_->vertices_per_strand - 1));
+}
+
+Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr<gpu::Device> device,
+                                                                 const StrandGeneratorInput& input) {
+  CUTICLE_TRY(check(input));
+  auto impl = std::make_unique<Impl>();
+  impl->device = std::move(device);
+  impl->hairs = input.control->strand_count();
+  impl->strands = input.hairs.size();
+  impl->vertices_per_strand = std::size_t(input.vertices_per_strand);
+  impl->radius = input.radius;
+  CUTICLE_TRY(impl->make_outputs());
+  CUTICLE_TRY(impl->upload(input));
+  CUTICLE_TRY(impl->make_kernels());
+  return std::unique_ptr<StrandGenerator>(new StrandGenerator(std::move(impl)));
+}
+
+Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions) {
+  const SmoothConstants constants{std::uint32_t(impl_->hairs), std::uint32_t(impl_->vertices_per_strand)};
+  const std::size_t threads = impl_->hairs * impl_->vertices_per_strand;
+  const Groups groups = spread((threads + k_smooth_threads - 1) / k_smooth_threads);
+  commands.begin_pass("generate.smooth");
+  commands.dispatch(impl_->smooth, {&impl_->offsets, &control_positions, &impl_->smoothed}, {},
+                    gpu::bytes_of(constants), groups.x, groups.y);
+  commands.end_pass();
+  return {};
+}
+
+Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
+  const InterpolateConstants constants{std::uint32_t(impl_->strands), impl_->radius, impl_->radius * k_tip_radius};
+  const Groups groups = spread(impl_->strands);
+  commands.begin_pass("generate.interpolate");
+  commands.dispatch(impl_->interpolate,
+                    {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},
+                    {}, gpu::bytes_of(constants), groups.x, groups.y);
+  commands.end_pass();
+  return {};
+}
+
+}  // namespace cuticle::strands

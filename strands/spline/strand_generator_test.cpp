@@ -1,0 +1,193 @@
+// The strands that the device generates, against smooth(), interpolate() and tangents() on the CPU.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/gpu/device.h>
+#include <cuticle/strands/spline/smooth_gpu.h>
+
+namespace cuticle::strands {
+namespace {
+
+constexpr int k_vertices = 36;
+
+// Curls of different sizes with uneven segments; hair 3 is one vertex, hair 4 two, hair 5 has all its vertices in one
+// place.
+Groom control_hairs() {
+  Groom groom;
+  for (const int size : {7, 7, 12, 1, 2, 7, 3, 64}) {
+    const float turn = 0.7f + 0.1f * float(groom.strand_count());
+    for (int i = 0; i < size; ++i) {
+      const float along = groom.strand_count() == 5 ? 0.0f : 0.004f * float(i * i + i), angle = turn * float(i);
+      groom.positions.push_back({0.1f + along * std::cos(angle), 1.7f - along, along * std::sin(angle)});
+      groom.radii.push_back(35e-6f);
+    }
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  return groom;
+}
+
+// Every triple of hairs as a triangle of a scalp whose vertex k grew hair k; three strands on each.
+struct Drawn {
+  Mesh scalp;
+  std::vector<std::uint32_t> hair_of_vertex;
+  std::vector<Root> roots;
+  std::vector<std::array<std::uint32_t, 3>> hairs;
+  std::vector<glm::vec3> weights;
+
+  void add(std::array<std::uint32_t, 3> triangle, const glm::vec3& weight) {
+    scalp.triangles.push_back(triangle);
+    roots.push_back({std::uint32_t(scalp.triangles.size() - 1), weight});
+    hairs.push_back(triangle);
+    weights.push_back(weight);
+  }
+};
+
+Drawn drawn_on(std::uint32_t hairs) {
+  Drawn drawn;
+  drawn.scalp.positions.resize(hairs);
+  for (std::uint32_t a = 0; a < hairs; ++a) drawn.hair_of_vertex.push_back(a);
+  for (std::uint32_t a = 0; a < hairs; ++a)
+    for (std::uint32_t b = 0; b < hairs; ++b)
+      for (const glm::vec3& weight : {glm::vec3(1, 0, 0), glm::vec3(0.2f, 0.5f, 0.3f)})
+        drawn.add({a, b, (a + b) % hairs}, weight);
+  return drawn;
+}
+
+std::vector<glm::vec4> padded(const Groom& groom) {
+  std::vector<glm::vec4> positions;
+  for (const glm::vec3& p : groom.positions) positions.emplace_back(p, 0);
+  return positions;
+}
+
+struct Generated {
+  std::vector<glm::vec4> vertices, tangents;
+  std::vector<std::uint32_t> segments;
+  gpu::SubmitCost cost;
+};
+
+gpu::Device& device() {
+  static const std::shared_ptr<gpu::Device> opened = *gpu::Device::open();
+  return *opened;
+}
+
+Generated generate(const Groom& control, const Drawn& drawn) {
+  auto generator = *StrandGenerator::create(
+      device().shared_from_this(),
+      {.control = &control, .vertices_per_strand = k_vertices, .hairs = drawn.hairs, .weights = drawn.weights});
+  const std::vector<glm::vec4> positions = padded(control);
+  const gpu::Buffer controls = *gpu::make_buffer_from<glm::vec4>(device(), positions);
+  gpu::Commands commands = device().record();
+  EXPECT_TRUE(generator->record_smooth(commands, controls).ok());
+  EXPECT_TRUE(generator->record_interpolate(commands).ok());
+  auto cost = device().submit(std::move(commands));
+  EXPECT_TRUE(cost.ok()) << (cost ? "" : cost.error().message);
+  return {*gpu::read_buffer<glm::vec4>(device(), generator->vertices(), generator->vertex_count()),
+          *gpu::read_buffer<glm::vec4>(device(), generator->tangents(), generator->vertex_count()),
+          *gpu::read_buffer<std::uint32_t>(device(), generator->segments(), generator->segment_count()), *cost};
+}
+
+struct Both {
+  Groom cpu;
+  Generated gpu;
+};
+const Both& both() {
+  static const Both result = [] {
+    const Groom control = control_hairs();
+    const Drawn drawn = drawn_on(std::uint32_t(control.strand_count()));
+    return Both{interpolate(smooth(control, k_vertices), drawn.scalp, drawn.roots, drawn.hair_of_vertex),
+                generate(control, drawn)};
+  }();
+  return result;
+}
+
+TEST(StrandGenerator, Positions_AreTheCpusWithinRounding) {
+  const auto& [cpu, gpu] = both();
+  ASSERT_EQ(gpu.vertices.size(), cpu.vertex_count());
+  float error = 0;
+  for (std::size_t i = 0; i < gpu.vertices.size(); ++i)
+    error = std::max(error, glm::length(glm::vec3(gpu.vertices[i]) - cpu.positions[i]));
+  RecordProperty("largest_error_metres", std::to_string(error));
+  EXPECT_LT(error, 1e-5f);
+}
+
+TEST(StrandGenerator, Tangents_AreTheCpusWithinRounding) {
+  const auto& [cpu, gpu] = both();
+  const std::vector<glm::vec3> expected = tangents(cpu);
+  float error = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    error = std::max(error, glm::length(glm::vec3(gpu.tangents[i]) - expected[i]));
+  EXPECT_LT(error, 1e-4f);
+}
+
+TEST(StrandGenerator, Fractions_AreOfTheLengthAndSetTheRadius) {
+  const auto& [cpu, gpu] = both();
+  for (std::size_t s = 0; s < cpu.strand_count(); ++s) {
+    const double whole = strand_length(cpu, s);
+    double before = 0;
+    for (std::size_t i = cpu.offsets[s]; i < cpu.offsets[s + 1]; ++i) {
+      if (i > cpu.offsets[s]) before += glm::length(glm::dvec3(cpu.positions[i]) - glm::dvec3(cpu.positions[i - 1]));
+      const double fraction = whole > 0 ? before / whole : double(i - cpu.offsets[s]) / (k_vertices - 1);
+      ASSERT_NEAR(double(gpu.tangents[i].w), fraction, 2e-4) << s;
+      ASSERT_NEAR(double(gpu.vertices[i].w), 35e-6 * (1 - 0.5 * double(gpu.tangents[i].w)), 1e-10) << s;
+    }
+  }
+}
+
+TEST(StrandGenerator, Segments_JoinNeighboursOfOneStrand) {
+  const auto& segments = both().gpu.segments;
+  ASSERT_EQ(segments.size(), both().cpu.strand_count() * (k_vertices - 1));
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    ASSERT_EQ(segments[k], k / (k_vertices - 1) * k_vertices + k % (k_vertices - 1));
+}
+
+TEST(StrandGenerator, TwoPasses_AreOneDispatchEach) {
+  const auto& passes = both().gpu.cost.passes;
+  ASSERT_EQ(passes.size(), 2u);
+  EXPECT_EQ(passes[0].name, "generate.smooth");
+  EXPECT_EQ(passes[1].name, "generate.interpolate");
+  EXPECT_EQ(passes[0].dispatches, 1u);
+  EXPECT_EQ(passes[1].dispatches, 1u);
+}
+
+TEST(StrandGenerator, NoDrawnStrands_GenerateNothing) {
+  const Generated none = generate(control_hairs(), {});
+  EXPECT_TRUE(none.vertices.empty());
+}
+
+TEST(StrandGenerator, MoreStrandsThanOneRowOfWorkgroups_AreAllGenerated) {
+  const Groom control = control_hairs();
+  Drawn many;
+  for (std::uint32_t s = 0; s < 70000; ++s) many.add({s % 3, (s + 1) % 3, 2}, {0.5f, 0.25f, 0.25f});
+  const Generated gpu = generate(control, many);
+  const std::size_t last = gpu.vertices.size() - k_vertices, same = (69999 % 3) * k_vertices;
+  for (std::size_t i = 0; i < k_vertices; ++i) ASSERT_EQ(gpu.vertices[last + i], gpu.vertices[same + i]);
+}
+
+TEST(StrandGenerator, HairThatIsNotThere_IsRefusedNamingStrandAndRange) {
+  const Groom control = control_hairs();
+  Drawn drawn;
+  drawn.add({0, 1, 8}, {1, 0, 0});
+  const auto generator = StrandGenerator::create(device().shared_from_this(),
+                                                 {.control = &control, .hairs = drawn.hairs, .weights = drawn.weights});
+  ASSERT_FALSE(generator.ok());
+  EXPECT_EQ(generator.error().message, "drawn strand 0: control hair 8 of 0..7");
+}
+
+TEST(StrandGenerator, VerticesPastTheLargestBuffer_AreRefusedNamingTheLimit) {
+  const Groom control = control_hairs();
+  const std::uint64_t limit = device().info().max_storage_buffer_bytes;
+  if (limit > std::uint64_t(1) << 28) GTEST_SKIP() << "the limit is too large to reach in a test";
+  const std::size_t count = std::size_t(limit / (16 * 64)) + 1;
+  const std::vector<std::array<std::uint32_t, 3>> hairs(count);
+  const std::vector<glm::vec3> weights(count, glm::vec3(1, 0, 0));
+  const auto generator =
+      StrandGenerator::create(device().shared_from_this(),
+                              {.control = &control, .vertices_per_strand = 64, .hairs = hairs, .weights = weights});
+  ASSERT_FALSE(generator.ok());
+  EXPECT_EQ(generator.error().kind, ErrorKind::out_of_memory);
+  EXPECT_NE(generator.error().message.find(std::to_string(limit)), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cuticle::strands
