@@ -35,7 +35,7 @@ function(cuticle_test FILE)
   endif()
 endfunction()
 
-# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `fuzz`, run by scripts/test.sh.
+# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh.
 function(cuticle_fuzz FILE)
   cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})
   if(NOT CUTICLE_FUZZ)

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 total=$1
-targets=(build/fuzz/fuzz/*_fuzz)
+targets=(build/asan-ubsan/fuzz/*_fuzz)
 each=$((total / ${#targets[@]}))
 [ "$each" -ge 1 ] || each=1
 echo "${#targets[@]} targets, $each s each"

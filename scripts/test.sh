@@ -17,13 +17,11 @@ say "rows of docs/systems.md that ran and passed"
 scripts/coverage-of-systems
 
 say "build asan-ubsan"
-scripts/build.sh asan-ubsan all_tests
+scripts/build.sh asan-ubsan all_tests all_fuzz_targets
 say "tests of asan-ubsan"
 ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions="$PWD/cmake/leaks.supp" UBSAN_OPTIONS=print_stacktrace=1 \
   ctest --preset asan-ubsan -j2
 
-say "build fuzz"
-scripts/build.sh fuzz all_fuzz_targets
 say "fuzzing"
 scripts/fuzz.sh $([ $full = yes ] && echo 1200 || echo 120)
 
