@@ -1,0 +1,113 @@
+#include <cuticle/cli/command.h>
+
+#ifdef CUTICLE_HAS_GPU
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/core/file.h>
+#include <cuticle/plan/frame_runner_gpu.h>
+#endif
+
+namespace cuticle::cli {
+
+#ifdef CUTICLE_HAS_GPU
+namespace {
+
+struct RenderOptions {
+  std::string scene, frames = "0:0", method = "lines", out = "render";
+};
+
+/// Sums over the frames, per pass.
+struct Costs {
+  std::vector<gpu::PassCost> passes;
+  double wall_ms = 0;
+  int frames = 0;
+
+  void add(const gpu::SubmitCost& cost) {
+    wall_ms += cost.wall_ms;
+    ++frames;
+    for (const gpu::PassCost& pass : cost.passes) {
+      auto found = std::ranges::find(passes, pass.name, &gpu::PassCost::name);
+      if (found == passes.end()) found = passes.insert(found, {.name = pass.name});
+      found->gpu_ms += pass.gpu_ms;
+      found->dispatches += pass.dispatches;
+      found->draws += pass.draws;
+    }
+  }
+};
+
+void print_text(const Costs& costs, const std::string& device) {
+  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device, costs.wall_ms / costs.frames);
+  fmt::print("{:<20} {:>10} {:>6} {:>22}\n", "pass", "dispatches", "draws", "timestamps, ms a frame");
+  for (const gpu::PassCost& pass : costs.passes)
+    fmt::print("{:<20} {:>10} {:>6} {:>22.3f}\n", pass.name, pass.dispatches, pass.draws, pass.gpu_ms / costs.frames);
+}
+
+void print_json(const Costs& costs, const std::string& device) {
+  nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+  for (const gpu::PassCost& pass : costs.passes)
+    passes.push_back({{"name", pass.name}, {"dispatches", pass.dispatches}, {"draws", pass.draws},
+                      {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
+  const nlohmann::ordered_json json = {
+      {"device", device}, {"frames", costs.frames}, {"wall_ms_per_frame", costs.wall_ms / costs.frames}, {"passes", passes}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+Result<void> write_frame(const std::string& folder, int frame, const Image& color, double exposure_stops) {
+  CUTICLE_TRY(write_exr(fmt::format("{}/frame_{:04d}.exr", folder, frame), color, ExrType::half));
+  return write_png(fmt::format("{}/frame_{:04d}.png", folder, frame), tone_map(color, exposure_stops));
+}
+
+Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner, double exposure_stops,
+                     Progress& progress, std::pair<int, int> frames) {
+  Costs costs;
+  for (int frame = frames.first; frame <= frames.second; ++frame) {
+    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
+    costs.add(result.cost);
+    CUTICLE_TRY(write_frame(options.out, frame, result.color, exposure_stops));
+    progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
+  }
+  progress.message(fmt::format("most device memory at once: {:.1f} MiB", double(device.peak_allocated_bytes()) / (1 << 20)));
+  return costs;
+}
+
+Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
+  CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
+  CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  if (!scene.outputs.color) return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
+  CUTICLE_TRY(make_folder(options.out));
+  CUTICLE_ASSIGN(const Costs costs, render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
+  if (context.json) print_json(costs, device->info().name);
+  else print_text(costs, device->info().name);
+  return {};
+}
+
+int act(const RenderOptions& options, Context& context) {
+  Trace trace;
+  const bool tracing = !context.trace_file.empty();
+  if (const auto done = run_render(options, context, tracing ? &trace : nullptr); !done) return report(done.error());
+  if (!tracing) return Exit::ok;
+  const auto written = trace.write(context.trace_file);
+  return written ? int(Exit::ok) : report(written.error());
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("render", "pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
+  auto options = std::make_shared<RenderOptions>();
+  command->add_option("scene", options->scene, "scene file (JSON)")->required();
+  command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
+  command->add_option("--method", options->method, "how strands are drawn")->check(CLI::IsMember({"lines"}));
+  command->add_option("--out", options->out, "folder to write (default: render)");
+  command->callback([&context, options] {
+    context.action = [&context, options] { return act(*options, context); };
+  });
+}
+#else
+void add_render(CLI::App&, Context&) {}
+#endif
+
+}  // namespace cuticle::cli
