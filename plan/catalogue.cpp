@@ -17,10 +17,11 @@ std::vector<const registry::Entry*> entries_of(std::span<const T* const> registe
 }
 
 scene::Catalogue gather() {
-  scene::Catalogue catalogue{.models = entries_of(bsdf::models()),
-                             .layouts = entries_of(lut::layouts()),
-                             .methods = entries_of(shadows::methods()),
-                             .passes = entries_of(render::passes())};
+  scene::Catalogue catalogue;
+  catalogue.models = entries_of(bsdf::models());
+  catalogue.layouts = entries_of(lut::layouts());
+  catalogue.methods = entries_of(shadows::methods());
+  catalogue.passes = entries_of(render::passes());
   for (const sim::Effect* effect : sim::effects())
     (effect->create ? catalogue.solvers : catalogue.effects).push_back(&effect->entry);
   return catalogue;

@@ -63,7 +63,7 @@ void sort(std::vector<PlannedPass>& passes) {
 }  // namespace
 
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
-  Plan plan{.facts = facts_of(scene), .shape = shape};
+  Plan plan{facts_of(scene), shape, {}, {}};
   for (const Candidate& candidate : candidates(scene)) {
     const Entry& entry = *candidate.entry;
     const registry::Verdict verdict = registry::judge(entry, plan.facts);

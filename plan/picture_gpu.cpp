@@ -42,10 +42,7 @@ Result<void> Picture::make_strands() {
                                                                         .hairs = set_.hairs,
                                                                         .weights = set_.weights,
                                                                         .radius = set_.radius}));
-  resources_.strands = {.vertices = &generator_->vertices(),
-                        .segments = &generator_->segments(),
-                        .vertex_count = generator_->vertex_count(),
-                        .segment_count = generator_->segment_count()};
+  resources_.strands = {&generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
   resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
   resources_.fibre_radius = set_.radius;

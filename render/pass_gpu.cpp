@@ -7,6 +7,14 @@ registry::ParameterValues parameters_of(const FrameResources& resources, const P
   return found == resources.parameters.end() ? registry::default_values(pass.entry.parameters) : found->second;
 }
 
+gpu::GraphicsDescription target_description(const FrameResources& resources) {
+  gpu::GraphicsDescription description;
+  description.color_formats = {resources.color->format()};
+  description.depth_test = description.depth_write = true;
+  description.samples = resources.color->samples();
+  return description;
+}
+
 void begin_target(gpu::Commands& commands, const FrameResources& resources) {
   const gpu::Commands::Target target{.color = resources.color,
                                      .resolve = resources.resolve_target && resources.color != resources.resolved ? resources.resolved : nullptr,

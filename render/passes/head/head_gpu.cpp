@@ -94,14 +94,12 @@ class Head : public GpuPass {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   CUTICLE_EXPECT(resources.head && !resources.head->triangles.empty(), "the head pass was planned without a head");
   CUTICLE_ASSIGN(Geometry geometry, upload(*device, *resources.head, resources.scalp));
-  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline,
-                 device->make_graphics({.vertex_spirv = head_vert,
-                                        .fragment_spirv = head_frag,
-                                        .interface = {.storage_buffers = 4, .push_constant_bytes = sizeof(glm::mat4)},
-                                        .color_formats = {resources.color->format()},
-                                        .depth_test = true,
-                                        .depth_write = true,
-                                        .samples = resources.color->samples()}));
+  gpu::GraphicsDescription description = target_description(resources);
+  description.vertex_spirv = head_vert;
+  description.fragment_spirv = head_frag;
+  description.interface.storage_buffers = 4;
+  description.interface.push_constant_bytes = sizeof(glm::mat4);
+  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   CUTICLE_ASSIGN(gpu::Buffer frame, device->make_buffer(sizeof(Frame)));
   return std::unique_ptr<GpuPass>(std::make_unique<Head>(std::move(device), std::move(geometry), std::move(pipeline),
                                                          std::move(frame), parameters_of(resources, entry())));

@@ -57,16 +57,14 @@ class Lines : public GpuPass {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   const registry::ParameterValues parameters = parameters_of(resources, entry());
   CUTICLE_ASSIGN(const Frame frame, constant_part(resources, parameters));
-  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline,
-                 device->make_graphics({.vertex_spirv = lines_vert,
-                                        .fragment_spirv = lines_frag,
-                                        .interface = {.storage_buffers = 5, .textures = 3},
-                                        .topology = gpu::Topology::lines,
-                                        .color_formats = {resources.color->format()},
-                                        .depth_test = true,
-                                        .depth_write = true,
-                                        .samples = resources.color->samples(),
-                                        .line_width = line_width(resources, parameters)}));
+  gpu::GraphicsDescription description = target_description(resources);
+  description.vertex_spirv = lines_vert;
+  description.fragment_spirv = lines_frag;
+  description.interface.storage_buffers = 5;
+  description.interface.textures = 3;
+  description.topology = gpu::Topology::lines;
+  description.line_width = line_width(resources, parameters);
+  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   CUTICLE_ASSIGN(gpu::Buffer frame_buffer, device->make_buffer(sizeof(Frame)));
   auto pass = std::make_unique<Lines>(device, std::move(pipeline), std::move(frame_buffer), frame);
   CUTICLE_TRY(pass->make_buffers(resources));

@@ -32,11 +32,13 @@ class Resolve : public GpuPass {
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline,
-                 device->make_graphics({.vertex_spirv = resolve_vert,
-                                        .fragment_spirv = resolve_frag,
-                                        .interface = {.textures = 1, .push_constant_bytes = sizeof(Push)},
-                                        .color_formats = {resources.output->format()}}));
+  gpu::GraphicsDescription description;
+  description.vertex_spirv = resolve_vert;
+  description.fragment_spirv = resolve_frag;
+  description.interface.textures = 1;
+  description.interface.push_constant_bytes = sizeof(Push);
+  description.color_formats = {resources.output->format()};
+  CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   return std::unique_ptr<GpuPass>(
       std::make_unique<Resolve>(std::move(pipeline), glm::vec3(parameters_of(resources, entry()).rgb("background"))));
 }
