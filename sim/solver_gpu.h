@@ -17,12 +17,14 @@ class GpuSolver : public Solver {
   /// Dispatches per effect name that `record` will make for this input: what a plan prints.
   virtual std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const = 0;
 };
+/// `create` is null for an effect that acts in a solver ("colliders").
 struct GpuEffect {
   std::string_view name;
   Result<std::unique_ptr<GpuSolver>> (*create)(std::shared_ptr<gpu::Device>, const strands::Groom& rest,
                                                const registry::ParameterValues& solver, const EffectBlocks& effects);
 };
 std::span<const GpuEffect* const> gpu_effects();
+/// A solver by name. Error: usage.
 Result<const GpuEffect*> find_gpu_effect(std::string_view name);
 
 }  // namespace cuticle::sim

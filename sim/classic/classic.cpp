@@ -41,7 +41,7 @@ void integrate(StrandView strand, const StepConstants& step) {
     const glm::vec3 here = turned(strand.positions[i], carry, step.carry.w);
     const glm::vec3 velocity = turned(strand.velocities[i], carry, step.carry.w);
     const glm::vec3 target = strand.target(i, step.rotation_begin), next = strand.target(i, step.rotation_end);
-    const float pull = kept(shape_rate(step.shape_rate, step.shape_tip, strand.traits[i].y));
+    const float pull = kept(shape_rate_at(step.shape_rate, step.shape_tip, strand.traits[i].y));
     const glm::vec3 moved =
         verlet_position(here, velocity * step.velocity_to_step, target, next, step.head_step, pull, step.fall);
     strand.starts[i] = here;

@@ -1,5 +1,7 @@
 #pragma once
 // Strands and runs that the tests of the solver share.
+#include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cuticle/sim/solver.h>

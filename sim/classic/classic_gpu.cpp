@@ -1,0 +1,136 @@
+#include <cuticle/sim/classic/settings.h>
+#include <cuticle/sim/colliders/contact_gpu.h>
+#include <cuticle/sim/rest_pose.h>
+#include <cuticle/sim/solver_gpu.h>
+#include <cuticle/sim/strand_buffers_gpu.h>
+
+#include <constraints_comp.spv.h>
+#include <integrate_comp.spv.h>
+
+namespace cuticle::sim::classic {
+namespace {
+
+/// The kernels' push constants.
+struct KernelConstants {
+  StepConstants step;
+  glm::vec3 translation{0};
+  std::uint32_t iterations = 1, begins_frame = 0, ends_substep = 0;
+  float pearl_radius = 0;
+  std::uint32_t contacts = 0;
+};
+static_assert(sizeof(KernelConstants) == 128, "the layout of sim/strand_kernel.glsl");
+
+constexpr std::string_view k_pass = "simulate.classic";
+
+class ClassicGpuSolver final : public GpuSolver {
+ public:
+  ClassicGpuSolver(std::shared_ptr<gpu::Device> device, const strands::Groom& rest, const Settings& settings)
+      : device_(std::move(device)), settings_(settings), pose_(make_rest_pose(rest, settings.clamped_vertices)) {}
+
+  Result<void> make() {
+    CUTICLE_ASSIGN(buffers_, make_strand_buffers(*device_, pose_));
+    const gpu::ShaderInterface interface{.storage_buffers = k_strand_buffers, .push_constant_bytes = sizeof(KernelConstants)};
+    CUTICLE_ASSIGN(integrate_, device_->make_kernel(integrate_comp, interface));
+    CUTICLE_ASSIGN(constraints_, device_->make_kernel(constraints_comp, interface));
+    if (!settings_.contact) return {};
+    CUTICLE_ASSIGN(contact_, colliders::make_contact_kernel(*device_, interface));
+    return {};
+  }
+
+  Result<void> record(gpu::Commands& commands, const FrameInput& input) override {
+    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
+    const bool touches = settings_.contact && !input.colliders.empty();
+    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, colliders::packed(input.colliders)));
+    for (std::size_t k = 0; k < parts.size(); ++k) record_substep(commands, constants(parts[k], k == 0, input), touches);
+    return {};
+  }
+
+  Result<void> advance(const FrameInput& input) override {
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(record(commands, input));
+    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+    return {};
+  }
+
+  Result<State> state() override {
+    const std::size_t vertices = pose_.places.size();
+    CUTICLE_ASSIGN(const std::vector<glm::vec4> world, gpu::read_buffer<glm::vec4>(*device_, buffers_.world, vertices));
+    CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities, gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
+    CUTICLE_ASSIGN(const std::vector<std::uint32_t> resets,
+                   gpu::read_buffer<std::uint32_t>(*device_, buffers_.resets, pose_.strand_count()));
+    State state;
+    state.positions.assign(world.begin(), world.end());
+    state.velocities.assign(velocities.begin(), velocities.end());
+    for (std::uint32_t fired : resets) state.guards_fired += fired;
+    return state;
+  }
+
+  const gpu::Buffer& positions() const override { return buffers_.world; }
+
+  std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
+    const std::uint32_t count = substeps(settings_, input.duration);
+    std::map<std::string, std::uint32_t> result{{"classic", 2 * count}};
+    if (settings_.contact && !input.colliders.empty()) result["colliders"] = 2 * count;
+    return result;
+  }
+
+ private:
+  KernelConstants constants(const Substep& part, bool begins_frame, const FrameInput& input) const {
+    KernelConstants constants{.step = make_step(settings_, part, static_cast<std::uint32_t>(pose_.strand_count()))};
+    constants.translation = part.translation;
+    constants.iterations = settings_.iterations;
+    constants.begins_frame = begins_frame;
+    if (settings_.contact) {
+      constants.pearl_radius = settings_.contact->pearl_radius;
+      constants.contacts = std::uint32_t(input.colliders.size()) | (settings_.contact->fit_pearls ? 0x80000000u : 0u);
+    }
+    return constants;
+  }
+
+  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const KernelConstants& constants) const {
+    const StrandBuffers& b = buffers_;
+    commands.dispatch(kernel, {&b.offsets, &b.places, &b.traits, &b.positions, &b.starts, &b.velocities, &b.resets, &b.world,
+                               &b.spheres},
+                      {}, gpu::bytes_of(constants), (constants.step.strand_count + 63) / 64);
+  }
+
+  /// With spheres the lengths are restored after the contact; that second dispatch counts as the contact's.
+  void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches) const {
+    commands.begin_pass(k_pass);
+    dispatch(commands, integrate_, constants);
+    constants.ends_substep = !touches;
+    dispatch(commands, constraints_, constants);
+    commands.end_pass();
+    if (!touches) return;
+    commands.begin_pass(colliders::k_contact_pass);
+    dispatch(commands, contact_, constants);
+    constants.ends_substep = 1;
+    dispatch(commands, constraints_, constants);
+    commands.end_pass();
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  Settings settings_;
+  RestPose pose_;
+  StrandBuffers buffers_;
+  gpu::Kernel integrate_, constraints_, contact_;
+  HeadMotion motion_;
+};
+
+Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
+                                              const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  CUTICLE_TRY(strands::validate(rest));
+  if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
+  auto made = std::make_unique<ClassicGpuSolver>(std::move(device), rest, make_settings(solver, effects));
+  CUTICLE_TRY(made->make());
+  return std::unique_ptr<GpuSolver>(std::move(made));
+}
+
+}  // namespace
+
+const GpuEffect& gpu_entry() {
+  static const GpuEffect effect{"classic", create_gpu};
+  return effect;
+}
+
+}  // namespace cuticle::sim::classic

@@ -1,0 +1,149 @@
+// The CPU solver against truths of mechanics.
+#include <cmath>
+
+#include <cuticle/sim/classic/test_strands.h>
+
+namespace cuticle::sim {
+namespace {
+
+using namespace testing;
+
+strands::Groom one_strand(const std::vector<double>& segments, glm::dvec3 direction = {1, 0, 0}) {
+  strands::Groom groom;
+  add_straight(groom, {0, 0, 0}, direction, segments);
+  return groom;
+}
+
+double agm(double a, double b) {
+  while (std::abs(a - b) > 1e-15 * a) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+/// Mean period over two swings, from crossings of the vertical.
+double measured_period(Solver& solver, double step) {
+  FrameInput input;
+  input.duration = step;
+  std::vector<double> crossings;
+  double previous = 1;
+  for (int k = 1; crossings.size() < 5 && k < 100000; ++k) {
+    EXPECT_TRUE(solver.advance(input).ok());
+    const double x = double(solver.state()->positions[1].x);
+    if (previous * x < 0) crossings.push_back(step * (k - std::abs(x) / (std::abs(x) + std::abs(previous))));
+    previous = x;
+  }
+  return (crossings.back() - crossings.front()) / 2;
+}
+
+TEST(ClassicMotion, Pendulum_PeriodIsThatOfTheArithmeticGeometricMean) {
+  const double length = 0.2, amplitude = 3.14159265358979 / 2, step = 1.0 / 240;
+  const double truth = 2 * 3.14159265358979 * std::sqrt(length / 9.80665) / agm(1, std::cos(amplitude / 2));
+  const strands::Groom groom = one_strand({length});
+  auto solver = make_classic(groom, k_free, gravity());
+  const double period = measured_period(*solver, step);
+  RecordProperty("relative_error", std::to_string(period / truth - 1));
+  EXPECT_NEAR(period / truth, 1, 3e-4);
+}
+
+TEST(ClassicMotion, HangingChain_ComesToRestStraightAndUnstretched) {
+  for (const auto& segments : {uniform_segments(32, 0.3), growing_segments(31, 0.3, 8), growing_segments(6, 0.3, 8)}) {
+    const strands::Groom groom = one_strand(segments);
+    auto solver = make_classic(groom, "damping=5,shape_stiffness=0,clamped_vertices=1", gravity());
+    const State state = run_still(*solver, 300, 1.0 / 30);
+    EXPECT_LT(glm::distance(glm::dvec3(state.positions.back()), glm::dvec3(0, -0.3, 0)), 1e-4) << segments.size();
+    EXPECT_LT(worst_stretch(groom, state), 1e-4) << segments.size();
+  }
+}
+
+/// Worst stretch while a horizontal strand falls and swings for a second.
+double swing_stretch(const std::vector<double>& segments, int iterations) {
+  const strands::Groom groom = one_strand(segments);
+  auto solver = make_classic(groom, k_free + ",damping=2,iterations=" + std::to_string(iterations), gravity());
+  double worst = 0;
+  for (int frame = 0; frame < 30; ++frame) worst = std::max(worst, worst_stretch(groom, run_still(*solver, 1, 1.0 / 30)));
+  return worst;
+}
+
+TEST(ClassicMotion, MoreIterations_StretchLess) {
+  double previous = 10;
+  for (int iterations : {1, 4, 16}) {
+    const double worst = swing_stretch(uniform_segments(16, 0.3), iterations);
+    std::printf("16 uniform segments, %d iterations: worst stretch %.4f\n", iterations, worst);
+    EXPECT_LT(worst, previous);
+    previous = worst;
+  }
+  EXPECT_LT(previous, 0.02);
+}
+
+TEST(ClassicMotion, SevenVerticesGrowingOneToEight_StretchIsBounded) {
+  const double worst = swing_stretch(growing_segments(6, 0.3, 8), 4);
+  std::printf("6 segments growing 1:8, 4 iterations: worst stretch %.4f\n", worst);
+  EXPECT_LT(worst, 0.05);
+}
+
+TEST(ClassicMotion, FallingHead_LeavesItsHairInShape) {
+  // Root and hair fall alike, so nothing pulls; one substep a frame keeps the head's path that of free fall.
+  const strands::Groom groom = one_strand(growing_segments(8, 0.3, 8), {0.6, 0.8, 0});
+  auto solver = make_classic(groom, k_free + ",inner_step=1", gravity());
+  const double h = 1.0 / 60;
+  const auto fallen = [&](int k) { return glm::translate(glm::dmat4(1), glm::dvec3(0, -0.5 * 9.80665 * h * h * k * k, 0)); };
+  FrameInput input;
+  input.duration = h;
+  for (int k = 0; k < 30; ++k) {
+    input.head_begin = fallen(k);
+    input.head_end = fallen(k + 1);
+    ASSERT_TRUE(solver->advance(input).ok());
+  }
+  const State state = solver->state().value();
+  const glm::vec3 drop(0, -0.5 * 9.80665 * 0.25, 0);
+  for (std::size_t i = 0; i < groom.vertex_count(); ++i)
+    EXPECT_LT(glm::distance(state.positions[i], groom.positions[i] + drop), 2e-6f) << i;
+}
+
+TEST(ClassicMotion, HeadAtRest_SagFreeGroomStaysAsCombed) {
+  const strands::Groom groom = ring(8);
+  auto solver = make_classic(groom, "", gravity());
+  EXPECT_LT(worst_distance(run_still(*solver, 60, 1.0 / 30).positions, groom.positions), 5e-4);
+}
+
+TEST(ClassicMotion, TurningHead_HairLagsAndComesBackToStyle) {
+  const strands::Groom groom = ring(8);
+  auto solver = make_classic(groom, "", gravity());
+  FrameInput input;
+  input.head_end = glm::rotate(glm::dmat4(1), 1.0, glm::dvec3(0, 1, 0));
+  const auto away_from_style = [&] {
+    std::vector<glm::vec3> style;
+    for (const glm::vec3& place : groom.positions) style.emplace_back(input.head_end * glm::dvec4(place, 1));
+    return worst_distance(solver->state()->positions, style);
+  };
+  ASSERT_TRUE(solver->advance(input).ok());
+  EXPECT_GT(away_from_style(), 0.05);
+  input.head_begin = input.head_end;
+  for (int k = 0; k < 180; ++k) ASSERT_TRUE(solver->advance(input).ok());
+  EXPECT_LT(away_from_style(), 2e-3);
+}
+
+TEST(ClassicMotion, ClampedVertices_FollowTheHeadExactly) {
+  const strands::Groom groom = ring(4);
+  auto solver = make_classic(groom, "", gravity());
+  const State state = run_frames(*solver, 10);
+  const glm::dmat4 head = frame_of(9).head_end;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (std::size_t i : {groom.offsets[s], groom.offsets[s] + 1})
+      EXPECT_LT(glm::distance(glm::dvec3(state.positions[i]), glm::dvec3(head * glm::dvec4(groom.positions[i], 1))), 2e-7);
+}
+
+TEST(ClassicMotion, HundredMetresFromOrigin_MovesAsAtTheOrigin) {
+  const strands::Groom groom = ring(4);
+  auto here = make_classic(groom, "", gravity()), far = make_classic(groom, "", gravity());
+  const glm::dvec3 origin(100, -50, 70);
+  State a = run_frames(*here, 30), b = run_frames(*far, 30, {}, origin);
+  for (glm::vec3& place : b.positions) place -= glm::vec3(origin);
+  EXPECT_LT(worst_distance(a.positions, b.positions), 4e-5);  // the world position itself rounds to 4e-6
+}
+
+}  // namespace
+}  // namespace cuticle::sim

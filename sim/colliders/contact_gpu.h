@@ -1,0 +1,14 @@
+#pragma once
+// The contact kernel; the solver that owns the strands dispatches it.
+#include <string_view>
+
+#include <cuticle/gpu/device.h>
+
+namespace cuticle::sim::colliders {
+
+inline constexpr std::string_view k_contact_pass = "simulate.colliders";
+
+/// Pushes positions and starts out of the spheres: buffers and constants as in sim/strand_kernel.glsl, one thread per strand.
+Result<gpu::Kernel> make_contact_kernel(gpu::Device& device, const gpu::ShaderInterface& interface);
+
+}  // namespace cuticle::sim::colliders
