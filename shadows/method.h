@@ -1,6 +1,8 @@
 #pragma once
 // The concept of a shadow method: transmittance of light from outside the hair to points inside it.
+#include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -43,6 +45,14 @@ struct Method {
   Result<Transmittance> (*evaluate)(const Casters&, const Receivers&, const registry::ParameterValues&);
 };
 std::span<const Method* const> methods();
+/// Error: usage, with the nearest known name.
 Result<const Method*> find_method(std::string_view name);
+
+/// What every method refuses: a zero or non-finite light, alpha outside 0 .. 1 (usage); a groom or points that are not sound
+/// (bad_input, naming the field or the point).
+Result<void> check(const Casters& casters, const Receivers& receivers);
+
+/// "cpu (N threads)": the threads that work in this call may use.
+std::string cpu_device_name();
 
 }  // namespace cuticle::shadows

@@ -1,0 +1,139 @@
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cuticle/shadows/method.h>
+#include <cuticle/shadows/opacity_map/map.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set, double alpha = 0.4,
+                          glm::dvec3 light = {0, 1, 0}) {
+  const Method& method = **find_method("opacity_map");
+  auto values = registry::parse_assignments(method.entry.parameters, set);
+  if (!values) return values.error();
+  return method.evaluate({&groom, alpha, light}, {points, {}}, *values);
+}
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
+  auto result = run(groom, std::span(&point, 1), set, alpha, light);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? result->values[0] : -1;
+}
+double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+strands::Groom upright() {
+  strands::Groom groom;
+  tests::add_strand(groom, {{0, 0.1f, 0}, {0, 0.05f, 0}, {0, 0, 0}}, 0.001f);
+  tests::add_strand(groom, {{0.01f, 0.1f, 0.01f}, {0.01f, 0, 0.01f}}, 0.0001f);
+  tests::add_strand(groom, {{-0.01f, 0.1f, -0.01f}, {-0.01f, 0, -0.01f}}, 0.0001f);
+  return groom;
+}
+
+}  // namespace
+
+// The optical depth of a layer of fibres crossed square on is their area per area times alpha (fibres at random places).
+TEST(OpacityMap, RandomSlab_FollowsTheExponentialLaw) {
+  const float radius = 2e-5f;
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, radius, 7);
+  const double area = 2 * double(radius) * tests::length_per_area(groom, 0.02, -1);
+  for (const double alpha : {0.1, 0.5, 1.0}) {
+    auto result = run(groom, tests::grid_below(-0.001), "slices=64,accumulate=poisson,filter_texels=3", alpha);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(mean(result->values) / std::exp(-alpha * area), 1, 0.01);
+  }
+}
+
+TEST(OpacityMap, HalfWayThroughASlab_HalfTheDepthCounts) {
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7);
+  const double area = 4e-5 * tests::length_per_area(groom, 0.02, 0.025);
+  auto result = run(groom, tests::grid_below(0.025), "slices=64,accumulate=poisson,filter_texels=3");
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(mean(result->values) / std::exp(-0.4 * area), 1, 0.01);
+}
+
+TEST(OpacityMap, EmptyGroom_LetsAllThrough) { EXPECT_EQ(one({}, {0, 0, 0}), 1.0f); }
+
+TEST(OpacityMap, AlphaZero_LetsAllThrough) { EXPECT_EQ(one(upright(), {0, -1, 0}, "", 0), 1.0f); }
+
+TEST(OpacityMap, OpaqueWideFibre_LetsNothingThrough) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.01f);
+  tests::add_strand(groom, {{0, 0, -0.05f}, {0, 0, 0.05f}}, 0.001f);
+  EXPECT_LT(one(groom, {0, 0, 0}, "slices=16", 1), 1e-4f);
+}
+
+TEST(OpacityMap, SingleFibre_CrossingTakesAlpha) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, 0, -0.05f}, {0.05f, 0, -0.05f}}, 0.0001f);
+  EXPECT_NEAR(one(groom, {0, 0, 0}), 0.6, 1e-4);
+  EXPECT_EQ(one(groom, {0, 0.06f, 0}), 1.0f);
+  EXPECT_EQ(one(groom, {0, 0, 0.02f}), 1.0f);
+}
+
+TEST(OpacityMap, FlatGroom_FrontFreeAndBackShadowed) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0.05f, 0, 0}}, 0.005f);
+  EXPECT_EQ(one(groom, {0, 0, 0}), 1.0f);
+  EXPECT_NEAR(one(groom, {0, -0.01f, 0}), 0.6, 1e-4);
+}
+
+TEST(OpacityMap, LightParallelToTheStrands_EachCastsItsCrossSection) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 6400; ++i) points.emplace_back(0.00005 * (i % 80 - 40), -0.01, 0.00005 * (i / 80 - 40));
+  auto result = run(upright(), points, "accumulate=poisson,filter_texels=0,k=1,resolution=512");
+  ASSERT_TRUE(result);
+  double area = 0;
+  for (float t : result->values) area -= std::log(double(t)) / 0.4 * 0.00005 * 0.00005;
+  EXPECT_NEAR(area / (3.14159265 * 1e-6), 1, 0.04);
+}
+
+TEST(OpacityMap, PrintedSpacing_LastPlaneStopsShort) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.1f, 0}, {0.05f, 0.1f, 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, 0.001f, 0}, {0.05f, 0.001f, 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, 0, -0.05f}, {0.05f, 0, -0.05f}}, 0.0001f);
+  EXPECT_NEAR(one(groom, {0, -1, 0}, "slices=8,spacing=last_plane"), 0.36, 1e-4);
+  EXPECT_NEAR(one(groom, {0, -1, 0}, "slices=8,spacing=printed"), 0.6, 1e-4);
+}
+
+TEST(OpacityMap, DoubledFilter_MillimetresAndTexelsAgree) {
+  const strands::Groom groom = tests::coat(500, 6, 0.03, 1e-4f, 3);
+  const auto geometry = opacity_map::map_geometry(fit_light_frame(strands::bounds(groom), {0, 1, 0}), {});
+  const std::string set = "filter_radius_mm=" + std::to_string(3000.0 / double(geometry.texels_per_metre));
+  EXPECT_NEAR(one(groom, {0, 0, 0}, set), one(groom, {0, 0, 0}, "filter_texels=3"), 1e-4);
+}
+
+TEST(OpacityMap, AnyThreadCount_SameIntegers) {
+  const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  const LightFrame frame = fit_light_frame(strands::bounds(groom), {0.6, 0.8, 0});
+  const auto all = opacity_map::build_map(groom, 0.4, frame, {});
+  tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(opacity_map::build_map(groom, 0.4, frame, {}).sums, all.sums);
+}
+
+TEST(OpacityMap, ALotOfOpaqueFibres_SumsDoNotWrap) {
+  strands::Groom groom;
+  for (int i = 0; i < 5000; ++i) tests::add_strand(groom, {{-0.05f, 1e-5f * float(i), 0}, {0.05f, 1e-5f * float(i), 0}}, 0.02f);
+  EXPECT_LT(one(groom, {0, -1, 0}, "resolution=16,slices=2", 1), 1e-4f);
+}
+
+TEST(OpacityMap, BadInput_IsRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  strands::Groom broken = upright();
+  broken.positions[1].y = nan;
+  const glm::vec3 good(0), bad(nan, 0, 0);
+  EXPECT_FALSE(run(broken, std::span(&good, 1), ""));
+  EXPECT_FALSE(run(upright(), std::span(&bad, 1), ""));
+  EXPECT_FALSE(run(upright(), std::span(&good, 1), "", 1.5));
+  EXPECT_FALSE(run(upright(), std::span(&good, 1), "", 0.4, {0, 0, 0}));
+  EXPECT_FALSE(run(upright(), std::span(&good, 1), "slices=1"));
+  EXPECT_FALSE(run(upright(), std::span(&good, 1), "slices=256,resolution=4096"));
+  EXPECT_FALSE(run(upright(), std::span(&good, 1), "filter_radius_mm=900,resolution=1024"));
+}

@@ -1,0 +1,99 @@
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cuticle/shadows/method.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+Result<Transmittance> run(const strands::Groom& groom, const Receivers& receivers, const std::string& set, double alpha = 0.4,
+                          glm::dvec3 light = {0, 1, 0}) {
+  const Method& method = **find_method("truth");
+  auto values = registry::parse_assignments(method.entry.parameters, set);
+  if (!values) return values.error();
+  return method.evaluate({&groom, alpha, light}, receivers, *values);
+}
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set, double alpha = 0.4) {
+  auto result = run(groom, {std::span(&point, 1)}, set, alpha);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? result->values[0] : -1;
+}
+double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+strands::Groom bar() {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.005f);
+  return groom;
+}
+const std::string k_point = "rays=64,footprint_radius_mm=0.001";
+
+}  // namespace
+
+TEST(ShadowTruth, RandomSlab_FollowsTheExponentialLaw) {
+  const float radius = 2e-5f;
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, radius, 7);
+  const std::vector<glm::vec3> points = tests::grid_below(-0.001);
+  const double area = 2 * double(radius) * tests::length_per_area(groom, 0.02, -1);
+  for (const double alpha : {0.2, 0.6}) {
+    auto result = run(groom, {points}, "rays=36,footprint_radius_mm=0.5", alpha);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(mean(result->values) / std::exp(-alpha * area), 1, 0.01);
+  }
+}
+
+TEST(ShadowTruth, EmptyGroom_LetsAllThrough) { EXPECT_EQ(one({}, {0, 0, 0}, k_point), 1.0f); }
+TEST(ShadowTruth, AlphaZero_LetsAllThrough) { EXPECT_EQ(one(bar(), {0, 0, 0}, k_point, 0), 1.0f); }
+TEST(ShadowTruth, AlphaOne_LetsNothingThrough) { EXPECT_EQ(one(bar(), {0, 0, 0}, k_point, 1), 0.0f); }
+
+TEST(ShadowTruth, SingleFibre_CrossingTakesAlphaAlsoAtAJoint) {
+  EXPECT_NEAR(one(bar(), {0.02f, 0, 0}, k_point), 0.6, 1e-6);
+  EXPECT_NEAR(one(bar(), {0, 0, 0}, k_point), 0.6, 1e-6);
+  EXPECT_EQ(one(bar(), {0.02f, 0.06f, 0}, k_point), 1.0f);
+}
+
+TEST(ShadowTruth, FootprintHalfCovered_IsTheMean) {
+  const strands::Groom groom = bar();
+  const glm::vec3 edge(0.02f, 0, 0.005f);
+  auto result = run(groom, {std::span(&edge, 1)}, "rays=16384,footprint_radius_mm=0.5");
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(result->values[0], 0.8, 0.005);
+  EXPECT_NEAR(result->standard_error[0], 0.2 / 128, 2e-4);
+}
+
+TEST(ShadowTruth, OwnStrand_DoesNotShadowItsPoint) {
+  const strands::Groom groom = bar();
+  const glm::vec3 point(0.02f, 0.05f, 0);
+  const std::uint32_t strand = 0;
+  auto own = run(groom, {std::span(&point, 1), std::span(&strand, 1)}, k_point);
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->values[0], 1.0f);
+}
+
+TEST(ShadowTruth, OneAndThreeThreads_SameBits) {
+  const strands::Groom groom = tests::coat(1000, 6, 0.03, 1e-4f, 3);
+  const Receivers receivers{std::span(groom.positions).first(100)};
+  Result<Transmittance> results[2] = {Error{}, Error{}};
+  for (int i = 0; i < 2; ++i) {
+    tbb::global_control threads(tbb::global_control::max_allowed_parallelism, i == 0 ? 1 : 3);
+    results[i] = run(groom, receivers, "rays=64", 0.4, {1, 1, 0.3});
+    ASSERT_TRUE(results[i]);
+  }
+  EXPECT_EQ(results[0]->values, results[1]->values);
+  EXPECT_EQ(results[0]->standard_error, results[1]->standard_error);
+}
+
+TEST(ShadowTruth, BadInput_IsRefused) {
+  const glm::vec3 good(0), bad(std::numeric_limits<float>::quiet_NaN());
+  const std::uint32_t strand = 5;
+  EXPECT_FALSE(run(bar(), {std::span(&good, 1)}, "", 0.4, {0, 0, 0}));
+  EXPECT_FALSE(run(bar(), {std::span(&good, 1)}, "", -0.1));
+  EXPECT_FALSE(run(bar(), {std::span(&bad, 1)}, ""));
+  EXPECT_FALSE(run(bar(), {std::span(&good, 1), std::span(&strand, 1)}, ""));
+  EXPECT_FALSE(run(bar(), {std::span(&good, 1)}, "rays=0"));
+}

@@ -1,0 +1,130 @@
+// Ray-traced truth: the mean over a disc of prod(1 - alpha) over the distinct fibre crossings of rays to the light.
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cuticle/shadows/light_frame.h>
+#include <cuticle/shadows/method.h>
+#include <cuticle/shadows/footprint.h>
+#include <cuticle/strands/rays/rays.h>
+// After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
+#include <cuticle/core/shared/philox.glslh>
+
+namespace cuticle::shadows::truth {
+namespace {
+
+using registry::ParameterType;
+constexpr registry::Parameter k_parameters[] = {
+    {"rays", ParameterType::integer, "1", 1, 65536, "1024", {}, "rays per point, rounded up to a square: one in each cell of a grid"},
+    {"footprint_radius_mm", ParameterType::real, "mm", 0, 1000, "0", {},
+     "radius of the disc around the point that rays start from; 0: two strand spacings (four across)"},
+};
+constexpr std::string_view k_demands[] = {"light", "shadow_method"};
+
+/// Mean and its standard error at one point.
+struct Estimate {
+  float mean = 1, standard_error = 0;
+};
+
+class Tracer {
+ public:
+  Tracer(const strands::RayGroom& rays, const Casters& casters, const glm::dvec3& to_light, double radius, std::int64_t count)
+      : rays_(rays), casters_(casters), to_light_(to_light), axes_(plane_axes(to_light)), radius_(radius),
+        side_(std::uint32_t(std::ceil(std::sqrt(double(count))))) {}
+
+  Estimate at(const Receivers& receivers, std::size_t i, std::vector<strands::Crossing>& scratch) const {
+    double sum = 0, squares = 0;
+    for (std::uint32_t ray = 0; ray < side_ * side_; ++ray) {
+      const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i)), scratch);
+      sum += t;
+      squares += t * t;
+    }
+    const double count = double(side_) * side_, mean = sum / count;
+    const double variance = std::max(0.0, squares / count - mean * mean);
+    return {float(mean), count > 1 ? float(std::sqrt(variance / (count - 1))) : 0.0f};
+  }
+
+ private:
+  /// Where a ray starts, relative to the point: a random place in the ray's cell of the disc, by rings and sectors of equal area.
+  glm::dvec3 start_of(std::uint32_t ray, std::uint32_t receiver) const {
+    const PhiloxBlock words = philox(PhiloxBlock{ray, receiver, 0, 0}, 0x5eedu, 0);
+    double u = 0, v = 0;
+    unit_interval(words.a, u);
+    unit_interval(words.b, v);
+    const double r = radius_ * std::sqrt((ray / side_ + u) / side_);
+    const double angle = 2 * std::numbers::pi * ((ray % side_ + v) / side_);
+    return r * (std::cos(angle) * axes_.first + std::sin(angle) * axes_.second);
+  }
+
+  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start, std::vector<strands::Crossing>& crossings) const {
+    rays_.all_crossings(glm::dvec3(receivers.points[i]) + start, to_light_, crossings);
+    int count = 0;
+    for (const strands::Crossing& crossing : crossings)
+      count += receivers.strands.empty() || !is_own(receivers, i, start, crossing) ? 1 : 0;
+    return std::pow(1 - casters_.alpha, count);
+  }
+
+  /// A crossing of the point's own strand, its middle within two radii of the point: the fibre does not shadow its own surface.
+  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& start, const strands::Crossing& crossing) const {
+    if (crossing.strand != receivers.strands[i]) return false;
+    const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
+    return glm::length(start + middle * to_light_) <= 2 * double(radius_of(crossing.strand));
+  }
+  float radius_of(std::uint32_t strand) const { return casters_.groom->radii[casters_.groom->offsets[strand]]; }
+
+  const strands::RayGroom& rays_;
+  const Casters& casters_;
+  glm::dvec3 to_light_;
+  PlaneAxes axes_;
+  double radius_;
+  std::uint32_t side_;
+};
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& result) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.points.size()), [&](const auto& range) {
+    std::vector<strands::Crossing> scratch;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Estimate estimate = tracer.at(receivers, i, scratch);
+      result.values[i] = estimate.mean;
+      result.standard_error[i] = estimate.standard_error;
+    }
+  });
+}
+
+Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers, const registry::ParameterValues& values) {
+  CUTICLE_TRY(check(casters, receivers));
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
+  Transmittance result;
+  result.values.assign(receivers.points.size(), 1.0f);
+  result.standard_error.assign(receivers.points.size(), 0.0f);
+  result.cost.device = cpu_device_name();
+  if (casters.groom->strand_count() == 0) return result;
+  const double given = 1e-3 * values.real("footprint_radius_mm");
+  const auto start = std::chrono::steady_clock::now();
+  CUTICLE_ASSIGN(const auto rays, strands::RayGroom::build(*casters.groom));
+  result.cost.build_ms = milliseconds_since(start);
+  const auto built = std::chrono::steady_clock::now();
+  const double radius = given > 0 ? given : default_footprint_radius(*casters.groom);
+  trace_all(Tracer(*rays, casters, to_light, radius, values.integer("rays")), receivers, result);
+  result.cost.lookup_ms = milliseconds_since(built);
+  return result;
+}
+
+}  // namespace
+
+const Method& entry() {
+  static const Method method{{registry::EntryKind::method, "truth", "mean over a disc of rays to the light, every fibre crossing counted",
+                              "Embree; docs/conventions.md", k_parameters, k_demands, registry::Stage::shadow},
+                             evaluate};
+  return method;
+}
+
+}  // namespace cuticle::shadows::truth
