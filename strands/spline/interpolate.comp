@@ -1,46 +1,40 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// N5: one workgroup per drawn strand, one thread per vertex: position, radius, tangent and fraction of the length.
+// N5: one thread per drawn vertex: position, radius, tangent and fraction of the length. The neighbours that a tangent needs are
+// blended again by each thread: on software Vulkan a barrier costs far more than the six loads.
 #include "cuticle/strands/spline/bezier.glslh"
 #include "cuticle/strands/tangent.glslh"
 
-layout(local_size_x_id = 0) in;  // vertices per strand, at most 64
-layout(std430, binding = 0) readonly buffer Smoothed { vec4 smoothed[]; };   // hairs x vertices
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Smoothed { vec4 smoothed[]; };   // hairs x vertices: position, fraction
 layout(std430, binding = 1) readonly buffer Hairs { uint hairs[]; };         // three per drawn strand
 layout(std430, binding = 2) readonly buffer Weights { float weights[]; };    // three per drawn strand
 layout(std430, binding = 3) writeonly buffer Vertices { vec4 vertices[]; };  // position, radius
 layout(std430, binding = 4) writeonly buffer Tangents { vec4 tangents[]; };  // unit tangent, fraction of the length
-layout(push_constant) uniform Constants { uint strands; float radius; float tip_radius; };
+layout(push_constant) uniform Constants { uint strands; uint count; float radius; float tip_radius; };
 
-shared vec3 points[64];
-
-vec3 corner(uint strand, uint k, uint i) { return smoothed[hairs[3u * strand + k] * gl_WorkGroupSize.x + i].xyz; }
-
-vec3 blended(uint strand, uint i) {
-  const vec3 weight = vec3(weights[3u * strand], weights[3u * strand + 1u], weights[3u * strand + 2u]);
-  return blend_three(corner(strand, 0u, i), corner(strand, 1u, i), corner(strand, 2u, i), weight);
+vec3 blended(uvec3 first, vec3 weight, uint i) {
+  return blend_three(smoothed[first.x + i].xyz, smoothed[first.y + i].xyz, smoothed[first.z + i].xyz, weight);
 }
 
-// Arc length before vertex i over the whole; by count of vertices where the strand has no length.
-float fraction_of_length(uint i, uint last) {
-  float before = 0.0, whole = 0.0;
-  for (uint k = 0u; k < last; ++k) {
-    whole += distance(points[k], points[k + 1u]);
-    if (k + 1u == i) before = whole;
+vec3 tangent_at(uvec3 first, vec3 weight, uint i) {
+  const vec3 before = blended(first, weight, i == 0u ? 0u : i - 1u), after = blended(first, weight, min(i + 1u, count - 1u));
+  vec3 root = before, tip = after;
+  if (before == after) {
+    root = blended(first, weight, 0u);
+    tip = blended(first, weight, count - 1u);
   }
-  return whole > 0.0 ? before / whole : float(i) / float(last);
+  return vertex_tangent(before, after, root, tip);
 }
 
 void main() {
-  const uint strand = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint i = gl_LocalInvocationID.x, last = gl_WorkGroupSize.x - 1u;
-  const bool drawn = strand < strands;
-  if (drawn) points[i] = blended(strand, i);
-  barrier();
-  if (!drawn) return;
-  const float fraction = fraction_of_length(i, last);
-  const vec3 tangent = vertex_tangent(points[i == 0u ? 0u : i - 1u], points[min(i + 1u, last)], points[0], points[last]);
-  const uint vertex = strand * gl_WorkGroupSize.x + i;
-  vertices[vertex] = vec4(points[i], mix(radius, tip_radius, fraction));
-  tangents[vertex] = vec4(tangent, fraction);
+  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  const uint vertex = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (vertex >= strands * count) return;
+  const uint strand = vertex / count, i = vertex % count;
+  const uvec3 first = uvec3(hairs[3u * strand], hairs[3u * strand + 1u], hairs[3u * strand + 2u]) * count;
+  const vec3 weight = vec3(weights[3u * strand], weights[3u * strand + 1u], weights[3u * strand + 2u]);
+  const float fraction = dot(weight, vec3(smoothed[first.x + i].w, smoothed[first.y + i].w, smoothed[first.z + i].w));
+  vertices[vertex] = vec4(blended(first, weight, i), mix(radius, tip_radius, fraction));
+  tangents[vertex] = vec4(tangent_at(first, weight, i), fraction);
 }

@@ -10,23 +10,24 @@
 namespace cuticle::strands {
 namespace {
 
-constexpr std::uint32_t k_smooth_threads = 64;
-constexpr float k_tip_radius = 0.5f;  // of the root's
+constexpr std::uint32_t k_threads = 64;  // of a workgroup, in both kernels
+constexpr float k_tip_radius = 0.5f;     // of the root's
 
 struct SmoothConstants {
   std::uint32_t hairs, vertices;
 };
 struct InterpolateConstants {
-  std::uint32_t strands;
+  std::uint32_t strands, vertices;
   float radius, tip_radius;
 };
 
-// A count of workgroups past what Vulkan promises on one axis (65,535), spread over two.
+// Workgroups for so many threads; past what Vulkan promises on one axis (65,535) spread over two.
 struct Groups {
   std::uint32_t x = 0, y = 1;
 };
-Groups spread(std::size_t count) {
+Groups groups_for(std::size_t threads) {
   constexpr std::size_t k_row = 32768;
+  const std::size_t count = (threads + k_threads - 1) / k_threads;
   if (count <= k_row) return {std::uint32_t(count), 1};
   return {std::uint32_t(k_row), std::uint32_t((count + k_row - 1) / k_row)};
 }
@@ -83,9 +84,8 @@ Result<void> StrandGenerator::Impl::make_kernels() {
   CUTICLE_ASSIGN(
       smooth, device->make_kernel(smooth_comp, {.storage_buffers = 3, .push_constant_bytes = sizeof(SmoothConstants)}));
   CUTICLE_ASSIGN(interpolate,
-                 device->make_kernel(interpolate_comp, {.storage_buffers = 5,
-                                                        .push_constant_bytes = sizeof(InterpolateConstants),
-                                                        .specialization = {std::uint32_t(vertices_per_strand)}}));
+                 device->make_kernel(interpolate_comp,
+                                     {.storage_buffers = 5, .push_constant_bytes = sizeof(InterpolateConstants)}));
   return {};
 }
 
@@ -135,7 +135,7 @@ Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr
 Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions) {
   const SmoothConstants constants{std::uint32_t(impl_->hairs), std::uint32_t(impl_->vertices_per_strand)};
   const std::size_t threads = impl_->hairs * impl_->vertices_per_strand;
-  const Groups groups = spread((threads + k_smooth_threads - 1) / k_smooth_threads);
+  const Groups groups = groups_for(threads);
   commands.begin_pass("generate.smooth");
   commands.dispatch(impl_->smooth, {&impl_->offsets, &control_positions, &impl_->smoothed}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);
@@ -144,8 +144,9 @@ Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::
 }
 
 Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
-  const InterpolateConstants constants{std::uint32_t(impl_->strands), impl_->radius, impl_->radius * k_tip_radius};
-  const Groups groups = spread(impl_->strands);
+  const InterpolateConstants constants{std::uint32_t(impl_->strands), std::uint32_t(impl_->vertices_per_strand),
+                                       impl_->radius, impl_->radius * k_tip_radius};
+  const Groups groups = groups_for(vertex_count());
   commands.begin_pass("generate.interpolate");
   commands.dispatch(impl_->interpolate,
                     {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},

@@ -15,7 +15,7 @@ struct StrandGeneratorInput {
   float radius = 35e-6f;                                ///< drawn fibre radius, metres; tapers to half at the tip
 };
 /// N4 and N5 on the device: the passes "generate.smooth" (one thread per vertex of a smoothed control hair) and
-/// "generate.interpolate" (one workgroup per drawn strand, one thread per vertex), one dispatch each. The formulas are
+/// "generate.interpolate" (one thread per drawn vertex, tangents included), one dispatch each. The formulas are
 /// those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
 /// float rounding (strand_generator_test). Control positions: vec4 per control vertex, world metres, the fourth
 /// component unused.
@@ -29,7 +29,8 @@ class StrandGenerator {
   Result<void> record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions);
   Result<void> record_interpolate(gpu::Commands& commands);
   const gpu::Buffer& vertices() const;  ///< vec4 (position, radius)
-  const gpu::Buffer& tangents() const;  ///< vec4 (unit tangent, fraction of length root -> tip)
+  const gpu::Buffer& tangents()
+      const;  ///< vec4 (unit tangent, fraction of length root -> tip, taken along the control hairs)
   const gpu::Buffer& segments() const;  ///< uint: first vertex of each segment
   std::uint32_t vertex_count() const, segment_count() const;
 
