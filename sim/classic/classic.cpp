@@ -67,21 +67,29 @@ void keep_length(StrandView strand, std::size_t i, const glm::vec4& rotation) {
   strand.positions[i] -= excess * strand.traits[i].x;
 }
 
-void constrain(StrandView strand, const StepConstants& step, std::uint32_t iterations) {
+/// One pass over the segments, root to tip.
+void sweep_lengths(StrandView strand, const StepConstants& step) {
   const std::size_t anchor = anchor_of(strand, step);
-  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep)
-    for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
-      keep_reach(strand, i, anchor);
-      keep_length(strand, i, step.rotation_end);
-    }
+  for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
+    keep_reach(strand, i, anchor);
+    keep_length(strand, i, step.rotation_end);
+  }
 }
 
-void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts) {
+void constrain(StrandView strand, const StepConstants& step, std::uint32_t iterations) {
+  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep) sweep_lengths(strand, step);
+}
+
+/// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so that
+/// leaving an overlap gives no velocity.
+void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts, std::uint32_t iterations) {
   const std::size_t anchor = anchor_of(strand, step);
-  const glm::vec3 outward = strand.size() > 1 ? direction_of(strand.target(strand.size() - 1, step.rotation_end) -
-                                                             strand.target(0, step.rotation_end)) : glm::vec3(0);
-  colliders::push_out({strand.traits, strand.positions, strand.starts, anchor, step.rotation_begin, step.rotation_end, outward},
-                      contacts.spheres, contacts.settings);
+  const glm::vec3 outward = direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
+  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward}, contacts.spheres, contacts.settings);
+  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep) {
+    sweep_lengths(strand, step);
+    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward}, contacts.spheres, contacts.settings);
+  }
 }
 
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -139,10 +147,7 @@ class ClassicSolver final : public Solver {
     for (const StepConstants& step : steps) {
       integrate(strand, step);
       constrain(strand, step, settings_.iterations);
-      if (!contacts.spheres.empty()) {
-        meet_spheres(strand, step, contacts);
-        constrain(strand, step, settings_.iterations);
-      }
+      if (!contacts.spheres.empty()) meet_spheres(strand, step, contacts, settings_.iterations);
       if (finish(strand, step)) resets_[index] = 1;
     }
   }

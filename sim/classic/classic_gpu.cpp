@@ -70,7 +70,7 @@ class ClassicGpuSolver final : public GpuSolver {
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     const std::uint32_t count = substeps(settings_, input.duration);
     std::map<std::string, std::uint32_t> result{{"classic", 2 * count}};
-    if (settings_.contact && !input.colliders.empty()) result["colliders"] = 2 * count;
+    if (settings_.contact && !input.colliders.empty()) result["colliders"] = count;
     return result;
   }
 
@@ -94,7 +94,7 @@ class ClassicGpuSolver final : public GpuSolver {
                       {}, gpu::bytes_of(constants), (constants.step.strand_count + 63) / 64);
   }
 
-  /// With spheres the lengths are restored after the contact; that second dispatch counts as the contact's.
+  /// With spheres the contact's kernel, which sweeps lengths and spheres in turn, ends the substep.
   void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches) const {
     commands.begin_pass(k_pass);
     dispatch(commands, integrate_, constants);
@@ -104,8 +104,6 @@ class ClassicGpuSolver final : public GpuSolver {
     if (!touches) return;
     commands.begin_pass(colliders::k_contact_pass);
     dispatch(commands, contact_, constants);
-    constants.ends_substep = 1;
-    dispatch(commands, constraints_, constants);
     commands.end_pass();
   }
 

@@ -4,24 +4,35 @@
 #include "cuticle/sim/colliders/contact.glslh"
 #include "cuticle/sim/turn.glslh"
 #include "cuticle/sim/strand_kernel.glsl"
+#include "cuticle/sim/classic/constraints.glsl"
 
-void push_strand(uint sphere, uint anchor, uint last, vec3 fallback) {
+vec3 push(vec3 place, uint i, uint sphere, vec4 rotation, vec3 anchor, vec3 fallback) {
   float radius = spheres[sphere].w;
-  vec3 end = turned(spheres[sphere].xyz, rotation_end.xyz, rotation_end.w);
-  vec3 begin = turned(spheres[sphere].xyz, rotation_begin.xyz, rotation_begin.w);
-  float anchor_end = length(positions[anchor].xyz - end), anchor_begin = length(starts[anchor].xyz - begin);
-  for (uint i = anchor + 1u; i < last; ++i) {
-    float pearl = pearl_of(radius, traits[i].w, pearl_radius, float(contacts >> 31));
-    positions[i].xyz = pushed_out(positions[i].xyz, end, contact_radius(radius, pearl, anchor_end, traits[i].z), fallback);
-    starts[i].xyz = pushed_out(starts[i].xyz, begin, contact_radius(radius, pearl, anchor_begin, traits[i].z), fallback);
-  }
+  vec3 centre = turned(spheres[sphere].xyz, rotation.xyz, rotation.w);
+  float pearl = pearl_of(radius, traits[i].w, pearl_radius, float(contacts >> 31));
+  return pushed_out(place, centre, contact_radius(radius, pearl, length(anchor - centre), traits[i].z), fallback);
+}
+
+void push_starts(uint sphere, uint anchor, uint last, vec3 fallback) {
+  for (uint i = anchor + 1u; i < last; ++i)
+    starts[i].xyz = push(starts[i].xyz, i, sphere, rotation_begin, starts[anchor].xyz, fallback);
+}
+void push_positions(uint sphere, uint anchor, uint last, vec3 fallback) {
+  for (uint i = anchor + 1u; i < last; ++i)
+    positions[i].xyz = push(positions[i].xyz, i, sphere, rotation_end, positions[anchor].xyz, fallback);
 }
 
 void main() {
   uint strand = gl_GlobalInvocationID.x;
   if (strand >= strand_count) return;
-  uint first = offsets[strand], last = offsets[strand + 1u];
+  uint first = offsets[strand], last = offsets[strand + 1u], sphere_count = contacts & 0x7fffffffu;
   if (first == last) return;
+  uint anchor = anchor_of(first, last);
   vec3 outward = direction_of(target_of(last - 1u, rotation_end) - target_of(first, rotation_end));
-  for (uint sphere = 0u; sphere < (contacts & 0x7fffffffu); ++sphere) push_strand(sphere, anchor_of(first, last), last, outward);
+  for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_starts(sphere, anchor, last, outward);
+  for (uint sweep = 0u; sweep < iterations; ++sweep) {
+    sweep_lengths(anchor, last);
+    for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_positions(sphere, anchor, last, outward);
+  }
+  finish(strand, first, last);
 }

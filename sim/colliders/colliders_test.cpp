@@ -28,13 +28,19 @@ Penetration penetration(const strands::Groom& rest, const State& state, const Sp
   return deepest;
 }
 
-/// Strands of four long segments that fall across a ball, with these collider settings.
+Penetration deeper(const Penetration& a, const Penetration& b) {
+  return {std::max(a.vertices, b.vertices), std::max(a.segments, b.segments)};
+}
+
+/// The deepest that strands of four long segments ever get while they fall across a ball.
 Penetration fallen_on_ball(const std::string& settings) {
   strands::Groom groom;
   for (int s = 0; s < 5; ++s) add_straight(groom, {0, 0.03, 0.002 * (s - 2)}, {1, 0, 0}, uniform_segments(4, 0.4));
   const Sphere ball{{0.1, -0.03, 0}, 0.05};
   auto solver = make_classic(groom, k_free + ",damping=2,iterations=16", gravity_and_colliders(settings));
-  return penetration(groom, run_still(*solver, 30, 1.0 / 30, {&ball, 1}), ball);
+  Penetration worst;
+  for (int frame = 0; frame < 60; ++frame) worst = deeper(worst, penetration(groom, run_still(*solver, 1, 1.0 / 30, {&ball, 1}), ball));
+  return worst;
 }
 
 TEST(Colliders, FittedPearls_KeepVerticesAndSegmentsOut) {
@@ -54,19 +60,17 @@ TEST(Colliders, MovingHeadWithItsSphere_HairStaysOutside) {
   const strands::Groom groom = ring(32);
   const Sphere head{{0, 0, 0}, 0.095};
   auto solver = make_classic(groom, "shape_stiffness=3", gravity_and_colliders());
-  double vertices = 0, segments = 0;
+  Penetration worst;
   for (int frame = 0; frame < 60; ++frame) {
     FrameInput input = frame_of(frame);
     input.colliders = {&head, 1};
     ASSERT_TRUE(solver->advance(input).ok());
     const Sphere moved{glm::dvec3(input.head_end * glm::dvec4(head.center, 1)), head.radius};
-    const Penetration depth = penetration(groom, *solver->state(), moved);
-    vertices = std::max(vertices, depth.vertices);
-    segments = std::max(segments, depth.segments);
+    worst = deeper(worst, penetration(groom, *solver->state(), moved));
   }
-  std::printf("turning head of 95 mm: deepest vertex %.2e m, segment %.2e m\n", vertices, segments);
-  EXPECT_LT(vertices, 2e-3);
-  EXPECT_LT(segments, 2e-3);
+  std::printf("turning head of 95 mm: deepest vertex %.2e m, segment %.2e m\n", worst.vertices, worst.segments);
+  EXPECT_LT(worst.vertices, 1e-5);
+  EXPECT_LT(worst.segments, 1e-4);
 }
 
 TEST(Colliders, SphereThatEngulfsTheRoot_NeitherStretchesNorExplodes) {
@@ -91,7 +95,7 @@ TEST(Colliders, OverlapAtTheStart_GivesNoVelocity) {
     for (const glm::vec3& velocity : run_still(*solver, 1, 1.0 / 30, {&ball, 1}).velocities)
       fastest = std::max(fastest, double(glm::length(velocity)));
   std::printf("strand that starts 5 mm deep: fastest afterwards %.3f m/s\n", fastest);
-  EXPECT_LT(fastest, 1.0);  // leaving 5 mm within one substep would be 1.2 m/s
+  EXPECT_LT(fastest, 0.5);  // leaving 5 mm within one substep would be 1.2 m/s
 }
 
 TEST(Colliders, WithoutTheEffect_SpheresAreNotThere) {

@@ -6,23 +6,15 @@
 namespace cuticle::sim::colliders {
 namespace {
 
-glm::vec3 turned_place(const glm::vec4& place, const glm::vec4& rotation) {
-  return turned(glm::vec3(place), glm::vec3(rotation), rotation.w);
-}
-
-/// A sphere at one end of the substep.
-struct PlacedSphere {
-  glm::vec3 centre;
-  float radius, anchor_distance;
-};
-PlacedSphere placed(const glm::vec4& sphere, const glm::vec4& rotation, const glm::vec3& anchor) {
-  const glm::vec3 centre = turned_place(sphere, rotation);
-  return {centre, sphere.w, glm::length(anchor - centre)};
-}
-
-void push_vertex(glm::vec3& place, const PlacedSphere& sphere, const glm::vec4& traits, float pearl, const glm::vec3& fallback) {
-  const float radius = contact_radius(sphere.radius, pearl, sphere.anchor_distance, traits.z);
-  place = pushed_out(place, sphere.centre, radius, fallback);
+void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
+  const glm::vec3 centre = turned(glm::vec3(sphere), glm::vec3(contact.rotation), contact.rotation.w);
+  const float anchor_distance = glm::length(contact.places[contact.anchor] - centre);
+  for (std::size_t i = contact.anchor + 1; i < contact.places.size(); ++i) {
+    const glm::vec4& traits = contact.traits[i];
+    const float pearl = pearl_of(sphere.w, traits.w, settings.pearl_radius, settings.fit_pearls ? 1.f : 0.f);
+    const float radius = contact_radius(sphere.w, pearl, anchor_distance, traits.z);
+    contact.places[i] = pushed_out(contact.places[i], centre, radius, contact.fallback);
+  }
 }
 
 }  // namespace
@@ -38,16 +30,7 @@ std::vector<glm::vec4> packed(std::span<const Sphere> spheres) {
 }
 
 void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings) {
-  for (const glm::vec4& sphere : spheres) {
-    const PlacedSphere end = placed(sphere, contact.rotation_end, contact.positions[contact.anchor]);
-    const PlacedSphere begin = placed(sphere, contact.rotation_begin, contact.starts[contact.anchor]);
-    for (std::size_t i = contact.anchor + 1; i < contact.positions.size(); ++i) {
-      const glm::vec4& traits = contact.traits[i];
-      const float pearl = pearl_of(sphere.w, traits.w, settings.pearl_radius, settings.fit_pearls ? 1.f : 0.f);
-      push_vertex(contact.positions[i], end, traits, pearl, contact.fallback);
-      push_vertex(contact.starts[i], begin, traits, pearl, contact.fallback);
-    }
-  }
+  for (const glm::vec4& sphere : spheres) push_out_of(contact, sphere, settings);
 }
 
 }  // namespace cuticle::sim::colliders

@@ -19,16 +19,15 @@ ContactSettings make_contact_settings(const registry::ParameterValues& values);
 /// xyz: centre in the head's rest space; w: radius; metres.
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres);
 
-/// One strand in a substep. Spans hold one entry per vertex; positions are relative to the head's translation.
+/// One strand at one end of a substep. Spans hold one entry per vertex.
 struct Contact {
-  std::span<const glm::vec4> traits;                ///< RestPose::traits
-  std::span<glm::vec3> positions, starts;           ///< at the substep's end and begin
-  std::size_t anchor = 0;                           ///< last vertex that the head carries
-  glm::vec4 rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
-  glm::vec3 fallback{0, 1, 0};                      ///< unit: where a vertex at a sphere's very centre leaves to
+  std::span<const glm::vec4> traits;   ///< RestPose::traits
+  std::span<glm::vec3> places;         ///< relative to the head's translation
+  std::size_t anchor = 0;              ///< last vertex that the head carries
+  glm::vec4 rotation{0, 0, 0, 1};      ///< of the head, at that end
+  glm::vec3 fallback{0, 1, 0};         ///< unit: where a vertex at a sphere's very centre leaves to
 };
-/// Pushes the free vertices out of every sphere in turn, at the end of the substep and, where they began it inside, at its
-/// begin too, so that leaving an overlap gives no velocity.
+/// Pushes the free vertices out of every sphere in turn.
 void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings);
 
 }  // namespace cuticle::sim::colliders

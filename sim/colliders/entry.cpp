@@ -16,8 +16,8 @@ constexpr std::string_view k_demands[] = {"simulation", "colliders"};
 constexpr std::string_view k_systems[] = {"N9", "G8"};
 constexpr std::string_view k_after[] = {"classic"};
 
-/// The contact itself, and the length constraints that follow it.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 2 * shape.substeps; }
+/// Contact and lengths in turn, once per substep.
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return shape.substeps; }
 
 }  // namespace
 

@@ -1,0 +1,49 @@
+// N8 in the kernels: length sweeps over a strand, and the end of a substep. After sim/strand_kernel.glsl.
+void keep_reach(uint i, uint anchor) {
+  vec3 before = direction_of(starts[i].xyz - starts[anchor].xyz);
+  positions[i].xyz -= reach_excess(positions[i].xyz - positions[anchor].xyz, traits[i].z, before);
+}
+
+void keep_length(uint i) {
+  float total = traits[i - 1u].x + traits[i].x;
+  vec3 edge = positions[i].xyz - positions[i - 1u].xyz;
+  vec3 before = direction_of(starts[i].xyz - starts[i - 1u].xyz);
+  vec3 fallback = before;
+  if (lacks_direction(edge, places[i].w)) fallback = rest_direction(i, rotation_end);
+  vec3 excess = length_excess(edge, places[i].w, before, fallback) / total;
+  positions[i - 1u].xyz += excess * traits[i - 1u].x;
+  positions[i].xyz -= excess * traits[i].x;
+}
+
+// One pass over the segments, root to tip.
+void sweep_lengths(uint anchor, uint last) {
+  for (uint i = anchor + 1u; i < last; ++i) {
+    keep_reach(i, anchor);
+    keep_length(i);
+  }
+}
+
+// By bits: a compiler may assume that there is no NaN.
+bool finite(vec3 v) { return all(lessThan(floatBitsToUint(v) & 0x7f800000u, uvec3(0x7f800000u))); }
+
+bool update_velocity(uint i) {
+  vec3 moved = positions[i].xyz - starts[i].xyz + head_step;
+  if (inverse_duration > 0) velocities[i] = vec4(moved * inverse_duration, 0);
+  return finite(positions[i].xyz) && finite(velocities[i].xyz);
+}
+
+void reset(uint i) {
+  vec3 next = target_of(i, rotation_end);
+  positions[i] = vec4(next, 0);
+  velocities[i] = vec4((next - target_of(i, rotation_begin) + head_step) * inverse_duration, 0);
+}
+
+void finish(uint strand, uint first, uint last) {
+  bool good = true;
+  for (uint i = first; i < last; ++i) good = update_velocity(i) && good;
+  if (!good) {
+    resets[strand] = 1u;
+    for (uint i = first; i < last; ++i) reset(i);
+  }
+  for (uint i = first; i < last; ++i) world[i] = vec4(positions[i].xyz + translation, 1);
+}
