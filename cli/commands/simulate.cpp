@@ -1,0 +1,165 @@
+#include <cuticle/cli/command.h>
+
+#ifdef CUTICLE_HAS_GPU
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/core/file.h>
+#include <cuticle/plan/frame_runner_gpu.h>
+#include <cuticle/sim/telemetry.h>
+#include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/formats/vtp.h>
+#endif
+
+namespace cuticle::cli {
+
+#ifdef CUTICLE_HAS_GPU
+namespace {
+
+struct SimulateOptions {
+  std::string scene, frames = "0:0", format = "vtp", out = "simulation";
+  double max_gigabytes = 10;
+};
+
+struct Formats {
+  bool vtp = false, hair = false;
+};
+Result<Formats> parse_formats(const std::string& text) {
+  Formats formats;
+  for (const std::string& name : split_list(text)) {
+    if (name == "vtp") formats.vtp = true;
+    else if (name == "hair") formats.hair = true;
+    else return usage_error(fmt::format("--format: '{}' is not known, allowed vtp, hair", name));
+  }
+  return formats;
+}
+
+/// Says how much will be written, and refuses past the bound or the free space.
+Result<void> announce_size(const strands::Groom& groom, const Formats& formats, int frames, const SimulateOptions& options,
+                           Progress& progress) {
+  const std::size_t frame_bytes = (formats.vtp ? strands::vtp_bytes_at_most(groom) : 0) +
+                                  (formats.hair ? strands::format_hair(groom).size() : 0);
+  const double gigabytes = double(frame_bytes) * frames / 1e9;
+  const double free = double(std::filesystem::space(options.out).available) / 1e9;
+  progress.message(fmt::format("{} frame(s) will take at most {:.3f} GB in {}", frames, gigabytes, options.out));
+  if (gigabytes > options.max_gigabytes)
+    return usage_error(fmt::format("{:.2f} GB would be written, allowed {} (--max-gb)", gigabytes, options.max_gigabytes),
+                       "ask for fewer frames or raise --max-gb");
+  if (gigabytes > free)
+    return usage_error(fmt::format("{:.2f} GB would be written, {:.2f} GB are free in {}", gigabytes, free, options.out),
+                       "ask for fewer frames or another folder");
+  return {};
+}
+
+/// What a run leaves beside the states.
+struct Series {
+  std::string telemetry = sim::telemetry_header();
+  std::vector<strands::SeriesMember> members;
+  double largest_stretch = 1, wall_ms = 0;
+  std::uint32_t guards_fired = 0;
+};
+
+Result<void> write_state(const strands::Groom& rest, const sim::State& state, const Formats& formats, const std::string& stem) {
+  if (formats.vtp) {
+    const std::vector<float> stretch = sim::stretch(rest, state.positions);
+    CUTICLE_TRY(write_text_file(stem + ".vtp", strands::format_vtp({&rest, state.positions, state.velocities, stretch})));
+  }
+  if (!formats.hair) return {};
+  strands::Groom moved = rest;
+  moved.positions = state.positions;
+  CUTICLE_ASSIGN([[maybe_unused]] const auto notes, strands::write_groom(stem + ".hair", moved));
+  return {};
+}
+
+void add_frame(Series& series, int frame, double time, const sim::Telemetry& telemetry, double wall_ms) {
+  series.telemetry += sim::telemetry_row(frame, time, telemetry, wall_ms);
+  series.members.push_back({time, fmt::format("state_{:04d}.vtp", frame)});
+  series.largest_stretch = std::max(series.largest_stretch, telemetry.largest_stretch);
+  series.guards_fired += telemetry.guards_fired;
+  series.wall_ms += wall_ms;
+}
+
+Result<void> write_series(const Series& series, const Formats& formats, const std::string& folder) {
+  if (formats.vtp) CUTICLE_TRY(write_text_file(folder + "/states.pvd", strands::format_pvd(series.members)));
+  return write_text_file(folder + "/telemetry.csv", series.telemetry);
+}
+
+Result<Series> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
+                          std::pair<int, int> frames, double frames_per_second, Progress& progress) {
+  Series series;
+  const strands::Groom& rest = runner.control_groom();
+  for (int frame = frames.first; frame <= frames.second; ++frame) {
+    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.render = false, .read_state = true}));
+    if (const auto finite = sim::check_finite(rest, result.state, frame); !finite) {
+      CUTICLE_TRY(write_series(series, formats, options.out));
+      return finite.error();
+    }
+    CUTICLE_TRY(write_state(rest, result.state, formats, fmt::format("{}/state_{:04d}", options.out, frame)));
+    add_frame(series, frame, frame / frames_per_second, sim::measure(rest, result.state), result.cost.wall_ms);
+    progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
+  }
+  CUTICLE_TRY(write_series(series, formats, options.out));
+  return series;
+}
+
+void print(const Series& series, const strands::Groom& rest, const std::string& folder, bool json) {
+  const double frames = double(std::max<std::size_t>(1, series.members.size()));
+  if (json) {
+    const nlohmann::ordered_json summary = {
+        {"frames", series.members.size()}, {"control_strands", rest.strand_count()}, {"control_vertices", rest.vertex_count()},
+        {"max_stretch", series.largest_stretch}, {"guards_fired", series.guards_fired},
+        {"wall_ms_per_frame", series.wall_ms / frames}, {"folder", folder}};
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  fmt::print("{} frame(s) of {} control hairs, {} vertices, in {}\n", series.members.size(), rest.strand_count(),
+             rest.vertex_count(), folder);
+  fmt::print("largest stretch {:.4f}, strands reset {}, {:.2f} ms of submitted work a frame\n", series.largest_stretch,
+             series.guards_fired, series.wall_ms / frames);
+}
+
+Result<void> simulate(const SimulateOptions& options, Context& context, Trace* trace) {
+  CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
+  CUTICLE_ASSIGN(const Formats formats, parse_formats(options.format));
+  CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
+  CUTICLE_TRY(make_folder(options.out));
+  CUTICLE_TRY(announce_size(runner->control_groom(), formats, frames.second - frames.first + 1, options, *context.progress));
+  CUTICLE_ASSIGN(const Series series,
+                 run_frames(*runner, options, formats, frames, scene.frames_per_second, *context.progress));
+  print(series, runner->control_groom(), options.out, context.json);
+  return {};
+}
+
+int act(const SimulateOptions& options, Context& context) {
+  Trace trace;
+  const bool tracing = !context.trace_file.empty();
+  if (const auto done = simulate(options, context, tracing ? &trace : nullptr); !done) return report(done.error());
+  if (!tracing) return Exit::ok;
+  const auto written = trace.write(context.trace_file);
+  return written ? int(Exit::ok) : report(written.error());
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("simulate", "states of a scene's control hairs, frame by frame, with telemetry.csv");
+  auto options = std::make_shared<SimulateOptions>();
+  command->add_option("scene", options->scene, "scene file (JSON)")->required();
+  command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
+  command->add_option("--format", options->format, "vtp (with states.pvd), hair, or both: vtp,hair");
+  command->add_option("--out", options->out, "folder to write (default: simulation)");
+  command->add_option("--max-gb", options->max_gigabytes, "refuse to write more than this")->check(CLI::Range(0.0, 1e6));
+  command->callback([&context, options] {
+    context.action = [&context, options] { return act(*options, context); };
+  });
+}
+#else
+void add_simulate(CLI::App&, Context&) {}
+#endif
+
+}  // namespace cuticle::cli

@@ -1,0 +1,53 @@
+#include <cuticle/sim/telemetry.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace cuticle::sim {
+namespace {
+
+bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+Error not_finite(std::string_view what, const glm::vec3& v, int frame, std::size_t strand, std::size_t vertex) {
+  return internal_error(fmt::format("frame {}, strand {}, vertex {}: {} ({}, {}, {}) is not finite", frame, strand, vertex, what,
+                                    v.x, v.y, v.z));
+}
+
+}  // namespace
+
+Telemetry measure(const strands::Groom& rest, const State& state) {
+  Telemetry telemetry{.guards_fired = state.guards_fired};
+  const std::vector<float> ratios = stretch(rest, state.positions);
+  double sum = 0, largest = 0;
+  std::size_t segments = 0;
+  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i, ++segments) {
+      sum += double(ratios[i]);
+      largest = std::max(largest, double(ratios[i]));
+    }
+  if (segments > 0) {
+    telemetry.largest_stretch = largest;
+    telemetry.mean_stretch = sum / double(segments);
+  }
+  return telemetry;
+}
+
+Result<void> check_finite(const strands::Groom& rest, const State& state, int frame) {
+  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+    for (std::size_t i = rest.offsets[s]; i < rest.offsets[s + 1]; ++i) {
+      if (!finite(state.positions[i])) return not_finite("position", state.positions[i], frame, s, i - rest.offsets[s]);
+      if (!finite(state.velocities[i])) return not_finite("velocity", state.velocities[i], frame, s, i - rest.offsets[s]);
+    }
+  return {};
+}
+
+std::string telemetry_header() { return "frame,time,max_stretch,mean_stretch,guards_fired,wall_ms\n"; }
+
+std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms) {
+  return fmt::format("{},{:.9g},{:.9g},{:.9g},{},{:.4g}\n", frame, time, telemetry.largest_stretch, telemetry.mean_stretch,
+                     telemetry.guards_fired, wall_ms);
+}
+
+}  // namespace cuticle::sim

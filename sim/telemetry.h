@@ -1,0 +1,23 @@
+#pragma once
+// What a run reports of each frame.
+#include <string>
+
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim {
+
+/// Stretch is a segment's length over its rest length.
+struct Telemetry {
+  double largest_stretch = 1, mean_stretch = 1;
+  std::uint32_t guards_fired = 0;
+};
+Telemetry measure(const strands::Groom& rest, const State& state);
+
+/// Error: internal, naming frame, strand and vertex of the first position or velocity that is not finite.
+Result<void> check_finite(const strands::Groom& rest, const State& state, int frame);
+
+/// Columns frame, time (s), max_stretch, mean_stretch, guards_fired, wall_ms.
+std::string telemetry_header();
+std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms);
+
+}  // namespace cuticle::sim

@@ -1,0 +1,34 @@
+#pragma once
+// Strand states for ParaView and VTK: PolyData files (.vtp) and their time series (.pvd), written as text.
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cuticle/core/result.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::strands {
+
+/// One state of a groom's strands; every span has one entry per vertex.
+struct StrandState {
+  const Groom* groom = nullptr;               ///< offsets; its positions are not read
+  std::span<const glm::vec3> positions;       ///< metres, world
+  std::span<const glm::vec3> velocities;      ///< metres per second
+  std::span<const float> stretch;             ///< length over rest length of the segment towards the root
+};
+
+/// The state as VTK XML PolyData, ASCII: a polyline per strand of two or more vertices; point arrays velocity, stretch and
+/// strand_id. Nine digits: floats read back bit by bit.
+std::string format_vtp(const StrandState& state);
+/// The most bytes that format_vtp can give for this groom.
+std::size_t vtp_bytes_at_most(const Groom& groom);
+
+/// A member of a time series: seconds, and the file's name relative to the .pvd.
+struct SeriesMember {
+  double time = 0;
+  std::string file;
+};
+std::string format_pvd(std::span<const SeriesMember> members);
+
+}  // namespace cuticle::strands
