@@ -61,8 +61,6 @@ Result<Quantity> find_quantity(std::string_view name);
 /// Parameters from a preset's name (may be empty) and settings that go over it, "eta=1.5,alpha_deg=-3". Error: usage, listing
 /// the presets, or naming parameter, value and range.
 Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
-/// "name=value,name=value" over a preset, or over the defaults where the preset's name is empty. Error: usage.
-Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
 
 /// Whether every coordinate that the quantity uses is finite and in its range, and the lobe exists. `room`: size of the
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.

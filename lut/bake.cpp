@@ -51,7 +51,7 @@ Result<LobeGrid> evaluate_grid(const Source& source, const Channel& channel, con
   } else if (channel.lobe.empty()) {
     grid.values = cosines_of_theta_d(texel_points(table, size));
   } else {
-    CUTICLE_ASSIGN(grid.values, evaluate_points(source, channel, texel_points(table, size)));
+    CUTICLE_ASSIGN(grid.values, evaluate_points(*source.model, source.evaluate, channel, texel_points(table, size)));
   }
   return grid;
 }
@@ -97,9 +97,10 @@ Result<void> check_size(int size) {
 }  // namespace
 
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values) {
-  return {&model, [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
-            return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
-          }};
+  const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+    return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
+  };
+  return {&model, evaluate, evaluate};
 }
 
 bool same_lobes(const Channel& a, const Channel& b) {
@@ -116,12 +117,12 @@ Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view n
   return lobes;
 }
 
-Result<std::vector<glm::dvec3>> evaluate_points(const Source& source, const Channel& channel,
+Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate, const Channel& channel,
                                                 std::span<const bsdf::Point> points) {
-  CUTICLE_ASSIGN(const std::vector<int> lobes, find_lobes(*source.model, channel.lobe));
+  CUTICLE_ASSIGN(const std::vector<int> lobes, find_lobes(model, channel.lobe));
   std::vector<glm::dvec3> sum(points.size(), glm::dvec3(0)), values(points.size());
   for (int lobe : lobes) {
-    CUTICLE_TRY(source.evaluate({channel.quantity, lobe, points}, values));
+    CUTICLE_TRY(evaluate({channel.quantity, lobe, points}, values));
     for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
   }
   return sum;
@@ -153,7 +154,7 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
   const bsdf::Point point = make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
                                        table.v.lower + v * (table.v.upper - table.v.lower));
   if (channel.lobe.empty()) return std::cos(point.theta_d);
-  const auto result = evaluate_points(cpu_source(model, values), channel, std::span(&point, 1));
+  const auto result = evaluate_points(model, cpu_source(model, values).evaluate, channel, std::span(&point, 1));
   CUTICLE_EXPECT(result.ok(), "the model has the layout's lobes");
   return (*result)[0][channel.component];
 }

@@ -8,13 +8,10 @@
 namespace cuticle::lut {
 namespace {
 
-/// Halving phi further than this would step below the spacing of float near pi at 1,024 texels.
-constexpr int k_float_halvings = 12;
-
 Source device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
   return {&model, [&device, &model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
             return bsdf::evaluate_gpu(device, model, values, request, out);
-          }, k_float_halvings};
+          }, cpu_source(model, values).evaluate};
 }
 
 /// Four floats a texel, values with their scale applied, missing channels 0.

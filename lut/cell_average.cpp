@@ -11,26 +11,30 @@
 namespace cuticle::lut {
 namespace {
 
-constexpr int k_nodes = 15;
-constexpr double k_tolerance = 1e-5;
+constexpr int k_nodes = 17;                 ///< of the 15-point rule, between the two ends
+constexpr double k_tolerance = 5e-6;
 constexpr int k_early = 8;                  ///< halvings after which what has not converged is a caustic
+constexpr int k_halvings = 36;              ///< at most: a cell of 0.01 rad is then cut near the spacing of double
 constexpr std::size_t k_pieces_at_once = 16384;
 
-/// Nodes on [-1, 1] with the weights of both rules (0 where the 7-point rule has no node).
+/// Nodes on [-1, 1] with the weights of both rules (0 where a rule has no node). The ends have no weight: they show a peak
+/// that stands between an end and its neighbour.
 struct Rule {
-  std::array<double, k_nodes> node, kronrod, gauss;
+  std::array<double, k_nodes> node{}, kronrod{}, gauss{};
 };
 Rule make_rule() {
-  const auto& nodes = boost::math::quadrature::gauss_kronrod<double, k_nodes>::abscissa();
-  const auto& weights = boost::math::quadrature::gauss_kronrod<double, k_nodes>::weights();
+  const auto& nodes = boost::math::quadrature::gauss_kronrod<double, 15>::abscissa();
+  const auto& weights = boost::math::quadrature::gauss_kronrod<double, 15>::weights();
   const auto& inner = boost::math::quadrature::gauss<double, 7>::weights();
   Rule rule;
-  for (int i = 0; i < k_nodes; ++i) {
+  for (int i = 1; i + 1 < k_nodes; ++i) {
     const int half = std::abs(i - k_nodes / 2);
     rule.node[i] = i < k_nodes / 2 ? -nodes[half] : nodes[half];
     rule.kronrod[i] = weights[half];
     rule.gauss[i] = half % 2 == 0 ? inner[half / 2] : 0;
   }
+  rule.node.front() = -1;
+  rule.node.back() = 1;
   return rule;
 }
 
@@ -51,6 +55,8 @@ std::vector<bsdf::Point> points_of(const Rule& rule, std::span<const Piece> piec
   return points;
 }
 
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
 /// The part of an interval's mean that a piece gives, and its error estimate.
 struct Share {
   glm::dvec3 mean{0};
@@ -62,12 +68,10 @@ Share share_of(const Rule& rule, const Piece& piece, const PhiInterval& interval
     fine += rule.kronrod[i] * values[i];
     coarse += rule.gauss[i] * values[i];
   }
-  const double width = (piece.end - piece.begin) / (interval.end - interval.begin) / 2;
-  const glm::dvec3 difference = glm::abs(fine - coarse) * width;
-  return {fine * width, std::max({difference.x, difference.y, difference.z})};
+  const double width = (piece.end - piece.begin) / (interval.end - interval.begin) / 2, gap = 1 - rule.node[k_nodes - 2];
+  const glm::dvec3 ends = glm::abs(values[0] - values[1]) + glm::abs(values[k_nodes - 1] - values[k_nodes - 2]);
+  return {fine * width, largest(glm::abs(fine - coarse) + ends * gap) * width};
 }
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// The pieces of one level of halving: each is added to its interval's mean or split in two.
 class Averager {
@@ -88,8 +92,9 @@ class Averager {
     const std::vector<Piece> pieces = std::exchange(pieces_, {});
     for (std::size_t first = 0; first < pieces.size(); first += k_pieces_at_once) {
       const auto part = std::span(pieces).subspan(first, std::min(k_pieces_at_once, pieces.size() - first));
+      const Evaluate& evaluate = level > k_early ? source_.evaluate_in_double : source_.evaluate;
       CUTICLE_ASSIGN(const std::vector<glm::dvec3> values,
-                     evaluate_points(source_, channel_, points_of(rule_, part, intervals_)));
+                     evaluate_points(*source_.model, evaluate, channel_, points_of(rule_, part, intervals_)));
       for (std::size_t i = 0; i < part.size(); ++i) settle(level, part[i], std::span(values).subspan(i * k_nodes, k_nodes));
     }
     return {};
@@ -99,7 +104,7 @@ class Averager {
     glm::dvec3& mean = result_.values[piece.interval];
     const bool converged = share.error <= k_tolerance * largest(mean + share.mean);
     if (!converged && level >= k_early) result_.singular[piece.interval] = 1;
-    if (converged || level >= source_.halvings) {
+    if (converged || level >= k_halvings) {
       mean += share.mean;
       return;
     }

@@ -11,15 +11,18 @@ namespace {
 
 constexpr int k_most_points = 509;  ///< per axis; a prime, so that a large table is not met at its texels
 
-/// The grid on which a table is compared: `count` by `count` bins of texture coordinates; points are their middles.
+/// The grid on which a table is compared: bins of texture coordinates; points are their middles.
 struct Grid {
-  int count = 0;
-  double begin(int i) const { return double(i) / count; }
-  double middle(int i) const { return (i + 0.5) / count; }
-  std::size_t size() const { return std::size_t(count) * count; }
+  int columns = 0, rows = 0;
+  double begin(int column) const { return double(column) / columns; }
+  double middle(int column) const { return (column + 0.5) / columns; }
+  double row(int row) const { return (row + 0.5) / rows; }
+  std::size_t size() const { return std::size_t(columns) * rows; }
 };
+/// Four points a texel each way, or bins half a texel wide on one row less than the table has, which sweeps the rows' offsets.
 Grid grid_for(const Channel& channel, int size) {
-  return {std::min(channel.texel == Texel::point ? 4 * size : 2 * size, k_most_points)};
+  if (channel.texel == Texel::point) return {std::min(4 * size, k_most_points), std::min(4 * size, k_most_points)};
+  return {2 * size, std::min(size - 1, k_most_points)};
 }
 
 struct Exact {
@@ -35,11 +38,11 @@ Exact cosines(const std::vector<bsdf::Point>& points) {
 
 Result<Exact> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size, const Grid& grid) {
   std::vector<bsdf::Point> points;
-  for (int y = 0; y < grid.count; ++y)
-    for (int x = 0; x < grid.count; ++x)
-      points.push_back(make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.middle(y))));
+  for (int y = 0; y < grid.rows; ++y)
+    for (int x = 0; x < grid.columns; ++x)
+      points.push_back(make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
   if (channel.lobe.empty()) return cosines(points);
-  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, evaluate_points(source, channel, points));
+  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, evaluate_points(*source.model, source.evaluate, channel, points));
   return Exact{std::move(values), {}};
 }
 
@@ -58,9 +61,9 @@ Result<Exact> exact_bins(const Source& source, const Channel& channel, const Tab
   const int size = table.image.width;
   Exact exact{{}, std::vector<std::uint8_t>(grid.size(), 0)};
   std::vector<PhiInterval> bins;
-  for (int y = 0; y < grid.count; ++y)
-    for (int x = 0; x < grid.count; ++x) {
-      const double begin = grid.begin(x), end = grid.begin(x + 1), v = grid.middle(y);
+  for (int y = 0; y < grid.rows; ++y)
+    for (int x = 0; x < grid.columns; ++x) {
+      const double begin = grid.begin(x), end = grid.begin(x + 1), v = grid.row(y);
       PhiInterval bin = phi_interval(*table.layout, size, begin, end, v);
       exact.left_out[bins.size()] = bin.end - bin.begin < 1e-9 || touches_singular(table, begin, end, v);
       if (exact.left_out[bins.size()]) bin = {0, 0, 1e-3};
@@ -83,9 +86,9 @@ double table_bin_mean(const Table& table, int channel, double u_begin, double u_
 }
 
 double table_value(const Table& table, int channel, const Grid& grid, std::size_t i) {
-  const int x = int(i % grid.count), y = int(i / grid.count);
-  if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.middle(y));
-  return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.middle(y));
+  const int x = int(i % grid.columns), y = int(i / grid.columns);
+  if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.row(y));
+  return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
 }
 
 ChannelError summarise(const Channel& channel, std::vector<double>& errors, const std::vector<double>& signal, std::size_t all) {

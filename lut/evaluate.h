@@ -9,11 +9,12 @@ namespace cuticle::lut {
 /// Evaluates one request of the model that is baked.
 using Evaluate = std::function<Result<void>(const bsdf::Request&, std::span<glm::dvec3>)>;
 
-/// A source of values and how far its precision lets an interval of phi be halved toward a caustic.
+/// A source of values. Float azimuths cannot resolve a caustic, so what is left of it after eight halvings of a cell is
+/// evaluated in double.
 struct Source {
   const bsdf::Model* model = nullptr;
   Evaluate evaluate;
-  int halvings = 20;
+  Evaluate evaluate_in_double;
 };
 /// The CPU in double.
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values);
@@ -25,7 +26,8 @@ bool same_lobes(const Channel& a, const Channel& b);
 /// Lobes of a channel ("TT+TRT" names two), as indices. Error: usage when the model lacks one.
 Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view names);
 /// Value of a channel's quantity, summed over its lobes, at many points.
-Result<std::vector<glm::dvec3>> evaluate_points(const Source& source, const Channel& channel, std::span<const bsdf::Point> points);
+Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate, const Channel& channel,
+                                                std::span<const bsdf::Point> points);
 
 /// `bake` from any source; bake_ms and baked_on are left to the caller.
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,

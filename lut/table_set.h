@@ -78,7 +78,7 @@ AxisMap axis_map(const Axis& axis, int size);
 double axis_value(const Axis& axis, int size, double coordinate);
 
 /// Bakes on all CPU threads, in double: texel centres, or averages over the texel's azimuths (see Texel; the averages hold to
-/// 1e-5 of themselves). Error: usage for a size outside 16 .. 1024 or a model without the layout's lobes.
+/// 2e-5 of themselves). Error: usage for a size outside 16 .. 1024 or a model without the layout's lobes.
 Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues& values, const Layout& layout, int size,
                       Progress& progress);
 /// The model's value for a channel at fractions (u, v) in [0, 1]^2 of the two axes (0 = lower, 1 = upper end): what a perfect

@@ -25,21 +25,32 @@ class Staging {
   ~Staging() {
     std::error_code code;
     fs::remove_all(path_, code);
-    if (!existed_ && !moved_) fs::remove(target_, code);
+    if (!existed_ && !moved_) fs::remove(target_, code);  // only if empty
   }
   Result<void> make() { return make_folder(path_.string()); }
   std::string file(std::string_view name) const { return (path_ / name).string(); }
+  /// Renames every file to its place; takes back what was moved when one cannot be.
   Result<void> move_out() {
-    moved_ = true;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+    std::vector<fs::path> done;
+    for (const fs::path& name : names()) {
       std::error_code code;
-      fs::rename(entry.path(), target_ / entry.path().filename(), code);
-      if (code) return bad_input(fmt::format("{}: {}", (target_ / entry.path().filename()).string(), code.message()));
+      fs::rename(path_ / name, target_ / name, code);
+      if (code) {
+        for (const fs::path& each : done) fs::remove(target_ / each);
+        return bad_input(fmt::format("{}: {}", (target_ / name).string(), code.message()), "choose another folder by --out");
+      }
+      done.push_back(name);
     }
+    moved_ = true;
     return {};
   }
 
  private:
+  std::vector<fs::path> names() const {
+    std::vector<fs::path> result;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) result.push_back(entry.path().filename());
+    return result;
+  }
   fs::path target_, path_;
   bool existed_ = false, moved_ = false;
 };

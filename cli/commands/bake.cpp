@@ -1,0 +1,83 @@
+#include <cuticle/cli/command.h>
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/lut/table_set.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/lut/bake_gpu.h>
+#endif
+
+namespace cuticle::cli {
+namespace {
+
+struct BakeOptions {
+  std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", out;
+  int size = 128;
+};
+
+Result<lut::TableSet> bake_on(const BakeOptions& options, const Context& context, const bsdf::Model& model,
+                              const registry::ParameterValues& values, const lut::Layout& layout) {
+  if (options.processor == "cpu") return lut::bake(model, values, layout, options.size, *context.progress);
+#ifdef CUTICLE_HAS_GPU
+  CUTICLE_ASSIGN(const std::shared_ptr<gpu::Device> device, gpu::Device::open({context.device}));
+  return lut::bake_gpu(*device, model, values, layout, options.size);
+#else
+  return usage_error("--on: this build has no GPU kernels", "--on cpu");
+#endif
+}
+
+Result<lut::TableSet> make_tables(const BakeOptions& options, lut::Format format, const Context& context) {
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
+  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, options.preset, options.settings));
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
+  CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
+  CUTICLE_TRY(lut::certify(set, format, *context.progress));
+  CUTICLE_TRY(lut::write(set, format, options.out));
+  return set;
+}
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+void print_errors(const lut::TableSet& set, const std::string& out) {
+  fmt::print("{:<14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "channel", "max", "rms", "p99", "peak", "max/peak", "rms/rms",
+             "left out");
+  for (const lut::Table& table : set.tables)
+    for (const lut::ChannelError& e : table.errors)
+      fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>10.1f}%\n", e.channel, e.maximum, e.rms,
+                 e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms), 100 * e.excluded);
+  fmt::print("{} of {}, {}x{}, baked on {} in {:.0f} ms, in {}\n", set.layout->entry.name, set.model->entry.name, set.size, set.size,
+             set.baked_on, set.bake_ms, out);
+}
+
+int bake(const BakeOptions& options, const Context& context) {
+  const auto format = lut::find_format(options.format);
+  if (!format) return report(format.error());
+  const auto set = make_tables(options, *format, context);
+  if (!set) return report(set.error());
+  if (context.json)
+    fmt::print("{}", lut::manifest_json(*set, *format));
+  else
+    print_errors(*set, options.out);
+  return Exit::ok;
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand("bake", "lookup textures of a model's terms, with their measured error");
+  auto options = std::make_shared<BakeOptions>();
+  command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
+  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
+  command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
+  command->add_option("--layout", options->layout, "nalu, nalu2 or nalu_borders")->capture_default_str();
+  command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
+  command->add_option("--format", options->format, "exr (half), png8 or png16")->capture_default_str();
+  command->add_option("--on", options->processor, "cpu or gpu")->check(CLI::IsMember({"cpu", "gpu"}))->capture_default_str();
+  command->add_option("--out", options->out, "folder to write")->required();
+  command->callback([&context, options] { context.action = [&context, options] { return bake(*options, context); }; });
+}
+
+}  // namespace cuticle::cli

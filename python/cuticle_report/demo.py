@@ -1,0 +1,36 @@
+"""The demo's page, from demo.json (README.md)."""
+import pathlib
+
+from . import ReportError, data, page, study
+
+
+def require(condition, where, what):
+    if not condition:
+        raise ReportError(f"{where}: {what}")
+
+
+def section_of(raw, where, folder):
+    """A section of demo.json, checked."""
+    require(isinstance(raw, dict) and isinstance(raw.get("title"), str), where, "a section is an object with a title")
+    table = raw.get("table") or {}
+    columns, rows = table.get("columns", []), table.get("rows", [])
+    for i, row in enumerate(rows):
+        require(len(row) == len(columns), f"{where}.table.rows[{i}]", f"{len(row)} cells, but {len(columns)} columns")
+    pictures = []
+    for i, image in enumerate(raw.get("images", [])):
+        require(isinstance(image.get("file"), str), f"{where}.images[{i}]", "needs a file")
+        pictures.append(page.Picture(folder / image["file"], image.get("caption", "")))
+    return page.Section(raw["title"], raw.get("text", ""), pictures, columns, rows)
+
+
+def make(folder):
+    """Writes folder/index.html."""
+    folder = pathlib.Path(folder)
+    source = folder / "demo.json"
+    raw = data.read_json(source)
+    require(isinstance(raw.get("title"), str), source, "key 'title' is missing or not a text")
+    require(isinstance(raw.get("sections"), list), source, "key 'sections' is missing or not a list")
+    sections = [section_of(s, f"{source}: sections[{i}]", folder) for i, s in enumerate(raw["sections"])]
+    if (folder / "study" / "study.json").is_file():
+        sections += study.make(folder / "study")
+    page.write(folder / "index.html", page.render(raw["title"], sections))

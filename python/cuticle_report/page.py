@@ -1,0 +1,65 @@
+"""One self-contained HTML page from sections of text, pictures, tables and plots."""
+import base64
+import dataclasses
+import mimetypes
+import os
+import pathlib
+
+import jinja2
+import plotly.offline
+
+from . import ReportError
+
+
+@dataclasses.dataclass
+class Picture:
+    file: pathlib.Path
+    caption: str = ""
+
+    @property
+    def data_uri(self):
+        kind = mimetypes.guess_type(self.file.name)[0]
+        if kind is None or not kind.startswith("image/"):
+            raise ReportError(f"{self.file}: not a picture that a page can show (PNG, JPEG, SVG)")
+        try:
+            data = self.file.read_bytes()
+        except OSError as error:
+            raise ReportError(f"{self.file}: {error.strerror}") from error
+        return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+
+
+@dataclasses.dataclass
+class Section:
+    title: str
+    text: str = ""
+    pictures: list = dataclasses.field(default_factory=list)
+    columns: list = dataclasses.field(default_factory=list)
+    rows: list = dataclasses.field(default_factory=list)
+    figures: list = dataclasses.field(default_factory=list)  # plotly figures
+
+    @property
+    def paragraphs(self):
+        return [part for part in self.text.split("\n\n") if part.strip()]
+
+
+def figure_html(figure):
+    """A plot as HTML; the script that draws it is embedded once in the page."""
+    return figure.to_html(full_html=False, include_plotlyjs=False, config={"responsive": True, "displaylogo": False})
+
+
+def render(title, sections):
+    """The page as text."""
+    environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined,
+                                     trim_blocks=True, lstrip_blocks=True)
+    script = plotly.offline.get_plotlyjs() if any(section.figures for section in sections) else ""
+    return environment.get_template("page.html.j2").render(title=title, sections=sections, script=script, figure_html=figure_html)
+
+
+def write(path, text):
+    """Writes the whole file or nothing."""
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
