@@ -21,6 +21,17 @@ struct Candidate {
   registry::ParameterValues values;
 };
 
+/// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
+struct Sweep {
+  std::vector<std::int64_t> layers;       ///< "slices" or "layers"; empty: the method's default
+  std::vector<std::int64_t> resolutions;  ///< "resolution"
+  double filter_radius = 0;               ///< metres, "filter_radius_mm"; 0: the method's default
+};
+/// Each method with every layers x resolution that it knows. Error: usage, for an unknown method or a value out of range.
+Result<std::vector<Candidate>> candidates_of(std::span<const std::string> methods, const Sweep& sweep);
+/// What differs from the defaults, as `--set` would take it.
+std::string settings_text(const Candidate& candidate);
+
 /// What is compared, where, and how exact the truth is.
 struct ComparisonRequest {
   std::string name = "shadows", title = "Shadow methods against ray-traced truth";
@@ -72,8 +83,9 @@ Probes spread_probes(const strands::Groom& groom, std::size_t count);
 /// Statistics of values against the truth over the receivers with 0.05 < truth < 0.95.
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth);
 
-/// The cheapest row (least build + lookup time) within the limits; limits of 0 do not count. Null: none does.
-const ComparisonRow* cheapest(const Comparison& comparison, double max_error, double budget_ms);
+/// The row to take within the limits (mean error, build + lookup time), of which one that is 0 does not count: the least time
+/// where an error is given, else the least error. Null: none meets them.
+const ComparisonRow* best_choice(const Comparison& comparison, double max_error, double budget_ms);
 
 /// study/README.md describes both.
 std::string to_json(const Comparison& comparison);

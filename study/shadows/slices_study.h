@@ -1,6 +1,6 @@
 #pragma once
 // The first study: slices and resolution of an opacity map against truth, error against time.
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include <cuticle/study/shadows/comparison.h>
@@ -8,8 +8,8 @@
 namespace cuticle::study {
 
 struct SlicesStudy {
-  std::vector<int> slices{4, 8, 16, 32, 64, 128};
-  std::vector<int> resolutions{128, 256, 512};
+  std::vector<std::int64_t> slices{4, 8, 16, 32, 64, 128};
+  std::vector<std::int64_t> resolutions{128, 256, 512};
   ComparisonRequest request;   ///< candidates are filled in
 };
 /// Fewer slices and resolutions, 300 receivers, 256 rays: for demos and tests.

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <limits>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/cli/command.h>
+#include <cuticle/cli/points_file.h>
+#include <cuticle/cli/shared_files.h>
+#if defined(CUTICLE_HAS_GPU) || defined(CUTICLE_HAS_EMBREE)
+#define CUTICLE_HAS_SHADOWS
+#include <cuticle/shadows/footprint.h>
+#include <cuticle/strands/formats/formats.h>
+#include <cuticle/study/shadows/comparison.h>
+#endif
+
+namespace cuticle::cli {
+
+#ifdef CUTICLE_HAS_SHADOWS
+namespace {
+
+struct Options {
+  std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, points, out;
+  strands::ReadOptions read;
+  double alpha = 0.4, filter_mm = 0, footprint_mm = 0, budget_ms = 0, max_error = 0;
+  int rays = 1024;
+  std::size_t receivers = 1000;
+};
+
+Result<glm::dvec3> parse_light(const std::string& text) {
+  CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers("--light", text));
+  if (numbers.size() != 3) return usage_error(fmt::format("--light: '{}' has {} numbers, not 3", text, numbers.size()), "--light 1,1,0.3");
+  return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+}
+
+Result<std::vector<std::int64_t>> parse_integers(const std::string& name, const std::string& text) {
+  if (text.empty()) return std::vector<std::int64_t>{};
+  CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers(name, text));
+  std::vector<std::int64_t> integers;
+  for (const double number : numbers) {
+    if (number < 0 || number > 1e9 || number != double(std::int64_t(number)))
+      return usage_error(fmt::format("{}: {} is not a whole number in the range of the methods", name, number), "cuticle methods");
+    integers.push_back(std::int64_t(number));
+  }
+  return integers;
+}
+
+Result<strands::Groom> load(const Options& options, Progress& progress) {
+  CUTICLE_ASSIGN(auto file, strands::read_groom(options.groom, options.read));
+  for (const std::string& note : file.notes) progress.message(note);
+  return std::move(file.groom);
+}
+
+/// A lookup's filter is as wide as the truth's footprint unless it is given.
+Result<study::Sweep> parse_sweep(const Options& options, double footprint) {
+  study::Sweep sweep;
+  CUTICLE_ASSIGN(sweep.layers, parse_integers("--layers", options.layers));
+  CUTICLE_ASSIGN(sweep.resolutions, parse_integers("--resolution", options.resolutions));
+  sweep.filter_radius = options.filter_mm > 0 ? 1e-3 * options.filter_mm : footprint;
+  return sweep;
+}
+
+double footprint_of(const Options& options, const strands::Groom& groom) {
+  return options.footprint_mm > 0 ? 1e-3 * options.footprint_mm : shadows::default_footprint_radius(groom);
+}
+
+Result<std::vector<glm::vec3>> read_positions(const std::string& path) {
+  constexpr double most = 1e6;
+  constexpr PointColumn columns[] = {{"x", -most, most, "m"}, {"y", -most, most, "m"}, {"z", -most, most, "m"}};
+  CUTICLE_ASSIGN(const PointsTable table, read_points(path, columns));
+  if (table.columns.size() != 3) return bad_input(fmt::format("{}: line 1: columns x, y and z are needed", path), "x,y,z");
+  std::vector<glm::vec3> points(table.rows.size());
+  for (std::size_t row = 0; row < points.size(); ++row)
+    for (std::size_t column = 0; column < 3; ++column) points[row][int(table.columns[column])] = float(table.rows[row][column]);
+  return points;
+}
+
+std::string column_name(const study::Candidate& candidate, bool alone) {
+  std::string settings = alone ? "" : ":" + study::settings_text(candidate);
+  std::replace(settings.begin(), settings.end(), ',', ';');
+  return std::string(candidate.method->entry.name) + settings;
+}
+
+/// The truth of a table of points: rays and footprint as asked for.
+Result<void> set_truth(const Options& options, double footprint, std::vector<study::Candidate>& candidates) {
+  for (study::Candidate& candidate : candidates) {
+    if (candidate.method->entry.name != "truth") continue;
+    const std::string set = fmt::format("rays={},footprint_radius_mm={:.17g}", options.rays, 1e3 * footprint);
+    CUTICLE_ASSIGN(candidate.values, registry::parse_assignments(candidate.method->entry.parameters, set));
+  }
+  return {};
+}
+
+using Columns = std::vector<std::vector<float>>;
+void print_points(const std::vector<std::string>& names, std::span<const glm::vec3> points, const Columns& columns) {
+  fmt::print("x,y,z");
+  for (const std::string& name : names) fmt::print(",{}", name);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    fmt::print("\n{},{},{}", points[i].x, points[i].y, points[i].z);
+    for (const auto& column : columns) fmt::print(",{:.6g}", column[i]);
+  }
+  fmt::print("\n");
+}
+
+Result<int> print_at_points(const Options& options, const shadows::Casters& casters) {
+  CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
+  const double footprint = footprint_of(options, *casters.groom);
+  CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, footprint));
+  CUTICLE_ASSIGN(auto candidates, study::candidates_of(split_list(options.methods), sweep));
+  CUTICLE_TRY(set_truth(options, footprint, candidates));
+  std::vector<std::string> names;
+  Columns columns;
+  for (const study::Candidate& candidate : candidates) {
+    CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {points}, candidate.values));
+    columns.push_back(std::move(result.values));
+    const auto same = std::count_if(candidates.begin(), candidates.end(), [&](const auto& other) { return other.method == candidate.method; });
+    names.push_back(column_name(candidate, same == 1));
+  }
+  print_points(names, points, columns);
+  return int(Exit::ok);
+}
+
+Result<study::Comparison> compare(const Options& options, const shadows::Casters& casters, Progress& progress) {
+  study::ComparisonRequest request;
+  request.groom_name = options.groom;
+  request.groom = casters.groom;
+  request.alpha = casters.alpha;
+  request.to_light = casters.to_light;
+  request.footprint_radius = footprint_of(options, *casters.groom);
+  request.rays = options.rays;
+  request.receivers = options.receivers;
+  std::vector<std::string> methods = split_list(options.methods);
+  std::erase(methods, "truth");  // computed in any case, as what the others are compared with
+  CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
+  CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
+  return study::compare_with_truth(request, progress);
+}
+
+std::string choice_text(const study::ComparisonRow* choice) {
+  if (choice == nullptr) return "none does";
+  return fmt::format("{} {}: mean error {:.4f}, {:.2f} ms, {} bytes", choice->method, choice->settings, choice->error.mean,
+                     choice->cost.build_ms + choice->cost.lookup_ms, choice->cost.bytes);
+}
+
+void print_comparison(const study::Comparison& comparison, const study::ComparisonRow* choice, bool json) {
+  if (!json) return fmt::print("{}", study::to_csv(comparison));
+  auto object = nlohmann::ordered_json::parse(study::to_json(comparison));
+  object["choice"] = nullptr;
+  if (choice != nullptr) object["choice"] = object["rows"][std::size_t(choice - comparison.rows.data())];
+  fmt::print("{}\n", object.dump(2));
+}
+
+Result<int> run(const Options& options, Context& context) {
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_light(options.light));
+  CUTICLE_ASSIGN(const strands::Groom groom, load(options, *context.progress));
+  const shadows::Casters casters{&groom, options.alpha, to_light};
+  if (!options.points.empty()) return print_at_points(options, casters);
+  CUTICLE_ASSIGN(const study::Comparison comparison, compare(options, casters, *context.progress));
+  const study::ComparisonRow* choice = study::best_choice(comparison, options.max_error, options.budget_ms);
+  print_comparison(comparison, choice, context.json);
+  if (!options.out.empty()) {
+    CUTICLE_TRY(study::write_comparison(comparison, options.out));
+    make_page("", options.out, *context.progress);
+  }
+  if (options.max_error <= 0 && options.budget_ms <= 0) return int(Exit::ok);
+  fmt::print(stderr, "{}\n", choice_text(choice));
+  return int(choice == nullptr ? Exit::check_failed : Exit::ok);
+}
+
+void add_options(CLI::App& command, Options& options) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  command.add_option("groom", options.groom, "groom: .hair or .tfx")->required();
+  command.add_option("--light", options.light, "direction from the scene to the light, x,y,z");
+  command.add_option("--methods", options.methods, "a,b,c of `cuticle methods`");
+  command.add_option("--layers", options.layers, "slices or layers of the methods that have them, a,b,c");
+  command.add_option("--resolution", options.resolutions, "resolutions of the methods that have one, a,b,c");
+  command.add_option("--filter-mm", options.filter_mm, "radius of a map's lookup; 0 = the footprint's")->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--footprint-mm", options.footprint_mm, "radius that the truth is averaged over; 0 = two fibre spacings")->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
+  command.add_option("--radius", options.read.radius, "fibre radius in metres; 0 = the file's own or 35e-6")->check(CLI::Range(0.0, 0.01));
+  command.add_option("--metres-per-unit", options.read.metres_per_unit, "unit of the groom file; 0 = guess and say so")->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--rays", options.rays, "rays of the truth for each point")->check(CLI::Range(1, 65536));
+  command.add_option("--receivers", options.receivers, "strand vertices that are compared")->check(CLI::Range(1, 1000000));
+  command.add_option("--budget-ms", options.budget_ms, "most time of build + lookup")->check(CLI::Range(0.0, infinity));
+  command.add_option("--max-error", options.max_error, "largest mean error of transmittance")->check(CLI::Range(0.0, 1.0));
+  command.add_option("--at", options.points, "CSV with columns x,y,z in metres: print each method's transmittance there");
+  command.add_option("--out", options.out, "folder for study.json, study.csv and the page");
+}
+
+}  // namespace
+
+void add_shadows(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
+  auto options = std::make_shared<Options>();
+  add_options(*command, *options);
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      const auto code = run(*options, context);
+      return code ? *code : report(code.error());
+    };
+  });
+}
+#else
+void add_shadows(CLI::App&, Context&) {}
+#endif
+
+}  // namespace cuticle::cli
