@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
+#include <tbb/global_control.h>
 
 namespace cuticle::cli {
 
@@ -109,6 +111,8 @@ int run(int argc, char** argv) {
   const ProgressStyle style = progress == "bar" ? ProgressStyle::bar : progress == "json" ? ProgressStyle::json
                               : progress == "none" ? ProgressStyle::silent : ProgressStyle::automatic;
   context.progress = make_progress(style);
+  std::optional<tbb::global_control> limit;
+  if (context.threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(context.threads));
   return context.action ? context.action() : Exit::usage;
 }
 
