@@ -7,18 +7,13 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include <cuticle/strands/tangent.glslh>
+
 namespace cuticle::strands {
 
 namespace {
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// Unit vector of v, or `fallback` where v has no usable length.
-glm::vec3 direction_or(const glm::vec3& v, const glm::vec3& fallback) {
-  const glm::dvec3 wide(v);
-  const double length = glm::length(wide);
-  return length > 0 && std::isfinite(length) ? glm::vec3(wide / length) : fallback;
-}
 
 /// The length that 95 % of the strands do not pass, and the largest side of the bounds.
 struct Extent {
@@ -142,11 +137,10 @@ std::vector<glm::vec3> tangents(const Groom& groom) {
   for (std::size_t s = 0; s < groom.strand_count(); ++s) {
     const std::span<const glm::vec3> points = groom.strand(s);
     if (points.empty()) continue;
-    const glm::vec3 mean = direction_or(points.back() - points.front(), glm::vec3(0, 1, 0));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const glm::vec3& before = points[i == 0 ? 0 : i - 1];
       const glm::vec3& after = points[std::min(i + 1, points.size() - 1)];
-      result.push_back(direction_or(after - before, mean));
+      result.push_back(vertex_tangent<float>(before, after, points.front(), points.back()));
     }
   }
   return result;

@@ -74,13 +74,13 @@ glm::dvec3 head_normal(const glm::dvec3& point) {
 }
 
 glm::dvec3 head_surface_point(const glm::dvec3& origin, const glm::dvec3& direction) {
-  constexpr double step = 1e-3;
+  constexpr double step = 4e-3;   // thinner than every part
   double inside = 0, outside = 0;
   while (head_distance(origin + direction * outside) < 0) {
     inside = outside;
     outside += step;
   }
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 22; ++i) {
     const double middle = 0.5 * (inside + outside);
     (head_distance(origin + direction * middle) < 0 ? inside : outside) = middle;
   }

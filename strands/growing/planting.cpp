@@ -26,7 +26,7 @@ constexpr Parameter k_parameters[] = {
     {"parting", ParameterType::real, "1", 0, 1, "0.8", {}, "Combed straight back (0) or apart from the middle (1)"},
     {"comb", ParameterType::real, "1", 0, 1, "1", {}, "How far hair near the head follows the comb; 0 leaves it on the normal"},
     {"droop", ParameterType::real, "1", 0, 1, "1", {}, "How far hair bends to the ground; 0 leaves it stiff"},
-    {"volume", ParameterType::real, "m", 0.001, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
+    {"volume", ParameterType::real, "m", 0.005, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
     {"fringe", ParameterType::real, "1", 0.05, 1, "1", {}, "Length at the front hairline over length elsewhere"},
     {"clump", ParameterType::real, "1", 0, 1, "0.25", {}, "How far tips gather to those of chosen neighbours"},
     {"radius", ParameterType::real, "m", 5e-6, 1e-3, "3.5e-5", {}, "Fibre radius"},
@@ -100,7 +100,7 @@ class Grower {
 
   /// A fine path along which the control vertices are then placed; longer than the hair, since chords are shorter than arcs.
   std::vector<glm::dvec3> path(std::size_t vertex, double length) const {
-    constexpr int steps = 160;
+    constexpr int steps = 100;
     const double step = 1.3 * length / steps;
     glm::dvec3 point(head_.scalp.positions[vertex]), direction(head_.scalp.normals[vertex]);
     std::vector<glm::dvec3> points{point};
@@ -182,7 +182,7 @@ std::vector<glm::dvec3> place_vertices(const std::vector<glm::dvec3>& path, cons
 /// Sets every segment to its length again, root first, keeping directions; vertices stay outside the head.
 void restore_lengths(std::vector<glm::dvec3>& hair, const std::vector<double>& lengths, const Grower& grower) {
   for (std::size_t i = 1; i < hair.size(); ++i) {
-    for (int pass = 0; pass < 4; ++pass) {
+    for (int pass = 0; pass < 10; ++pass) {
       if (i > 1) hair[i] = grower.outside(hair[i], 1);
       const glm::dvec3 segment = hair[i] - hair[i - 1];
       hair[i] = hair[i - 1] + segment * (lengths[i - 1] / std::max(glm::length(segment), 1e-12));

@@ -1,7 +1,6 @@
 #pragma once
 // Distance to a closed mesh from the tangent plane of its nearest vertex.
-#include <array>
-#include <map>
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -16,19 +15,24 @@ struct SurfaceHit {
   glm::dvec3 normal{0, 1, 0};
 };
 
-/// Vertices of a mesh in a grid. Beyond `reach` of every vertex the distance is just given as `reach`.
+/// Vertices of a mesh in a grid of cells. Beyond `reach` of every vertex the distance is just given as `reach`.
 class NearestSurface {
  public:
   NearestSurface(const Mesh& mesh, double reach);
   SurfaceHit at(const glm::dvec3& point) const;
 
  private:
-  using Cell = std::array<int, 3>;
-  Cell cell_of(const glm::dvec3& point) const;
+  static constexpr int k_cells_per_reach = 5;
+  glm::ivec3 cell_of(const glm::dvec3& point) const;
+  const std::vector<std::uint32_t>* vertices_in(const glm::ivec3& cell) const;
+  /// Visits the cells at Chebyshev distance `ring`; updates the nearest vertex and its squared distance.
+  void search_ring(const glm::dvec3& point, const glm::ivec3& center, int ring, double& squared, std::uint32_t& vertex) const;
 
   const Mesh& mesh_;
-  double reach_;
-  std::map<Cell, std::vector<std::uint32_t>> vertices_;
+  double reach_, cell_;
+  glm::dvec3 lower_{0};
+  glm::ivec3 size_{0};
+  std::vector<std::vector<std::uint32_t>> cells_;
 };
 
 }  // namespace cuticle::strands

@@ -1,0 +1,74 @@
+// The real grooms and meshes of CUTICLE_TEST_DATA: counts, units, lengths as its README.md states them.
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/strands/formats/formats.h>
+
+namespace cuticle::strands {
+namespace {
+
+std::string data(const std::string& path) { return std::string(std::getenv("CUTICLE_TEST_DATA")) + "/" + path; }
+
+struct RealGroom {
+  const char* path;
+  std::size_t strands, points;
+  double shortest, longest;   ///< centimetres, to 0.05
+};
+class RealGrooms : public testing::TestWithParam<RealGroom> {};
+
+INSTANTIATE_TEST_SUITE_P(All, RealGrooms,
+                         testing::Values(RealGroom{"strands/tressfx/ponytail/front_top.tfx", 876, 16, 3.4, 39.39},
+                                         RealGroom{"strands/tressfx/ponytail/side.tfx", 3066, 16, 5.96, 59.43},
+                                         RealGroom{"strands/tressfx/ponytail/back.tfx", 517, 16, 4.91, 31.31},
+                                         RealGroom{"strands/tressfx/ponytail/tail.tfx", 255, 16, 42.53, 92.4},
+                                         RealGroom{"strands/tressfx/ponytail/tail_v3.1.tfx", 474, 16, 28.27, 92.4},
+                                         RealGroom{"strands/tressfx/testhair1/TestHair1.tfx", 10027, 4, 11, 11},
+                                         RealGroom{"strands/sintel/GEO-sintel_hair_emit.002-sintel_hair.tfx", 228, 32, 5.07, 28.65}));
+
+TEST_P(RealGrooms, Read_CountsAndLengthsAsStated) {
+  const auto file = read_groom(data(GetParam().path));
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file->groom.strand_count(), GetParam().strands);
+  EXPECT_EQ(file->groom.vertex_count(), GetParam().strands * GetParam().points);
+  double shortest = 1e9, longest = 0;
+  for (std::size_t s = 0; s < file->groom.strand_count(); ++s) {
+    shortest = std::min(shortest, 100 * strand_length(file->groom, s));
+    longest = std::max(longest, 100 * strand_length(file->groom, s));
+  }
+  EXPECT_NEAR(shortest, GetParam().shortest, 0.05);
+  EXPECT_NEAR(longest, GetParam().longest, 0.05);
+}
+
+TEST_P(RealGrooms, Units_AreGuessedAsCentimetres) {
+  const auto file = read_groom(data(GetParam().path));
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->metres_per_unit, 0.01) << file->notes.front();
+}
+
+TEST_P(RealGrooms, WrittenAsHairAndRead_SamePositions) {
+  const auto file = read_groom(data(GetParam().path));
+  ASSERT_TRUE(file.ok());
+  const auto again = parse_hair(format_hair(file->groom), "again.hair");
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->positions, file->groom.positions);
+  EXPECT_EQ(again->offsets, file->groom.offsets);
+}
+
+TEST(RealMeshes, LeePerrySmith_TrianglesAndNormals) {
+  const auto mesh = read_obj(data("heads/lee_perry_smith/LeePerrySmith.obj"), 1);
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->triangles.size(), 17684u);
+  EXPECT_EQ(mesh->positions.size(), 9223u);
+  EXPECT_EQ(mesh->uv.size(), mesh->positions.size());
+}
+
+TEST(RealMeshes, SintelBust_IsRead) {
+  const auto mesh = read_obj(data("strands/sintel/sintel_lite_bust.obj"), 0.01);
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->triangles.size(), 5952u);
+  EXPECT_GE(mesh->positions.size(), 3046u);
+}
+
+}  // namespace
+}  // namespace cuticle::strands
