@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 1> variants = {"corrected"};
 constexpr std::array<std::string_view, 3> system_rows = {"N11", "G1", "G7"};
 
 using registry::ParameterType;
-// Defaults: table 1 of the paper. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees in theta_i.
+// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees in theta_i.
 constexpr std::array<registry::Parameter, 5> parameters = {{
     {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
     {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption per fibre radius, for red, green and blue"},
@@ -70,7 +70,7 @@ const Model& entry() {
       .entry = {.kind = registry::EntryKind::model,
                 .name = "marschner",
                 .summary = "smooth circular fibre: R, TT and TRT with exact roots",
-                .source = "Marschner et al. 2003; M of d'Eon et al. 2011, equation 7",
+                .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
                 .parameters = parameters,
                 .systems = system_rows},
       .lobes = lobe_names,

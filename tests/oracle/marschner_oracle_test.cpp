@@ -95,6 +95,20 @@ TEST_P(MarschnerOracle, LobeEnergy_IsHalfTheIntegralOfA) {
   }
 }
 
+// A narrow untilted lobe puts all light in the mirror direction, so the albedo of a white fibre is that of the walks.
+TEST_P(MarschnerOracle, AlbedoOfAWhiteFibre_IsWhatTheFirstOrdersCarry) {
+  const bsdf::Model* model = *bsdf::find_model("marschner");
+  const double eta = GetParam().eta, theta = GetParam().theta_d_deg * degree;
+  const auto values = *registry::parse_assignments(model->entry.parameters, fmt::format("eta={},sigma_a=0,beta=0.001,alpha=0", eta));
+  double truth = 0;
+  for (int lobe = 0; lobe < 3; ++lobe) truth += study::oracle::lobe_energy({eta, glm::dvec3(0)}, theta, lobe, 2000).x;
+  const std::vector<bsdf::Point> points = {{.theta_o = theta}};
+  std::vector<glm::dvec3> albedo(1);
+  ASSERT_TRUE(bsdf::evaluate(*model, values, bsdf::Precision::f64, {bsdf::Quantity::albedo, -1, points}, albedo).ok());
+  EXPECT_LT(albedo[0].x, 1);
+  EXPECT_NEAR(albedo[0].x, truth, 1e-5);
+}
+
 TEST_P(MarschnerOracle, Attenuation_IsThatOfTheRay) {
   const Case c = GetParam();
   for (double h : {-0.99, -0.5, 0.0, 0.3, 0.8, 0.999})
