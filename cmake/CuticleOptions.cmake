@@ -62,7 +62,7 @@ endif()
 cuticle_part(EMBREE ${embree_found} "Ray-traced truth by Embree")
 
 find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2 RenderingAnnotation
-  RenderingFreeType InteractionStyle IOImage FiltersSources FiltersGeneral FiltersModeling ImagingCore)
+  RenderingFreeType InteractionStyle IOImage IOXML FiltersCore FiltersSources FiltersGeneral FiltersModeling ImagingCore)
 set(vtk_found OFF)
 if(VTK_FOUND)
   set(vtk_found ON)

@@ -89,12 +89,12 @@ Result<Table> bake_table(const Source& source, const TableLayout& layout, int si
   return table;
 }
 
+}  // namespace
+
 Result<void> check_size(int size) {
   if (size >= k_smallest && size <= k_largest) return {};
   return usage_error(fmt::format("size: {} is outside {} .. {}", size, k_smallest, k_largest), "--size 128");
 }
-
-}  // namespace
 
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values) {
   const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {

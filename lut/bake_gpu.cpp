@@ -8,10 +8,12 @@
 namespace cuticle::lut {
 namespace {
 
-Source device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
-  return {&model, [&device, &model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
-            return bsdf::evaluate_gpu(device, model, values, request, out);
-          }, cpu_source(model, values).evaluate};
+Result<Source> device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
+  CUTICLE_ASSIGN(bsdf::GpuEvaluator made, bsdf::GpuEvaluator::make(device, model));
+  const auto evaluator = std::make_shared<bsdf::GpuEvaluator>(std::move(made));
+  return Source{&model, [evaluator, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+                  return evaluator->evaluate(values, request, out);
+                }, cpu_source(model, values).evaluate};
 }
 
 /// Four floats a texel, values with their scale applied, missing channels 0.
@@ -27,8 +29,9 @@ std::vector<float> texels_of(const Table& table) {
 
 Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values,
                           const Layout& layout, int size) {
+  CUTICLE_TRY(check_size(size));
   const auto start = std::chrono::steady_clock::now();
-  const Source source = device_source(device, model, values);
+  CUTICLE_ASSIGN(const Source source, device_source(device, model, values));
   CUTICLE_ASSIGN(TableSet set, bake_from(source, values, layout, size, silent_progress()));
   set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   set.baked_on = device.info().name;

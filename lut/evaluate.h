@@ -29,6 +29,8 @@ Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view n
 Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate, const Channel& channel,
                                                 std::span<const bsdf::Point> points);
 
+/// Error: usage for a size outside 16 .. 1024.
+Result<void> check_size(int size);
 /// `bake` from any source; bake_ms and baked_on are left to the caller.
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,
                            Progress& progress);
