@@ -7,7 +7,8 @@
 namespace cuticle::gpu {
 namespace {
 
-Result<void> check_closed(const Commands::Impl& commands) {
+Result<void> check_closed(const Device* device, const Commands::Impl& commands) {
+  if (commands.device.get() != device) return internal_error("gpu: commands recorded by another device");
   if (commands.error) return *commands.error;
   if (commands.in_rendering) return internal_error("gpu: submitted without end_rendering");
   if (commands.in_pass) return internal_error(fmt::format("gpu: pass {} was not ended", commands.passes.back().name));
@@ -49,7 +50,7 @@ Commands Device::record() {
 
 Result<SubmitCost> Device::submit(Commands commands, Trace* trace) {
   Commands::Impl& work = *commands.impl();
-  CUTICLE_TRY(check_closed(work));
+  CUTICLE_TRY(check_closed(this, work));
   const ScopedSpan span(trace, "submit");
   const double submitted_us = trace ? trace->now_us() : 0;
   CUTICLE_ASSIGN(const double wall_ms, run_timed(*impl_, work));

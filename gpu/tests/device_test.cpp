@@ -47,6 +47,11 @@ TEST(GpuDevice, BufferOfAnotherDevice_IsRefused) {
   EXPECT_NE(cost.error().message.find("another device"), std::string::npos);
 }
 
+TEST(GpuDevice, CommandsOfAnotherDevice_AreRefused) {
+  const auto other = open_device();
+  EXPECT_FALSE(shared_device().submit(other->record()).ok());
+}
+
 TEST(GpuDevice, Buffers_KeepItAlive) {
   Buffer buffer;
   {

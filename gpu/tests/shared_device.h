@@ -1,5 +1,7 @@
 #pragma once
 // For tests: one software device with validation, shared by the tests of a file.
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include <cuticle/gpu/device.h>
@@ -17,10 +19,10 @@ inline Device& shared_device() {
   return *device;
 }
 
-/// The value, or a failure of the test with the error's text.
+/// The value; an error ends the test with its text.
 template <class T>
 T must(Result<T> result) {
-  if (!result) ADD_FAILURE() << result.error().message;
+  if (!result) throw std::runtime_error(result.error().message);
   return std::move(result).value();
 }
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// N5: one thread per drawn vertex: position, radius, tangent and fraction of the length. The neighbours that a tangent needs are
-// blended again by each thread: on software Vulkan a barrier costs far more than the six loads.
+// N5: one thread per drawn vertex: position, radius, tangent and fraction of the length. The neighbours that a tangent
+// needs are blended again by each thread: on software Vulkan a barrier costs far more than the six loads.
 #include "cuticle/strands/spline/bezier.glslh"
 #include "cuticle/strands/tangent.glslh"
 
@@ -18,7 +18,8 @@ vec3 blended(uvec3 first, vec3 weight, uint i) {
 }
 
 vec3 tangent_at(uvec3 first, vec3 weight, uint i) {
-  const vec3 before = blended(first, weight, i == 0u ? 0u : i - 1u), after = blended(first, weight, min(i + 1u, count - 1u));
+  const vec3 before = blended(first, weight, i == 0u ? 0u : i - 1u);
+  const vec3 after = blended(first, weight, min(i + 1u, count - 1u));
   vec3 root = before, tip = after;
   if (before == after) {
     root = blended(first, weight, 0u);

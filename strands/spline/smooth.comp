@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // N4: one thread per vertex of the smoothed control hairs; the tangents of its segment are computed on the way.
-// Beside the position goes the fraction of the control polygon's length, linear within a segment: no vertex needs another's.
+// Beside the position goes the fraction of the control polygon's length, linear within a segment.
 #include "cuticle/strands/spline/bezier.glslh"
 
 layout(local_size_x = 64) in;
