@@ -1,0 +1,12 @@
+#pragma once
+// The targets of `cuticle check`, one file each.
+#include <cuticle/cli/command.h>
+
+namespace cuticle::cli {
+
+/// `check device`: what Vulkan offers, what was chosen, and the catalogue of hard cases in float, double and on the device.
+void add_check_device(CLI::App& check, Context& context);
+/// `check scene FILE`: whether a scene file is valid.
+void add_check_scene(CLI::App& check, Context& context);
+
+}  // namespace cuticle::cli

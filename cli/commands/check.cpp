@@ -1,0 +1,13 @@
+#include <cuticle/cli/check/check.h>
+
+namespace cuticle::cli {
+
+void add_check(CLI::App& app, Context& context) {
+  auto* check = app.add_subcommand("check", "verdicts: does the device, a scene, ... hold what it promises");
+  check->require_subcommand(1);
+  check->fallthrough();
+  add_check_device(*check, context);
+  add_check_scene(*check, context);
+}
+
+}  // namespace cuticle::cli

@@ -1,0 +1,76 @@
+// Tables: {"model", "set", "layout", "size", "table", "channel"} sampled at every combination of "u" and "v".
+#include <nlohmann/json.hpp>
+
+#include <cuticle/lut/table_set.h>
+#include <cuticle/tests/hard_cases/subject.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/lut/bake_gpu.h>
+#endif
+
+namespace cuticle::hard_cases {
+namespace {
+
+using nlohmann::json;
+
+struct Recipe {
+  const bsdf::Model* model = nullptr;
+  registry::ParameterValues values;
+  const lut::Layout* layout = nullptr;
+  int size = 0;
+};
+
+Result<Recipe> recipe_from(const json& inputs) {
+  Recipe recipe;
+  CUTICLE_ASSIGN(recipe.model, bsdf::find_model(inputs.at("model").get<std::string>()));
+  CUTICLE_ASSIGN(recipe.values, registry::parse_assignments(recipe.model->entry.parameters, inputs.value("set", std::string())));
+  CUTICLE_ASSIGN(recipe.layout, lut::find_layout(inputs.at("layout").get<std::string>()));
+  recipe.size = inputs.at("size");
+  return recipe;
+}
+
+Result<int> channel_index(const lut::TableLayout& table, const std::string& name) {
+  for (std::size_t c = 0; c < table.channels.size(); ++c)
+    if (table.channels[c].name == name) return int(c);
+  return internal_error("unknown channel " + name);
+}
+
+Result<Values> sampled(const lut::TableSet& set, const json& inputs) {
+  for (const lut::Table& table : set.tables) {
+    if (table.layout->name != inputs.at("table").get<std::string>()) continue;
+    CUTICLE_ASSIGN(const int channel, channel_index(*table.layout, inputs.at("channel")));
+    Values values;
+    for (double u : numbers(inputs.at("u")))
+      for (double v : numbers(inputs.at("v"))) values.push_back(lut::sample(table, channel, u, v));
+    return values;
+  }
+  return internal_error("unknown table");
+}
+
+Result<lut::TableSet> baked(const json& inputs) {
+  CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
+  return lut::bake(*recipe.model, recipe.values, *recipe.layout, recipe.size, silent_progress());
+}
+
+}  // namespace
+
+/// As written to EXR: rounded to half.
+Result<Values> run_lut_stored(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+  CUTICLE_ASSIGN(lut::TableSet set, baked(inputs));
+  CUTICLE_TRY(lut::certify(set, lut::Format::exr, silent_progress()));
+  return sampled(set, inputs);
+}
+
+Result<Values> run_lut_f64(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+  CUTICLE_ASSIGN(const lut::TableSet set, baked(inputs));
+  return sampled(set, inputs);
+}
+
+#ifdef CUTICLE_HAS_GPU
+Result<Values> run_lut_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+  CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
+  CUTICLE_ASSIGN(const lut::TableSet set, lut::bake_gpu(*device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
+  return sampled(set, inputs);
+}
+#endif
+
+}  // namespace cuticle::hard_cases

@@ -1,0 +1,86 @@
+// Fibre models: {"model", "set", "quantity", "lobe"} at every combination of the angles (degrees) and h given.
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include <cuticle/bsdf/model.h>
+#include <cuticle/tests/hard_cases/subject.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/bsdf/model_gpu.h>
+#endif
+
+namespace cuticle::hard_cases {
+namespace {
+
+using nlohmann::json;
+
+struct Batch {
+  const bsdf::Model* model = nullptr;
+  registry::ParameterValues values;
+  bsdf::Quantity quantity{};
+  int lobe = -1;
+  std::vector<bsdf::Point> points;
+  bsdf::Request request() const { return {quantity, lobe, points}; }
+};
+
+/// Every point so far, once for each number of the input.
+void spread(std::vector<bsdf::Point>& points, const json& inputs, const char* key, double bsdf::Point::* member, double unit) {
+  if (!inputs.contains(key)) return;
+  std::vector<bsdf::Point> all;
+  for (const bsdf::Point& point : points)
+    for (double value : numbers(inputs.at(key))) {
+      all.push_back(point);
+      all.back().*member = value * unit;
+    }
+  points = std::move(all);
+}
+
+std::vector<bsdf::Point> points_from(const json& inputs) {
+  constexpr double degree = std::numbers::pi / 180;
+  std::vector<bsdf::Point> points(1);
+  spread(points, inputs, "theta_i_deg", &bsdf::Point::theta_i, degree);
+  spread(points, inputs, "theta_o_deg", &bsdf::Point::theta_o, degree);
+  spread(points, inputs, "theta_d_deg", &bsdf::Point::theta_d, degree);
+  spread(points, inputs, "phi_deg", &bsdf::Point::phi, degree);
+  spread(points, inputs, "h", &bsdf::Point::h, 1);
+  return points;
+}
+
+Result<Batch> batch_from(const json& inputs) {
+  Batch batch;
+  CUTICLE_ASSIGN(batch.model, bsdf::find_model(inputs.at("model").get<std::string>()));
+  CUTICLE_ASSIGN(batch.values, registry::parse_assignments(batch.model->entry.parameters, inputs.value("set", std::string())));
+  CUTICLE_ASSIGN(batch.quantity, bsdf::find_quantity(inputs.at("quantity").get<std::string>()));
+  CUTICLE_ASSIGN(batch.lobe, bsdf::find_lobe(*batch.model, inputs.value("lobe", std::string("sum"))));
+  batch.points = points_from(inputs);
+  return batch;
+}
+
+Values flat(std::span<const glm::dvec3> colors) {
+  Values values;
+  for (const glm::dvec3& color : colors) values.insert(values.end(), {color.x, color.y, color.z});
+  return values;
+}
+
+Result<Values> run(const json& inputs, bsdf::Precision precision) {
+  CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
+  std::vector<glm::dvec3> out(batch.points.size());
+  CUTICLE_TRY(bsdf::evaluate(*batch.model, batch.values, precision, batch.request(), out));
+  return flat(out);
+}
+
+}  // namespace
+
+Result<Values> run_model_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run(inputs, bsdf::Precision::f32); }
+Result<Values> run_model_f64(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run(inputs, bsdf::Precision::f64); }
+
+#ifdef CUTICLE_HAS_GPU
+Result<Values> run_model_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+  CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
+  std::vector<glm::dvec3> out(batch.points.size());
+  CUTICLE_TRY(bsdf::evaluate_gpu(*device, *batch.model, batch.values, batch.request(), out));
+  return flat(out);
+}
+#endif
+
+}  // namespace cuticle::hard_cases

@@ -1,0 +1,102 @@
+// Solvers: {"groom", "solver": settings, "effects": {name: settings}, "colliders": [[x, y, z, radius]], "frames", "measure"}.
+// A frame: {"duration", "turn_deg" about y, "move", "teleport", "repeat"}. Measures: "stretch", "head_distance", "speed".
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/sim/solver.h>
+#include <cuticle/tests/hard_cases/subject.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/sim/solver_gpu.h>
+#endif
+
+namespace cuticle::hard_cases {
+namespace {
+
+using nlohmann::json;
+
+struct Setting {
+  strands::Groom groom;
+  registry::ParameterValues solver;
+  sim::EffectBlocks effects;
+};
+
+Result<registry::ParameterValues> values_of(const std::string& effect, const std::string& settings) {
+  CUTICLE_ASSIGN(const sim::Effect* entry, sim::find_effect(effect));
+  return registry::parse_assignments(entry->entry.parameters, settings);
+}
+
+Result<Setting> setting_from(const json& inputs) {
+  Setting setting;
+  setting.groom = groom_from(inputs.at("groom"));
+  CUTICLE_ASSIGN(setting.solver, values_of("classic", inputs.value("solver", std::string())));
+  for (const auto& [name, settings] : inputs.value("effects", json::object()).items()) {
+    CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings));
+  }
+  return setting;
+}
+
+std::vector<Sphere> spheres(const json& inputs) {
+  std::vector<Sphere> list;
+  for (const json& sphere : inputs.value("colliders", json::array())) list.push_back({vector(sphere), sphere.at(3)});
+  return list;
+}
+
+glm::dmat4 moved(const glm::dmat4& head, const json& frame) {
+  const glm::dvec3 move = frame.contains("move") ? vector(frame.at("move")) : glm::dvec3(0);
+  const double turn = frame.value("turn_deg", 0.0) * std::numbers::pi / 180;
+  return glm::rotate(glm::translate(glm::dmat4(1), move) * head, turn, glm::dvec3(0, 1, 0));
+}
+
+/// Runs the frames; gives the head's last place.
+Result<glm::dvec3> run_frames(sim::Solver& solver, const json& inputs) {
+  const std::vector<Sphere> colliders = spheres(inputs);
+  glm::dmat4 head(1);
+  for (const json& frame : inputs.at("frames"))
+    for (int k = 0; k < frame.value("repeat", 1); ++k) {
+      const glm::dmat4 next = moved(head, frame);
+      CUTICLE_TRY(solver.advance({frame.value("duration", 1.0 / 60), head, next, colliders, frame.value("teleport", false)}));
+      head = next;
+    }
+  return glm::dvec3(head[3]);
+}
+
+Values measured(const std::string& measure, const strands::Groom& rest, const sim::State& state, glm::dvec3 head) {
+  Values values;
+  if (measure == "stretch")
+    for (float ratio : sim::stretch(rest, state.positions)) values.push_back(double(ratio));
+  if (measure == "head_distance")
+    for (const glm::vec3& position : state.positions) values.push_back(glm::distance(glm::dvec3(position), head));
+  if (measure == "speed")
+    for (const glm::vec3& velocity : state.velocities) values.push_back(glm::length(glm::dvec3(velocity)));
+  return values;
+}
+
+Result<Values> run(sim::Solver& solver, const strands::Groom& rest, const json& inputs) {
+  CUTICLE_ASSIGN(const glm::dvec3 head, run_frames(solver, inputs));
+  CUTICLE_ASSIGN(const sim::State state, solver.state());
+  return measured(inputs.at("measure"), rest, state, head);
+}
+
+}  // namespace
+
+Result<Values> run_motion_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect("classic"));
+  CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, effect->create(setting.groom, setting.solver, setting.effects));
+  return run(*solver, setting.groom, inputs);
+}
+
+#ifdef CUTICLE_HAS_GPU
+Result<Values> run_motion_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect("classic"));
+  CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,
+                 effect->create(device, setting.groom, setting.solver, setting.effects));
+  return run(*solver, setting.groom, inputs);
+}
+#endif
+
+}  // namespace cuticle::hard_cases

@@ -1,0 +1,87 @@
+// Shadow methods: {"method", "set", "groom", "alpha", "to_light"} gives the transmittance at every vertex of the groom.
+#include <nlohmann/json.hpp>
+
+#include <cuticle/shadows/method.h>
+#include <cuticle/tests/hard_cases/subject.h>
+#ifdef CUTICLE_HAS_GPU
+#include <glm/vec4.hpp>
+
+#include <cuticle/shadows/method_gpu.h>
+#endif
+
+namespace cuticle::hard_cases {
+namespace {
+
+using nlohmann::json;
+
+struct Setting {
+  const shadows::Method* method = nullptr;
+  registry::ParameterValues values;
+  strands::Groom groom;
+  double alpha = 0;
+  glm::dvec3 to_light{0};
+};
+
+Result<Setting> setting_from(const json& inputs) {
+  Setting setting;
+  CUTICLE_ASSIGN(setting.method, shadows::find_method(inputs.value("method", std::string("opacity_map"))));
+  CUTICLE_ASSIGN(setting.values, registry::parse_assignments(setting.method->entry.parameters, inputs.value("set", std::string())));
+  setting.groom = groom_from(inputs.at("groom"));
+  setting.alpha = inputs.value("alpha", 0.4);
+  setting.to_light = inputs.contains("to_light") ? vector(inputs.at("to_light")) : glm::dvec3(0, 1, 0);
+  return setting;
+}
+
+}  // namespace
+
+Result<Values> run_shadow_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  const shadows::Casters casters{&setting.groom, setting.alpha, setting.to_light};
+  CUTICLE_ASSIGN(const shadows::Transmittance transmittance,
+                 setting.method->evaluate(casters, {setting.groom.positions}, setting.values));
+  return Values(transmittance.values.begin(), transmittance.values.end());
+}
+
+#ifdef CUTICLE_HAS_GPU
+namespace {
+
+struct Uploaded {
+  gpu::Buffer vertices, segments, transmittance;
+  shadows::GpuStrands strands;
+};
+
+Result<Uploaded> upload(gpu::Device& device, const strands::Groom& groom) {
+  std::vector<glm::vec4> vertices;
+  std::vector<std::uint32_t> segments;
+  for (std::size_t v = 0; v < groom.vertex_count(); ++v) vertices.emplace_back(groom.positions[v], groom.radii[v]);
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) segments.push_back(v);
+  const std::uint32_t segment_count = std::uint32_t(segments.size());
+  segments.resize(std::max<std::size_t>(1, segments.size()));  // a buffer holds at least one word
+  Uploaded uploaded;
+  CUTICLE_ASSIGN(uploaded.vertices, gpu::make_buffer_from<glm::vec4>(device, vertices));
+  CUTICLE_ASSIGN(uploaded.segments, gpu::make_buffer_from<std::uint32_t>(device, segments));
+  CUTICLE_ASSIGN(uploaded.transmittance, device.make_buffer(vertices.size() * sizeof(float)));
+  uploaded.strands = {nullptr, nullptr, std::uint32_t(vertices.size()), segment_count, strands::bounds(groom)};
+  return uploaded;
+}
+
+}  // namespace
+
+Result<Values> run_shadow_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(setting.method->entry.name));
+  CUTICLE_ASSIGN(const std::unique_ptr<shadows::GpuShadow> shadow, method->create(device, setting.values));
+  CUTICLE_ASSIGN(Uploaded uploaded, upload(*device, setting.groom));
+  uploaded.strands.vertices = &uploaded.vertices;
+  uploaded.strands.segments = &uploaded.segments;
+  gpu::Commands commands = device->record();
+  CUTICLE_TRY(shadow->record(commands, uploaded.strands, setting.alpha, setting.to_light, uploaded.transmittance));
+  CUTICLE_TRY(device->submit(std::move(commands)));
+  CUTICLE_ASSIGN(const std::vector<float> values,
+                 gpu::read_buffer<float>(*device, uploaded.transmittance, setting.groom.vertex_count()));
+  return Values(values.begin(), values.end());
+}
+#endif
+
+}  // namespace cuticle::hard_cases

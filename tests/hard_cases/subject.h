@@ -1,0 +1,51 @@
+#pragma once
+// What a case can be about. Each subject turns a case's inputs into numbers; every expectation applies to each number.
+#include <array>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cuticle/core/result.h>
+#include <cuticle/strands/groom.h>
+#include <cuticle/tests/hard_cases/hard_case_runner.h>
+
+namespace cuticle::hard_cases {
+
+using Values = std::vector<double>;
+using Run = Result<Values> (*)(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+
+/// A subject by name, with how it runs in each Precision; null where it does not.
+struct Subject {
+  std::string_view name;
+  std::array<Run, 3> run;
+};
+std::span<const Subject> subjects();
+
+Result<Values> run_function_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_function_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_function_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_model_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_model_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_model_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_lut_stored(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_lut_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_lut_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_shadow_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_shadow_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_motion_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_motion_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_strands_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_strands_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+
+/// A number, a list of numbers, or {"from", "to", "count"}; "nan", "inf" and "-inf" are numbers here.
+std::vector<double> numbers(const nlohmann::json& value);
+glm::dvec3 vector(const nlohmann::json& value);
+/// {"points": [[[x, y, z], ...], ...]} or {"lines": [{"from", "to", "vertices", "count", "spacing"}]}, with "radius"; metres.
+strands::Groom groom_from(const nlohmann::json& value);
+/// x, y, z of every point.
+Values coordinates(std::span<const glm::vec3> points);
+
+}  // namespace cuticle::hard_cases

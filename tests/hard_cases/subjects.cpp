@@ -1,0 +1,28 @@
+#include <cuticle/tests/hard_cases/subject.h>
+
+#ifdef CUTICLE_HAS_GPU
+#define ON_GPU(run) run
+#else
+#define ON_GPU(run) nullptr
+#endif
+#ifdef CUTICLE_HAS_SHADOWS
+#define WITH_SHADOWS(run) run
+#else
+#define WITH_SHADOWS(run) nullptr
+#endif
+
+namespace cuticle::hard_cases {
+
+std::span<const Subject> subjects() {
+  static constexpr Subject table[] = {
+      {"function", {run_function_f32, run_function_f64, ON_GPU(run_function_gpu)}},
+      {"model", {run_model_f32, run_model_f64, ON_GPU(run_model_gpu)}},
+      {"lut", {run_lut_stored, run_lut_f64, ON_GPU(run_lut_gpu)}},
+      {"shadow", {WITH_SHADOWS(run_shadow_f32), nullptr, ON_GPU(run_shadow_gpu)}},
+      {"motion", {run_motion_f32, nullptr, ON_GPU(run_motion_gpu)}},
+      {"strands", {run_strands_f32, nullptr, ON_GPU(run_strands_gpu)}},
+  };
+  return table;
+}
+
+}  // namespace cuticle::hard_cases
