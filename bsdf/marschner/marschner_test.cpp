@@ -72,6 +72,17 @@ TEST(Marschner, CausticOfTrt_IsAtItsAnalyticAzimuth) {
   EXPECT_LT(value_at("", Quantity::N, 2, {.phi = peak + 1e-6}), 0.01);
 }
 
+// The smooth model is infinite there; the value given is that of a point 1e-4 away in h, so no larger than 1e-4 makes it.
+TEST(Marschner, ValueAtTheCaustic_IsThatOfTheMargin) {
+  for (double eta : {1.05, 1.3, 1.55, 1.9}) {
+    const double h = std::sqrt((4 - eta * eta) / 3), gamma_t = std::asin(h / eta), peak = 4 * gamma_t - 2 * std::asin(h);
+    const double curvature = 4 * h / std::pow(eta * std::cos(gamma_t), 3) - 2 * h / std::pow(1 - h * h, 1.5);  // of phi(2, h)
+    const double attenuation = value_at(fmt::format("eta={}", eta), Quantity::A, 2, {.h = h});
+    const double both_sides = 2 * attenuation / std::abs(2 * curvature * 1e-4);
+    EXPECT_NEAR(value_at(fmt::format("eta={}", eta), Quantity::N, 2, {.phi = peak - 1e-13}), both_sides, 0.1 * both_sides) << eta;
+  }
+}
+
 // Crossing phi = 0 exchanges the roots of one half of the fibre with those of the other.
 TEST(Marschner, RegionOfThreeRoots_IsContinuousAcrossZero) {
   const double before = value_at("", Quantity::N, 2, {.phi = -1e-9}), at = value_at("", Quantity::N, 2, {.phi = 0}),
