@@ -3,23 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 
 namespace cuticle::viz {
 namespace {
 
 double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
-/// S of one lobe on the grid, averaged over colour.
+/// Samples of S across each column: a caustic is an infinite peak, of which only a mean can be drawn.
+constexpr int k_samples = 16;
+
+std::vector<bsdf::Point> row_points(const LobesView& view, const DirectionGrid& grid, int row) {
+  const double step = grid.phi(1) - grid.phi(0);
+  std::vector<bsdf::Point> points;
+  for (int column = 0; column < grid.columns; ++column)
+    for (int k = 0; k < k_samples; ++k)
+      points.push_back({.theta_i = view.theta_i, .theta_o = grid.theta_o(row), .phi = grid.phi(column) + step * ((k + 0.5) / k_samples - 0.5)});
+  return points;
+}
+
+/// S of one lobe on the grid: the mean over colour and over the column's step in phi.
 Result<std::vector<double>> lobe_values(const LobesView& view, const DirectionGrid& grid, int lobe) {
-  std::vector<bsdf::Point> points(grid.size());
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column)
-      points[std::size_t(row) * grid.columns + column] = {.theta_i = view.theta_i, .theta_o = grid.theta_o(row), .phi = grid.phi(column)};
-  std::vector<glm::dvec3> rgb(points.size());
-  CUTICLE_TRY(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, lobe, points}, rgb));
   std::vector<double> values;
-  std::transform(rgb.begin(), rgb.end(), std::back_inserter(values), mean);
+  for (int row = 0; row < grid.rows; ++row) {
+    const std::vector<bsdf::Point> points = row_points(view, grid, row);
+    std::vector<glm::dvec3> rgb(points.size());
+    CUTICLE_TRY(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, lobe, points}, rgb));
+    for (auto first = rgb.begin(); first != rgb.end(); first += k_samples)
+      values.push_back(std::transform_reduce(first, first + k_samples, 0.0, std::plus<>(), mean) / k_samples);
+  }
   return values;
 }
 

@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -102,27 +103,28 @@ std::vector<int> lobes_shown(const LobesView& view) {
 void add_legend(vtkRenderer& renderer, const LobesView& view) {
   const std::vector<int> lobes = lobes_shown(view);
   vtkNew<vtkLegendBoxActor> legend;
-  vtkNew<vtkPolyData> no_symbol;
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
   legend->SetNumberOfEntries(int(lobes.size()));
   for (int k = 0; k < int(lobes.size()); ++k) {
     glm::dvec3 color = lobe_color(lobes[std::size_t(k)]);
     const std::string name(view.model->lobes[std::size_t(lobes[std::size_t(k)])]);
-    legend->SetEntry(k, no_symbol, name.c_str(), &color.x);
+    legend->SetEntry(k, square->GetOutput(), name.c_str(), &color.x);
   }
   legend->BoxOff();
   legend->BorderOff();
   legend->GetEntryTextProperty()->SetBold(true);
   legend->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  legend->SetPosition(0.86, 0.80);
+  legend->SetPosition(0.87, 0.78);
   legend->GetPosition2Coordinate()->SetCoordinateSystemToNormalizedViewport();
-  legend->SetPosition2(0.12, 0.05 * double(lobes.size()));
+  legend->SetPosition2(0.11, 0.045 * double(lobes.size()));
   renderer.AddActor2D(legend);
 }
 
 std::string legend_words(const LobesView& view, double peak) {
   const std::string radius = view.logarithmic ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/rad^2", k_decades, peak)
                                               : fmt::format("radius: S, linear up to {:.3g} 1/rad^2", peak);
-  return fmt::format("{}; values above (caustics) are cut\nrings in the normal plane: S there; mean of r, g, b; no cosine", radius);
+  return fmt::format("{}; above it (caustics) cut\nmean of r, g, b, and over 1 deg of phi; no cosine; rings in the normal plane: S there", radius);
 }
 
 std::string title_of(const LobesView& view) {
@@ -137,7 +139,7 @@ void place_camera(vtkRenderer& renderer) {
   camera.SetViewUp(0, 0, 1);
   camera.SetFocalPoint(0, 0, 0);
   camera.SetPosition(2.4, -4.6, 2.0);
-  camera.SetViewAngle(34);
+  camera.SetViewAngle(29);
   renderer.ResetCameraClippingRange();
 }
 

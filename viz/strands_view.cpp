@@ -79,23 +79,22 @@ vtkSmartPointer<vtkActor> lines_actor(const StrandsView& view, vtkColorTransferF
   return actor;
 }
 
-void add_color_bar(vtkRenderer& renderer, vtkColorTransferFunction* colors, const std::string& title) {
+void add_color_bar(vtkRenderer& renderer, vtkColorTransferFunction* colors) {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colors);
   bar->SetOrientationToHorizontal();
-  bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(5);
   bar->SetLabelFormat("%-#.4g");
   bar->SetUnconstrainedFontSize(true);
-  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
-    text->SetColor(0.1, 0.1, 0.1);
-    text->SetFontSize(16);
-    text->ShadowOff();
-    text->ItalicOff();
-  }
+  vtkTextProperty& text = *bar->GetLabelTextProperty();
+  text.SetColor(0.1, 0.1, 0.1);
+  text.SetFontSize(16);
+  text.ShadowOff();
+  text.ItalicOff();
+  text.BoldOff();
   bar->SetPosition(0.2, 0.02);
   bar->SetWidth(0.6);
-  bar->SetHeight(0.1);
+  bar->SetHeight(0.075);
   renderer.AddActor2D(bar);
 }
 
@@ -111,7 +110,7 @@ void place_camera(vtkRenderer& renderer) {
   renderer.GetActiveCamera()->SetFocalPoint(0, 0, 0);
   renderer.GetActiveCamera()->SetPosition(0.45, 0.25, 1);
   renderer.ResetCamera();
-  renderer.GetActiveCamera()->Zoom(1.15);
+  renderer.GetActiveCamera()->SetWindowCenter(0, -0.07);
 }
 
 }  // namespace
@@ -122,7 +121,8 @@ Result<void> show(const StrandsView& view, const ViewTarget& target) {
   vtkNew<vtkRenderer> renderer;
   const auto colors = colors_for(view, range_of(view));
   renderer->AddActor(lines_actor(view, colors));
-  add_color_bar(*renderer, colors, view.scalar_title);
+  add_color_bar(*renderer, colors);
+  add_text(*renderer, view.scalar_title, 0.2, 0.135, 16);
   add_text(*renderer, view.title, 0.02, 0.98, 20, true);
   add_text(*renderer, words_of(view), 0.02, 0.94, 16);
   place_camera(*renderer);
