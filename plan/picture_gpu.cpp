@@ -53,7 +53,7 @@ Result<void> Picture::make_strands() {
 }
 
 Result<void> Picture::make_shadows() {
-  if (!scene_.shadow || !find_pass(plan_, scene_.shadow->name)) return {};
+  if (!scene_.shadow || scene_.shadow->name == "none" || !find_pass(plan_, scene_.shadow->name)) return {};
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
   for (std::size_t k = 0; k < scene_.lights.size(); ++k) {
     CUTICLE_ASSIGN(auto shadow, method->create(device_, scene_.shadow->values));

@@ -1,0 +1,119 @@
+// A plan holds what the scene's facts demand, and says why; the rest is left out, with the reason.
+#include <cuticle/plan/plan.h>
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cuticle::plan {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::string_view k_full = R"(
+  "simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}}, "colliders": {"head": true},
+  "lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}, {"to_light": [1, 1, 0], "irradiance": [1, 1, 1]}],
+  "shadow": {"method": {"opacity_map": {}}})";
+
+Plan planned(std::string_view fields) {
+  const std::string text = fmt::format(R"({{"schema_version": 1{}{}}})", fields.empty() ? "" : ", ", fields);
+  const auto scene = scene::parse_scene(text, "/", "test", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  registry::FrameShape shape;
+  shape.lights = std::uint32_t(scene->lights.size());
+  shape.substeps = 8;
+  return make_plan(*scene, shape);
+}
+
+std::vector<std::string> names(const Plan& plan) {
+  std::vector<std::string> list;
+  for (const PlannedPass& pass : plan.passes) list.emplace_back(pass.entry->name);
+  return list;
+}
+
+std::string why_left_out(const Plan& plan, std::string_view name) {
+  for (const LeftOut& left : plan.left_out)
+    if (left.entry->name == name) return left.reason;
+  return "it is not left out";
+}
+
+TEST(Plan, FullScene_RunsStagesInOrder) {
+  EXPECT_THAT(names(planned(k_full)),
+              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands", "interpolate_strands",
+                                   "opacity_map", "head", "lines", "resolve"));
+}
+
+TEST(Plan, NoLight_HasNoShadowAndNoTables) {
+  const Plan plan = planned(R"("shadow": {"method": {"opacity_map": {}}})");
+  EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);
+  EXPECT_EQ(find_pass(plan, "bake_tables"), nullptr);
+  EXPECT_EQ(why_left_out(plan, "opacity_map"), "the scene has no light");
+}
+
+TEST(Plan, NoShadowMethod_HasNoShadow) {
+  const Plan plan = planned(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}])");
+  EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);
+  EXPECT_EQ(why_left_out(plan, "opacity_map"), "the scene names no shadow method");
+}
+
+TEST(Plan, NoColliders_HasNoCollision) {
+  const Plan plan = planned(R"("simulation": {"solver": {"classic": {}}, "effects": {"colliders": {}}})");
+  EXPECT_EQ(find_pass(plan, "colliders"), nullptr);
+  EXPECT_EQ(why_left_out(plan, "colliders"), "the scene has no colliders");
+}
+
+TEST(Plan, NoSimulation_SimulatesNothing) {
+  const Plan plan = planned(R"("colliders": {"head": true})");
+  for (const PlannedPass& pass : plan.passes) EXPECT_NE(pass.entry->stage, registry::Stage::simulate) << pass.entry->name;
+  EXPECT_EQ(why_left_out(plan, "classic"), "the hair is not simulated");
+}
+
+TEST(Plan, EffectNotAskedFor_IsLeftOut) {
+  const Plan plan = planned(R"("simulation": {"solver": {"classic": {}}})");
+  EXPECT_EQ(find_pass(plan, "gravity"), nullptr);
+  EXPECT_EQ(why_left_out(plan, "gravity"), "the scene does not ask for 'gravity'");
+}
+
+TEST(Plan, NoHead_DrawsNone) {
+  EXPECT_EQ(why_left_out(planned(R"("head": {"present": false})"), "head"), "the scene has no head");
+}
+
+TEST(Plan, NoPicture_NeitherGeneratesNorShades) {
+  const Plan plan = planned(R"("outputs": {"color": false})");
+  EXPECT_THAT(names(plan), testing::IsEmpty());
+  EXPECT_EQ(why_left_out(plan, "lines"), "no picture is wanted");
+}
+
+TEST(Plan, OtherMethod_IsLeftOutByName) {
+  EXPECT_EQ(why_left_out(planned(k_full), "none"), "the scene's shadow method is 'opacity_map'");
+}
+
+TEST(Plan, Reason_NamesTheFacts) {
+  const Plan plan = planned(k_full);
+  EXPECT_THAT(find_pass(plan, "opacity_map")->reason, HasSubstr("2 lights"));
+  EXPECT_THAT(find_pass(plan, "opacity_map")->reason, HasSubstr("opacity_map"));
+}
+
+TEST(Plan, Dispatches_GrowWithLightsAndSubsteps) {
+  const Plan plan = planned(k_full);
+  EXPECT_EQ(find_pass(plan, "opacity_map")->dispatches % 2, 0u);
+  EXPECT_GT(find_pass(plan, "opacity_map")->dispatches, 0u);
+  EXPECT_EQ(find_pass(plan, "classic")->dispatches % 8, 0u);
+  EXPECT_GT(find_pass(plan, "classic")->dispatches, 0u);
+}
+
+TEST(Plan, EveryEntry_IsPlannedOrLeftOutOnce) {
+  const Plan plan = planned(k_full);
+  const scene::Catalogue& all = catalogue();
+  EXPECT_EQ(plan.passes.size() + plan.left_out.size(),
+            all.methods.size() + all.solvers.size() + all.effects.size() + all.passes.size());
+}
+
+TEST(Plan, Text_ListsPassesReasonsAndWhatIsLeftOut) {
+  const std::string text = to_text(planned(R"("head": {"present": false})"));
+  EXPECT_THAT(text, HasSubstr("lines"));
+  EXPECT_THAT(text, HasSubstr("the scene has no head"));
+}
+
+}  // namespace
+}  // namespace cuticle::plan

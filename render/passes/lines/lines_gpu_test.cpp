@@ -1,0 +1,160 @@
+// A wide straight strand in the middle of the picture: its pixel is S cos(theta_i) x irradiance x transmittance, with S from
+// the model itself in double, from the angles; the pass has half-float tables and dot products.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/pass_gpu.h>
+#include <cuticle/render/passes/lines/lines.h>
+
+namespace cuticle::render {
+namespace {
+
+constexpr int k_size = 16;
+const glm::dvec3 k_eye(0, 0, 1);
+
+std::shared_ptr<gpu::Device> device() {
+  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+  return opened ? *opened : nullptr;
+}
+
+const lut::TableSet& tables() {
+  static const lut::TableSet set = [] {
+    const bsdf::Model* model = *bsdf::find_model("marschner");
+    const auto values = registry::parse_assignments(model->entry.parameters, "sigma_a=0.2/0.4/0.8,beta=0.25,alpha=-0.1");
+    return *lut::bake_gpu(*device(), *model, *values, **lut::find_layout("nalu"), 128);
+  }();
+  return set;
+}
+
+/// One strand of two vertices through the origin, drawn alone.
+struct OneStrand {
+  glm::dvec3 tangent;
+  std::vector<Light> lights;
+  std::vector<float> reached;   ///< transmittance per light
+  double ambient = 0;
+
+  glm::vec4 center_pixel() const {
+    const auto vertices = upload<glm::vec4>({{-0.3 * tangent, 1e-4}, {0.3 * tangent, 1e-4}});
+    const auto tangents = upload<glm::vec4>({{tangent, 0}, {tangent, 1}});
+    const auto segments = upload<std::uint32_t>({0});
+    std::vector<gpu::Buffer> transmittance;
+    for (float value : reached) transmittance.push_back(upload<float>({value, value}));
+    std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
+    const gpu::Texture color = target(gpu::TextureFormat::rgba32f), depth = target(gpu::TextureFormat::depth32f);
+
+    FrameResources resources;
+    resources.camera = {.position = k_eye, .vertical_field_of_view = 0.3, .resolution = {k_size, k_size}};
+    resources.lights = lights;
+    resources.strands = {&vertices, &segments, 2, 1, {}};
+    resources.tangents = &tangents;
+    for (const gpu::Buffer& buffer : transmittance) resources.transmittance.push_back(&buffer);
+    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
+    resources.table_set = &tables();
+    resources.vertices_per_strand = 2;
+    resources.color = resources.resolved = &color;
+    resources.depth = &depth;
+    resources.supersampling = 1;
+    resources.parameters["lines"] = parameters();
+    return draw(resources);
+  }
+
+ private:
+  registry::ParameterValues parameters() const {
+    registry::ParameterValues values = registry::default_values(lines::entry().entry.parameters);
+    values.set("width_px", 8.0);
+    values.set("variation", 0.0);
+    values.set("ambient", ambient);
+    return values;
+  }
+
+  template <class T>
+  static gpu::Buffer upload(std::vector<T> data) {
+    return std::move(*gpu::make_buffer_from<T>(*device(), data));
+  }
+
+  static gpu::Texture target(gpu::TextureFormat format) {
+    return std::move(*device()->make_texture({{k_size, k_size}, format, gpu::Filter::nearest, 1, true}));
+  }
+
+  static glm::vec4 draw(const FrameResources& resources) {
+    for (const GpuPassEntry* entry : gpu_passes()) {
+      if (entry->name != "lines") continue;
+      auto pass = entry->create(device(), resources);
+      EXPECT_TRUE(pass) << (pass ? "" : pass.error().message);
+      gpu::Commands commands = device()->record();
+      EXPECT_TRUE((*pass)->record(commands, resources));
+      const auto cost = device()->submit(std::move(commands));
+      EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
+    }
+    const std::vector<float> pixels = *device()->download(*resources.color);
+    const float* pixel = pixels.data() + 4 * (k_size / 2 * k_size + k_size / 2);
+    return {pixel[0], pixel[1], pixel[2], pixel[3]};
+  }
+};
+
+/// The model's S for directions, by angles: inclinations by asin, azimuths by atan2.
+glm::dvec3 exact_radiance(const glm::dvec3& t, const Light& light) {
+  const auto azimuth = [&](const glm::dvec3& w) {
+    const glm::dvec3 side = glm::normalize(glm::cross(t, glm::dvec3(0.3, 0.5, 0.81))), other = glm::cross(t, side);
+    return std::atan2(glm::dot(w, other), glm::dot(w, side));
+  };
+  const glm::dvec3 to_eye = glm::normalize(k_eye);
+  bsdf::Point point;
+  point.theta_i = std::asin(glm::dot(light.to_light, t));
+  point.theta_o = std::asin(glm::dot(to_eye, t));
+  point.phi = std::remainder(azimuth(to_eye) - azimuth(light.to_light), 2 * std::numbers::pi);
+  glm::dvec3 scattered{0};
+  EXPECT_TRUE(bsdf::evaluate(*tables().model, tables().values, bsdf::Precision::f64, {.points = {&point, 1}}, {&scattered, 1}));
+  return scattered * std::cos(point.theta_i) * light.irradiance;
+}
+
+Light light_from(double x, double y, double z) {
+  return {.name = "", .to_light = glm::normalize(glm::dvec3(x, y, z)), .irradiance = {1, 2, 3}};
+}
+
+/// Worst channel error, relative to the brightest channel.
+double error(const glm::vec4& pixel, const glm::dvec3& exact) {
+  const glm::dvec3 apart = glm::abs(glm::dvec3(pixel) - exact);
+  return std::max({apart.x, apart.y, apart.z}) / std::max({exact.x, exact.y, exact.z});
+}
+
+// Measured worst over these directions: see README.md.
+TEST(Lines, PixelOfAStrand_EqualsTheModel) {
+  double worst = 0;
+  for (const glm::dvec3& axis : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0.8, 0), glm::dvec3(0.5, 0.7, 0.5)})
+    for (const Light& light : {light_from(0, 0.2, 1), light_from(1, 0.5, 0.6), light_from(-0.7, 0.8, 0.2), light_from(0.3, 0.4, -1)}) {
+      const OneStrand strand{glm::normalize(axis), {light}, {1}};
+      const glm::dvec3 exact = exact_radiance(strand.tangent, light);
+      const glm::vec4 px = strand.center_pixel();
+      std::printf("axis %g %g %g light %g %g %g: %g %g %g | %g %g %g\n", axis.x, axis.y, axis.z, light.to_light.x, light.to_light.y, light.to_light.z, double(px.x), double(px.y), double(px.z), exact.x, exact.y, exact.z);
+      worst = std::max(worst, error(px, exact));
+    }
+  RecordProperty("worst_relative_error", std::to_string(worst));
+  EXPECT_LT(worst, 0.05) << worst;
+}
+
+TEST(Lines, TwoLights_AddUpUnderTheirTransmittance) {
+  const glm::dvec3 axis(0, 1, 0);
+  const Light first = light_from(0, 0.2, 1), second = light_from(1, 0.5, 0.6);
+  const glm::vec4 a = OneStrand{axis, {first}, {1}}.center_pixel(), b = OneStrand{axis, {second}, {1}}.center_pixel();
+  const glm::vec4 both = OneStrand{axis, {first, second}, {0.25f, 0.5f}}.center_pixel();
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(both[c], 0.25f * a[c] + 0.5f * b[c], 1e-5f * both[c]);
+}
+
+TEST(Lines, LightAlongTheFibre_IsFinite) {
+  const glm::vec4 pixel = OneStrand{{0, 1, 0}, {light_from(0, 1, 0)}, {1}, 1}.center_pixel();
+  for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(pixel[c]));
+}
+
+TEST(Lines, NoLight_IsBlackButCovers) {
+  EXPECT_EQ((OneStrand{{0, 1, 0}, {}, {}, 1}.center_pixel()), glm::vec4(0, 0, 0, 1));
+}
+
+}  // namespace
+}  // namespace cuticle::render

@@ -1,0 +1,169 @@
+// Every error of a scene file names source, key and what is allowed; what is given is read, what is absent has its default.
+#include <cuticle/scene/scene.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cuticle::scene {
+namespace {
+
+using registry::Entry;
+using registry::Parameter;
+using registry::ParameterType;
+using testing::HasSubstr;
+
+constexpr Parameter k_fibre[] = {
+    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "index"}, {"sigma_a", ParameterType::rgb, "1", 0, 100, "0.2", {}, "absorption"}};
+constexpr Parameter k_slices[] = {{"slices", ParameterType::integer, "1", 2, 256, "16", {}, "slices"}};
+
+Entry named(std::string_view name, registry::ParameterTable table = {}) {
+  Entry entry;
+  entry.name = name;
+  entry.parameters = table;
+  return entry;
+}
+const Entry k_model = named("marschner", k_fibre), k_layout = named("nalu"), k_solver = named("classic"), k_gravity = named("gravity"),
+            k_method = named("opacity_map", k_slices), k_pass = named("lines");
+
+Catalogue catalogue() {
+  Catalogue entries;
+  entries.models = {&k_model};
+  entries.layouts = {&k_layout};
+  entries.solvers = {&k_solver};
+  entries.effects = {&k_gravity};
+  entries.methods = {&k_method};
+  entries.passes = {&k_pass};
+  return entries;
+}
+
+Result<Scene> parsed(const std::string& fields) {
+  return parse_scene(fmt::format(R"({{"schema_version": 1{}{}}})", fields.empty() ? "" : ", ", fields), "/", "s.json", catalogue());
+}
+
+void expect_refused(const std::string& fields, std::initializer_list<const char*> words) {
+  const auto scene = parsed(fields);
+  ASSERT_FALSE(scene) << fields;
+  EXPECT_EQ(scene.error().kind, ErrorKind::bad_input);
+  EXPECT_THAT(scene.error().message, HasSubstr("s.json"));
+  for (const char* word : words) EXPECT_THAT(scene.error().message + " | " + scene.error().hint, HasSubstr(word));
+}
+
+TEST(Scene, Empty_HasTheDefaults) {
+  const auto scene = parsed("");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->strand_count, 4095);
+  EXPECT_EQ(scene->strand_vertices, 30);
+  EXPECT_EQ(scene->material.model.name, "marschner");
+  EXPECT_EQ(scene->material.model.values.real("eta"), 1.55);
+  EXPECT_TRUE(scene->head.present);
+  EXPECT_TRUE(scene->camera.automatic);
+  EXPECT_FALSE(scene->shadow || scene->simulation.solver || scene->motion);
+}
+
+TEST(Scene, Degrees_AreReadAsRadians) {
+  const auto scene = parsed(R"("camera": {"fov_deg": 90, "position_m": [0, 0, 2]})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_NEAR(scene->camera.camera.vertical_field_of_view, 1.5707963267948966, 1e-15);
+  EXPECT_FALSE(scene->camera.automatic);
+}
+
+TEST(Scene, DirectionToLight_IsNormalised) {
+  const auto scene = parsed(R"("lights": [{"to_light": [0, 3, 4], "irradiance": [1, 2, 3]}])");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_LT(glm::distance(scene->lights[0].to_light, glm::dvec3(0, 0.6, 0.8)), 1e-15);
+  EXPECT_EQ(scene->lights[0].irradiance, glm::dvec3(1, 2, 3));
+}
+
+TEST(Scene, Blocks_CarryTheirParametersAndDefaults) {
+  const auto scene = parsed(R"("material": {"model": {"marschner": {"sigma_a": [0.1, 0.2, 0.3]}}},
+    "shadow": {"method": {"opacity_map": {"slices": 8}}}, "simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->material.model.values.rgb("sigma_a"), glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(scene->material.model.values.real("eta"), 1.55);
+  EXPECT_EQ(scene->shadow->values.integer("slices"), 8);
+  EXPECT_TRUE(scene->simulation.effects.contains("gravity"));
+}
+
+TEST(Scene, UnknownKey_NamesItTheNearestAndAllAllowed) {
+  expect_refused(R"("lihgts": [])", {"lihgts", "write 'lights'", "camera"});
+  expect_refused(R"("camera": {"fov": 20})", {"camera", "'fov'", "fov_deg"});
+}
+
+TEST(Scene, UnknownBlock_NamesTheRegisteredOnes) {
+  expect_refused(R"("shadow": {"method": {"opacity_mpa": {}}})", {"shadow.method", "opacity_mpa", "opacity_map"});
+  expect_refused(R"("simulation": {"solver": {"classic": {}}, "effects": {"wind": {}}})", {"simulation.effects", "wind", "gravity"});
+}
+
+TEST(Scene, BlockWithoutOrWithTwoNames_IsRefused) {
+  expect_refused(R"("shadow": {"method": {}})", {"shadow.method", "exactly one", "opacity_map"});
+}
+
+TEST(Scene, NumberOutOfRange_NamesKeyValueAndRange) {
+  expect_refused(R"("strand_vertices": 1000)", {"strand_vertices", "1000", "2 .. 64"});
+  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, -2, 1]}])", {"lights[0].irradiance[1]", "-2", "0 .. "});
+}
+
+TEST(Scene, ParameterOutOfRange_NamesTheBlockAndTheRange) {
+  expect_refused(R"("material": {"model": {"marschner": {"eta": 9}}})", {"material.model.marschner", "eta", "9", "1.05", "3"});
+}
+
+TEST(Scene, WrongType_NamesWhatWasExpected) {
+  expect_refused(R"("camera": {"fov_deg": "wide"})", {"camera.fov_deg", "a number", "string"});
+  expect_refused(R"("strand_count": 10.5)", {"strand_count", "10.5", "whole number"});
+  expect_refused(R"("camera": {"position_m": [1, 2]})", {"camera.position_m", "3 numbers"});
+  expect_refused(R"("outputs": {"color": 1})", {"outputs.color", "true or false"});
+}
+
+TEST(Scene, MissingKey_IsNamed) {
+  expect_refused(R"("lights": [{"irradiance": [1, 1, 1]}])", {"lights[0].to_light", "missing"});
+  const auto scene = parse_scene("{}", "/", "s.json", catalogue());
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().message, HasSubstr("schema_version"));
+}
+
+TEST(Scene, OtherVersion_IsRefused) {
+  const auto scene = parse_scene(R"({"schema_version": 2})", "/", "s.json", catalogue());
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().message, HasSubstr("schema_version = 2 is outside 1 .. 1"));
+}
+
+TEST(Scene, MissingFile_IsNamedWithItsKey) {
+  expect_refused(R"("groom": {"file": "gone.hair"})", {"groom.file", "/gone.hair"});
+  expect_refused(R"("motion": {"bvh": "gone.bvh"})", {"motion.bvh", "/gone.bvh"});
+}
+
+TEST(Scene, NotJson_NamesTheByte) {
+  const auto scene = parse_scene(R"({"schema_version": 1,)", "/", "s.json", catalogue());
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().message, HasSubstr("s.json: not JSON at byte 22"));
+}
+
+TEST(Scene, ZeroDirection_IsRefused) {
+  expect_refused(R"("lights": [{"to_light": [0, 0, 0], "irradiance": [1, 1, 1]}])", {"lights[0].to_light", "zero"});
+}
+
+TEST(Scene, CameraWithoutView_IsRefused) {
+  expect_refused(R"("camera": {"position_m": [0, 1, 0], "target_m": [0, 0, 0]})", {"camera.up", "parallel"});
+  expect_refused(R"("camera": {"near_m": 5, "far_m": 2})", {"camera.near_m", "5", "2"});
+}
+
+TEST(Scene, GroomFile_HasNoHeadUnlessAsked) {
+  const auto folder = std::filesystem::path(CUTICLE_BINARY_DIR) / "scene_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "a.hair") << "x";
+  const auto load = [&](const std::string& more) {
+    return parse_scene(fmt::format(R"({{"schema_version": 1, "groom": {{"file": "a.hair"}}{}}})", more), folder.string(), "s.json", catalogue());
+  };
+  ASSERT_TRUE(load(""));
+  EXPECT_FALSE(load("")->head.present);
+  EXPECT_TRUE(load(R"(, "head": {})")->head.present);
+}
+
+}  // namespace
+}  // namespace cuticle::scene
