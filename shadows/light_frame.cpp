@@ -1,11 +1,12 @@
 #include <cuticle/shadows/light_frame.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include <cuticle/shadows/light_frame.glslh>
 
 namespace cuticle::shadows {
 
@@ -26,41 +27,21 @@ PlaneAxes plane_axes(const glm::dvec3& direction) {
           {b, sign + direction.y * direction.y * a, -direction.y}};
 }
 
-namespace {
-
-struct Interval {
-  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-  void add(double x) { lower = std::min(lower, x), upper = std::max(upper, x); }
-  double size() const { return upper - lower; }
-  double center() const { return 0.5 * (lower + upper); }
-};
-
-glm::dvec3 corner(const strands::Bounds& bounds, int i) {
-  return {i & 1 ? bounds.upper.x : bounds.lower.x, i & 2 ? bounds.upper.y : bounds.lower.y,
-          i & 4 ? bounds.upper.z : bounds.lower.z};
+LightAxes light_axes(const glm::dvec3& unit_to_light) {
+  const PlaneAxes axes = plane_axes(-unit_to_light);
+  return {glm::vec3(axes.first), glm::vec3(axes.second), glm::vec3(-unit_to_light)};
 }
 
-}  // namespace
-
-LightFrame fit_light_frame(const strands::Bounds& bounds, const glm::dvec3& to_light) {
-  LightFrame frame;
-  frame.forward = -to_light;
-  const PlaneAxes axes = plane_axes(frame.forward);
-  frame.right = axes.first;
-  frame.up = axes.second;
-  Interval x, y, z;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 point = corner(bounds, i);
-    x.add(glm::dot(point, frame.right));
-    y.add(glm::dot(point, frame.up));
-    z.add(glm::dot(point, frame.forward));
+LightBox light_box(const LightAxes& axes, std::span<const glm::vec3> positions) {
+  if (positions.empty()) return {};
+  const glm::vec3 first = light_point(axes.right, axes.up, axes.forward, positions.front());
+  LightBox box{first, first};
+  for (const glm::vec3& position : positions) {
+    const glm::vec3 point = light_point(axes.right, axes.up, axes.forward, position);
+    box.lower = glm::min(box.lower, point);
+    box.upper = glm::max(box.upper, point);
   }
-  frame.center_x = x.center();
-  frame.center_y = y.center();
-  frame.width = std::max({x.size(), y.size(), 1e-6});
-  frame.near_z = z.lower;
-  frame.far_z = z.lower + std::max(z.size(), 1e-4 * frame.width) * (1 + 1e-4);
-  return frame;
+  return box;
 }
 
 }  // namespace cuticle::shadows

@@ -1,37 +1,74 @@
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <cuticle/shadows/light_frame.glslh>
 #include <cuticle/shadows/light_frame.h>
 
-using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+constexpr float k_infinity = std::numeric_limits<float>::infinity();
+MapPlacement<float> placement_of(std::vector<glm::vec3> points, glm::dvec3 to_light, std::uint32_t resolution = 68, float intervals = 15) {
+  const LightBox box = light_box(light_axes(to_light), points);
+  return map_placement(box.lower, box.upper, resolution, intervals);
+}
+glm::vec3 placed(const MapPlacement<float>& placement, glm::dvec3 to_light, glm::vec3 point) {
+  const LightAxes axes = light_axes(to_light);
+  return place_in_map(placement, light_point(axes.right, axes.up, axes.forward, point));
+}
+
+}  // namespace
 
 TEST(LightFrame, AnyDirection_AxesAreRightHandedAndUnit) {
   for (const glm::dvec3 light : {glm::dvec3(0, 1, 0), {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0.6, -0.8, 0}, {1e-9, 0, -1}}) {
-    const shadows::LightFrame frame = shadows::fit_light_frame({{-1, -1, -1}, {1, 1, 1}}, glm::normalize(light));
-    EXPECT_NEAR(glm::length(glm::cross(frame.right, frame.up) - frame.forward), 0, 1e-12);
-    EXPECT_NEAR(glm::dot(frame.right, frame.up), 0, 1e-12);
-    EXPECT_NEAR(glm::length(frame.right), 1, 1e-12);
+    const glm::dvec3 direction = glm::normalize(light);
+    const PlaneAxes axes = plane_axes(direction);
+    EXPECT_NEAR(glm::length(glm::cross(axes.first, axes.second) - direction), 0, 1e-12);
+    EXPECT_NEAR(glm::dot(axes.first, axes.second), 0, 1e-12);
+    EXPECT_NEAR(glm::length(axes.first), 1, 1e-12);
   }
 }
 
-TEST(LightFrame, BoxFromAbove_NearAndFarPlanesTouchIt) {
-  const shadows::LightFrame frame = shadows::fit_light_frame({{-1, 2, -3}, {1, 5, 3}}, {0, 1, 0});
-  EXPECT_NEAR(frame.near_z, -5, 1e-12);
-  EXPECT_NEAR(frame.far_z, -2, 1e-3);
-  EXPECT_NEAR(frame.width, 6, 1e-12);
+TEST(LightFrame, TwoPointsAlongTheLight_TouchTheFirstAndTheLastPlane) {
+  const glm::dvec3 light(0, 1, 0);
+  const auto placement = placement_of({{0, 5, 0}, {2, 2, 1}}, light);
+  EXPECT_EQ(placed(placement, light, {0, 5, 0}).z, 0.0f);
+  const float last = placed(placement, light, {2, 2, 1}).z;
+  EXPECT_LT(last, 15.0f);
+  EXPECT_GT(last, 14.99f);
 }
 
-TEST(LightFrame, OnePoint_HasAnExtent) {
-  const shadows::LightFrame frame = shadows::fit_light_frame({{1, 1, 1}, {1, 1, 1}}, {0, 1, 0});
-  EXPECT_GT(frame.width, 0);
-  EXPECT_GT(frame.far_z, frame.near_z);
+TEST(LightFrame, LongestSide_FillsTheMapButForItsBorder) {
+  const glm::dvec3 light(0, 0, 1);
+  const auto placement = placement_of({{0, 0, 0}, {4, 1, 0}}, light);
+  const glm::vec3 a = placed(placement, light, {0, 0, 0}), b = placed(placement, light, {4, 1, 0});
+  EXPECT_NEAR(std::abs(b.x - a.x), 64, 1e-3);
+  EXPECT_NEAR(0.5f * (a.y + b.y), 34, 1e-3);
+}
+
+TEST(LightFrame, OnePointOrNone_HasAnExtent) {
+  for (const std::vector<glm::vec3>& points : {std::vector<glm::vec3>{{1, 1, 1}}, {}}) {
+    const auto placement = placement_of(points, {0, 1, 0});
+    EXPECT_TRUE(std::isfinite(placement.scale.x) && std::isfinite(placement.scale.z));
+    EXPECT_GT(placement.scale.z, 0.0f);
+  }
 }
 
 TEST(LightFrame, ZeroOrNotFiniteDirection_IsRefused) {
-  EXPECT_FALSE(shadows::unit_to_light({0, 0, 0}));
-  EXPECT_FALSE(shadows::unit_to_light({0, std::numeric_limits<double>::quiet_NaN(), 0}));
-  EXPECT_FALSE(shadows::unit_to_light({0, std::numeric_limits<double>::infinity(), 0}));
+  EXPECT_FALSE(unit_to_light({0, 0, 0}));
+  EXPECT_FALSE(unit_to_light({0, std::numeric_limits<double>::quiet_NaN(), 0}));
+  EXPECT_FALSE(unit_to_light({0, double(k_infinity), 0}));
+}
+
+TEST(OrderedBits, Floats_KeepTheirOrderAndComeBack) {
+  const float values[] = {-k_infinity, -3.5f, -1e-20f, -0.0f, 1e-20f, 0.1f, 2.0f, k_infinity};
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    EXPECT_EQ(from_ordered_bits(ordered_bits(values[i])), values[i]);
+  }
+  for (std::size_t i = 1; i < std::size(values); ++i) EXPECT_LT(ordered_bits(values[i - 1]), ordered_bits(values[i]));
 }

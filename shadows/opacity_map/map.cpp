@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cuticle/shadows/light_frame.glslh>
 #include <cuticle/shadows/opacity_map/lookup.glslh>
 #include <cuticle/shadows/opacity_map/splat.glslh>
 
@@ -14,12 +15,15 @@ namespace cuticle::shadows::opacity_map {
 namespace {
 
 constexpr double k_opaque_depth = 11.090354888959125;  // 16 ln 2
-constexpr std::uint32_t k_border = 2;                  // texels kept free on each side
 constexpr std::uint64_t k_most_bytes = 2ull << 30;
 
 double optical_depth(double alpha, double covered, bool poisson) {
   if (poisson) return alpha * covered;
   return std::min(k_opaque_depth, -std::log1p(-alpha * covered));
+}
+
+glm::vec3 to_map(const Geometry& g, const glm::vec3& p) {
+  return place_in_map(MapPlacement<float>{g.scale, g.offset}, light_point(g.axes.right, g.axes.up, g.axes.forward, p));
 }
 
 void parallel(std::size_t count, const auto& body) {
@@ -37,14 +41,13 @@ class Splatter {
     const std::uint32_t first = groom.offsets[s], last = groom.offsets[s + 1] - 1;
     for (std::uint32_t v = first; v < last; ++v)
       segment(place(groom.positions[v]), place(groom.positions[v + 1]),
-              0.5f * (groom.radii[v] + groom.radii[v + 1]) * map_.geometry.texels_per_metre, v == first, v + 1 == last);
+              0.5f * (groom.radii[v] + groom.radii[v + 1]) * map_.geometry.scale.x, v == first, v + 1 == last);
   }
 
  private:
   glm::vec3 place(const glm::vec3& p) const {
-    const Geometry& g = map_.geometry;
-    return {snap(exact_affine(g.axis_x, g.offset_x, p)), snap(exact_affine(g.axis_y, g.offset_y, p)),
-            exact_affine(g.axis_z, g.offset_z, p)};
+    const glm::vec3 point = to_map(map_.geometry, p);
+    return {snap(point.x), snap(point.y), point.z};
   }
 
   void segment(const glm::vec3& a, const glm::vec3& b, float half_width, bool is_first, bool is_last) {
@@ -93,11 +96,10 @@ class Lookup {
 
   float at(const glm::vec3& p) const {
     const Geometry& g = map_.geometry;
-    const float x = exact_affine(g.axis_x, g.offset_x, p), y = exact_affine(g.axis_y, g.offset_y, p);
-    const float z = std::clamp(exact_affine(g.axis_z, g.offset_z, p), 0.0f, float(g.layers));
+    const glm::vec3 point = to_map(g, p);
     const float limit = float(g.resolution) + 130.0f;
-    if (!(std::abs(x) < limit && std::abs(y) < limit)) return 1.0f;
-    return mean(x, y, z);
+    if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
+    return mean(point.x, point.y, std::clamp(point.z, 0.0f, float(g.layers)));
   }
 
  private:
@@ -150,26 +152,17 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
   return settings;
 }
 
-Geometry map_geometry(const LightFrame& frame, const Settings& settings) {
-  Geometry geometry;
-  const double texels = double(settings.resolution - 2 * k_border) / frame.width;
-  const double middle = 0.5 * double(settings.resolution);
-  const double intervals = double(settings.printed_spacing ? settings.slices : settings.slices - 1);
-  const double per_metre = intervals / (frame.far_z - frame.near_z);
-  geometry.axis_x = glm::vec3(frame.right * texels);
-  geometry.axis_y = glm::vec3(frame.up * texels);
-  geometry.axis_z = glm::vec3(frame.forward * per_metre);
-  geometry.offset_x = float(middle - frame.center_x * texels);
-  geometry.offset_y = float(middle - frame.center_y * texels);
-  geometry.offset_z = float(-frame.near_z * per_metre);
-  geometry.texels_per_metre = float(texels);
-  geometry.resolution = settings.resolution;
-  geometry.layers = settings.slices - 1;
-  return geometry;
+float slice_intervals(const Settings& settings) {
+  return float(settings.printed_spacing ? settings.slices : settings.slices - 1);
+}
+
+Geometry map_geometry(const LightAxes& axes, const LightBox& box, const Settings& settings) {
+  const MapPlacement<float> placement = map_placement(box.lower, box.upper, settings.resolution, slice_intervals(settings));
+  return {axes, placement.scale, placement.offset, settings.resolution, settings.slices - 1};
 }
 
 Result<float> filter_texels(const Geometry& geometry, const Settings& settings) {
-  const double given = settings.filter_radius > 0 ? settings.filter_radius * double(geometry.texels_per_metre) : settings.filter_texels;
+  const double given = settings.filter_radius > 0 ? settings.filter_radius * double(geometry.scale.x) : settings.filter_texels;
   if (given > 64)
     return usage_error(fmt::format("opacity_map: the filter's radius is {:.0f} texels, more than 64", given),
                        "a smaller filter_radius_mm or a lower resolution");
@@ -189,9 +182,9 @@ std::vector<std::uint32_t> deposit_table(double alpha, const Settings& settings,
   return table;
 }
 
-Map build_map(const strands::Groom& groom, double alpha, const LightFrame& frame, const Settings& settings) {
+Map build_map(const strands::Groom& groom, double alpha, const Geometry& geometry, const Settings& settings) {
   Map map;
-  map.geometry = map_geometry(frame, settings);
+  map.geometry = geometry;
   map.scale = fixed_point_scale(alpha, settings, groom.vertex_count() - groom.strand_count());
   map.sums.resize(std::size_t(settings.resolution) * settings.resolution * map.geometry.layers);
   const std::vector<std::uint32_t> table = deposit_table(alpha, settings, map.scale);

@@ -27,14 +27,15 @@ struct Settings {
 /// Error: usage, when the map would pass 2 GiB.
 Result<Settings> settings_from(const registry::ParameterValues& values);
 
-/// World to map: x, y in texels, z in slice spacings (splat.glslh). The GPU reads the same numbers.
+/// World to map: x, y in texels, z in slice spacings (light_frame.glslh, splat.glslh).
 struct Geometry {
-  glm::vec3 axis_x{0}, axis_y{0}, axis_z{0};
-  float offset_x = 0, offset_y = 0, offset_z = 0;
-  float texels_per_metre = 1;
+  LightAxes axes;
+  glm::vec3 scale{1}, offset{0};          ///< MapPlacement
   std::uint32_t resolution = 16, layers = 15;
 };
-Geometry map_geometry(const LightFrame& frame, const Settings& settings);
+/// Slice spacings from the near to the far plane of the hair.
+float slice_intervals(const Settings& settings);
+Geometry map_geometry(const LightAxes& axes, const LightBox& box, const Settings& settings);
 /// The lookup's disc in texels, at most 64. Error: usage, naming the filter.
 Result<float> filter_texels(const Geometry& geometry, const Settings& settings);
 
@@ -52,7 +53,7 @@ struct Map {
   std::vector<std::uint32_t> sums;
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (OpacityMapGpu_SameGroom_SameIntegers).
-Map build_map(const strands::Groom& groom, double alpha, const LightFrame& frame, const Settings& settings);
+Map build_map(const strands::Groom& groom, double alpha, const Geometry& geometry, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1.
 std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);

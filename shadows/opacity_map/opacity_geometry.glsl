@@ -1,17 +1,27 @@
-// Push constants of the opacity map's kernels: class OpacityMapGpu's Push, word for word.
-#include "cuticle/core/shared/lang.glslh"
+// Push constants of the opacity map's kernels (Push of opacity_map_gpu.cpp, word for word), and the light's view.
+#include "cuticle/shadows/light_frame.glslh"
 
 layout(push_constant) uniform Push {
-  vec4 axis_x, axis_y, axis_z;   // axis and offset: world to map (Geometry)
-  float texels_per_metre;
-  float filter_texels;
-  float per_unit;                // -k / scale
+  vec4 right, up, forward;   // xyz
+  float intervals;           // slice spacings from the near to the far plane
+  float filter_texels;       // radius of the lookup's disc
+  float filter_radius;       // the same in metres, used where it is not 0
+  float per_unit;            // -k / scale
   uint resolution, layers;
-  uint count;                    // of segments, texels or vertices
+  uint count;                // of segments, texels or vertices
   uint poisson;
 } push;
 
 /// Invocation number of a dispatch that is split over two axes.
 uint invocation() {
   return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+}
+
+vec3 in_light_axes(vec3 p) { return light_point(push.right.xyz, push.up.xyz, push.forward.xyz, p); }
+
+/// The box is kept as least values of the ordered bits of (x, y, z, -x, -y, -z).
+MapPlacement placement_of(uint least[6]) {
+  const vec3 lower = vec3(from_ordered_bits(least[0]), from_ordered_bits(least[1]), from_ordered_bits(least[2]));
+  const vec3 upper = -vec3(from_ordered_bits(least[3]), from_ordered_bits(least[4]), from_ordered_bits(least[5]));
+  return map_placement(lower, upper, push.resolution, push.intervals);
 }

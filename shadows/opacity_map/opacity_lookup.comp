@@ -6,8 +6,9 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/opacity_map/lookup.glslh"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 2) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
+layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
+layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
 
 float between(int i, int j, float z) {
   const uint slice = min(uint(z), push.layers - 1u);
@@ -23,12 +24,12 @@ float averaged(int i, int j, float z) {
   return push.poisson != 0u ? exponent : exp(exponent);
 }
 
-float mean(vec2 p, float z) {
-  const int i0 = int(floor(p.x)), j0 = int(floor(p.y)), reach = disc_reach(push.filter_texels);
+float mean(vec2 p, float z, float radius) {
+  const int i0 = int(floor(p.x)), j0 = int(floor(p.y)), reach = disc_reach(radius);
   float sum = 0.0, weights = 0.0;
   for (int j = j0 - reach; j <= j0 + reach; ++j)
     for (int i = i0 - reach; i <= i0 + reach; ++i) {
-      const float weight = disc_weight(length(vec2(i, j) + 0.5 - p), push.filter_texels);
+      const float weight = disc_weight(length(vec2(i, j) + 0.5 - p), radius);
       if (weight > 0.0) sum += weight * averaged(i, j, z);
       weights += weight;
     }
@@ -38,10 +39,10 @@ float mean(vec2 p, float z) {
 void main() {
   const uint v = invocation();
   if (v >= push.count) return;
-  const vec3 world = vertices[v].xyz;
-  const vec2 p = vec2(exact_affine(push.axis_x.xyz, push.axis_x.w, world), exact_affine(push.axis_y.xyz, push.axis_y.w, world));
-  const float z = clamp(exact_affine(push.axis_z.xyz, push.axis_z.w, world), 0.0, float(push.layers));
+  const MapPlacement placement = placement_of(least);
+  const vec3 point = place_in_map(placement, in_light_axes(vertices[v].xyz));
+  const float radius = push.filter_radius > 0.0 ? min(64.0, push.filter_radius * placement.scale.x) : push.filter_texels;
   const float limit = float(push.resolution) + 130.0;
-  const bool inside = abs(p.x) < limit && abs(p.y) < limit;
-  transmittance[v] = inside ? mean(p, z) : 1.0;
+  const bool inside = abs(point.x) < limit && abs(point.y) < limit;
+  transmittance[v] = inside ? mean(point.xy, clamp(point.z, 0.0, float(push.layers)), radius) : 1.0;
 }

@@ -33,11 +33,12 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const Settings settings, settings_from(values));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  const LightFrame frame = fit_light_frame(strands::bounds(*casters.groom), to_light);
-  CUTICLE_ASSIGN(const float filter, filter_texels(map_geometry(frame, settings), settings));
   Transmittance result;
   const auto start = std::chrono::steady_clock::now();
-  const Map map = build_map(*casters.groom, casters.alpha, frame, settings);
+  const LightAxes axes = light_axes(to_light);
+  const Geometry geometry = map_geometry(axes, light_box(axes, casters.groom->positions), settings);
+  CUTICLE_ASSIGN(const float filter, filter_texels(geometry, settings));
+  const Map map = build_map(*casters.groom, casters.alpha, geometry, settings);
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
   result.values = look_up(map, settings, filter, receivers.points);
@@ -47,8 +48,8 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   return result;
 }
 
-/// Splat, scan, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 3 * shape.lights; }
+/// Fit, splat, scan, lookup; the clearing is a fill.
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 4 * shape.lights; }
 
 }  // namespace
 

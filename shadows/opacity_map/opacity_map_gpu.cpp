@@ -6,6 +6,7 @@
 
 #include <cuticle/shadows/opacity_map/splat.glslh>
 
+#include <opacity_fit_comp.spv.h>
 #include <opacity_lookup_comp.spv.h>
 #include <opacity_scan_comp.spv.h>
 #include <opacity_splat_comp.spv.h>
@@ -14,14 +15,15 @@ namespace cuticle::shadows::opacity_map {
 namespace {
 
 struct Push {
-  glm::vec4 axis_x, axis_y, axis_z;
-  float texels_per_metre, filter_texels, per_unit;
+  glm::vec4 right, up, forward;
+  float intervals, filter_texels, filter_radius, per_unit;
   std::uint32_t resolution, layers, count, poisson;
 };
 
-Push push_of(const Geometry& g, const Settings& settings, float filter, double scale) {
-  return {{g.axis_x, g.offset_x}, {g.axis_y, g.offset_y}, {g.axis_z, g.offset_z}, g.texels_per_metre, filter,
-          float(-settings.k / scale), g.resolution, g.layers, 0, settings.poisson ? 1u : 0u};
+Push push_of(const LightAxes& axes, const Settings& settings, double scale) {
+  return {{axes.right, 0}, {axes.up, 0}, {axes.forward, 0}, slice_intervals(settings), float(settings.filter_texels),
+          float(settings.filter_radius), float(-settings.k / scale), settings.resolution, settings.slices - 1, 0,
+          settings.poisson ? 1u : 0u};
 }
 
 void dispatch(gpu::Commands& commands, std::string_view pass, const gpu::Kernel& kernel,
@@ -36,12 +38,14 @@ void dispatch(gpu::Commands& commands, std::string_view pass, const gpu::Kernel&
 }  // namespace
 
 Result<void> OpacityMapGpu::make() {
-  const gpu::ShaderInterface four{4, 0, sizeof(Push)}, one{1, 0, sizeof(Push)}, three{3, 0, sizeof(Push)};
+  const auto interface_of = [](std::uint32_t buffers) { return gpu::ShaderInterface{buffers, 0, sizeof(Push)}; };
   CUTICLE_ASSIGN(sums_, device_->make_buffer(4ull * settings_.resolution * settings_.resolution * (settings_.slices - 1)));
   CUTICLE_ASSIGN(table_, device_->make_buffer(4ull * (k_coverage_steps + 1)));
-  CUTICLE_ASSIGN(splat_, device_->make_kernel(opacity_splat_comp, four));
-  CUTICLE_ASSIGN(scan_, device_->make_kernel(opacity_scan_comp, one));
-  CUTICLE_ASSIGN(lookup_, device_->make_kernel(opacity_lookup_comp, three));
+  CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
+  CUTICLE_ASSIGN(fit_, device_->make_kernel(opacity_fit_comp, interface_of(2)));
+  CUTICLE_ASSIGN(splat_, device_->make_kernel(opacity_splat_comp, interface_of(5)));
+  CUTICLE_ASSIGN(scan_, device_->make_kernel(opacity_scan_comp, interface_of(1)));
+  CUTICLE_ASSIGN(lookup_, device_->make_kernel(opacity_lookup_comp, interface_of(4)));
   return {};
 }
 
@@ -67,21 +71,21 @@ Result<void> OpacityMapGpu::record(gpu::Commands& commands, const GpuStrands& st
   if (dispatches_per_frame(strands) == 0) return {};
   CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
   if (!(alpha >= 0 && alpha <= 1)) return usage_error("alpha must lie in 0 .. 1");
-  const Geometry geometry = map_geometry(fit_light_frame(strands.bounds, direction), settings_);
-  CUTICLE_ASSIGN(const float filter, filter_texels(geometry, settings_));
   CUTICLE_TRY(upload_table(alpha, strands.segment_count));
-  const Push push = push_of(geometry, settings_, filter, scale_);
+  const Push push = push_of(light_axes(direction), settings_, scale_);
   commands.begin_pass("shadow.clear");
   commands.fill(sums_, 0);
+  commands.fill(box_, ~0u);
   commands.end_pass();
-  dispatch(commands, "shadow.splat", splat_, {strands.vertices, strands.segments, &table_, &sums_}, push, strands.segment_count);
-  dispatch(commands, "shadow.scan", scan_, {&sums_}, push, geometry.resolution * geometry.resolution);
-  dispatch(commands, "shadow.lookup", lookup_, {strands.vertices, &sums_, &transmittance}, push, strands.vertex_count);
+  dispatch(commands, "shadow.fit", fit_, {strands.vertices, &box_}, push, strands.vertex_count);
+  dispatch(commands, "shadow.splat", splat_, {strands.vertices, strands.segments, &table_, &box_, &sums_}, push, strands.segment_count);
+  dispatch(commands, "shadow.scan", scan_, {&sums_}, push, settings_.resolution * settings_.resolution);
+  dispatch(commands, "shadow.lookup", lookup_, {strands.vertices, &box_, &sums_, &transmittance}, push, strands.vertex_count);
   return {};
 }
 
 std::uint32_t OpacityMapGpu::dispatches_per_frame(const GpuStrands& strands) const {
-  return strands.segment_count == 0 || strands.vertex_count == 0 ? 0 : 3;
+  return strands.segment_count == 0 || strands.vertex_count == 0 ? 0 : 4;
 }
 
 const GpuMethod& gpu_entry() {

@@ -1,12 +1,13 @@
 #pragma once
-// N17 on the GPU: clear (a fill), splat, scan, lookup; the integers of its map equal the CPU's.
+// N17 on the GPU: clear (fills), fit, splat, scan, lookup; the integers of its map equal the CPU's.
 #include <cuticle/shadows/method_gpu.h>
 #include <cuticle/shadows/opacity_map/map.h>
 
 namespace cuticle::shadows::opacity_map {
 
-/// Passes "shadow.clear", "shadow.splat", "shadow.scan", "shadow.lookup". All records of one submission must share alpha and the
-/// number of segments, because the table of deposits is uploaded when they change.
+/// Passes "shadow.clear", "shadow.fit", "shadow.splat", "shadow.scan", "shadow.lookup". All records of one submission must share alpha and the
+/// number of segments, because the table of deposits is uploaded when they change. The light's view is fitted to the vertices as they are on the device;
+/// a filter in metres is cut off at 64 texels.
 class OpacityMapGpu : public GpuShadow {
  public:
   /// Error: out_of_memory where the map passes the device's limits.
@@ -26,8 +27,8 @@ class OpacityMapGpu : public GpuShadow {
 
   std::shared_ptr<gpu::Device> device_;
   Settings settings_;
-  gpu::Buffer sums_, table_;
-  gpu::Kernel splat_, scan_, lookup_;
+  gpu::Buffer sums_, table_, box_;
+  gpu::Kernel fit_, splat_, scan_, lookup_;
   double table_alpha_ = -1, scale_ = 0;   ///< of the table on the device
 };
 

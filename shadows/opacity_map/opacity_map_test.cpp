@@ -27,6 +27,10 @@ float one(const strands::Groom& groom, glm::vec3 point, const std::string& set =
   return result ? result->values[0] : -1;
 }
 double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+opacity_map::Geometry geometry_of(const strands::Groom& groom, glm::dvec3 to_light) {
+  const LightAxes axes = light_axes(to_light);
+  return opacity_map::map_geometry(axes, light_box(axes, groom.positions), {});
+}
 strands::Groom upright() {
   strands::Groom groom;
   tests::add_strand(groom, {{0, 0.1f, 0}, {0, 0.05f, 0}, {0, 0, 0}}, 0.001f);
@@ -105,17 +109,17 @@ TEST(OpacityMap, PrintedSpacing_LastPlaneStopsShort) {
 
 TEST(OpacityMap, DoubledFilter_MillimetresAndTexelsAgree) {
   const strands::Groom groom = tests::coat(500, 6, 0.03, 1e-4f, 3);
-  const auto geometry = opacity_map::map_geometry(fit_light_frame(strands::bounds(groom), {0, 1, 0}), {});
-  const std::string set = "filter_radius_mm=" + std::to_string(3000.0 / double(geometry.texels_per_metre));
+  const auto geometry = geometry_of(groom, {0, 1, 0});
+  const std::string set = "filter_radius_mm=" + std::to_string(3000.0 / double(geometry.scale.x));
   EXPECT_NEAR(one(groom, {0, 0, 0}, set), one(groom, {0, 0, 0}, "filter_texels=3"), 1e-4);
 }
 
 TEST(OpacityMap, AnyThreadCount_SameIntegers) {
   const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
-  const LightFrame frame = fit_light_frame(strands::bounds(groom), {0.6, 0.8, 0});
-  const auto all = opacity_map::build_map(groom, 0.4, frame, {});
+  const auto geometry = geometry_of(groom, {0.6, 0.8, 0});
+  const auto all = opacity_map::build_map(groom, 0.4, geometry, {});
   tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(opacity_map::build_map(groom, 0.4, frame, {}).sums, all.sums);
+  EXPECT_EQ(opacity_map::build_map(groom, 0.4, geometry, {}).sums, all.sums);
 }
 
 TEST(OpacityMap, ALotOfOpaqueFibres_SumsDoNotWrap) {

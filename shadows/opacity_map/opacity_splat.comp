@@ -8,11 +8,12 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
 layout(std430, binding = 2) readonly buffer Table { uint table[]; };
-layout(std430, binding = 3) buffer Sums { uint sums[]; };
+layout(std430, binding = 3) readonly buffer Box { uint least[6]; };
+layout(std430, binding = 4) buffer Sums { uint sums[]; };
 
-vec3 place(vec3 p) {
-  return vec3(snap(exact_affine(push.axis_x.xyz, push.axis_x.w, p)), snap(exact_affine(push.axis_y.xyz, push.axis_y.w, p)),
-              exact_affine(push.axis_z.xyz, push.axis_z.w, p));
+vec3 place(MapPlacement placement, vec3 p) {
+  const vec3 point = place_in_map(placement, in_light_axes(p));
+  return vec3(snap(point.x), snap(point.y), point.z);
 }
 
 void deposit(Footprint footprint, int i, int j) {
@@ -39,9 +40,10 @@ void main() {
   const uint v = segments[s];
   const bool is_first = s == 0u || segments[s - 1u] + 1u != v;
   const bool is_last = s + 1u == push.count || segments[s + 1u] != v + 1u;
-  const vec3 a = place(vertices[v].xyz), b = place(vertices[v + 1u].xyz);
+  const MapPlacement placement = placement_of(least);
+  const vec3 a = place(placement, vertices[v].xyz), b = place(placement, vertices[v + 1u].xyz);
   precise float radius_sum = vertices[v].w + vertices[v + 1u].w;
-  precise float half_width = 0.5 * radius_sum * push.texels_per_metre;
+  precise float half_width = 0.5 * radius_sum * placement.scale.x;
   const uint pieces = piece_count(a.z, b.z, segment_footprint(a, b, half_width, 0.0, 0.0).size);
   for (uint i = 0u; i < pieces; ++i)
     splat(segment_footprint(piece_point(a, b, i, pieces), piece_point(a, b, i + 1u, pieces), half_width,
