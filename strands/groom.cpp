@@ -39,8 +39,8 @@ struct Unit {
   double metres;
 };
 // In the order in which they are preferred where several fit.
-constexpr Unit k_units[] = {{"metres", 1},      {"centimetres", 0.01}, {"millimetres", 0.001},
-                            {"inches", 0.0254}, {"feet", 0.3048}};
+constexpr Unit k_units[] = {
+    {"metres", 1}, {"centimetres", 0.01}, {"millimetres", 0.001}, {"inches", 0.0254}, {"feet", 0.3048}};
 
 bool is_head_of_hair(const Extent& size, double metres) {
   const double length = size.length * metres, width = size.width * metres;
@@ -88,15 +88,16 @@ Result<void> validate_attributes(const Groom& groom) {
 
 UnitGuess guess_units(const Groom& groom) {
   const Extent size = extent(groom);
-  const std::string what = fmt::format("95 % of strands are at most {:.4g} units long, all within {:.4g} units", size.length,
-                                       size.width);
+  const std::string what =
+      fmt::format("95 % of strands are at most {:.4g} units long, all within {:.4g} units", size.length, size.width);
   for (const Unit& unit : k_units)
     if (is_head_of_hair(size, unit.metres))
       return {unit.metres, fmt::format("{}: taken as {} ({:.3g} m long, {:.3g} m wide)", what, unit.name,
                                        size.length * unit.metres, size.width * unit.metres)};
   if (!(size.length > 0)) return {1, what + ": taken as metres, since strands without length say nothing"};
   const double metres = 0.3 / size.length;
-  return {metres, fmt::format("{}: no usual unit gives a head of hair; scaled so that such a strand is 0.3 m long", what)};
+  return {metres,
+          fmt::format("{}: no usual unit gives a head of hair; scaled so that such a strand is 0.3 m long", what)};
 }
 
 void scale(Groom& groom, double factor) {
@@ -117,7 +118,8 @@ Bounds bounds(const Groom& groom) {
 double strand_length(const Groom& groom, std::size_t strand) {
   const std::span<const glm::vec3> points = groom.strand(strand);
   double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(glm::dvec3(points[i - 1]), glm::dvec3(points[i]));
+  for (std::size_t i = 1; i < points.size(); ++i)
+    length += glm::distance(glm::dvec3(points[i - 1]), glm::dvec3(points[i]));
   return length;
 }
 

@@ -60,9 +60,9 @@ TEST(Tangents, StraightStrand_AreItsDirection) {
 
 TEST(Tangents, DegenerateStrands_AreFiniteUnitVectors) {
   const float tiny = std::numeric_limits<float>::denorm_min(), huge = 1e38f;
-  for (const Groom& groom : {one_strand({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), one_strand({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}),
-                             one_strand({{0, 0, 0}, {tiny, 0, 0}}), one_strand({{-huge, 0, 0}, {0, huge, 0}, {huge, 0, 0}}),
-                             one_strand({{5, 5, 5}})})
+  for (const Groom& groom : {one_strand({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}),
+                             one_strand({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), one_strand({{0, 0, 0}, {tiny, 0, 0}}),
+                             one_strand({{-huge, 0, 0}, {0, huge, 0}, {huge, 0, 0}}), one_strand({{5, 5, 5}})})
     for (const glm::vec3& t : tangents(groom)) EXPECT_NEAR(double(glm::length(t)), 1, 1e-6);
 }
 
@@ -112,7 +112,7 @@ TEST(Statistics, SpacingOfARegularLattice_IsAboutItsPitch) {
     const float x = 0.01f * float(i % 96), z = 0.01f * float(i / 96);
     tests::add_strand(groom, {{x, 0, z}, {x, 0.96f, z}}, 1e-5f);
   }
-  EXPECT_NEAR(statistics(groom).spacing, 0.01, 2e-3);   // cells hold whole numbers of fibres
+  EXPECT_NEAR(statistics(groom).spacing, 0.01, 2e-3);  // cells hold whole numbers of fibres
 }
 
 TEST(Mesh, NormalsOfACube_PointOutward) {
@@ -122,7 +122,7 @@ TEST(Mesh, NormalsOfACube_PointOutward) {
   compute_normals(mesh);
   EXPECT_LT(mesh.normals[0].x, 0);
   EXPECT_GT(mesh.normals[1].x, 0);
-  EXPECT_EQ(mesh.normals[4], glm::vec3(0, 1, 0));   // of no triangle
+  EXPECT_EQ(mesh.normals[4], glm::vec3(0, 1, 0));  // of no triangle
 }
 
 TEST(Mesh, Transformed_MovesPointsAndTurnsNormals) {

@@ -39,7 +39,8 @@ double fibre_spacing(const Groom& groom, const Bounds& box) {
   for (std::size_t s = 0; s < groom.strand_count(); ++s) {
     const auto points = groom.strand(s);
     for (std::size_t i = 1; i < points.size(); ++i)
-      deposit(cells, glm::dvec3(points[i - 1]) - glm::dvec3(box.lower), glm::dvec3(points[i]) - glm::dvec3(box.lower), cell);
+      deposit(cells, glm::dvec3(points[i - 1]) - glm::dvec3(box.lower), glm::dvec3(points[i]) - glm::dvec3(box.lower),
+              cell);
   }
   std::vector<double> densities;
   for (const auto& [place, length] : cells)

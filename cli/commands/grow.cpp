@@ -37,13 +37,23 @@ Result<strands::Groom> grow(const Request& request) {
   return strands::interpolate(strands::smooth(control, request.vertices), head.scalp, roots, hairs);
 }
 
+/// The growing parameters, one line each.
+std::string parameters_help() {
+  std::string text = "growing parameters (name, default, range, unit):\n";
+  for (const registry::Parameter& parameter : strands::growing_parameters())
+    text += fmt::format("  {:<18}{:<8}{} .. {} {}  {}\n", parameter.name, parameter.default_text, parameter.minimum,
+                        parameter.maximum, parameter.unit, parameter.summary);
+  return text;
+}
+
 int run(const Request& request, Progress& progress) {
   const auto groom = grow(request);
   if (!groom) return report(groom.error());
   const auto lost = strands::write_groom(request.output, *groom);
   if (!lost) return report(lost.error());
   for (const std::string& note : *lost) progress.message(request.output + ": " + note);
-  progress.message(fmt::format("{}: {} strands, {} vertices written", request.output, groom->strand_count(), groom->vertex_count()));
+  progress.message(
+      fmt::format("{}: {} strands, {} vertices written", request.output, groom->strand_count(), groom->vertex_count()));
   return Exit::ok;
 }
 
@@ -51,18 +61,21 @@ int run(const Request& request, Progress& progress) {
 
 void add_grow(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("grow", "hair on the procedural head, written as a groom in metres");
+  command->footer(parameters_help());
   auto request = std::make_shared<Request>();
-  auto* specification = command->add_option("specification", request->specification, "JSON object of growing parameters");
-  command->add_option("--set", request->settings, "growing parameters as name=value,name=value")->excludes(specification);
+  auto* specification =
+      command->add_option("specification", request->specification, "JSON object of growing parameters");
+  command->add_option("--set", request->settings, "growing parameters as name=value,name=value")
+      ->excludes(specification);
   command->add_option("--out", request->output, "groom to write: .hair or .tfx")->required();
-  command->add_option("--scalp-vertices", request->scalp_vertices, "control hairs, about")->check(CLI::Range(8, 100000));
+  command->add_option("--scalp-vertices", request->scalp_vertices, "control hairs, about")
+      ->check(CLI::Range(8, 100000));
   command->add_option("--strands", request->strands, "strands to write; 0 = the control hairs themselves")
       ->check(CLI::Range(0, 10000000));
   command->add_option("--vertices", request->vertices, "vertices per strand")->check(CLI::Range(2, 64));
   command->add_option("--root-seed", request->seed, "seed of the places of the roots");
-  command->callback([&context, request] {
-    context.action = [&context, request] { return run(*request, *context.progress); };
-  });
+  command->callback(
+      [&context, request] { context.action = [&context, request] { return run(*request, *context.progress); }; });
 }
 
 }  // namespace cuticle::cli

@@ -20,7 +20,9 @@ ordered_json to_json(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 ordered_json to_json(const std::vector<strands::DegenerateStrand>& degenerate) {
   ordered_json list = ordered_json::array();
   for (const auto& strand : degenerate)
-    list.push_back({{"strand", strand.strand}, {"coincident_segments", strand.coincident_segments}, {"has_length", strand.has_length}});
+    list.push_back({{"strand", strand.strand},
+                    {"coincident_segments", strand.coincident_segments},
+                    {"has_length", strand.has_length}});
   return list;
 }
 
@@ -44,8 +46,8 @@ ordered_json to_json(const std::string& path, const strands::GroomFile& file, co
 }
 
 void print_spread(const char* name, const Spread& spread) {
-  fmt::print("{:<22}{:.4g} .. {:.4g} m, median {:.4g}, mean {:.4g}\n", name, spread.least, spread.greatest, spread.median,
-             spread.mean);
+  fmt::print("{:<22}{:.4g} .. {:.4g} m, median {:.4g}, mean {:.4g}\n", name, spread.least, spread.greatest,
+             spread.median, spread.mean);
 }
 
 void print_degenerate(const std::vector<strands::DegenerateStrand>& degenerate) {
@@ -59,7 +61,8 @@ void print_degenerate(const std::vector<strands::DegenerateStrand>& degenerate) 
 
 void print_text(const strands::GroomFile& file, const strands::GroomStatistics& figures) {
   fmt::print("{:<22}{}\n", "strands", figures.strands);
-  fmt::print("{:<22}{} ({} .. {} per strand)\n", "vertices", figures.vertices, figures.least_vertices, figures.greatest_vertices);
+  fmt::print("{:<22}{} ({} .. {} per strand)\n", "vertices", figures.vertices, figures.least_vertices,
+             figures.greatest_vertices);
   print_spread("length", figures.length);
   print_spread("segment", figures.segment);
   print_spread("radius", figures.radius);
@@ -73,15 +76,18 @@ int show_info(const std::string& path, const strands::ReadOptions& options, bool
   const auto file = strands::read_groom(path, options);
   if (!file) return report(file.error());
   const strands::GroomStatistics figures = strands::statistics(file->groom);
-  if (json) fmt::print("{}\n", to_json(path, *file, figures).dump(2));
-  else print_text(*file, figures);
+  if (json)
+    fmt::print("{}\n", to_json(path, *file, figures).dump(2));
+  else
+    print_text(*file, figures);
   return Exit::ok;
 }
 
 }  // namespace
 
 void add_info(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("info", "what a groom file holds: strands, lengths, spacing, units, degenerate strands");
+  auto* command =
+      app.add_subcommand("info", "what a groom file holds: strands, lengths, spacing, units, degenerate strands");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
   command->add_option("file", *path, "groom: .hair or .tfx")->required();

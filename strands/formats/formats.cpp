@@ -17,7 +17,8 @@ constexpr double k_least_radius = 2e-6, k_greatest_radius = 5e-4;
 std::string extension_of(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
   std::string extension = dot == std::string::npos || path[dot] != '.' ? "" : path.substr(dot + 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return extension;
 }
 
@@ -59,10 +60,10 @@ void apply_radius(GroomFile& file, const ReadOptions& options) {
   }
   if (greatest >= k_least_radius && greatest <= k_greatest_radius) return;
   std::fill(radii.begin(), radii.end(), k_default_radius);
-  const std::string reason =
-      greatest == 0 ? "the file gives no thickness"
-                    : fmt::format("the file's thickness means a radius of {:.3g} m, not in {} .. {}", greatest, k_least_radius,
-                                  k_greatest_radius);
+  const std::string reason = greatest == 0
+                                 ? "the file gives no thickness"
+                                 : fmt::format("the file's thickness means a radius of {:.3g} m, not in {} .. {}",
+                                               greatest, k_least_radius, k_greatest_radius);
   file.notes.push_back(fmt::format("{}: radius taken as {:.3g} m", reason, double(k_default_radius)));
 }
 

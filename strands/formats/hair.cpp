@@ -52,9 +52,9 @@ Result<void> check_counts(const ByteView& bytes, const Header& header) {
                                    header.strands, header.points, bytes.size(), room / per_strand));
   const std::uint64_t least = 2 * std::uint64_t(header.strands);
   if (header.points < least || header.points > room / 12)
-    return bytes.error("point_count", point_count_at, fmt::format("{} points, allowed {} .. {} for {} strands in {} bytes",
-                                                                  header.points, least, room / 12, header.strands,
-                                                                  bytes.size()));
+    return bytes.error("point_count", point_count_at,
+                       fmt::format("{} points, allowed {} .. {} for {} strands in {} bytes", header.points, least,
+                                   room / 12, header.strands, bytes.size()));
   return {};
 }
 
@@ -66,8 +66,8 @@ Result<Header> read_header(const ByteView& bytes) {
   header.arrays = bytes.at<std::uint32_t>(arrays_at);
   header.segments = bytes.at<std::uint32_t>(default_segments_at);
   CUTICLE_TRY(check_counts(bytes, header));
-  CUTICLE_ASSIGN(std::vector<float> defaults, read_floats(bytes, "d_thickness, d_transparency, d_color",
-                                                          default_thickness_at, 5));
+  CUTICLE_ASSIGN(std::vector<float> defaults,
+                 read_floats(bytes, "d_thickness, d_transparency, d_color", default_thickness_at, 5));
   header.thickness = defaults[0];
   header.transparency = defaults[1];
   header.color.assign(defaults.begin() + 2, defaults.end());
@@ -92,22 +92,24 @@ Result<std::vector<std::uint32_t>> read_offsets(const ByteView& bytes, const Hea
   for (std::uint32_t s = 0; s < header.strands; ++s) {
     const SegmentField field = segment_field(bytes, header, s);
     if (field.count < 1 || field.count > 65535)
-      return bytes.error(field.name, field.offset, fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535",
-                                                               s, field.count, std::uint64_t(field.count) + 1));
+      return bytes.error(field.name, field.offset,
+                         fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535", s, field.count,
+                                     std::uint64_t(field.count) + 1));
     const std::uint64_t end = std::uint64_t(offsets.back()) + field.count + 1;
     if (end > header.points)
-      return bytes.error(field.name, field.offset, fmt::format("strands 0 .. {} have {} points, point_count is {}", s, end,
-                                                               header.points));
+      return bytes.error(field.name, field.offset,
+                         fmt::format("strands 0 .. {} have {} points, point_count is {}", s, end, header.points));
     offsets.push_back(std::uint32_t(end));
   }
   if (offsets.back() != header.points)
-    return bytes.error("point_count", point_count_at, fmt::format("{}, but the segments add up to {} points",
-                                                                  header.points, offsets.back()));
+    return bytes.error("point_count", point_count_at,
+                       fmt::format("{}, but the segments add up to {} points", header.points, offsets.back()));
   return offsets;
 }
 
 /// Reads one array and moves `offset` past it.
-Result<std::vector<float>> next_floats(const ByteView& bytes, const char* field, std::uint64_t& offset, std::uint64_t count) {
+Result<std::vector<float>> next_floats(const ByteView& bytes, const char* field, std::uint64_t& offset,
+                                       std::uint64_t count) {
   const std::uint64_t begin = offset;
   offset += 4 * count;
   return read_floats(bytes, field, begin, count);
@@ -115,8 +117,7 @@ Result<std::vector<float>> next_floats(const ByteView& bytes, const char* field,
 
 std::vector<glm::vec3> to_points(const std::vector<float>& numbers) {
   std::vector<glm::vec3> result(numbers.size() / 3);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   return result;
 }
 
@@ -129,7 +130,8 @@ Result<std::vector<float>> read_radii(const ByteView& bytes, const Header& heade
   CUTICLE_ASSIGN(radii, next_floats(bytes, "thickness", offset, header.points));
   for (std::size_t i = 0; i < radii.size(); ++i) {
     if (radii[i] < 0)
-      return bytes.error(fmt::format("thickness[{}]", i), begin + 4 * i, fmt::format("{} is below 0", double(radii[i])));
+      return bytes.error(fmt::format("thickness[{}]", i), begin + 4 * i,
+                         fmt::format("{} is below 0", double(radii[i])));
     radii[i] *= 0.5f;
   }
   return radii;
@@ -166,7 +168,8 @@ const Attribute* find_attribute(const Groom& groom, const std::string& name, int
 /// The header's default of an attribute: the first strand's value, or `plain`.
 std::vector<float> default_of(const Groom& groom, const char* name, const std::vector<float>& plain) {
   const Attribute* attribute = find_attribute(groom, name, int(plain.size()));
-  if (!attribute || attribute->domain != Attribute::Domain::strand || attribute->values.size() < plain.size()) return plain;
+  if (!attribute || attribute->domain != Attribute::Domain::strand || attribute->values.size() < plain.size())
+    return plain;
   return {attribute->values.begin(), attribute->values.begin() + std::ptrdiff_t(plain.size())};
 }
 
@@ -188,7 +191,8 @@ bool has_equal_sizes(const Groom& groom) {
 }
 
 bool has_equal_radii(const Groom& groom) {
-  return std::all_of(groom.radii.begin(), groom.radii.end(), [&](float radius) { return radius == groom.radii.front(); });
+  return std::all_of(groom.radii.begin(), groom.radii.end(),
+                     [&](float radius) { return radius == groom.radii.front(); });
 }
 
 std::uint32_t arrays_of(const Groom& groom) {
@@ -230,7 +234,8 @@ Result<Groom> parse_hair(std::span<const std::byte> data, const std::string& whe
   Groom groom;
   CUTICLE_ASSIGN(groom.offsets, read_offsets(bytes, header));
   std::uint64_t offset = header_size + (header.has(segments) ? 2 * std::uint64_t(header.strands) : 0);
-  CUTICLE_ASSIGN(const std::vector<float> numbers, next_floats(bytes, "points", offset, 3 * std::uint64_t(header.points)));
+  CUTICLE_ASSIGN(const std::vector<float> numbers,
+                 next_floats(bytes, "points", offset, 3 * std::uint64_t(header.points)));
   groom.positions = to_points(numbers);
   CUTICLE_ASSIGN(groom.radii, read_radii(bytes, header, offset));
   CUTICLE_TRY(read_attributes(bytes, header, offset, groom));

@@ -73,7 +73,8 @@ TEST_P(HairArrays, CutAnywhere_IsRefused) {
 
 TEST_P(HairArrays, WithoutPoints_IsRefused) {
   const Bytes bytes = format_hair(groom_for(GetParam()));
-  EXPECT_THAT(refusal(with(bytes, 12, GetParam() & ~points)), AllOf(HasSubstr("arrays at offset 12"), HasSubstr("points")));
+  EXPECT_THAT(refusal(with(bytes, 12, GetParam() & ~points)),
+              AllOf(HasSubstr("arrays at offset 12"), HasSubstr("points")));
 }
 
 std::vector<unsigned> all_with_points() {
@@ -106,7 +107,8 @@ TEST(HairFile, TrailingBytes_AreIgnored) {
 }
 
 TEST(HairFile, WrongSignature_IsRefused) {
-  EXPECT_THAT(refusal(with(format_hair(groom_for(points)), 0, 'h')), AllOf(HasSubstr("some.hair"), HasSubstr("signature")));
+  EXPECT_THAT(refusal(with(format_hair(groom_for(points)), 0, 'h')),
+              AllOf(HasSubstr("some.hair"), HasSubstr("signature")));
 }
 
 TEST(HairFile, UnknownArrayBit_IsRefused) {
@@ -114,7 +116,8 @@ TEST(HairFile, UnknownArrayBit_IsRefused) {
 }
 
 TEST(HairFile, ZeroStrands_IsRefused) {
-  EXPECT_THAT(refusal(with(format_hair(groom_for(points)), 4, 0u)), AllOf(HasSubstr("hair_count at offset 4"), HasSubstr("at least 1")));
+  EXPECT_THAT(refusal(with(format_hair(groom_for(points)), 4, 0u)),
+              AllOf(HasSubstr("hair_count at offset 4"), HasSubstr("at least 1")));
 }
 
 TEST(HairFile, CountsThatOverflow_AreRefusedBeforeAllocating) {

@@ -78,7 +78,8 @@ class ObjParser {
       corners.push_back(vertex);
     }
     if (corners.size() < 3) return error("f", fmt::format("{} corners, at least 3 are needed", corners.size()));
-    for (std::size_t i = 2; i < corners.size(); ++i) mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
     return {};
   }
 
@@ -120,7 +121,8 @@ class ObjParser {
 
   Result<Mesh> finish() {
     if (mesh_.triangles.empty())
-      return bad_input(fmt::format("{}: no faces: {} vertices, but at least one triangle is needed", where_, positions_.size()));
+      return bad_input(
+          fmt::format("{}: no faces: {} vertices, but at least one triangle is needed", where_, positions_.size()));
     if (!has_all_uv_) mesh_.uv.clear();
     if (!has_all_normals_) compute_normals(mesh_);
     for (glm::vec3& normal : mesh_.normals) normal = unit_or_up(normal);

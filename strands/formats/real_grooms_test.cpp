@@ -13,7 +13,7 @@ std::string data(const std::string& path) { return std::string(std::getenv("CUTI
 struct RealGroom {
   const char* path;
   std::size_t strands, points;
-  double shortest, longest;   ///< centimetres, to 0.05
+  double shortest, longest;  ///< centimetres, to 0.05
 };
 class RealGrooms : public testing::TestWithParam<RealGroom> {};
 
@@ -24,7 +24,8 @@ INSTANTIATE_TEST_SUITE_P(All, RealGrooms,
                                          RealGroom{"strands/tressfx/ponytail/tail.tfx", 255, 16, 42.53, 92.4},
                                          RealGroom{"strands/tressfx/ponytail/tail_v3.1.tfx", 474, 16, 28.27, 92.4},
                                          RealGroom{"strands/tressfx/testhair1/TestHair1.tfx", 10027, 4, 11, 11},
-                                         RealGroom{"strands/sintel/GEO-sintel_hair_emit.002-sintel_hair.tfx", 228, 32, 5.07, 28.65}));
+                                         RealGroom{"strands/sintel/GEO-sintel_hair_emit.002-sintel_hair.tfx", 228, 32,
+                                                   5.07, 28.65}));
 
 TEST_P(RealGrooms, Read_CountsAndLengthsAsStated) {
   const auto file = read_groom(data(GetParam().path));

@@ -22,15 +22,15 @@ enum HeaderOffset : std::uint64_t {
 struct Header {
   int version = 3;
   std::uint32_t strands = 0, strand_size = 0;
-  std::uint64_t positions = header_size_3, uv = 0;   ///< uv 0: none
+  std::uint64_t positions = header_size_3, uv = 0;  ///< uv 0: none
   std::uint64_t vertex_bytes() const { return version == 3 ? 12 : 16; }
   std::uint64_t vertices() const { return std::uint64_t(strands) * strand_size; }
 };
 
 Result<int> read_version(const ByteView& bytes) {
   if (bytes.size() < header_size_4)
-    return bytes.error("header", 0, fmt::format("{} bytes, a .tfx header has 160 (version 4) or 296 (version 3)",
-                                                bytes.size()));
+    return bytes.error("header", 0,
+                       fmt::format("{} bytes, a .tfx header has 160 (version 4) or 296 (version 3)", bytes.size()));
   const float version = bytes.at<float>(version_at);
   if (version >= 3 && version < 4 && bytes.size() < header_size_3)
     return bytes.error("header", 0, fmt::format("{} bytes, a version 3 header has 296", bytes.size()));
@@ -43,11 +43,12 @@ Result<void> read_offsets(const ByteView& bytes, Header& header) {
   header.positions = bytes.at<std::uint32_t>(positions_offset_at);
   header.uv = bytes.at<std::uint32_t>(uv_offset_at);
   if (header.positions < header_size_4 || header.positions > bytes.size())
-    return bytes.error("position offset", positions_offset_at, fmt::format("{}, allowed {} .. {}", header.positions,
-                                                                           std::uint64_t(header_size_4), bytes.size()));
+    return bytes.error(
+        "position offset", positions_offset_at,
+        fmt::format("{}, allowed {} .. {}", header.positions, std::uint64_t(header_size_4), bytes.size()));
   if (header.uv != 0 && (header.uv < header_size_4 || header.uv > bytes.size()))
-    return bytes.error("uv offset", uv_offset_at, fmt::format("{}, allowed 0 or {} .. {}", header.uv,
-                                                              std::uint64_t(header_size_4), bytes.size()));
+    return bytes.error("uv offset", uv_offset_at,
+                       fmt::format("{}, allowed 0 or {} .. {}", header.uv, std::uint64_t(header_size_4), bytes.size()));
   return {};
 }
 
@@ -59,12 +60,13 @@ Result<Header> read_header(const ByteView& bytes) {
   header.strand_size = bytes.at<std::uint32_t>(strand_size_at);
   const std::uint64_t room = (bytes.size() - header.positions) / header.vertex_bytes();
   if (header.strand_size < 2 || header.strand_size > room)
-    return bytes.error("points per strand", strand_size_at, fmt::format("{}, allowed 2 .. {} in a file of {} bytes",
-                                                                        header.strand_size, room, bytes.size()));
+    return bytes.error(
+        "points per strand", strand_size_at,
+        fmt::format("{}, allowed 2 .. {} in a file of {} bytes", header.strand_size, room, bytes.size()));
   if (header.strands < 1 || header.strands > room / header.strand_size)
     return bytes.error("strand count", strand_count_at,
-                       fmt::format("{} strands of {} points, allowed 1 .. {} strands in a file of {} bytes", header.strands,
-                                   header.strand_size, room / header.strand_size, bytes.size()));
+                       fmt::format("{} strands of {} points, allowed 1 .. {} strands in a file of {} bytes",
+                                   header.strands, header.strand_size, room / header.strand_size, bytes.size()));
   return header;
 }
 
@@ -83,8 +85,8 @@ bool is_usual_pin(const std::vector<float>& w, std::uint32_t strand_size) {
 
 Result<void> read_positions(const ByteView& bytes, const Header& header, Groom& groom) {
   const std::size_t step = header.vertex_bytes() / 4;
-  CUTICLE_ASSIGN(const std::vector<float> numbers, read_floats(bytes, "positions", header.positions,
-                                                               header.vertices() * step));
+  CUTICLE_ASSIGN(const std::vector<float> numbers,
+                 read_floats(bytes, "positions", header.positions, header.vertices() * step));
   std::vector<float> w;
   groom.positions.reserve(header.vertices());
   for (std::size_t i = 0; i < numbers.size(); i += step) {
@@ -98,8 +100,8 @@ Result<void> read_positions(const ByteView& bytes, const Header& header, Groom& 
 
 Result<void> read_root_uv(const ByteView& bytes, const Header& header, Groom& groom) {
   if (header.uv == 0) return {};
-  CUTICLE_ASSIGN(const std::vector<float> numbers, read_floats(bytes, "root uv", header.uv,
-                                                               2 * std::uint64_t(header.strands)));
+  CUTICLE_ASSIGN(const std::vector<float> numbers,
+                 read_floats(bytes, "root uv", header.uv, 2 * std::uint64_t(header.strands)));
   for (std::size_t s = 0; s < header.strands; ++s) groom.root_uv.emplace_back(numbers[2 * s], numbers[2 * s + 1]);
   return {};
 }
@@ -137,8 +139,8 @@ Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& wher
   const ByteView bytes(data, where);
   CUTICLE_ASSIGN(const Header header, read_header(bytes));
   if (header.vertices() > 0xffffffffull)
-    return bytes.error("strand count", strand_count_at, fmt::format("{} points in all, allowed 2 .. {}", header.vertices(),
-                                                                    0xffffffffull));
+    return bytes.error("strand count", strand_count_at,
+                       fmt::format("{} points in all, allowed 2 .. {}", header.vertices(), 0xffffffffull));
   Groom groom;
   groom.offsets = even_offsets(header);
   CUTICLE_TRY(read_positions(bytes, header, groom));

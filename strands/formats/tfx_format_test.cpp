@@ -71,7 +71,8 @@ TEST_P(TfxVersion, ZeroStrands_IsRefused) {
 }
 
 TEST_P(TfxVersion, OnePointStrands_AreRefused) {
-  EXPECT_THAT(refusal(with(file_of(two_strands(), GetParam()), 8, 1u)), AllOf(HasSubstr("points per strand"), HasSubstr("2 ..")));
+  EXPECT_THAT(refusal(with(file_of(two_strands(), GetParam()), 8, 1u)),
+              AllOf(HasSubstr("points per strand"), HasSubstr("2 ..")));
 }
 
 TEST_P(TfxVersion, CoordinateNotFinite_IsRefusedByOffset) {

@@ -36,11 +36,13 @@ std::vector<std::uint32_t> own_hairs() {
   return hairs;
 }
 
-/// Distance of the deepest vertex inside the head, metres (0: none is), past the first `skipped` vertices of each strand.
+/// Distance of the deepest vertex inside the head, metres (0: none is), past the first `skipped` vertices of each
+/// strand.
 double deepest(const Groom& groom, std::size_t skipped) {
   double depth = 0;
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
-    for (std::size_t i = skipped; i < groom.strand_size(s); ++i) depth = std::min(depth, head_distance(groom.strand(s)[i]));
+    for (std::size_t i = skipped; i < groom.strand_size(s); ++i)
+      depth = std::min(depth, head_distance(groom.strand(s)[i]));
   return -depth;
 }
 
@@ -63,7 +65,7 @@ TEST(Head, Mesh_HasTheSizeOfAHead) {
     if (p.z > 0.06f) chin = std::min(chin, p.y);
   }
   EXPECT_NEAR(double(crown - chin), 0.23, 0.02);
-  EXPECT_NEAR(double(width), 0.165, 0.015);   // over the ears
+  EXPECT_NEAR(double(width), 0.165, 0.015);  // over the ears
   EXPECT_NEAR(double(nose), 0.11, 0.01);
 }
 
@@ -164,12 +166,14 @@ TEST(Planting, ControlHairs_AreOutsideTheHeadAndItsColliders) {
 }
 
 TEST(Planting, DrawnHair_IsOutsideTheHead) {
-  const Groom drawn = interpolate(smooth(planted_by_default(), 30), head().scalp, scatter_roots(head().scalp, 4095, 1), own_hairs());
+  const Groom drawn =
+      interpolate(smooth(planted_by_default(), 30), head().scalp, scatter_roots(head().scalp, 4095, 1), own_hairs());
   EXPECT_LT(deepest(drawn, 2), 2.5e-3);
 }
 
 TEST(Planting, DrawnHair_LeavesTheFaceFree) {
-  const Groom drawn = interpolate(smooth(planted_by_default(), 30), head().scalp, scatter_roots(head().scalp, 4095, 1), own_hairs());
+  const Groom drawn =
+      interpolate(smooth(planted_by_default(), 30), head().scalp, scatter_roots(head().scalp, 4095, 1), own_hairs());
   const auto covers_face = [](const glm::vec3& p) {
     return p.z > 0.05f && std::abs(p.x) < 0.045f && p.y > 0.01f && p.y < 0.15f;
   };

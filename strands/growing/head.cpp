@@ -24,12 +24,12 @@ struct DirectionMesh {
 DirectionMesh icosahedron() {
   const double g = std::numbers::phi;
   DirectionMesh mesh;
-  mesh.directions = {{-1, g, 0}, {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+  mesh.directions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   for (glm::dvec3& direction : mesh.directions) direction = glm::normalize(direction);
-  mesh.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                    {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   return mesh;
 }
 
@@ -61,8 +61,9 @@ Mesh make_head_mesh() {
   return mesh;
 }
 
-/// The scalp is a disc of rings about the crown: ring k has 6 k + 1 vertices, the first and last at the same place, so that the
-/// disc is cut along the parting (the front half of the middle plane) and hair on both sides of it can be combed apart.
+/// The scalp is a disc of rings about the crown: ring k has 6 k + 1 vertices, the first and last at the same place, so
+/// that the disc is cut along the parting (the front half of the middle plane) and hair on both sides of it can be
+/// combed apart.
 std::uint32_t ring_start(std::uint32_t ring) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + (ring - 1); }
 
 std::uint32_t ring_count_for(int vertices) {
@@ -121,11 +122,11 @@ Head make_head(int scalp_vertices) {
   Head head;
   head.mesh = make_head_mesh();
   head.scalp = make_scalp(ring_count_for(scalp_vertices));
-  head.colliders = {{{0, 0.150, 0.008}, 0.069},     // front of the skull
-                    {{0, 0.148, -0.032}, 0.070},    // back of the skull
-                    {{0, 0.092, 0.030}, 0.050},     // face
-                    {{0, 0.045, 0.030}, 0.040},     // jaw
-                    {{0, 0.000, -0.028}, 0.046}};   // neck
+  head.colliders = {{{0, 0.150, 0.008}, 0.069},    // front of the skull
+                    {{0, 0.148, -0.032}, 0.070},   // back of the skull
+                    {{0, 0.092, 0.030}, 0.050},    // face
+                    {{0, 0.045, 0.030}, 0.040},    // jaw
+                    {{0, 0.000, -0.028}, 0.046}};  // neck
   return head;
 }
 

@@ -12,23 +12,23 @@ namespace {
 
 struct Ellipsoid {
   glm::dvec3 center, radii;
-  double blend;   ///< width of the smooth seam to what stands before it, metres
+  double blend;  ///< width of the smooth seam to what stands before it, metres
 };
 
 // Mirrored in x: the point's |x| is used. Measures follow an adult head: 0.15 m wide, 0.19 m deep, 0.23 m tall.
 constexpr Ellipsoid k_parts[] = {
-    {{0, 0.145, -0.012}, {0.075, 0.085, 0.095}, 0},           // skull
-    {{0, 0.092, 0.024}, {0.061, 0.080, 0.060}, 0.025},        // face
-    {{0, 0.030, 0.052}, {0.030, 0.023, 0.033}, 0.030},        // chin
-    {{0.036, 0.052, 0.014}, {0.026, 0.036, 0.046}, 0.025},    // jaw
-    {{0.042, 0.087, 0.054}, {0.018, 0.016, 0.016}, 0.022},    // cheek
-    {{0.022, 0.124, 0.074}, {0.030, 0.009, 0.013}, 0.016},    // brow
-    {{0, 0.097, 0.088}, {0.0085, 0.026, 0.014}, 0.014},       // bridge of the nose
-    {{0, 0.080, 0.101}, {0.0115, 0.010, 0.012}, 0.012},       // tip of the nose
-    {{0.010, 0.078, 0.093}, {0.0075, 0.007, 0.008}, 0.007},   // nostril
-    {{0, 0.056, 0.0855}, {0.021, 0.0055, 0.0085}, 0.007},     // upper lip
-    {{0, 0.0455, 0.0835}, {0.018, 0.0055, 0.009}, 0.007},     // lower lip
-    {{0, -0.005, -0.028}, {0.049, 0.120, 0.053}, 0.030},      // neck
+    {{0, 0.145, -0.012}, {0.075, 0.085, 0.095}, 0},          // skull
+    {{0, 0.092, 0.024}, {0.061, 0.080, 0.060}, 0.025},       // face
+    {{0, 0.030, 0.052}, {0.030, 0.023, 0.033}, 0.030},       // chin
+    {{0.036, 0.052, 0.014}, {0.026, 0.036, 0.046}, 0.025},   // jaw
+    {{0.042, 0.087, 0.054}, {0.018, 0.016, 0.016}, 0.022},   // cheek
+    {{0.022, 0.124, 0.074}, {0.030, 0.009, 0.013}, 0.016},   // brow
+    {{0, 0.097, 0.088}, {0.0085, 0.026, 0.014}, 0.014},      // bridge of the nose
+    {{0, 0.080, 0.101}, {0.0115, 0.010, 0.012}, 0.012},      // tip of the nose
+    {{0.010, 0.078, 0.093}, {0.0075, 0.007, 0.008}, 0.007},  // nostril
+    {{0, 0.056, 0.0855}, {0.021, 0.0055, 0.0085}, 0.007},    // upper lip
+    {{0, 0.0455, 0.0835}, {0.018, 0.0055, 0.009}, 0.007},    // lower lip
+    {{0, -0.005, -0.028}, {0.049, 0.120, 0.053}, 0.030},     // neck
 };
 constexpr Ellipsoid k_ear = {{0.077, 0.104, -0.012}, {0.010, 0.030, 0.017}, 0.006};
 constexpr Ellipsoid k_eye_socket = {{0.031, 0.1075, 0.098}, {0.0190, 0.0120, 0.0170}, 0.012};
@@ -74,7 +74,7 @@ glm::dvec3 head_normal(const glm::dvec3& point) {
 }
 
 glm::dvec3 head_surface_point(const glm::dvec3& origin, const glm::dvec3& direction) {
-  constexpr double step = 4e-3;   // thinner than every part
+  constexpr double step = 4e-3;  // thinner than every part
   double inside = 0, outside = 0;
   while (head_distance(origin + direction * outside) < 0) {
     inside = outside;

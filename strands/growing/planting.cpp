@@ -1,4 +1,5 @@
-// N1, N6: a control hair on every scalp vertex, grown by small steps along the normal, then the combed flow over the head.
+// N1, N6: a control hair on every scalp vertex, grown by small steps along the normal, then the combed flow over the
+// head.
 #include <cuticle/strands/growing/growing.h>
 
 #include <algorithm>
@@ -22,9 +23,23 @@ constexpr Parameter k_parameters[] = {
     {"control_vertices", ParameterType::integer, "1", 2, 64, "7", {}, "Vertices of a control hair"},
     {"length", ParameterType::real, "m", 0.001, 2, "0.27", {}, "Length of a hair"},
     {"length_variation", ParameterType::real, "1", 0, 0.9, "0.12", {}, "Part of the length that chance may take away"},
-    {"segment_growth", ParameterType::real, "1", 1, 3, "1.25", {}, "Length of a segment over the one before it, root to tip"},
+    {"segment_growth",
+     ParameterType::real,
+     "1",
+     1,
+     3,
+     "1.25",
+     {},
+     "Length of a segment over the one before it, root to tip"},
     {"parting", ParameterType::real, "1", 0, 1, "0.8", {}, "Combed straight back (0) or apart from the middle (1)"},
-    {"comb", ParameterType::real, "1", 0, 1, "1", {}, "How far hair near the head follows the comb; 0 leaves it on the normal"},
+    {"comb",
+     ParameterType::real,
+     "1",
+     0,
+     1,
+     "1",
+     {},
+     "How far hair near the head follows the comb; 0 leaves it on the normal"},
     {"droop", ParameterType::real, "1", 0, 1, "1", {}, "How far hair bends to the ground; 0 leaves it stiff"},
     {"volume", ParameterType::real, "m", 0.005, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
     {"fringe", ParameterType::real, "1", 0.05, 1, "1", {}, "Length at the front hairline over length elsewhere"},
@@ -36,10 +51,18 @@ constexpr Parameter k_parameters[] = {
 /// The parameters as numbers.
 struct Style {
   explicit Style(const registry::ParameterValues& values)
-      : vertices(int(values.integer("control_vertices"))), length(values.real("length")),
-        variation(values.real("length_variation")), growth(values.real("segment_growth")), parting(values.real("parting")),
-        comb(values.real("comb")), droop(values.real("droop")), volume(values.real("volume")), fringe(values.real("fringe")),
-        clump(values.real("clump")), radius(values.real("radius")), seed(std::uint64_t(values.integer("seed"))) {}
+      : vertices(int(values.integer("control_vertices"))),
+        length(values.real("length")),
+        variation(values.real("length_variation")),
+        growth(values.real("segment_growth")),
+        parting(values.real("parting")),
+        comb(values.real("comb")),
+        droop(values.real("droop")),
+        volume(values.real("volume")),
+        fringe(values.real("fringe")),
+        clump(values.real("clump")),
+        radius(values.real("radius")),
+        seed(std::uint64_t(values.integer("seed"))) {}
   int vertices;
   double length, variation, growth, parting, comb, droop, volume, fringe, clump, radius;
   std::uint64_t seed;
@@ -63,7 +86,8 @@ HeadFrame head_frame(const Mesh& scalp) {
   return frame;
 }
 
-/// +1 or -1 per scalp vertex: the side of the middle plane that its triangles lie on (both copies on the parting differ).
+/// +1 or -1 per scalp vertex: the side of the middle plane that its triangles lie on (both copies on the parting
+/// differ).
 std::vector<double> sides(const Mesh& scalp, const HeadFrame& frame) {
   std::vector<double> sums(scalp.positions.size(), 0);
   for (const auto& triangle : scalp.triangles) {
@@ -88,7 +112,10 @@ glm::dvec3 comb_direction(const glm::dvec3& place, double side, double parting) 
 class Grower {
  public:
   Grower(const Head& head, const Style& style)
-      : head_(head), style_(style), frame_(head_frame(head.scalp)), sides_(sides(head.scalp, frame_)),
+      : head_(head),
+        style_(style),
+        frame_(head_frame(head.scalp)),
+        sides_(sides(head.scalp, frame_)),
         surface_(head.mesh, 0.05 * frame_.unit / 0.15) {}
 
   double length_of(std::size_t vertex) const {
@@ -98,7 +125,8 @@ class Grower {
     return style_.length * chance * glm::mix(1.0, style_.fringe, front);
   }
 
-  /// A fine path along which the control vertices are then placed; longer than the hair, since chords are shorter than arcs.
+  /// A fine path along which the control vertices are then placed; longer than the hair, since chords are shorter than
+  /// arcs.
   std::vector<glm::dvec3> path(std::size_t vertex, double length) const {
     constexpr int steps = 100;
     const double step = 1.3 * length / steps;
@@ -126,15 +154,17 @@ class Grower {
   }
 
  private:
-  static constexpr double k_clearance = 0.003;   ///< metres
-  static constexpr double k_stiffness = 0.009;   ///< length over which hair turns to where it is pulled, metres
+  static constexpr double k_clearance = 0.003;  ///< metres
+  static constexpr double k_stiffness = 0.009;  ///< length over which hair turns to where it is pulled, metres
 
-  glm::dvec3 turned(const glm::dvec3& point, const glm::dvec3& direction, double side, double travelled, double step) const {
+  glm::dvec3 turned(const glm::dvec3& point, const glm::dvec3& direction, double side, double travelled,
+                    double step) const {
     const SurfaceHit hit = surface_.at(point);
     // Hair that has travelled far lies over hair that has not.
     const double height = style_.volume * (0.5 + std::min(travelled / 0.15, 1.0));
     // Under jaw, ears and neck hair hangs free.
-    const double near = (1 - glm::smoothstep(0.012, 0.04, hit.distance - height)) * glm::smoothstep(-0.7, -0.3, hit.normal.y);
+    const double near =
+        (1 - glm::smoothstep(0.012, 0.04, hit.distance - height)) * glm::smoothstep(-0.7, -0.3, hit.normal.y);
     const auto along_head = [&](const glm::dvec3& v) { return v - near * hit.normal * glm::dot(v, hit.normal); };
     const glm::dvec3 combed = near * along_head(comb_direction(frame_.place(point), side, style_.parting));
     const glm::dvec3 lifted = near * hit.normal * glm::clamp((height - hit.distance) / 0.01, -0.7, 1.0);
@@ -201,10 +231,11 @@ Hairs clumped(const Hairs& hairs, const Style& style) {
   if (leaders.empty() || style.clump == 0) return result;
   for (std::size_t h = 0; h < hairs.size(); ++h) {
     const auto gap = [&](std::size_t leader) {
-      return glm::distance(hairs[h].front(), hairs[leader].front()) + glm::distance(hairs[h].back(), hairs[leader].back());
+      return glm::distance(hairs[h].front(), hairs[leader].front()) +
+             glm::distance(hairs[h].back(), hairs[leader].back());
     };
-    const std::size_t leader =
-        *std::min_element(leaders.begin(), leaders.end(), [&](std::size_t a, std::size_t b) { return gap(a) < gap(b); });
+    const std::size_t leader = *std::min_element(leaders.begin(), leaders.end(),
+                                                 [&](std::size_t a, std::size_t b) { return gap(a) < gap(b); });
     for (std::size_t i = 0; i < hairs[h].size(); ++i) {
       const double tip = double(i) / double(hairs[h].size() - 1);
       result[h][i] += style.clump * tip * tip * (hairs[leader][i] - hairs[h][i]);

@@ -54,7 +54,7 @@ TEST(Roots, WithinATriangle_DensityIsEven) {
       for (int half = 0; half < 2; ++half)
         if (i + j + half < side) inside.push_back(counts[std::size_t(2 * (i * side + j) + half)]);
   ASSERT_EQ(inside.size(), 64u);
-  EXPECT_LT(chi_square(inside, double(count) / 64), 103.4);   // 0.999 quantile of chi-square with 63 degrees of freedom
+  EXPECT_LT(chi_square(inside, double(count) / 64), 103.4);  // 0.999 quantile of chi-square with 63 degrees of freedom
 }
 
 TEST(Roots, SameSeed_SameRoots_AndAPrefixOfMore) {

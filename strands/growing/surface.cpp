@@ -9,7 +9,8 @@
 
 namespace cuticle::strands {
 
-NearestSurface::NearestSurface(const Mesh& mesh, double reach) : mesh_(mesh), reach_(reach), cell_(reach / k_cells_per_reach) {
+NearestSurface::NearestSurface(const Mesh& mesh, double reach)
+    : mesh_(mesh), reach_(reach), cell_(reach / k_cells_per_reach) {
   if (mesh.positions.empty()) return;
   glm::dvec3 upper(mesh.positions.front());
   lower_ = upper;

@@ -133,7 +133,8 @@ class BvhParser {
     const std::string_view word = next_word();
     for (std::size_t i = 0; i < k_channels.size(); ++i)
       if (equal_ignoring_case(word, k_channels[i])) return int(i);
-    return error(fmt::format("channel '{}', expected one of Xposition .. Zposition, Xrotation .. Zrotation", word.substr(0, 40)));
+    return error(fmt::format("channel '{}', expected one of Xposition .. Zposition, Xrotation .. Zrotation",
+                             word.substr(0, 40)));
   }
 
   Result<void> skip_end_site() {
@@ -193,7 +194,8 @@ Result<int> find_joint(const Motion& motion, std::string_view name) {
     if (ends_with_ignoring_case(motion.joints[i].name, name)) return int(i);
   std::string known;
   for (const Joint& joint : motion.joints) known += (known.empty() ? "" : ", ") + joint.name;
-  return bad_input(fmt::format("joint '{}' is not in the skeleton; it has: {}", name, known), "name one of these joints");
+  return bad_input(fmt::format("joint '{}' is not in the skeleton; it has: {}", name, known),
+                   "name one of these joints");
 }
 
 }  // namespace cuticle::strands

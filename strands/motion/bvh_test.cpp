@@ -84,8 +84,9 @@ TEST(Bvh, OutsideTheClip_IsClamped) {
 }
 
 TEST(Bvh, ChannelOrder_IsTheOrderOfTheProduct) {
-  const std::string text = replaced(replaced(k_clip, "Zrotation Xrotation Yrotation\n  JOINT", "Xrotation Yrotation Zrotation\n  JOINT"),
-                                    "10 0 0 90 0 0", "10 0 0 90 90 0");
+  const std::string text =
+      replaced(replaced(k_clip, "Zrotation Xrotation Yrotation\n  JOINT", "Xrotation Yrotation Zrotation\n  JOINT"),
+               "10 0 0 90 0 0", "10 0 0 90 90 0");
   // X(90) Y(90): x -> -z -> y.
   const glm::dmat4 world = joint_transform(parse_bvh(text, "clip.bvh").value(), 0, 0.5);
   expect_near(glm::dvec3(world * glm::dvec4(1, 0, 0, 0)), {0, 1, 0});
@@ -104,12 +105,14 @@ TEST(Bvh, UnknownJoint_ListsTheJoints) {
 
 TEST(Bvh, CutBeforeTheLastNumber_IsRefused) {
   const std::size_t end = k_clip.find_last_of('9');
-  for (std::size_t size = 0; size < end; ++size) ASSERT_FALSE(parse_bvh(k_clip.substr(0, size), "cut.bvh").ok()) << size;
+  for (std::size_t size = 0; size < end; ++size)
+    ASSERT_FALSE(parse_bvh(k_clip.substr(0, size), "cut.bvh").ok()) << size;
 }
 
 TEST(Bvh, LyingFrameCount_IsRefusedBeforeAllocating) {
   for (const char* lie : {"100000000", "3000", "0", "-1", "99999999999999999999"})
-    EXPECT_THAT(refusal(replaced(k_clip, "Frames: 2", std::string("Frames: ") + lie)), AllOf(HasSubstr("bad.bvh: line"), HasSubstr("Frames")));
+    EXPECT_THAT(refusal(replaced(k_clip, "Frames: 2", std::string("Frames: ") + lie)),
+                AllOf(HasSubstr("bad.bvh: line"), HasSubstr("Frames")));
 }
 
 TEST(Bvh, WrongWords_NamedWithLineAndWhatWasExpected) {

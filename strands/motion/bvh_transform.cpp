@@ -25,8 +25,10 @@ Pose pose_at(const Motion& motion, const Joint& joint, std::size_t frame) {
     const double value = double(values[i]);
     glm::dvec3 axis(0);
     axis[channel % 3] = 1;
-    if (channel < 3) pose.translation += axis * value;
-    else pose.rotation = pose.rotation * glm::angleAxis(glm::radians(value), axis);
+    if (channel < 3)
+      pose.translation += axis * value;
+    else
+      pose.rotation = pose.rotation * glm::angleAxis(glm::radians(value), axis);
   }
   return pose;
 }

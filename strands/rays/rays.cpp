@@ -16,12 +16,12 @@ namespace {
 struct Hit {
   std::uint32_t segment = 0;
   float distance = 0;
-  bool leaves = false;   ///< the ray goes out of the segment here
+  bool leaves = false;  ///< the ray goes out of the segment here
 };
 
 /// Embree's query context, with the list that the filter fills.
 struct Collector {
-  RTCIntersectContext context;   ///< first, so that Embree's pointer is ours
+  RTCIntersectContext context;  ///< first, so that Embree's pointer is ours
   std::vector<Hit> hits;
 };
 
@@ -57,8 +57,8 @@ std::vector<std::uint32_t> segment_strands(const Groom& groom, const std::vector
 }
 
 void fill_vertices(RTCGeometry geometry, const Groom& groom) {
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16,
-                                                               groom.vertex_count()));
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, groom.vertex_count()));
   if (!vertices) return;
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
     for (int axis = 0; axis < 3; ++axis) vertices[4 * v + std::size_t(axis)] = groom.positions[v][axis];
@@ -125,8 +125,10 @@ Result<void> RayGroom::Impl::build(const Groom& groom) {
   rtcCommitScene(scene);
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return {};
-  const std::string message = fmt::format("Embree could not build a tree over {} segments (error {})", firsts.size(), int(error));
-  return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"} : internal_error(message);
+  const std::string message =
+      fmt::format("Embree could not build a tree over {} segments (error {})", firsts.size(), int(error));
+  return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"}
+                                          : internal_error(message);
 }
 
 /// The interval of one segment from its hits (sorted). Where the first already leaves, the ray began inside.
@@ -152,15 +154,18 @@ void join_overlaps(std::vector<Crossing>& crossings) {
   std::size_t kept = 0;
   for (std::size_t i = 1; i < crossings.size(); ++i) {
     Crossing& last = crossings[kept];
-    if (crossings[i].strand == last.strand && crossings[i].entry <= last.exit) last.exit = std::max(last.exit, crossings[i].exit);
-    else crossings[++kept] = crossings[i];
+    if (crossings[i].strand == last.strand && crossings[i].entry <= last.exit)
+      last.exit = std::max(last.exit, crossings[i].exit);
+    else
+      crossings[++kept] = crossings[i];
   }
   if (!crossings.empty()) crossings.resize(kept + 1);
 }
 
 }  // namespace
 
-void RayGroom::all_crossings(const glm::dvec3& origin, const glm::dvec3& direction, std::vector<Crossing>& crossings) const {
+void RayGroom::all_crossings(const glm::dvec3& origin, const glm::dvec3& direction,
+                             std::vector<Crossing>& crossings) const {
   thread_local Collector collector;
   rtcInitIntersectContext(&collector.context);
   collector.hits.clear();

@@ -7,8 +7,8 @@
 #include <set>
 #include <thread>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace cuticle::strands {
 namespace {
@@ -32,9 +32,11 @@ std::vector<Crossing> crossings_of(const Groom& groom, const glm::dvec3& origin,
 }
 
 /// Least distance of the ray to the segment a-b: dense in neither, exact by the two-parameter minimum.
-double ray_segment_distance(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b) {
+double ray_segment_distance(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a,
+                            const glm::dvec3& b) {
   const glm::dvec3 edge = b - a, offset = origin - a;
-  const double e = glm::dot(edge, edge), f = glm::dot(edge, offset), c = glm::dot(direction, offset), g = glm::dot(direction, edge);
+  const double e = glm::dot(edge, edge), f = glm::dot(edge, offset), c = glm::dot(direction, offset),
+               g = glm::dot(direction, edge);
   const double determinant = e - g * g;
   double along = determinant > 1e-18 ? (f - g * c) / determinant : 0;
   along = std::clamp(along, 0.0, 1.0);
@@ -97,7 +99,7 @@ TEST(RayGroom, RandomSlab_SameStrandsAsBruteForce) {
     same += found == brute_force(groom, ray.origin, ray.direction);
     hits += int(found.size());
   }
-  EXPECT_GT(hits, count / 2);   // the slab is not empty air
+  EXPECT_GT(hits, count / 2);  // the slab is not empty air
   RecordProperty("same_of_3000", same);
   EXPECT_GE(double(same) / count, 0.999);
 }

@@ -17,7 +17,8 @@ glm::vec3 point_at(std::span<const glm::vec3> hair, std::uint32_t vertex, std::u
   const std::uint32_t controls = std::uint32_t(hair.size());
   const std::uint32_t segment = curve_segment(vertex, vertices, controls);
   const float place = curve_place<float>(vertex, vertices, controls);
-  return bezier_point<float>(hair[segment], hair[segment + 1], tangent_at(hair, segment), tangent_at(hair, segment + 1), place);
+  return bezier_point<float>(hair[segment], hair[segment + 1], tangent_at(hair, segment), tangent_at(hair, segment + 1),
+                             place);
 }
 
 float radius_at(std::span<const float> radii, std::uint32_t vertex, std::uint32_t vertices) {
@@ -35,16 +36,20 @@ std::vector<std::uint32_t> even_offsets(std::size_t strands, std::uint32_t verti
 }
 
 /// The smoothed hairs of a root's three corners.
-std::array<std::uint32_t, 3> hairs_of(const Mesh& scalp, const Root& root, std::span<const std::uint32_t> hair_of_vertex) {
+std::array<std::uint32_t, 3> hairs_of(const Mesh& scalp, const Root& root,
+                                      std::span<const std::uint32_t> hair_of_vertex) {
   const auto& triangle = scalp.triangles[root.triangle];
   return {hair_of_vertex[triangle[0]], hair_of_vertex[triangle[1]], hair_of_vertex[triangle[2]]};
 }
 
-void append_blend(const Groom& smoothed, const std::array<std::uint32_t, 3>& hairs, const glm::vec3& weights, Groom& out) {
+void append_blend(const Groom& smoothed, const std::array<std::uint32_t, 3>& hairs, const glm::vec3& weights,
+                  Groom& out) {
   const std::size_t size = smoothed.strand_size(hairs[0]);
   for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t a = smoothed.offsets[hairs[0]] + i, b = smoothed.offsets[hairs[1]] + i, c = smoothed.offsets[hairs[2]] + i;
-    out.positions.push_back(blend_three<float>(smoothed.positions[a], smoothed.positions[b], smoothed.positions[c], weights));
+    const std::size_t a = smoothed.offsets[hairs[0]] + i, b = smoothed.offsets[hairs[1]] + i,
+                      c = smoothed.offsets[hairs[2]] + i;
+    out.positions.push_back(
+        blend_three<float>(smoothed.positions[a], smoothed.positions[b], smoothed.positions[c], weights));
     out.radii.push_back(smoothed.radii[a] * weights.x + smoothed.radii[b] * weights.y + smoothed.radii[c] * weights.z);
   }
   out.offsets.push_back(std::uint32_t(out.positions.size()));

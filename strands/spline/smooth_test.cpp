@@ -37,9 +37,8 @@ TEST(Smoothing, AnyRatio_KeepsBothEndPoints) {
 }
 
 TEST(Smoothing, ControlPoints_LieOnTheCurve) {
-  const Groom control = quarter_circle(), smoothed = smooth(control, 37);   // 6 steps per segment
-  for (std::size_t i = 0; i < 7; ++i)
-    EXPECT_LT(glm::distance(smoothed.positions[6 * i], control.positions[i]), 1e-6f);
+  const Groom control = quarter_circle(), smoothed = smooth(control, 37);  // 6 steps per segment
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_LT(glm::distance(smoothed.positions[6 * i], control.positions[i]), 1e-6f);
 }
 
 /// Largest distance from the unit circle between control points `first` and `last`.
@@ -51,10 +50,10 @@ double off_circle(const Groom& smoothed, std::size_t first, std::size_t last) {
 }
 
 TEST(Smoothing, PointsOnACircle_InnerSegmentsFollowIt) {
-  const double sagitta = 1 - std::cos(std::acos(0.0) / 12);   // 8.6e-3: what straight segments miss
+  const double sagitta = 1 - std::cos(std::acos(0.0) / 12);  // 8.6e-3: what straight segments miss
   const Groom smoothed = smooth(quarter_circle(), 61);
   EXPECT_LT(off_circle(smoothed, 1, 5), 0.1 * sagitta);
-  EXPECT_LT(off_circle(smoothed, 0, 6), sagitta);              // the end segments have their chord for a tangent
+  EXPECT_LT(off_circle(smoothed, 0, 6), sagitta);  // the end segments have their chord for a tangent
 }
 
 TEST(Smoothing, UnevenSegments_NeitherLoopNorOvershoot) {
