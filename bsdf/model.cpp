@@ -42,7 +42,8 @@ Result<void> check_point(Quantity quantity, const Point& point, std::size_t inde
   for (const Coordinate& coordinate : coordinates) {
     const double value = point.*coordinate.member;
     if (!coordinate.used[std::size_t(quantity)] || std::abs(value) <= coordinate.limit) continue;
-    return bad_input(fmt::format("point {}: {} = {} is outside {}", index, coordinate.name, value, coordinate.limit_words));
+    return bad_input(
+        fmt::format("point {}: {} = {} is outside {}", index, coordinate.name, value, coordinate.limit_words));
   }
   return {};
 }
@@ -73,7 +74,8 @@ Result<Quantity> find_quantity(std::string_view name) {
   return unknown_name("quantity", name, quantity_names);
 }
 
-Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings) {
+Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset,
+                                                 std::string_view settings) {
   if (preset.empty()) return registry::parse_assignments(model.entry.parameters, settings);
   std::vector<std::string_view> known;
   for (const registry::StudyCase& candidate : model.presets) {
@@ -88,21 +90,25 @@ Result<void> check_request(const Model& model, const Request& request, std::size
   CUTICLE_EXPECT(room == request.points.size(), "one result for each point");
   static_cast<void>(room);
   if (request.lobe < -1 || request.lobe >= int(model.lobes.size()))
-    return usage_error(fmt::format("lobe {} of {} is outside -1 .. {}", request.lobe, model.entry.name, model.lobes.size() - 1));
-  for (std::size_t i = 0; i < request.points.size(); ++i) CUTICLE_TRY(check_point(request.quantity, request.points[i], i));
+    return usage_error(
+        fmt::format("lobe {} of {} is outside -1 .. {}", request.lobe, model.entry.name, model.lobes.size() - 1));
+  for (std::size_t i = 0; i < request.points.size(); ++i)
+    CUTICLE_TRY(check_point(request.quantity, request.points[i], i));
   return {};
 }
 
-Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision, const Request& request,
-                      std::span<glm::dvec3> out) {
-  if (precision == Precision::gpu) return usage_error("evaluate runs on the CPU: precision f32 or f64", "use evaluate_gpu");
+Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
+                      const Request& request, std::span<glm::dvec3> out) {
+  if (precision == Precision::gpu)
+    return usage_error("evaluate runs on the CPU: precision f32 or f64", "use evaluate_gpu");
   CUTICLE_TRY(check_request(model, request, out.size()));
   const auto run = precision == Precision::f32 ? model.evaluate_f32 : model.evaluate_f64;
   const std::size_t grain = request.quantity == Quantity::albedo ? 1 : 256;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.size(), grain), [&](const tbb::blocked_range<std::size_t>& range) {
-    const Request part{request.quantity, request.lobe, request.points.subspan(range.begin(), range.size())};
-    run(values, part, out.subspan(range.begin(), range.size()));
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, out.size(), grain), [&](const tbb::blocked_range<std::size_t>& range) {
+        const Request part{request.quantity, request.lobe, request.points.subspan(range.begin(), range.size())};
+        run(values, part, out.subspan(range.begin(), range.size()));
+      });
   return {};
 }
 

@@ -12,16 +12,17 @@
 namespace cuticle::bsdf {
 
 enum class Precision { f32, f64, gpu };
-/// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of the path
-/// at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident directions.
+/// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of
+/// the path at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident
+/// directions.
 enum class Quantity { S, M, N, A, albedo };
 
 struct Conventions {
-  std::string_view field;        ///< "near" or "far"
-  std::string_view cosine;       ///< "not included" or "included"
-  std::string_view tilt_sign;    ///< words: which way positive tilt moves the R lobe
-  std::string_view roughness;    ///< "standard deviation in theta_i", "variance", ...
-  std::string_view absorption;   ///< "per fibre radius"
+  std::string_view field;       ///< "near" or "far"
+  std::string_view cosine;      ///< "not included" or "included"
+  std::string_view tilt_sign;   ///< words: which way positive tilt moves the R lobe
+  std::string_view roughness;   ///< "standard deviation in theta_i", "variance", ...
+  std::string_view absorption;  ///< "per fibre radius"
 };
 
 /// One point of evaluation, in double; each precision narrows it itself. Quantities use what they need:
@@ -58,16 +59,17 @@ Result<const Model*> find_model(std::string_view name);
 Result<int> find_lobe(const Model& model, std::string_view lobe);
 /// "S", "M", "N", "A", "albedo". Error: usage, listing them.
 Result<Quantity> find_quantity(std::string_view name);
-/// Parameters from a preset's name (may be empty) and settings that go over it, "eta=1.5,alpha_deg=-3". Error: usage, listing
-/// the presets, or naming parameter, value and range.
-Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset, std::string_view settings);
+/// Parameters from a preset's name (may be empty) and settings that go over it, "eta=1.5,alpha_deg=-3". Error: usage,
+/// listing the presets, or naming parameter, value and range.
+Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset,
+                                                 std::string_view settings);
 
 /// Whether every coordinate that the quantity uses is finite and in its range, and the lobe exists. `room`: size of the
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
 Result<void> check_request(const Model& model, const Request& request, std::size_t room);
 
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
-Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision, const Request& request,
-                      std::span<glm::dvec3> out);
+Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
+                      const Request& request, std::span<glm::dvec3> out);
 
 }  // namespace cuticle::bsdf

@@ -19,7 +19,8 @@ class GpuEvaluator {
  public:
   /// Error: usage where the model has no kernel, or what the device says.
   static Result<GpuEvaluator> make(gpu::Device& device, const Model& model);
-  /// In float, in chunks that respect the device's buffer limit; the same bits from run to run. Errors: as check_request.
+  /// In float, in chunks that respect the device's buffer limit; the same bits from run to run. Errors: as
+  /// check_request.
   Result<void> evaluate(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out);
 
  private:
@@ -33,7 +34,7 @@ class GpuEvaluator {
 };
 
 /// One batch on the device: GpuEvaluator for callers that have only one.
-Result<void> evaluate_gpu(gpu::Device& device, const Model& model, const registry::ParameterValues& values, const Request& request,
-                          std::span<glm::dvec3> out);
+Result<void> evaluate_gpu(gpu::Device& device, const Model& model, const registry::ParameterValues& values,
+                          const Request& request, std::span<glm::dvec3> out);
 
 }  // namespace cuticle::bsdf

@@ -42,10 +42,12 @@ Error unknown_column(std::string_view name, std::string_view where, std::span<co
                    near.empty() ? std::string() : fmt::format("did you mean {}?", near));
 }
 
-Result<std::vector<std::size_t>> parse_header(std::string_view line, std::string_view where, std::span<const PointColumn> known) {
+Result<std::vector<std::size_t>> parse_header(std::string_view line, std::string_view where,
+                                              std::span<const PointColumn> known) {
   std::vector<std::size_t> columns;
   for (std::string_view name : split_cells(line)) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const PointColumn& column) { return column.name == name; });
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const PointColumn& column) { return column.name == name; });
     if (found == known.end()) return unknown_column(name, where, known);
     const std::size_t index = std::size_t(found - known.begin());
     if (std::find(columns.begin(), columns.end(), index) != columns.end())
@@ -81,8 +83,8 @@ Result<std::vector<double>> parse_row(std::string_view line, std::string_view wh
 
 Result<void> check_range(const PointColumn& column, double value, std::string_view where) {
   if (value >= column.minimum && value <= column.maximum) return {};
-  return bad_input(fmt::format("{}, column {}: {} is outside {} .. {} {}", where, column.name, value, column.minimum, column.maximum,
-                               column.unit == "1" ? "" : column.unit));
+  return bad_input(fmt::format("{}, column {}: {} is outside {} .. {} {}", where, column.name, value, column.minimum,
+                               column.maximum, column.unit == "1" ? "" : column.unit));
 }
 
 Result<PointsTable> parse_points(std::string_view text, std::string_view file, std::span<const PointColumn> known) {
@@ -98,7 +100,8 @@ Result<PointsTable> parse_points(std::string_view text, std::string_view file, s
     CUTICLE_ASSIGN(std::vector<double> row, parse_row(line, where, known, table.columns));
     table.rows.push_back(std::move(row));
   }
-  if (table.rows.empty()) return bad_input(fmt::format("{}: no rows of points", file), "a header line, then one point per line");
+  if (table.rows.empty())
+    return bad_input(fmt::format("{}: no rows of points", file), "a header line, then one point per line");
   return table;
 }
 

@@ -25,9 +25,9 @@ struct PointsTable {
 /// Error (bad_input) of a number outside its column's range or not finite; `where` starts the message.
 Result<void> check_range(const PointColumn& column, double value, std::string_view where);
 
-/// Parses CSV text; `file` names it in errors. Blank lines and spaces around cells are skipped. Error: bad_input, naming file,
-/// line and column, for an unknown column (with the nearest known), a column given twice, a row of the wrong length, and a
-/// cell that is no number, not finite or out of range.
+/// Parses CSV text; `file` names it in errors. Blank lines and spaces around cells are skipped. Error: bad_input,
+/// naming file, line and column, for an unknown column (with the nearest known), a column given twice, a row of the
+/// wrong length, and a cell that is no number, not finite or out of range.
 Result<PointsTable> parse_points(std::string_view text, std::string_view file, std::span<const PointColumn> known);
 
 /// The same from a file. Error: also bad_input where it cannot be read.

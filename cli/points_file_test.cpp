@@ -23,12 +23,13 @@ struct Damage {
   const char* words;
 };
 class DamagedPoints : public testing::TestWithParam<Damage> {};
-INSTANTIATE_TEST_SUITE_P(All, DamagedPoints,
-                         testing::Values(Damage{"", "no rows"}, Damage{"phi\n", "no rows"}, Damage{"phj\n1", "line 1: unknown column 'phj'"},
-                                         Damage{"phi,phi\n1,1", "'phi' is given twice"}, Damage{"phi\n1,2", "line 2: 2 cells"},
-                                         Damage{"phi\n1\nnan", "line 3, column phi: nan"}, Damage{"phi\ninf", "line 2, column phi: inf"},
-                                         Damage{"phi\n1x", "'1x' is not a number"}, Damage{"theta_i\n91", "91 is outside -90 .. 90 deg"},
-                                         Damage{"phi,theta_i\n1,", "line 2, column theta_i: ''"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, DamagedPoints,
+    testing::Values(Damage{"", "no rows"}, Damage{"phi\n", "no rows"}, Damage{"phj\n1", "line 1: unknown column 'phj'"},
+                    Damage{"phi,phi\n1,1", "'phi' is given twice"}, Damage{"phi\n1,2", "line 2: 2 cells"},
+                    Damage{"phi\n1\nnan", "line 3, column phi: nan"}, Damage{"phi\ninf", "line 2, column phi: inf"},
+                    Damage{"phi\n1x", "'1x' is not a number"}, Damage{"theta_i\n91", "91 is outside -90 .. 90 deg"},
+                    Damage{"phi,theta_i\n1,", "line 2, column theta_i: ''"}));
 TEST_P(DamagedPoints, Text_IsRefusedWithItsPlace) {
   const auto table = parse_points(GetParam().text, "p.csv", k_columns);
   ASSERT_FALSE(table.ok());

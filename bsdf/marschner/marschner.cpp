@@ -1,8 +1,8 @@
 #include <array>
 
-#include <cuticle/bsdf/marschner/marschner.glslh>
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/core/real.h>
+#include <cuticle/bsdf/marschner/marschner.glslh>
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -12,15 +12,36 @@ constexpr std::array<std::string_view, 1> variants = {"corrected"};
 constexpr std::array<std::string_view, 3> system_rows = {"N11", "G1", "G7"};
 
 using registry::ParameterType;
-// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees in theta_i.
+// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees
+// in theta_i.
 constexpr std::array<registry::Parameter, 5> parameters = {{
     {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
-    {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption per fibre radius, for red, green and blue"},
-    {"beta", ParameterType::real, "rad", 1e-3, 1, "0.2617993877991494", {},
+    {"sigma_a",
+     ParameterType::rgb,
+     "1/radius",
+     0,
+     100,
+     "0.2",
+     {},
+     "absorption per fibre radius, for red, green and blue"},
+    {"beta",
+     ParameterType::real,
+     "rad",
+     1e-3,
+     1,
+     "0.2617993877991494",
+     {},
      "standard deviation of the R lobe in theta_i (twice the paper's beta_R, which is in theta_h)"},
-    {"alpha", ParameterType::real, "rad", -0.17453292519943295, 0.17453292519943295, "-0.1308996938995747", {},
+    {"alpha",
+     ParameterType::real,
+     "rad",
+     -0.17453292519943295,
+     0.17453292519943295,
+     "-0.1308996938995747",
+     {},
      "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)"},
-    {"variant", ParameterType::choice, "1", 0, 0, "corrected", variants, "corrected: energy-conserving M, exact roots, true chord"},
+    {"variant", ParameterType::choice, "1", 0, 0, "corrected", variants,
+     "corrected: energy-conserving M, exact roots, true chord"},
 }};
 
 // sigma_a from pigment: eumelanin (0.419, 0.697, 1.37) and pheomelanin (0.187, 0.4, 1.05) per unit of concentration
@@ -74,11 +95,13 @@ const Model& entry() {
                 .parameters = parameters,
                 .systems = system_rows},
       .lobes = lobe_names,
-      .conventions = {.field = "far",
-                      .cosine = "not included",
-                      .tilt_sign = "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
-                      .roughness = "standard deviation in theta_i",
-                      .absorption = "per fibre radius"},
+      .conventions =
+          {.field = "far",
+           .cosine = "not included",
+           .tilt_sign =
+               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
+           .roughness = "standard deviation in theta_i",
+           .absorption = "per fibre radius"},
       .evaluate_f32 = evaluate_points<Single>,
       .evaluate_f64 = evaluate_points<double>,
       .pack = pack,

@@ -56,8 +56,11 @@ TEST(MarschnerGpu, AzimuthalTerm_AgreesWithDoubleAwayFromTheCaustic) {
 TEST(MarschnerGpu, ScatteringAndAttenuation_AgreeWithDouble) {
   std::vector<Point> points;
   for (int i = 0; i < 2000; ++i)
-    points.push_back({.theta_i = std::sin(i * 1.1) * 1.57, .theta_o = std::sin(i * 2.3) * 1.57, .theta_d = std::sin(i * 0.7) * 1.5,
-                      .phi = 0.6 + 2.5 * std::abs(std::sin(i * 0.9)), .h = 0.99 * std::sin(i * 0.31)});
+    points.push_back({.theta_i = std::sin(i * 1.1) * 1.57,
+                      .theta_o = std::sin(i * 2.3) * 1.57,
+                      .theta_d = std::sin(i * 0.7) * 1.5,
+                      .phi = 0.6 + 2.5 * std::abs(std::sin(i * 0.9)),
+                      .h = 0.99 * std::sin(i * 0.31)});
   for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::A}) {
     const Difference difference = compare("sigma_a=0.1/0.5/3", quantity, -1, points);
     EXPECT_LE(difference.worst, 2e-5 * difference.largest) << int(quantity);
@@ -65,7 +68,8 @@ TEST(MarschnerGpu, ScatteringAndAttenuation_AgreeWithDouble) {
 }
 
 TEST(MarschnerGpu, Albedo_AgreesWithDouble) {
-  const Difference difference = compare("", Quantity::albedo, 1, {{.theta_o = 0}, {.theta_o = 0.9}, {.theta_o = 1.5707}});
+  const Difference difference =
+      compare("", Quantity::albedo, 1, {{.theta_o = 0}, {.theta_o = 0.9}, {.theta_o = 1.5707}});
   EXPECT_LE(difference.worst, 2e-5 * difference.largest);
 }
 
@@ -78,13 +82,15 @@ TEST(MarschnerGpu, EdgesOfTheDomain_AreFinite) {
           for (double h : {-1.0, 0.0, 1.0})
             points.push_back({theta_i * degree, theta_o * degree, theta_d * degree, phi * degree, h});
   for (const char* settings : {"beta=0.001,sigma_a=0", "beta=1,sigma_a=100,eta=1.05", "eta=3", "eta=2"})
-    for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A}) compare(settings, quantity, -1, points);
+    for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A})
+      compare(settings, quantity, -1, points);
 }
 
 TEST(MarschnerGpu, SameBatchTwice_GivesTheSameBits) {
   OnDevice& on = on_device();
   const registry::ParameterValues values = registry::default_values(on.model.entry.parameters);
-  const std::vector<Point> points = {{.theta_i = 0.1, .theta_o = 0.2, .phi = 0.3}, {.theta_i = 0.4, .theta_o = -0.2, .phi = 3}};
+  const std::vector<Point> points = {{.theta_i = 0.1, .theta_o = 0.2, .phi = 0.3},
+                                     {.theta_i = 0.4, .theta_o = -0.2, .phi = 3}};
   std::vector<glm::dvec3> first(2), second(2);
   ASSERT_TRUE(on.evaluator.evaluate(values, {Quantity::S, -1, points}, first).ok());
   ASSERT_TRUE(on.evaluator.evaluate(values, {Quantity::S, -1, points}, second).ok());

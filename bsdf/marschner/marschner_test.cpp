@@ -20,8 +20,8 @@ constexpr double degree = pi / 180;
 
 const Model& model() { return **find_model("marschner"); }
 
-std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe, const std::vector<Point>& points,
-                                    Precision precision = Precision::f64) {
+std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
+                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
   std::vector<glm::dvec3> out(points.size());
   const auto values = parse_settings(model(), "", settings);
   EXPECT_TRUE(values.ok());
@@ -37,7 +37,8 @@ TEST(Marschner, Azimuthal_AgreesWithMpmath) {
     const std::string settings = fmt::format("eta={},sigma_a=0.2", row.text("eta"));
     const Point point{.theta_d = row.number("theta_d"), .phi = row.number("phi")};
     const double truth = row.number("n");
-    EXPECT_NEAR(value_at(settings, Quantity::N, int(row.number("lobe")), point), truth, 1e-14 * std::max(truth, 0.01)) << settings;
+    EXPECT_NEAR(value_at(settings, Quantity::N, int(row.number("lobe")), point), truth, 1e-14 * std::max(truth, 0.01))
+        << settings;
   }
 }
 
@@ -49,7 +50,8 @@ TEST(Marschner, FloatAzimuthal_AgreesWithDoubleAwayFromCaustics) {
       const double h = std::sqrt(std::max(0.0, 4 - bent * bent) / 3);
       const double caustic = std::abs(4 * std::asin(h / bent) - 2 * std::asin(h));
       for (int i = 0; i <= 720; ++i)
-        if (std::abs(i * 0.25 * degree - caustic) > 0.5 * degree) points.push_back({.theta_d = theta_d * degree, .phi = i * 0.25 * degree});
+        if (std::abs(i * 0.25 * degree - caustic) > 0.5 * degree)
+          points.push_back({.theta_d = theta_d * degree, .phi = i * 0.25 * degree});
       for (int lobe = 0; lobe < 3; ++lobe) {
         const std::string settings = fmt::format("eta={}", eta);
         const auto truth = evaluate_at(settings, Quantity::N, lobe, points);
@@ -68,18 +70,24 @@ TEST(Marschner, FloatAzimuthal_AgreesWithDoubleAwayFromCaustics) {
 TEST(Marschner, CausticOfTrt_IsAtItsAnalyticAzimuth) {
   const double h = std::sqrt((4 - 1.55 * 1.55) / 3), peak = std::abs(4 * std::asin(h / 1.55) - 2 * std::asin(h));
   EXPECT_NEAR(peak / degree, 18.62, 0.005);
-  EXPECT_GT(value_at("", Quantity::N, 2, {.phi = peak - 1e-6}), 10 * value_at("", Quantity::N, 2, {.phi = peak - 0.01}));
+  EXPECT_GT(value_at("", Quantity::N, 2, {.phi = peak - 1e-6}),
+            10 * value_at("", Quantity::N, 2, {.phi = peak - 0.01}));
   EXPECT_LT(value_at("", Quantity::N, 2, {.phi = peak + 1e-6}), 0.01);
 }
 
-// The smooth model is infinite there; the value given is that of a point 1e-4 away in h, so no larger than 1e-4 makes it.
+// The smooth model is infinite there; the value given is that of a point 1e-4 away in h, so no larger than 1e-4 makes
+// it.
 TEST(Marschner, ValueAtTheCaustic_IsThatOfTheMargin) {
   for (double eta : {1.05, 1.3, 1.55, 1.9}) {
-    const double h = std::sqrt((4 - eta * eta) / 3), gamma_t = std::asin(h / eta), peak = 4 * gamma_t - 2 * std::asin(h);
-    const double curvature = 4 * h / std::pow(eta * std::cos(gamma_t), 3) - 2 * h / std::pow(1 - h * h, 1.5);  // of phi(2, h)
+    const double h = std::sqrt((4 - eta * eta) / 3), gamma_t = std::asin(h / eta),
+                 peak = 4 * gamma_t - 2 * std::asin(h);
+    const double curvature =
+        4 * h / std::pow(eta * std::cos(gamma_t), 3) - 2 * h / std::pow(1 - h * h, 1.5);  // of phi(2, h)
     const double attenuation = value_at(fmt::format("eta={}", eta), Quantity::A, 2, {.h = h});
     const double both_sides = 2 * attenuation / std::abs(2 * curvature * 1e-4);
-    EXPECT_NEAR(value_at(fmt::format("eta={}", eta), Quantity::N, 2, {.phi = peak - 1e-13}), both_sides, 0.1 * both_sides) << eta;
+    EXPECT_NEAR(value_at(fmt::format("eta={}", eta), Quantity::N, 2, {.phi = peak - 1e-13}), both_sides,
+                0.1 * both_sides)
+        << eta;
   }
 }
 
@@ -93,7 +101,8 @@ TEST(Marschner, RegionOfThreeRoots_IsContinuousAcrossZero) {
 
 TEST(Marschner, WholeTurns_ChangeNothing) {
   for (int lobe = 0; lobe < 3; ++lobe)
-    EXPECT_NEAR(value_at("", Quantity::N, lobe, {.phi = 0.25 + 4 * pi}), value_at("", Quantity::N, lobe, {.phi = 0.25}), 1e-12);
+    EXPECT_NEAR(value_at("", Quantity::N, lobe, {.phi = 0.25 + 4 * pi}), value_at("", Quantity::N, lobe, {.phi = 0.25}),
+                1e-12);
 }
 
 TEST(Marschner, Lobes_AddUpToTheSum) {
@@ -132,21 +141,26 @@ TEST(Marschner, Albedo_IsTheIntegralOfS) {
   for (int lobe : {0, 1}) {
     const std::vector<glm::dvec3> values = evaluate_at(settings, Quantity::S, lobe, points);
     double sum = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) sum += values[i].x * std::cos(points[i].theta_i) * 2 * pi * pi / (across * around);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      sum += values[i].x * std::cos(points[i].theta_i) * 2 * pi * pi / (across * around);
     EXPECT_NEAR(sum, value_at(settings, Quantity::albedo, lobe, {.theta_o = 0.6}), 2e-5) << lobe;
   }
 }
 
 /// Points and settings that are hard, or drawn over the whole domain by a fixed seed.
 std::string hard_settings(std::mt19937& random) {
-  constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1}, alphas = {-0.17, 0, 0.05, 0.17};
+  constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
+                                  alphas = {-0.17, 0, 0.05, 0.17};
   const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
   return fmt::format("eta={},sigma_a={},beta={},alpha={}", pick(etas), pick(sigmas), pick(betas), pick(alphas));
 }
 Point hard_point(std::mt19937& random) {
-  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90}, phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
+  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90},
+                                  phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
   const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
-  const auto angle = [&] { return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree; };
+  const auto angle = [&] {
+    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
+  };
   const double offset = random() % 4 ? uniform() : (random() % 2 ? -1 : 1);
   return {angle(), angle(), angle(), (random() % 2 ? 180 * uniform() : phis[random() % 8]) * degree, offset};
 }
@@ -165,8 +179,8 @@ TEST_P(MarschnerDomain, EveryValue_IsFiniteAndNotNegative) {
         for (std::size_t i = 0; i < values.size(); ++i)
           for (int c = 0; c < 3; ++c)
             ASSERT_TRUE(std::isfinite(values[i][c]) && values[i][c] >= 0)
-                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " " << points[i].theta_o
-                << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
+                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " "
+                << points[i].theta_o << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
       }
   }
 }
@@ -186,8 +200,9 @@ struct Refusal {
 class MarschnerParameters : public testing::TestWithParam<Refusal> {};
 INSTANTIATE_TEST_SUITE_P(Bad, MarschnerParameters,
                          testing::Values(Refusal{"eta=1", "eta"}, Refusal{"eta=nan", "eta"}, Refusal{"beta=0", "beta"},
-                                         Refusal{"sigma_a=-1", "sigma_a"}, Refusal{"alpha=0.3", "alpha"}, Refusal{"alpha_deg=11", "alpha_deg"},
-                                         Refusal{"variant=wrong", "corrected"}, Refusal{"etta=1.5", "etta"}));
+                                         Refusal{"sigma_a=-1", "sigma_a"}, Refusal{"alpha=0.3", "alpha"},
+                                         Refusal{"alpha_deg=11", "alpha_deg"}, Refusal{"variant=wrong", "corrected"},
+                                         Refusal{"etta=1.5", "etta"}));
 TEST_P(MarschnerParameters, OutOfRange_AreRefusedByName) {
   const auto values = parse_settings(model(), "", GetParam().settings);
   ASSERT_FALSE(values.ok());
@@ -195,7 +210,8 @@ TEST_P(MarschnerParameters, OutOfRange_AreRefusedByName) {
 }
 
 TEST(Marschner, Presets_AreValidAndGoBelowTheSettings) {
-  for (const registry::StudyCase& preset : model().presets) EXPECT_TRUE(parse_settings(model(), preset.name, "").ok()) << preset.name;
+  for (const registry::StudyCase& preset : model().presets)
+    EXPECT_TRUE(parse_settings(model(), preset.name, "").ok()) << preset.name;
   EXPECT_EQ(parse_settings(model(), "blonde", "eta=1.4")->real("eta"), 1.4);
   EXPECT_EQ(parse_settings(model(), "blonde", "eta=1.4")->rgb("sigma_a"), glm::dvec3(0.1257, 0.2091, 0.411));
 }
@@ -203,7 +219,8 @@ TEST(Marschner, Presets_AreValidAndGoBelowTheSettings) {
 TEST(Evaluate, PointOutsideTheDomain_IsRefusedByIndexAndName) {
   const std::vector<Point> points = {{}, {.theta_o = std::nan("")}};
   std::vector<glm::dvec3> out(2);
-  const auto done = evaluate(model(), registry::default_values(model().entry.parameters), Precision::f64, {Quantity::S, -1, points}, out);
+  const auto done = evaluate(model(), registry::default_values(model().entry.parameters), Precision::f64,
+                             {Quantity::S, -1, points}, out);
   ASSERT_FALSE(done.ok());
   EXPECT_THAT(done.error().message, AllOf(HasSubstr("point 1"), HasSubstr("theta_o")));
 }

@@ -1,5 +1,6 @@
 #pragma once
-// What every model's CPU batch loop needs: numbers narrowed to the precision asked for, points made ready for the formulas.
+// What every model's CPU batch loop needs: numbers narrowed to the precision asked for, points made ready for the
+// formulas.
 #include <cmath>
 
 #include <cuticle/bsdf/model.h>
@@ -20,7 +21,8 @@ Packed<Real> narrow(const Packed<double>& packed) {
 template <class Real>
 EvaluationPoint<Real> narrow(const Point& point) {
   constexpr double turn = 6.283185307179586;
-  return {Real(point.theta_i), Real(point.theta_o), Real(point.theta_d), Real(std::remainder(point.phi, turn)), Real(point.h)};
+  return {Real(point.theta_i), Real(point.theta_o), Real(point.theta_d), Real(std::remainder(point.phi, turn)),
+          Real(point.h)};
 }
 
 }  // namespace cuticle::bsdf

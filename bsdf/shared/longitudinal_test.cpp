@@ -17,13 +17,14 @@ constexpr double pi = std::numbers::pi;
 template <class Real>
 double evaluate(double beta, double alpha, double theta_i, double theta_o) {
   const LongitudinalLobe<double> lobe = make_longitudinal_lobe(beta, 2 * alpha);
-  const LongitudinalLobe<Real> narrowed{Real(lobe.inverse_variance), Real(lobe.norm), Real(lobe.sin_shift), Real(lobe.cos_shift)};
+  const LongitudinalLobe<Real> narrowed{Real(lobe.inverse_variance), Real(lobe.norm), Real(lobe.sin_shift),
+                                        Real(lobe.cos_shift)};
   const Real i = Real(theta_i), o = Real(theta_o);
   return double(longitudinal(narrowed, precise_sin(i), precise_cos(i), precise_sin(o), precise_cos(o)));
 }
 
-/// The largest error over the table, relative to the larger of the value and a millionth of the lobe's height; rows with a
-/// width of at least `least_beta`.
+/// The largest error over the table, relative to the larger of the value and a millionth of the lobe's height; rows
+/// with a width of at least `least_beta`.
 template <class Real>
 double worst_error(double least_beta) {
   double worst = 0;
@@ -54,10 +55,13 @@ struct Direction {
 };
 class LongitudinalEnergy : public testing::TestWithParam<Direction> {};
 INSTANTIATE_TEST_SUITE_P(Directions, LongitudinalEnergy,
-                         testing::Values(Direction{0.26, 0, 0}, Direction{0.26, -0.13, 0.7}, Direction{1, 0.17, -1.2}, Direction{2, 0, 0.3},
-                                         Direction{0.02, -0.1, 1.55}, Direction{0.26, -0.17, 1.5707}, Direction{5e-4, 0, 0.2},
+                         testing::Values(Direction{0.26, 0, 0}, Direction{0.26, -0.13, 0.7}, Direction{1, 0.17, -1.2},
+                                         Direction{2, 0, 0.3}, Direction{0.02, -0.1, 1.55},
+                                         Direction{0.26, -0.17, 1.5707}, Direction{5e-4, 0, 0.2},
                                          Direction{1e-3, 0, 1.5707963}, Direction{0.6, 0.17, -1.5707}));
-TEST_P(LongitudinalEnergy, OverThetaI_IsOne) { EXPECT_NEAR(energy(GetParam().beta, GetParam().alpha, GetParam().theta_o), 1, 2e-9); }
+TEST_P(LongitudinalEnergy, OverThetaI_IsOne) {
+  EXPECT_NEAR(energy(GetParam().beta, GetParam().alpha, GetParam().theta_o), 1, 2e-9);
+}
 
 TEST(Longitudinal, WithoutTilt_IsReciprocal) {
   EXPECT_DOUBLE_EQ(evaluate<double>(0.2, 0, 0.3, -0.9), evaluate<double>(0.2, 0, -0.9, 0.3));

@@ -24,22 +24,28 @@ constexpr std::array<PointColumn, coordinates> columns = {{{"theta_i", -90, 90, 
                                                            {"theta_d", -90, 90, "deg"},
                                                            {"phi", -1e6, 1e6, "deg"},
                                                            {"h", -1, 1, "1"}}};
-constexpr std::array<double bsdf::Point::*, coordinates> members = {&bsdf::Point::theta_i, &bsdf::Point::theta_o,
-                                                                    &bsdf::Point::theta_d, &bsdf::Point::phi, &bsdf::Point::h};
+constexpr std::array<double bsdf::Point::*, coordinates> members = {
+    &bsdf::Point::theta_i, &bsdf::Point::theta_o, &bsdf::Point::theta_d, &bsdf::Point::phi, &bsdf::Point::h};
 
 struct EvalOptions {
-  std::string models = "marschner", settings, preset, quantity = "S", lobes = "sum", points_file, precision = "f64", out;
+  std::string models = "marschner", settings, preset, quantity = "S", lobes = "sum", points_file, precision = "f64",
+              out;
   std::array<std::string, coordinates> grid;
 };
 
 /// Which coordinates a quantity is a function of.
 std::array<bool, coordinates> needed(bsdf::Quantity quantity) {
   switch (quantity) {
-    case bsdf::Quantity::S: return {true, true, false, true, false};
-    case bsdf::Quantity::M: return {true, true, false, false, false};
-    case bsdf::Quantity::N: return {false, false, true, true, false};
-    case bsdf::Quantity::A: return {false, false, true, false, true};
-    case bsdf::Quantity::albedo: break;
+    case bsdf::Quantity::S:
+      return {true, true, false, true, false};
+    case bsdf::Quantity::M:
+      return {true, true, false, false, false};
+    case bsdf::Quantity::N:
+      return {false, false, true, true, false};
+    case bsdf::Quantity::A:
+      return {false, false, true, false, true};
+    case bsdf::Quantity::albedo:
+      break;
   }
   return {false, true, false, false, false};
 }
@@ -54,9 +60,11 @@ std::string flag(std::size_t coordinate) {
 Result<void> check_grid(const EvalOptions& options, bsdf::Quantity quantity) {
   for (std::size_t c = 0; c < coordinates; ++c) {
     const bool given = !options.grid[c].empty();
-    if (given && !needed(quantity)[c]) return usage_error(fmt::format("{} has no use for {}", options.quantity, flag(c)));
+    if (given && !needed(quantity)[c])
+      return usage_error(fmt::format("{} has no use for {}", options.quantity, flag(c)));
     if (!given && needed(quantity)[c])
-      return usage_error(fmt::format("{} needs {}, in {}", options.quantity, flag(c), columns[c].unit == "1" ? "fibre radii" : "degrees"),
+      return usage_error(fmt::format("{} needs {}, in {}", options.quantity, flag(c),
+                                     columns[c].unit == "1" ? "fibre radii" : "degrees"),
                          flag(c) + " from:to:count, or --points FILE.csv");
   }
   return {};
@@ -94,7 +102,8 @@ Result<PointsTable> file_points(const EvalOptions& options, bsdf::Quantity quant
   CUTICLE_ASSIGN(PointsTable table, read_points(options.points_file, columns));
   for (std::size_t c = 0; c < coordinates; ++c)
     if (needed(quantity)[c] && std::find(table.columns.begin(), table.columns.end(), c) == table.columns.end())
-      return bad_input(fmt::format("{}: no column {}, which {} needs", options.points_file, columns[c].name, options.quantity));
+      return bad_input(
+          fmt::format("{}: no column {}, which {} needs", options.points_file, columns[c].name, options.quantity));
   return table;
 }
 
@@ -116,9 +125,11 @@ struct Series {
 };
 
 Result<void> evaluate_on(const EvalOptions& options, const Context& context, const bsdf::Model& model,
-                         const registry::ParameterValues& values, const bsdf::Request& request, std::span<glm::dvec3> out) {
+                         const registry::ParameterValues& values, const bsdf::Request& request,
+                         std::span<glm::dvec3> out) {
   if (options.precision != "gpu")
-    return bsdf::evaluate(model, values, options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64, request, out);
+    return bsdf::evaluate(model, values, options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64,
+                          request, out);
 #ifdef CUTICLE_HAS_GPU
   CUTICLE_ASSIGN(const std::shared_ptr<gpu::Device> device, gpu::Device::open({context.device}));
   return bsdf::evaluate_gpu(*device, model, values, request, out);
@@ -133,7 +144,8 @@ Result<std::vector<Series>> evaluate_all(const EvalOptions& options, const Conte
   std::vector<Series> all;
   for (const std::string& name : split_list(options.models)) {
     CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
-    CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, options.preset, options.settings));
+    CUTICLE_ASSIGN(const registry::ParameterValues values,
+                   bsdf::parse_settings(*model, options.preset, options.settings));
     for (const std::string& lobe : split_list(options.lobes)) {
       CUTICLE_ASSIGN(const int index, bsdf::find_lobe(*model, lobe));
       Series series{model->entry.name, lobe, std::vector<glm::dvec3>(points.size())};
@@ -159,8 +171,8 @@ std::string csv(const EvalOptions& options, const PointsTable& table, const std:
       if (several) text += fmt::format("{},", series.model);
       for (double value : table.rows[i]) text += fmt::format("{},", value);
       const glm::dvec3 rgb = series.values[i];
-      text += fmt::format("{},{},{},{}\n", series.lobe, in_digits(rgb.x, options.precision), in_digits(rgb.y, options.precision),
-                          in_digits(rgb.z, options.precision));
+      text += fmt::format("{},{},{},{}\n", series.lobe, in_digits(rgb.x, options.precision),
+                          in_digits(rgb.y, options.precision), in_digits(rgb.z, options.precision));
     }
   return text;
 }
@@ -171,7 +183,8 @@ std::string json(const PointsTable& table, const std::vector<Series>& all) {
     for (const Series& series : all) {
       const glm::dvec3 rgb = series.values[i];
       nlohmann::json row = {{"model", series.model}, {"lobe", series.lobe}, {"r", rgb.x}, {"g", rgb.y}, {"b", rgb.z}};
-      for (std::size_t c = 0; c < table.columns.size(); ++c) row[std::string(columns[table.columns[c]].name)] = table.rows[i][c];
+      for (std::size_t c = 0; c < table.columns.size(); ++c)
+        row[std::string(columns[table.columns[c]].name)] = table.rows[i][c];
       rows.push_back(std::move(row));
     }
   return rows.dump(1) + "\n";
@@ -179,7 +192,8 @@ std::string json(const PointsTable& table, const std::vector<Series>& all) {
 
 Result<std::string> evaluated_text(const EvalOptions& options, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Quantity quantity, bsdf::find_quantity(options.quantity));
-  CUTICLE_ASSIGN(const PointsTable table, options.points_file.empty() ? grid_points(options, quantity) : file_points(options, quantity));
+  CUTICLE_ASSIGN(const PointsTable table,
+                 options.points_file.empty() ? grid_points(options, quantity) : file_points(options, quantity));
   CUTICLE_ASSIGN(const std::vector<Series> all, evaluate_all(options, context, quantity, in_radians(table)));
   return context.json ? json(table, all) : csv(options, table, all);
 }
@@ -206,9 +220,12 @@ void add_eval(CLI::App& app, Context& context) {
   command->add_option("--quantity", options->quantity, "S, M, N, A or albedo")->capture_default_str();
   command->add_option("--lobe", options->lobes, "lobes of the model, or sum: R,TT,TRT,sum")->capture_default_str();
   for (std::size_t c = 0; c < coordinates; ++c)
-    command->add_option(flag(c), options->grid[c], c == 4 ? "offsets in fibre radii, a,b,c or from:to:count" : "degrees, a,b,c or from:to:count");
+    command->add_option(flag(c), options->grid[c],
+                        c == 4 ? "offsets in fibre radii, a,b,c or from:to:count" : "degrees, a,b,c or from:to:count");
   command->add_option("--points", options->points_file, "CSV with columns theta_i, theta_o, theta_d, phi (degrees), h");
-  command->add_option("--precision", options->precision, "f32, f64 or gpu")->check(CLI::IsMember({"f32", "f64", "gpu"}))->capture_default_str();
+  command->add_option("--precision", options->precision, "f32, f64 or gpu")
+      ->check(CLI::IsMember({"f32", "f64", "gpu"}))
+      ->capture_default_str();
   command->add_option("--out", options->out, "write to this file instead of stdout");
   command->callback([&context, options] { context.action = [&context, options] { return eval(*options, context); }; });
 }

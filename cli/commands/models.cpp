@@ -10,8 +10,8 @@ namespace {
 
 void print_conventions(const bsdf::Model& model) {
   const bsdf::Conventions& c = model.conventions;
-  fmt::print("{}: {} field; cosine {}; absorption {}; roughness: {};\n  {}\n  presets:", model.entry.name, c.field, c.cosine,
-             c.absorption, c.roughness, c.tilt_sign);
+  fmt::print("{}: {} field; cosine {}; absorption {}; roughness: {};\n  {}\n  presets:", model.entry.name, c.field,
+             c.cosine, c.absorption, c.roughness, c.tilt_sign);
   for (const registry::StudyCase& preset : model.presets) fmt::print(" {} ({})", preset.name, preset.settings);
   fmt::print("\n");
 }
@@ -31,7 +31,8 @@ int print_models(const Context& context) {
 }  // namespace
 
 void add_models(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("models", "the fibre scattering models, their parameters, presets and conventions");
+  CLI::App* command =
+      app.add_subcommand("models", "the fibre scattering models, their parameters, presets and conventions");
   command->callback([&context] { context.action = [&context] { return print_models(context); }; });
 }
 

@@ -27,7 +27,9 @@ TEST(ParameterDegrees, OutOfRange_IsRefusedInDegrees) {
   EXPECT_THAT(refused.error().message, AllOf(HasSubstr("alpha_deg"), HasSubstr("11"), HasSubstr("-10 .. 10 deg")));
 }
 
-TEST(ParameterDegrees, ParameterThatIsNoAngle_HasNoDegrees) { EXPECT_FALSE(parse_assignments(k_table, "eta_deg=1.5").ok()); }
+TEST(ParameterDegrees, ParameterThatIsNoAngle_HasNoDegrees) {
+  EXPECT_FALSE(parse_assignments(k_table, "eta_deg=1.5").ok());
+}
 
 }  // namespace
 }  // namespace cuticle::registry

@@ -22,7 +22,9 @@ struct Ray {
 dvec3 surface_normal(dvec3 position) { return glm::normalize(dvec3(position.x, position.y, 0)); }
 
 /// The ray that meets the cylinder at offset h, travelling toward -x at inclination theta.
-Ray incoming(double theta, double h) { return {dvec3(std::sqrt(1 - h * h), h, 0), dvec3(-std::cos(theta), 0, std::sin(theta))}; }
+Ray incoming(double theta, double h) {
+  return {dvec3(std::sqrt(1 - h * h), h, 0), dvec3(-std::cos(theta), 0, std::sin(theta))};
+}
 
 dvec3 reflect(dvec3 direction, dvec3 normal) { return direction - 2 * glm::dot(direction, normal) * normal; }
 
@@ -67,14 +69,15 @@ void spread(std::vector<dvec3>& bins, double first, double width, dvec3 energy) 
   const double begin = (std::min(first, first + width) + pi) / (2 * pi) * double(bins.size());
   const double size = std::abs(width) / (2 * pi) * double(bins.size());
   const std::int64_t count = std::int64_t(bins.size());
-  for (std::int64_t cell = std::int64_t(std::floor(begin)); double(cell) < begin + size || cell == std::int64_t(std::floor(begin)); ++cell) {
+  for (std::int64_t cell = std::int64_t(std::floor(begin));
+       double(cell) < begin + size || cell == std::int64_t(std::floor(begin)); ++cell) {
     const double overlap = std::min(begin + size, double(cell + 1)) - std::max(begin, double(cell));
     bins[std::size_t(((cell % count) + count) % count)] += energy * (size > 0 ? overlap / size : 1.0);
   }
 }
 
-/// Offsets from edge to edge for t in [0, 1], closer together where grazing makes the energy change fast. A ray at |h| = 1
-/// itself never enters.
+/// Offsets from edge to edge for t in [0, 1], closer together where grazing makes the energy change fast. A ray at |h|
+/// = 1 itself never enters.
 double offset_at(double t) { return (1 - 1e-14) * std::sin(pi * (t - 0.5)); }
 
 double uniform(std::mt19937_64& generator) { return double(generator() >> 11) * 0x1p-53; }
@@ -135,7 +138,8 @@ dvec3 lobe_energy(const DielectricCylinder& cylinder, double theta_d, int lobe, 
   return sum;
 }
 
-MonteCarloEnergy random_walks(const DielectricCylinder& cylinder, double theta_d, int orders, std::int64_t walks, std::uint64_t seed) {
+MonteCarloEnergy random_walks(const DielectricCylinder& cylinder, double theta_d, int orders, std::int64_t walks,
+                              std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   std::vector<dvec3> sums(std::size_t(orders), dvec3(0)), squares = sums;
   for (std::int64_t i = 0; i < walks; ++i) {

@@ -28,17 +28,19 @@ double caustic(const Case& c) {
   return std::abs(4 * std::asin(h / index) - 2 * std::asin(h));
 }
 
-std::vector<glm::dvec3> evaluate(const Case& c, bsdf::Quantity quantity, int lobe, const std::vector<bsdf::Point>& points) {
+std::vector<glm::dvec3> evaluate(const Case& c, bsdf::Quantity quantity, int lobe,
+                                 const std::vector<bsdf::Point>& points) {
   const bsdf::Model* model = *bsdf::find_model("marschner");
-  const auto values = *registry::parse_assignments(model->entry.parameters, fmt::format("eta={},sigma_a={}", c.eta, c.sigma_a));
+  const auto values =
+      *registry::parse_assignments(model->entry.parameters, fmt::format("eta={},sigma_a={}", c.eta, c.sigma_a));
   std::vector<glm::dvec3> out(points.size());
   EXPECT_TRUE(bsdf::evaluate(*model, values, bsdf::Precision::f64, {quantity, lobe, points}, out).ok());
   return out;
 }
 
 /// The integral of N over [begin, end], which the caustic does not divide, by the midpoint rule over s with
-/// phi = peak -+ s^power. Inside the caustic N grows like 1 / sqrt(peak - phi), and next to it, where eta' is about 2, falls
-/// like 1 / (phi - peak)^(2/3): powers 2 and 3 take that away.
+/// phi = peak -+ s^power. Inside the caustic N grows like 1 / sqrt(peak - phi), and next to it, where eta' is about 2,
+/// falls like 1 / (phi - peak)^(2/3): powers 2 and 3 take that away.
 double integral(const Case& c, int lobe, double begin, double end, int count) {
   const double peak = lobe == 2 ? caustic(c) : 0;
   const bool inside = lobe == 2 && begin < peak;
@@ -58,7 +60,8 @@ double integral(const Case& c, int lobe, double begin, double end, int count) {
   return sum;
 }
 
-/// The largest difference of a bin that touches no caustic, relative to the largest bin, over half a circle of 0.5 degree bins.
+/// The largest difference of a bin that touches no caustic, relative to the largest bin, over half a circle of 0.5
+/// degree bins.
 double worst_bin(const Case& c, int lobe) {
   const std::vector<glm::dvec3> bins =
       study::oracle::azimuthal_bins({c.eta, glm::dvec3(c.sigma_a)}, c.theta_d_deg * degree, lobe, 720, 1 << 18);
@@ -90,7 +93,8 @@ TEST_P(MarschnerOracle, LobeEnergy_IsHalfTheIntegralOfA) {
     const double peak = lobe == 2 ? caustic(c) : 0;
     const double inside = peak > 0 ? integral(c, lobe, 0, peak, 20000) : 0;
     const double total = 2 * (inside + integral(c, lobe, peak, std::numbers::pi, 20000));
-    const double truth = study::oracle::lobe_energy({c.eta, glm::dvec3(c.sigma_a)}, c.theta_d_deg * degree, lobe, 20000).x;
+    const double truth =
+        study::oracle::lobe_energy({c.eta, glm::dvec3(c.sigma_a)}, c.theta_d_deg * degree, lobe, 20000).x;
     EXPECT_NEAR(total, truth, 1.2e-5) << lobe;
   }
 }
@@ -99,7 +103,8 @@ TEST_P(MarschnerOracle, LobeEnergy_IsHalfTheIntegralOfA) {
 TEST_P(MarschnerOracle, AlbedoOfAWhiteFibre_IsWhatTheFirstOrdersCarry) {
   const bsdf::Model* model = *bsdf::find_model("marschner");
   const double eta = GetParam().eta, theta = GetParam().theta_d_deg * degree;
-  const auto values = *registry::parse_assignments(model->entry.parameters, fmt::format("eta={},sigma_a=0,beta=0.001,alpha=0", eta));
+  const auto values =
+      *registry::parse_assignments(model->entry.parameters, fmt::format("eta={},sigma_a=0,beta=0.001,alpha=0", eta));
   double truth = 0;
   for (int lobe = 0; lobe < 3; ++lobe) truth += study::oracle::lobe_energy({eta, glm::dvec3(0)}, theta, lobe, 2000).x;
   const std::vector<bsdf::Point> points = {{.theta_o = theta}};
@@ -113,7 +118,8 @@ TEST_P(MarschnerOracle, Attenuation_IsThatOfTheRay) {
   const Case c = GetParam();
   for (double h : {-0.99, -0.5, 0.0, 0.3, 0.8, 0.999})
     for (int lobe = 0; lobe < 3; ++lobe) {
-      const double truth = study::oracle::follow({c.eta, glm::dvec3(c.sigma_a)}, c.theta_d_deg * degree, h, lobe).energy.x;
+      const double truth =
+          study::oracle::follow({c.eta, glm::dvec3(c.sigma_a)}, c.theta_d_deg * degree, h, lobe).energy.x;
       const double value = evaluate(c, bsdf::Quantity::A, lobe, {{.theta_d = c.theta_d_deg * degree, .h = h}})[0].x;
       EXPECT_NEAR(value, truth, 1e-13) << lobe << " " << h;
     }
