@@ -1,10 +1,10 @@
 #pragma once
-// Means of an azimuthal term over intervals of phi, through integrable infinite peaks. Private to lut.
+// Means of an azimuthal term over intervals of phi, through integrable infinite peaks. For lut and viz.
 #include <cuticle/lut/evaluate.h>
 
 namespace cuticle::lut {
 
-/// An interval of azimuth (radians, 0 <= begin < end <= pi) at one theta_d.
+/// An interval of azimuth (radians, begin < end) at one theta_d.
 struct PhiInterval {
   double theta_d = 0, begin = 0, end = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Where baking takes the model's values from: the CPU or a device. Private to lut.
+// Where baking takes the model's values from: the CPU or a device. For lut and viz.
 #include <functional>
 
 #include <cuticle/lut/table_set.h>

@@ -3,37 +3,58 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <numeric>
+
+#include <cuticle/lut/cell_average.h>
 
 namespace cuticle::viz {
 namespace {
 
 double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
-/// Samples of S across each column: a caustic is an infinite peak, of which only a mean can be drawn.
-constexpr int k_samples = 16;
+/// Weights of the columns around one (their spread is 1.2 columns): a ridge one column wide would show the grid.
+constexpr std::array<double, 7> k_weights = {1.0 / 64, 6.0 / 64, 15.0 / 64, 20.0 / 64, 15.0 / 64, 6.0 / 64, 1.0 / 64};
 
-std::vector<bsdf::Point> row_points(const LobesView& view, const DirectionGrid& grid, int row) {
-  const double step = grid.phi(1) - grid.phi(0);
-  std::vector<bsdf::Point> points;
-  for (int column = 0; column < grid.columns; ++column)
-    for (int k = 0; k < k_samples; ++k)
-      points.push_back({.theta_i = view.theta_i, .theta_o = grid.theta_o(row), .phi = grid.phi(column) + step * ((k + 0.5) / k_samples - 0.5)});
-  return points;
+/// The row's values with its columns blended; first and last column are the same direction.
+void blend(std::span<double> row) {
+  const int period = int(row.size()) - 1;
+  const std::vector<double> sharp(row.begin(), row.end());
+  for (int column = 0; column <= period; ++column) {
+    row[std::size_t(column)] = 0;
+    for (int k = 0; k < int(k_weights.size()); ++k)
+      row[std::size_t(column)] += k_weights[std::size_t(k)] * sharp[std::size_t((column + k - 3 + period) % period)];
+  }
 }
 
-/// S of one lobe on the grid: the mean over colour and over the column's step in phi.
+/// S at the view's theta_i; an interval's inclination is theta_o.
+lut::Source source_of(const LobesView& view) {
+  const lut::Evaluate evaluate = [&view](const bsdf::Request& request, std::span<glm::dvec3> out) {
+    std::vector<bsdf::Point> points;
+    for (const bsdf::Point& at : request.points) points.push_back({.theta_i = view.theta_i, .theta_o = at.theta_d, .phi = at.phi});
+    return bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, request.lobe, points}, out);
+  };
+  return {view.model, evaluate, evaluate};
+}
+
+std::vector<lut::PhiInterval> columns_of(const DirectionGrid& grid) {
+  const double half = (grid.phi(1) - grid.phi(0)) / 2;
+  std::vector<lut::PhiInterval> cells;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      cells.push_back({grid.theta_o(row), grid.phi(column) - half, grid.phi(column) + half});
+  return cells;
+}
+
+/// S of one lobe on the grid: the mean over colour, and over about three degrees of phi, because of a caustic, which is an
+/// infinite peak, only a mean can be drawn.
 Result<std::vector<double>> lobe_values(const LobesView& view, const DirectionGrid& grid, int lobe) {
+  const lut::Channel channel{"S", bsdf::Quantity::S, view.model->lobes[std::size_t(lobe)], 0, lut::Texel::cell_average};
+  const lut::Source source = source_of(view);
+  CUTICLE_ASSIGN(const lut::PhiAverages averages, lut::average_over_phi(source, channel, columns_of(grid)));
   std::vector<double> values;
-  for (int row = 0; row < grid.rows; ++row) {
-    const std::vector<bsdf::Point> points = row_points(view, grid, row);
-    std::vector<glm::dvec3> rgb(points.size());
-    CUTICLE_TRY(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, lobe, points}, rgb));
-    for (auto first = rgb.begin(); first != rgb.end(); first += k_samples)
-      values.push_back(std::transform_reduce(first, first + k_samples, 0.0, std::plus<>(), mean) / k_samples);
-  }
+  std::transform(averages.values.begin(), averages.values.end(), std::back_inserter(values), mean);
+  for (int row = 0; row < grid.rows; ++row)
+    blend(std::span(values).subspan(std::size_t(row) * std::size_t(grid.columns), std::size_t(grid.columns)));
   return values;
 }
 

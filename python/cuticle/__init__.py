@@ -1,0 +1,59 @@
+"""Hair reflectance and strands: the same functions that the program `cuticle` has, on numpy arrays.
+
+Angles are in degrees where a name ends in `_deg`; everything else is SI. Bad input raises ValueError with the program's message.
+"""
+import json
+
+import numpy
+
+from . import _cuticle
+from ._cuticle import Groom, load_groom
+
+__all__ = ["Groom", "bake", "eval", "load_groom", "lobes", "models"]
+
+
+def _text(value):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (tuple, list, numpy.ndarray)):
+        return "/".join(_text(part) for part in value)
+    return str(value)
+
+
+def _settings(values):
+    """{"eta": 1.55, "sigma_a": (0.1, 0.2, 0.4)} as the program's --set takes it; a text goes through."""
+    if values is None or isinstance(values, str):
+        return values or ""
+    return ",".join(f"{name}={_text(value)}" for name, value in values.items())
+
+
+def _numbers(value):
+    return numpy.asarray(value, dtype=numpy.float64, order="C")
+
+
+def models():
+    """The registered models: a list of dictionaries with name, summary, source and parameters (unit, range, default)."""
+    return json.loads(_cuticle.models_json())
+
+
+def lobes(model):
+    """Names of a model's lobes."""
+    return _cuticle.lobes(model)
+
+
+def eval(model, quantity, lobe="sum", set=None, *, preset=None, theta_i_deg=0.0, theta_o_deg=0.0, theta_d_deg=0.0, phi_deg=0.0, h=0.0,
+         precision="f64"):
+    """A model's quantity: "S", "M", "N", "A" or "albedo", without the cosine of the incident angle.
+
+    The angles (numbers or arrays; h in [-1, 1]) are broadcast together; the result has their shape with an axis of r, g, b added.
+    S uses theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o.
+    `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset or the defaults; `precision` is "f32" or "f64".
+    """
+    coordinates = [_numbers(value) for value in (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h)]
+    return _cuticle.evaluate(model, quantity, lobe, preset or "", _settings(set), coordinates, precision)
+
+
+def bake(model, layout="nalu", size=128, set=None, preset=None):
+    """Lookup tables as half-float values in float arrays [v, u, channel], by name, and under "manifest" what they are."""
+    tables, manifest = _cuticle.bake(model, layout, size, preset or "", _settings(set))
+    return {**tables, "manifest": json.loads(manifest)}

@@ -1,0 +1,154 @@
+"""The compiled module against the formulas that it must give, and its errors."""
+import os
+import pathlib
+import threading
+
+import numpy
+import pytest
+
+import cuticle
+
+
+def bessel_i0e(x):
+    return numpy.i0(x) * numpy.exp(-x)
+
+
+def test_Eval_LongitudinalTerm_IsTheClosedForm():
+    beta, alpha = 0.2, 0.03
+    theta_i, theta_o = numpy.radians(numpy.linspace(-80, 80, 9))[:, None], numpy.radians([-40.0, 25.0])[None, :]
+    value = cuticle.eval("marschner", "M", "TT", {"beta": beta, "alpha": alpha}, theta_i_deg=numpy.degrees(theta_i), theta_o_deg=numpy.degrees(theta_o))
+    v = (beta / 2) ** 2  # TT: half the width, shifted by -alpha in theta_i + theta_o
+    results = []
+    for shift in (alpha, -alpha):
+        shifted = theta_o + shift
+        a = numpy.cos(theta_i) * numpy.cos(shifted) / v
+        results.append(bessel_i0e(a) * numpy.exp(a - (1 + numpy.sin(theta_i) * numpy.sin(shifted)) / v) / (v * (1 - numpy.exp(-2 / v))))
+    assert value.shape == (9, 2, 3)
+    assert min(numpy.abs(value[..., 0] / result - 1).max() for result in results) < 1e-6
+
+
+def test_Eval_ReflectedAzimuth_IsTheClosedForm():
+    """Without a cylinder's refraction R is F cos(phi / 2) / 4; at phi = 0, F is ((eta - 1) / (eta + 1))^2."""
+    assert cuticle.eval("marschner", "N", "R", {"eta": 1.5}) == pytest.approx(numpy.full(3, 0.04 / 4), rel=1e-12)
+
+
+def test_Eval_Broadcasting_FollowsNumpy():
+    shape = cuticle.eval("marschner", "S", theta_i_deg=numpy.zeros((4, 1, 1)), theta_o_deg=numpy.zeros((3, 1)), phi_deg=numpy.zeros(2)).shape
+    assert shape == (4, 3, 2, 3)
+    phi = numpy.linspace(0, 170, 5)
+    both = cuticle.eval("marschner", "N", "TT", theta_d_deg=numpy.array([[0.0], [30.0]]), phi_deg=phi)
+    assert numpy.array_equal(both[1], cuticle.eval("marschner", "N", "TT", theta_d_deg=30, phi_deg=phi))
+
+
+def test_Eval_Precisions_AgreeToFloat():
+    phi = numpy.linspace(100, 170, 50)
+    single, double = (cuticle.eval("marschner", "N", "TT", phi_deg=phi, precision=p) for p in ("f32", "f64"))
+    assert not numpy.array_equal(single, double)
+    assert numpy.abs(single - double).max() < 2e-5 * double.max()
+
+
+def test_Eval_PresetAndSet_SetGoesOver():
+    blonde = cuticle.eval("marschner", "A", "TT", preset="blonde")
+    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blonde")
+    assert blonde[0] > blonde[2] and clear[0] == clear[2] > blonde[0]
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (dict(model="marschnr", quantity="S"), ["marschnr", "marschner"]),
+    (dict(model="marschner", quantity="Q"), ["Q", "albedo"]),
+    (dict(model="marschner", quantity="S", lobe="TTT"), ["TTT", "TRT"]),
+    (dict(model="marschner", quantity="S", set={"eta": 9}), ["eta", "9", "1.05"]),
+    (dict(model="marschner", quantity="S", set={"etta": 1.5}), ["etta", "eta"]),
+    (dict(model="marschner", quantity="S", precision="f16"), ["f16", "f32"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=[0, 1], phi_deg=[0, 1, 2]), ["2", "3", "broadcast"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=float("nan")), ["theta_i"]),
+])
+def test_Eval_BadInput_IsAValueErrorThatSaysWhat(arguments, words):
+    with pytest.raises(ValueError) as error:
+        cuticle.eval(**arguments)
+    for word in words:
+        assert word in str(error.value)
+
+
+def test_Models_Marschner_HasItsParameters():
+    marschner = next(model for model in cuticle.models() if model["name"] == "marschner")
+    assert {"eta", "sigma_a", "beta", "alpha"} <= {parameter["name"] for parameter in marschner["parameters"]}
+    assert cuticle.lobes("marschner") == ["R", "TT", "TRT"]
+
+
+def test_Bake_Tables_HoldTheModelsValues():
+    tables = cuticle.bake("marschner", size=16, set={"sigma_a": 0.3})
+    assert set(tables) == {"M", "N_TT_R", "N_TRT", "manifest"}
+    assert tables["N_TT_R"].shape == (16, 16, 4)
+    phi, theta_d = numpy.degrees(numpy.arccos(numpy.linspace(-1, 1, 16))), numpy.degrees(numpy.arccos(9 / 15))
+    expected = cuticle.eval("marschner", "N", "TT", {"sigma_a": 0.3}, theta_d_deg=theta_d, phi_deg=phi)
+    assert tables["N_TT_R"][9, :, :3] == pytest.approx(expected, rel=1e-3, abs=1e-6)
+    assert tables["manifest"]["parameters"]["sigma_a"] == [0.3, 0.3, 0.3]
+
+
+def test_Bake_WrongSize_IsAValueError():
+    with pytest.raises(ValueError, match="16 .. 1024"):
+        cuticle.bake("marschner", size=4)
+
+
+def test_Bake_OtherThreads_RunMeanwhile():
+    """The interpreter is free while tables are baked: a thread counts on."""
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+            done.wait(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    before = counted[0]
+    cuticle.bake("marschner", size=64)
+    during = counted[0] - before
+    done.set()
+    counter.join()
+    assert during > 5
+
+
+def yuksel_file(path):
+    """Two strands of three and two points, without other arrays (cemyuksel.com/research/hairmodels)."""
+    header = bytearray(128)
+    header[0:4] = b"HAIR"
+    header[4:16] = numpy.array([2, 5, 1 | 2], "<u4").tobytes()
+    header[16:20] = numpy.array([2], "<u4").tobytes()
+    header[20:40] = numpy.array([0.02, 0, 1, 1, 1], "<f4").tobytes()
+    points = numpy.arange(15, dtype="<f4")
+    path.write_bytes(bytes(header) + numpy.array([2, 1], "<u2").tobytes() + points.tobytes())
+    return points.reshape(5, 3)
+
+
+def test_LoadGroom_Arrays_AreTheFiles(tmp_path):
+    points = yuksel_file(tmp_path / "two.hair")
+    groom = cuticle.load_groom(str(tmp_path / "two.hair"), metres_per_unit=0.01)
+    assert len(groom) == 2 and groom.offsets.tolist() == [0, 3, 5]
+    assert groom.positions == pytest.approx(points * 0.01)
+    assert groom.radii.shape == (5,) and groom.root_uv.shape == (0, 2)
+
+
+def test_LoadGroom_Arrays_ShareMemoryAndOutliveTheGroom(tmp_path):
+    yuksel_file(tmp_path / "two.hair")
+    groom = cuticle.load_groom(str(tmp_path / "two.hair"), metres_per_unit=0.01)
+    positions = groom.positions
+    assert numpy.shares_memory(positions, groom.positions)
+    with pytest.raises(ValueError):
+        positions[0, 0] = 1
+    copy = positions.copy()
+    del groom
+    assert numpy.array_equal(positions, copy)
+
+
+def test_LoadGroom_MissingFile_NamesIt():
+    with pytest.raises(ValueError, match="/nonexistent/a.hair"):
+        cuticle.load_groom("/nonexistent/a.hair")
+
+
+@pytest.mark.skipif(not os.environ.get("CUTICLE_TEST_DATA"), reason="CUTICLE_TEST_DATA names no real grooms")
+def test_LoadGroom_RealPonytail_HasItsStrands():
+    path = pathlib.Path(os.environ["CUTICLE_TEST_DATA"]) / "strands/tressfx/ponytail/side.tfx"
+    groom = cuticle.load_groom(str(path))
+    assert len(groom) == 3066 and numpy.isfinite(groom.positions).all()
