@@ -41,8 +41,9 @@ Result<strands::Groom> grow(const Request& request) {
 std::string parameters_help() {
   std::string text = "growing parameters (name, default, range, unit):\n";
   for (const registry::Parameter& parameter : strands::growing_parameters())
-    text += fmt::format("  {:<18}{:<8}{} .. {} {}  {}\n", parameter.name, parameter.default_text, parameter.minimum,
-                        parameter.maximum, parameter.unit, parameter.summary);
+    text += fmt::format("  {:<18}{:<8}{} .. {}{}  {}\n", parameter.name, parameter.default_text, parameter.minimum,
+                        parameter.maximum, parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit),
+                        parameter.summary);
   return text;
 }
 
