@@ -1,0 +1,64 @@
+"""The figures of a study: error against time or against a setting, one curve a series, baselines as lines across."""
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot, ticker  # noqa: E402  (after the choice of back end)
+import plotly.graph_objects as plotly  # noqa: E402
+
+COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777"]
+DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
+
+
+def save_png(study, x, path):
+    """A PNG with labelled axes and the legend beside the plot."""
+    figure, axes = pyplot.subplots(figsize=(8.5, 5), layout="constrained")
+    for color, (name, rows) in zip(COLORS * 9, study.curves().items()):
+        axes.plot([row[x.key] for row in rows], [row[study.y.key] for row in rows], "o-", color=color, markersize=4, label=name)
+        if x.key != study.point_label:
+            for row in rows:
+                axes.annotate(str(row.get(study.point_label, "")), (row[x.key], row[study.y.key]), xytext=(4, 4),
+                              textcoords="offset points", fontsize=7, color=color)
+    for (dash, _), (name, value) in zip(DASHES, study.baselines):
+        axes.axhline(value, linestyle=dash, color="black", linewidth=1, label=f"{name}: {value:.3g}")
+    axes.set(xlabel=x.label, ylabel=study.y.label, xscale=x.scale, yscale=study.y.scale)
+    if x.key == study.point_label:
+        settings = sorted({row[x.key] for row in study.raw["rows"]})
+        axes.xaxis.set_major_locator(ticker.FixedLocator(settings))
+        axes.xaxis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+        axes.xaxis.set_minor_locator(ticker.NullLocator())
+    axes.set_title(study.title, fontsize=11, wrap=True)
+    axes.grid(alpha=0.3, which="both")
+    figure.legend(loc="outside right upper", fontsize=8)
+    temporary = path.with_name(f".{path.stem}.{os.getpid()}.png")
+    try:
+        figure.savefig(temporary, dpi=150)
+        temporary.replace(path)
+    finally:
+        pyplot.close(figure)
+        temporary.unlink(missing_ok=True)
+
+
+def hover(row):
+    return "<br>".join(f"{key}: {value:.4g}" if isinstance(value, float) else f"{key}: {value}" for key, value in row.items())
+
+
+def interactive(study, x):
+    """The same as a plotly figure."""
+    figure = plotly.Figure()
+    for color, (name, rows) in zip(COLORS * 9, study.curves().items()):
+        labels = [str(row.get(study.point_label, "")) for row in rows] if x.key != study.point_label else None
+        figure.add_scatter(x=[row[x.key] for row in rows], y=[row[study.y.key] for row in rows], name=name, text=labels,
+                           mode="lines+markers+text" if labels else "lines+markers", textposition="top right", textfont={"size": 10},
+                           line={"color": color}, hovertext=[hover(row) for row in rows], hoverinfo="text")
+    values = [row[x.key] for row in study.raw["rows"]]
+    for (_, dash), (name, value) in zip(DASHES, study.baselines):
+        figure.add_scatter(x=[min(values), max(values)], y=[value, value], mode="lines", name=f"{name}: {value:.3g}",
+                           line={"color": "black", "dash": dash, "width": 1})
+    figure.update_layout(template="plotly_white", height=480, margin={"l": 70, "r": 20, "t": 30, "b": 60})
+    figure.update_xaxes(title=x.label, type=x.scale)
+    figure.update_yaxes(title=study.y.label, type=study.y.scale)
+    if x.key == study.point_label:
+        figure.update_xaxes(tickvals=sorted(set(values)))
+    return figure

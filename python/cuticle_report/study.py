@@ -1,0 +1,102 @@
+"""A study's page and figures, from study.json (study/README.md)."""
+import dataclasses
+import pathlib
+
+from . import ReportError, data, figures, page
+
+COLUMNS = ["method", "settings", "mean_error", "p95_error", "max_error", "bias", "build_ms", "lookup_ms", "total_ms", "bytes"]
+
+
+@dataclasses.dataclass
+class Axis:
+    key: str
+    label: str
+    scale: str = "linear"
+
+
+@dataclasses.dataclass
+class Study:
+    raw: dict
+    x: Axis
+    y: Axis
+
+    @property
+    def title(self):
+        return self.raw["title"]
+
+    @property
+    def point_label(self):
+        return self.raw["label"]
+
+    @property
+    def baselines(self):
+        return [(row["method"], row[self.y.key]) for row in self.raw["baselines"]]
+
+    def curves(self):
+        """Name of each curve and its rows, in the order of the column that labels the points."""
+        series, named = self.raw["series"], {}
+        for row in self.raw["rows"]:
+            name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
+            named.setdefault(name, []).append(row)
+        return {name: sorted(rows, key=lambda row: row.get(self.point_label, 0)) for name, rows in named.items()}
+
+    def label_axis(self):
+        return Axis(self.point_label, self.point_label, "log")
+
+
+def load(path):
+    """The study in a JSON file, checked as far as the figures need it."""
+    raw = data.read_json(path)
+    for key in ("title", "x", "y", "series", "label", "rows", "baselines"):
+        if key not in raw:
+            raise ReportError(f"{path}: key '{key}' is missing")
+    if not raw["rows"]:
+        raise ReportError(f"{path}: 'rows' is empty")
+    study = Study(raw, Axis(**raw["x"]), Axis(**raw["y"]))
+    for i, row in enumerate(raw["rows"] + raw["baselines"]):
+        wanted = (study.y.key,) if i >= len(raw["rows"]) else (study.x.key, study.y.key, "method")
+        for key in wanted:
+            if key not in row:
+                raise ReportError(f"{path}: row {i}: key '{key}' is missing")
+    return study
+
+
+def words(study):
+    """What was measured, in sentences."""
+    raw, parts = study.raw, []
+    if groom := raw.get("groom"):
+        parts.append(f"Hair: {groom['name']}, {groom['strands']} strands, {groom['vertices']} vertices, strand spacing "
+                     f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
+                     f"disc of radius {1e3 * raw['footprint_m']:.3g} mm.")
+    if truth := raw.get("truth"):
+        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over the "
+                     f"{truth['counted']} with 0.05 < T < 0.95, where the truth's own standard error is {truth['mean_standard_error']:.2g}.")
+    if raw.get("device"):
+        parts.append(f"Times are wall clock on {raw['device']}.")
+    return " ".join(parts)
+
+
+def rounded(value):
+    return float(f"{value:.4g}") if isinstance(value, float) else value
+
+
+def table(study):
+    """Columns that any row has, and the rows, baselines first."""
+    rows = study.raw["baselines"] + study.raw["rows"]
+    columns = [column for column in COLUMNS if any(column in row for row in rows)]
+    return columns, [[rounded(row.get(column, "")) for column in columns] for row in rows]
+
+
+def make(folder):
+    """Writes the plots and index.html into the folder; returns the sections."""
+    folder = pathlib.Path(folder)
+    study = load(folder / "study.json")
+    plots = [(study.x, "error_against_time.png"), (study.label_axis(), f"error_against_{study.point_label}.png")]
+    plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
+    for axis, file in plots:
+        figures.save_png(study, axis, folder / file)
+    columns, rows = table(study)
+    sections = [page.Section(study.title, words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+                page.Section("Numbers", "", columns=columns, rows=rows)]
+    page.write(folder / "index.html", page.render(study.title, sections))
+    return sections

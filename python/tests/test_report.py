@@ -1,0 +1,129 @@
+"""The pages: self-contained, drawn by a browser without errors, and clear about data that are missing."""
+import base64
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy
+import pytest
+from matplotlib import image
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[1]
+PIXEL = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8DwHwAFBQIAX8jx0gAAAABJRU5ErkJggg==")
+CONSOLE = """<script>
+window.addEventListener("error", e => document.documentElement.dataset.errors = (document.documentElement.dataset.errors || "") + e.message);
+const report = console.error; console.error = (...a) => { document.documentElement.dataset.errors = a.join(" "); report(...a); };
+</script>"""
+
+
+def report(*arguments):
+    return subprocess.run([sys.executable, "-m", "cuticle_report", *map(str, arguments)], cwd=PACKAGE, capture_output=True, text=True, timeout=120)
+
+
+def study_of(rows=None):
+    if rows is None:
+        rows = [{"method": "opacity_map", "settings": f"slices={n},resolution={r}", "slices": n, "resolution": r,
+                 "mean_error": 0.2 / n + 2 / r, "p95_error": 0.6 / n, "max_error": 1.5 / n, "bias": -0.01, "build_ms": 0.5 * n + r / 64,
+                 "lookup_ms": 0.1, "total_ms": 0.5 * n + r / 64 + 0.1, "bytes": n * r * r * 4, "device": "a device"}
+                for r in (128, 256) for n in (4, 8, 16, 32)]
+    return {"name": "shadows", "title": "Opacity-map slices against ray-traced truth", "x": {"key": "total_ms", "label": "build + lookup, ms", "scale": "log"},
+            "y": {"key": "mean_error", "label": "mean |error| of transmittance", "scale": "log"}, "series": "resolution", "label": "slices",
+            "groom": {"name": "coat", "strands": 5000, "vertices": 80000, "spacing_m": 0.0012}, "alpha": 0.3, "to_light": [0, 1, 0],
+            "footprint_m": 0.0024, "truth": {"rays": 1024, "receivers": 400, "counted": 230, "mean_standard_error": 0.004, "ms": 900, "device": "Embree"},
+            "device": "a device", "rows": rows,
+            "baselines": [{"method": "none", "mean_error": 0.5, "p95_error": 0.9, "max_error": 0.95, "bias": 0.5},
+                          {"method": "best constant", "mean_error": 0.21, "p95_error": 0.4, "max_error": 0.5, "bias": 0.0, "value": 0.4}]}
+
+
+@pytest.fixture
+def study(tmp_path):
+    (tmp_path / "study.json").write_text(json.dumps(study_of()))
+    done = report(tmp_path)
+    assert done.returncode == 0, done.stderr
+    return tmp_path
+
+
+def browse(page, *flags):
+    """What Chromium gives for a page opened from disk, without any network."""
+    program = shutil.which("chromium")
+    assert program, "chromium is in scripts/packages.txt"
+    profile = page.parent / "profile"
+    command = [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", f"--user-data-dir={profile}",
+               "--host-resolver-rules=MAP * ~NOTFOUND", "--window-size=1200,1800", "--virtual-time-budget=8000", *flags, page.as_uri()]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120).stdout
+
+
+def test_StudyPage_InABrowser_ShowsItsPlotsWithoutErrors(study):
+    watched = study / "watched.html"
+    watched.write_text((study / "index.html").read_text().replace("<head>", "<head>" + CONSOLE, 1))
+    page = browse(watched, "--dump-dom")
+    assert "data-errors" not in page.split(">", 2)[1], page.split(">", 2)[1]
+    drawn = page.split("</script>")[-1] if page.count("main-svg") == 0 else page
+    assert drawn.count('class="main-svg"') >= 2, "plotly has drawn"
+    assert len(re.findall(r'class="scatterlayer', drawn)) == 2
+    for text in ("mean |error| of transmittance", "build + lookup, ms", "best constant", "opacity_map, resolution 256"):
+        assert text in drawn
+
+
+def test_StudyPage_Screenshot_HasTheCurvesColours(study):
+    browse(study / "index.html", f"--screenshot={study / 'page.png'}")
+    pixels = image.imread(study / "page.png")[..., :3]
+    for color in ((0x1F, 0x5F, 0xA8), (0xD9, 0x73, 0x0D)):
+        assert (numpy.abs(pixels - numpy.array(color) / 255).max(axis=2) < 0.05).sum() > 100
+
+
+def test_StudyPage_File_AsksForNothingElse(study):
+    html = (study / "index.html").read_text()
+    assert not re.search(r'<(script|img|link|iframe)[^>]*(src|href)="(?!data:)', html)
+    assert "Plotly" in html
+
+
+def test_StudyPlots_Png_HaveAFrameOfWhiteAroundEverything(study):
+    for name in ("error_against_time.png", "error_against_slices.png"):
+        pixels = image.imread(study / name)[..., :3]
+        assert pixels.shape[1] >= 1000
+        assert min(pixels[0].min(), pixels[-1].min(), pixels[:, 0].min(), pixels[:, -1].min()) == 1.0, "nothing is cut off"
+        assert pixels.min() < 0.3
+
+
+def test_DemoPage_Sections_AreShownWithPicturesInside(tmp_path):
+    (tmp_path / "a.png").write_bytes(PIXEL)
+    (tmp_path / "demo.json").write_text(json.dumps({"title": "Demo <b>", "sections": [
+        {"title": "Frames", "text": "One.\n\nTwo.", "images": [{"file": "a.png", "caption": "all frames"}]},
+        {"title": "Plan", "table": {"columns": ["pass", "ms"], "rows": [["simulate", 1.5], ["shade", "2"]]}}]}))
+    assert report("--demo", tmp_path).returncode == 0
+    html = (tmp_path / "index.html").read_text()
+    assert "Demo &lt;b&gt;" in html and "<p>Two.</p>" in html and "<td>simulate</td>" in html
+    assert "data:image/png;base64," + base64.b64encode(PIXEL).decode() in html
+
+
+def test_DemoPage_WithAStudy_ShowsItsPlots(study, tmp_path):
+    (tmp_path / "study").mkdir()
+    (tmp_path / "study" / "study.json").write_text(json.dumps(study_of()))
+    (tmp_path / "demo.json").write_text(json.dumps({"title": "Demo", "sections": []}))
+    assert report("--demo", tmp_path).returncode == 0
+    assert "Opacity-map slices" in (tmp_path / "index.html").read_text()
+    assert (tmp_path / "study" / "error_against_time.png").exists()
+
+
+@pytest.mark.parametrize("mode, name, content, words", [
+    ([], "study.json", None, ["study.json", "No such file"]),
+    ([], "study.json", "{", ["study.json", "JSON"]),
+    ([], "study.json", json.dumps({"title": "a"}), ["study.json", "'x'"]),
+    ([], "study.json", json.dumps(study_of(rows=[])), ["study.json", "rows"]),
+    ([], "study.json", json.dumps(study_of(rows=[{"method": "a", "mean_error": 1}])), ["row 0", "total_ms"]),
+    (["--demo"], "demo.json", json.dumps({"sections": []}), ["demo.json", "title"]),
+    (["--demo"], "demo.json", json.dumps({"title": "", "sections": [{"title": "a", "images": [{"file": "no.png"}]}]}), ["no.png"]),
+    (["--demo"], "demo.json", json.dumps({"title": "", "sections": [{"title": "a", "table": {"columns": ["b"], "rows": [[1, 2]]}}]}), ["rows[0]"]),
+])
+def test_Report_BadData_SaysWhereAndLeavesNoPage(tmp_path, mode, name, content, words):
+    if content is not None:
+        (tmp_path / name).write_text(content)
+    done = report(*mode, tmp_path)
+    assert done.returncode == 3
+    for word in words:
+        assert word in done.stderr
+    assert not (tmp_path / "index.html").exists()
