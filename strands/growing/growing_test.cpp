@@ -156,7 +156,7 @@ TEST(Planting, Fringe_ShortensTheFrontOnly) {
 }
 
 TEST(Planting, ControlHairs_AreOutsideTheHeadAndItsColliders) {
-  for (const char* settings : {"", "parting=0", "length=0.6,clump=1", "volume=0.005", "droop=1,comb=0"}) {
+  for (const char* settings : {"", "parting=0", "length=0.1,clump=1", "volume=0.005", "droop=1,comb=0"}) {
     const Groom groom = planted(settings);
     EXPECT_LT(deepest(groom, 1), 1e-3) << settings;
     for (const Sphere& sphere : head().colliders)
