@@ -1,6 +1,7 @@
 #include <cuticle/shadows/opacity_map/opacity_map_gpu.h>
 
 #include <algorithm>
+#include <bit>
 
 #include <glm/vec4.hpp>
 
@@ -68,7 +69,10 @@ Result<void> OpacityMapGpu::upload_table(double alpha, std::size_t segments) {
 
 Result<void> OpacityMapGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
                                    const gpu::Buffer& transmittance) {
-  if (dispatches_per_frame(strands) == 0) return {};
+  if (dispatches_per_frame(strands) == 0) {
+    if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));  // nothing casts a shadow
+    return {};
+  }
   CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
   if (!(alpha >= 0 && alpha <= 1)) return usage_error("alpha must lie in 0 .. 1");
   CUTICLE_TRY(upload_table(alpha, strands.segment_count));

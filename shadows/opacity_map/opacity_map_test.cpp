@@ -122,6 +122,16 @@ TEST(OpacityMap, AnyThreadCount_SameIntegers) {
   EXPECT_EQ(opacity_map::build_map(groom, 0.4, geometry, {}).sums, all.sums);
 }
 
+TEST(OpacityMap, FixedPointScale_LeavesRoomForEverySegment) {
+  for (const std::size_t segments : {1u, 5000u, 400000u})
+    for (const double alpha : {0.01, 0.4, 1.0}) {
+      const double scale = opacity_map::fixed_point_scale(alpha, {}, segments);
+      const double most = double(opacity_map::deposit_table(alpha, {}, scale).back()) * double(segments);
+      EXPECT_LT(most, 4294967296.0);
+      EXPECT_TRUE(most > 4294967296.0 / 4 || scale == 0x1p20) << "room is not wasted";
+    }
+}
+
 TEST(OpacityMap, ALotOfOpaqueFibres_SumsDoNotWrap) {
   strands::Groom groom;
   for (int i = 0; i < 5000; ++i) tests::add_strand(groom, {{-0.05f, 1e-5f * float(i), 0}, {0.05f, 1e-5f * float(i), 0}}, 0.02f);

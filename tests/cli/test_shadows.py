@@ -1,0 +1,74 @@
+"""Shadow methods from the command line, on a small groom written here."""
+import json
+import struct
+
+import pytest
+from program import refused, rows, run
+
+
+@pytest.fixture(scope="module")
+def groom(tmp_path_factory):
+    """Cem Yuksel's format: 900 strands of 4 vertices, 1 mm thick, standing 3 cm high on a square of 3 cm, leaning over."""
+    path = tmp_path_factory.mktemp("groom") / "patch.hair"
+    points = []
+    for s in range(900):
+        x, z = s % 30 * 0.001, s // 30 * 0.001
+        points += [(x + 0.02 * t * t, 0.03 * t, z + 0.003 * (s * 7 % 11) * t) for t in (0, 1 / 3, 2 / 3, 1)]
+    header = struct.pack("<4sIIIIff3f88s", b"HAIR", 900, 3600, 2, 3, 0.0005, 0.0, 0.5, 0.5, 0.5, b"")
+    path.write_bytes(header + b"".join(struct.pack("<3f", *p) for p in points))
+    return path
+
+
+def options(groom):
+    return ["shadows", groom, "--metres-per-unit", "1", "--radius", "0.0002", "--receivers", "60", "--rays", "64", "--resolution", "64"]
+
+
+def test_Shadows_MoreLayers_LessError(groom):
+    table = rows(*options(groom), "--layers", "3,48")
+    errors = {row["settings"]: float(row["mean_error"]) for row in table if row["method"] == "opacity_map"}
+    coarse, fine = errors.values()
+    assert fine < coarse
+    assert fine < float(table[1]["mean_error"]) and table[1]["method"] == "best constant"
+
+
+def test_Shadows_AnErrorThatCanBeMet_NamesTheCheapest(groom):
+    done = run(*options(groom), "--layers", "3,48", "--max-error", "0.9", "--json")
+    assert done.returncode == 0, done.stderr
+    data = json.loads(done.stdout)
+    assert data["choice"]["total_ms"] == min(row["total_ms"] for row in data["rows"])
+    assert data["footprint_m"] > 0 and data["truth"]["mean_standard_error"] > 0
+
+
+def test_Shadows_AnErrorThatCannotBeMet_NoneDoes(groom):
+    assert "none does" in refused(1, *options(groom), "--max-error", "0.000001")
+
+
+def test_Shadows_AtPoints_OneColumnAMethod(groom, tmp_path):
+    points = tmp_path / "points.csv"
+    points.write_text("x,y,z\n0.02,0.5,0.015\n0.02,-0.01,0.015\n")
+    above, below = rows(*options(groom), "--light", "0,1,0", "--methods", "none,opacity_map,truth", "--at", points)
+    assert list(above) == ["x", "y", "z", "none", "opacity_map", "truth"]
+    assert float(above["truth"]) == 1 and float(above["opacity_map"]) == 1 and float(above["none"]) == 1
+    assert 0 <= float(below["truth"]) < 0.5 and abs(float(below["opacity_map"]) - float(below["truth"])) < 0.1
+
+
+def test_Shadows_Folder_HoldsTheStudysData(groom, tmp_path):
+    folder = tmp_path / "out"
+    rows(*options(groom), "--out", folder)
+    assert json.loads((folder / "study.json").read_text())["rows"]
+    assert (folder / "study.csv").read_text().startswith("method,settings,")
+
+
+@pytest.mark.parametrize("code,extra,word", [
+    (2, ["--light", "0,0,0"], "light"), (2, ["--light", "1,0"], "--light"), (2, ["--methods", "opacity_mop"], "opacity_map"),
+    (2, ["--layers", "1"], "slices"), (2, ["--layers", "2.5"], "--layers"), (3, ["--at", "missing.csv"], "missing.csv"),
+])
+def test_Shadows_BadInput_IsRefused(groom, code, extra, word):
+    assert word in refused(code, *options(groom), *extra)
+
+
+def test_Methods_Json_ListsParametersWithRanges():
+    done = run("methods", "--json")
+    methods = {entry["name"]: entry for entry in json.loads(done.stdout)}
+    assert {"none", "opacity_map"} <= set(methods)
+    assert "slices" in json.dumps(methods["opacity_map"]["parameters"])
