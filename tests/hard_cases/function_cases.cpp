@@ -8,6 +8,7 @@
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/tests/hard_cases/elementary_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -34,15 +35,15 @@ Result<Values> run(const json& inputs) {
 
 }  // namespace
 
-Result<Values> run_function_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run<float>(inputs); }
-Result<Values> run_function_f64(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run<double>(inputs); }
+Result<Values> run_function_f32(const json& inputs, GpuSession*) { return run<float>(inputs); }
+Result<Values> run_function_f64(const json& inputs, GpuSession*) { return run<double>(inputs); }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_function_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+Result<Values> run_function_gpu(const json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const std::uint32_t function, function_index(inputs));
   std::vector<glm::vec2> arguments;
   for (double x : numbers(inputs.at("x"))) arguments.emplace_back(x, inputs.value("second", 0.0));
-  CUTICLE_ASSIGN(const std::vector<float> values, elementary_gpu(*device, function, arguments));
+  CUTICLE_ASSIGN(const std::vector<float> values, elementary_gpu(*session->device, function, arguments));
   return Values(values.begin(), values.end());
 }
 #endif

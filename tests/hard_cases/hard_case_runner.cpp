@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cuticle/tests/hard_cases/subject.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/tests/hard_cases/gpu_session.h>
+#endif
 
 namespace cuticle::hard_cases {
 
@@ -101,11 +104,11 @@ Run run_of(const json& item, Precision precision) {
 }
 
 /// Runs one case in one precision; `exact` receives the values of the first precision, the most exact one.
-Verdict run_case(const json& item, Precision precision, const std::shared_ptr<gpu::Device>& device, Values& exact) {
+Verdict run_case(const json& item, Precision precision, GpuSession* session, Values& exact) {
   Verdict verdict{item.at("id"), item.at("subject"), item.at("why"), precision, State::not_applicable, {}};
   const Run run = run_of(item, precision);
-  if (run == nullptr || (precision == Precision::gpu && device == nullptr)) return verdict;
-  const Result<Values> values = run(item.at("inputs"), device);
+  if (run == nullptr || (precision == Precision::gpu && session == nullptr)) return verdict;
+  const Result<Values> values = run(item.at("inputs"), session);
   if (exact.empty() && values) exact = *values;
   const json& expect = item.at("expect");
   const Complaint complaint = values ? complaint_about(*values, expect, precision, exact) : complaint_about(values.error(), expect);
@@ -114,11 +117,11 @@ Verdict run_case(const json& item, Precision precision, const std::shared_ptr<gp
   return verdict;
 }
 
-std::vector<Verdict> run_all(const json& cases, const std::shared_ptr<gpu::Device>& device, Progress& progress) {
+std::vector<Verdict> run_all(const json& cases, GpuSession* session, Progress& progress) {
   std::vector<Verdict> verdicts;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Values exact;
-    for (Precision precision : k_precisions) verdicts.push_back(run_case(cases[i], precision, device, exact));
+    for (Precision precision : k_precisions) verdicts.push_back(run_case(cases[i], precision, session, exact));
     progress.update("hard cases", i + 1, cases.size());
   }
   return verdicts;
@@ -135,9 +138,16 @@ const char* name_of(Precision precision) {
   return "gpu";
 }
 
-Result<std::vector<Verdict>> run_catalogue(const std::string& text, const std::shared_ptr<gpu::Device>& device, Progress& progress) {
+Result<std::vector<Verdict>> run_catalogue(const std::string& text, [[maybe_unused]] const std::shared_ptr<gpu::Device>& device,
+                                          Progress& progress) {
   try {
-    return run_all(json::parse(text).at("cases"), device, progress);
+    const json catalogue = json::parse(text);
+#ifdef CUTICLE_HAS_GPU
+    GpuSession session{device, {}};
+    return run_all(catalogue.at("cases"), device ? &session : nullptr, progress);
+#else
+    return run_all(catalogue.at("cases"), nullptr, progress);
+#endif
   } catch (const json::exception& error) {
     return internal_error(fmt::format("the catalogue of hard cases: {}", error.what()));
   }

@@ -5,6 +5,7 @@
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -54,21 +55,21 @@ Result<lut::TableSet> baked(const json& inputs) {
 }  // namespace
 
 /// As written to EXR: rounded to half.
-Result<Values> run_lut_stored(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+Result<Values> run_lut_stored(const json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(lut::TableSet set, baked(inputs));
   CUTICLE_TRY(lut::certify(set, lut::Format::exr, silent_progress()));
   return sampled(set, inputs);
 }
 
-Result<Values> run_lut_f64(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+Result<Values> run_lut_f64(const json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const lut::TableSet set, baked(inputs));
   return sampled(set, inputs);
 }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_lut_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+Result<Values> run_lut_gpu(const json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
-  CUTICLE_ASSIGN(const lut::TableSet set, lut::bake_gpu(*device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
+  CUTICLE_ASSIGN(const lut::TableSet set, lut::bake_gpu(*session->device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
   return sampled(set, inputs);
 }
 #endif

@@ -6,7 +6,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -71,14 +71,28 @@ Result<Values> run(const json& inputs, bsdf::Precision precision) {
 
 }  // namespace
 
-Result<Values> run_model_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run(inputs, bsdf::Precision::f32); }
-Result<Values> run_model_f64(const json& inputs, const std::shared_ptr<gpu::Device>&) { return run(inputs, bsdf::Precision::f64); }
+Result<Values> run_model_f32(const json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f32); }
+Result<Values> run_model_f64(const json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f64); }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_model_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+namespace {
+
+Result<bsdf::GpuEvaluator*> evaluator_of(const bsdf::Model& model, GpuSession& session) {
+  auto found = session.evaluators.find(model.entry.name);
+  if (found == session.evaluators.end()) {
+    CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(*session.device, model));
+    found = session.evaluators.emplace(model.entry.name, std::move(evaluator)).first;
+  }
+  return &found->second;
+}
+
+}  // namespace
+
+Result<Values> run_model_gpu(const json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
   std::vector<glm::dvec3> out(batch.points.size());
-  CUTICLE_TRY(bsdf::evaluate_gpu(*device, *batch.model, batch.values, batch.request(), out));
+  CUTICLE_ASSIGN(bsdf::GpuEvaluator* evaluator, evaluator_of(*batch.model, *session));
+  CUTICLE_TRY(evaluator->evaluate(batch.values, batch.request(), out));
   return flat(out);
 }
 #endif

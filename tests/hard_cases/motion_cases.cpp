@@ -10,6 +10,7 @@
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/sim/solver_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -32,7 +33,8 @@ Result<Setting> setting_from(const json& inputs) {
   Setting setting;
   setting.groom = groom_from(inputs.at("groom"));
   CUTICLE_ASSIGN(setting.solver, values_of("classic", inputs.value("solver", std::string())));
-  for (const auto& [name, settings] : inputs.value("effects", json::object()).items()) {
+  const json effects = inputs.value("effects", json::object());
+  for (const auto& [name, settings] : effects.items()) {
     CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings));
   }
   return setting;
@@ -82,7 +84,7 @@ Result<Values> run(sim::Solver& solver, const strands::Groom& rest, const json& 
 
 }  // namespace
 
-Result<Values> run_motion_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+Result<Values> run_motion_f32(const json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect("classic"));
   CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, effect->create(setting.groom, setting.solver, setting.effects));
@@ -90,11 +92,11 @@ Result<Values> run_motion_f32(const json& inputs, const std::shared_ptr<gpu::Dev
 }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_motion_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+Result<Values> run_motion_gpu(const json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect("classic"));
   CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,
-                 effect->create(device, setting.groom, setting.solver, setting.effects));
+                 effect->create(session->device, setting.groom, setting.solver, setting.effects));
   return run(*solver, setting.groom, inputs);
 }
 #endif

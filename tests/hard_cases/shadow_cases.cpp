@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include <cuticle/shadows/method_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -34,7 +35,7 @@ Result<Setting> setting_from(const json& inputs) {
 
 }  // namespace
 
-Result<Values> run_shadow_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+Result<Values> run_shadow_f32(const json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   const shadows::Casters casters{&setting.groom, setting.alpha, setting.to_light};
   CUTICLE_ASSIGN(const shadows::Transmittance transmittance,
@@ -68,7 +69,8 @@ Result<Uploaded> upload(gpu::Device& device, const strands::Groom& groom) {
 
 }  // namespace
 
-Result<Values> run_shadow_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+Result<Values> run_shadow_gpu(const json& inputs, GpuSession* session) {
+  const std::shared_ptr<gpu::Device>& device = session->device;
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(setting.method->entry.name));
   CUTICLE_ASSIGN(const std::unique_ptr<shadows::GpuShadow> shadow, method->create(device, setting.values));

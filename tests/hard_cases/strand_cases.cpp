@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include <cuticle/strands/spline/smooth_gpu.h>
+#include <cuticle/tests/hard_cases/gpu_session.h>
 #endif
 
 namespace cuticle::hard_cases {
@@ -24,7 +25,7 @@ Values lengths(std::span<const glm::vec3> vectors) {
 
 }  // namespace
 
-Result<Values> run_strands_f32(const json& inputs, const std::shared_ptr<gpu::Device>&) {
+Result<Values> run_strands_f32(const json& inputs, GpuSession*) {
   const strands::Groom groom = groom_from(inputs.at("groom"));
   CUTICLE_TRY(strands::validate(groom));
   const std::string operation = inputs.at("operation");
@@ -58,14 +59,14 @@ Result<std::unique_ptr<strands::StrandGenerator>> generated(const std::shared_pt
 
 }  // namespace
 
-Result<Values> run_strands_gpu(const json& inputs, const std::shared_ptr<gpu::Device>& device) {
+Result<Values> run_strands_gpu(const json& inputs, GpuSession* session) {
   const strands::Groom groom = groom_from(inputs.at("groom"));
   CUTICLE_TRY(strands::validate(groom));
   const std::string operation = inputs.at("operation");
   if (operation == "validate") return Values{};
-  CUTICLE_ASSIGN(const auto generator, generated(device, groom, inputs.value("vertices", 8)));
+  CUTICLE_ASSIGN(const auto generator, generated(session->device, groom, inputs.value("vertices", 8)));
   const gpu::Buffer& buffer = operation == "smooth" ? generator->vertices() : generator->tangents();
-  CUTICLE_ASSIGN(const std::vector<glm::vec4> vectors, gpu::read_buffer<glm::vec4>(*device, buffer, generator->vertex_count()));
+  CUTICLE_ASSIGN(const std::vector<glm::vec4> vectors, gpu::read_buffer<glm::vec4>(*session->device, buffer, generator->vertex_count()));
   const std::vector<glm::vec3> spatial = without_fourth(vectors);
   return operation == "smooth" ? coordinates(spatial) : lengths(spatial);
 }

@@ -15,7 +15,9 @@
 namespace cuticle::hard_cases {
 
 using Values = std::vector<double>;
-using Run = Result<Values> (*)(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+/// The device and the model kernels made on it so far (gpu_session.h); null on the CPU.
+struct GpuSession;
+using Run = Result<Values> (*)(const nlohmann::json& inputs, GpuSession* session);
 
 /// A subject by name, with how it runs in each Precision; null where it does not.
 struct Subject {
@@ -24,21 +26,21 @@ struct Subject {
 };
 std::span<const Subject> subjects();
 
-Result<Values> run_function_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_function_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_function_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_model_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_model_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_model_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_lut_stored(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_lut_f64(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_lut_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_shadow_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_shadow_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_motion_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_motion_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_strands_f32(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
-Result<Values> run_strands_gpu(const nlohmann::json& inputs, const std::shared_ptr<gpu::Device>& device);
+Result<Values> run_function_f32(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_function_f64(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_function_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_model_f32(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_model_f64(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_model_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_lut_stored(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_lut_f64(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_lut_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_shadow_f32(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_shadow_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_motion_f32(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_motion_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_strands_f32(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_strands_gpu(const nlohmann::json& inputs, GpuSession* session);
 
 /// A number, a list of numbers, or {"from", "to", "count"}; "nan", "inf" and "-inf" are numbers here.
 std::vector<double> numbers(const nlohmann::json& value);
