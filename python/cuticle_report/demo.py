@@ -32,5 +32,7 @@ def make(folder):
     require(isinstance(raw.get("sections"), list), source, "key 'sections' is missing or not a list")
     sections = [section_of(s, f"{source}: sections[{i}]", folder) for i, s in enumerate(raw["sections"])]
     if (folder / "study" / "study.json").is_file():
-        sections += study.make(folder / "study")
+        title, more = study.make(folder / "study")
+        more[0].title = f"{title}: {more[0].title.lower()}"
+        sections += more
     page.write(folder / "index.html", page.render(raw["title"], sections))

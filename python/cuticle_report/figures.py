@@ -11,6 +11,15 @@ COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a
 DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
 
 
+def plain_numbers(axis):
+    """Ticks as 0.02, 0.1, 20 and not as powers of ten; between decades 2, 3 and 5 only."""
+    if axis.get_scale() != "log":
+        return
+    axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    axis.set_minor_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}" if f"{value:e}"[0] in "235" else ""))
+    axis.set_tick_params(which="minor", labelsize=8)
+
+
 def save_png(study, x, path):
     """A PNG with labelled axes and the legend beside the plot."""
     figure, axes = pyplot.subplots(figsize=(8.5, 5), layout="constrained")
@@ -26,8 +35,9 @@ def save_png(study, x, path):
     if x.key == study.point_label:
         settings = sorted({row[x.key] for row in study.raw["rows"]})
         axes.xaxis.set_major_locator(ticker.FixedLocator(settings))
-        axes.xaxis.set_major_formatter(ticker.FormatStrFormatter("%g"))
         axes.xaxis.set_minor_locator(ticker.NullLocator())
+    plain_numbers(axes.xaxis)
+    plain_numbers(axes.yaxis)
     axes.set_title(study.title, fontsize=11, wrap=True)
     axes.grid(alpha=0.3, which="both")
     figure.legend(loc="outside right upper", fontsize=8)

@@ -88,7 +88,7 @@ def table(study):
 
 
 def make(folder):
-    """Writes the plots and index.html into the folder; returns the sections."""
+    """Writes the plots and index.html into the folder; returns the title and the sections."""
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
     plots = [(study.x, "error_against_time.png"), (study.label_axis(), f"error_against_{study.point_label}.png")]
@@ -96,7 +96,7 @@ def make(folder):
     for axis, file in plots:
         figures.save_png(study, axis, folder / file)
     columns, rows = table(study)
-    sections = [page.Section(study.title, words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+    sections = [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
                 page.Section("Numbers", "", columns=columns, rows=rows)]
     page.write(folder / "index.html", page.render(study.title, sections))
-    return sections
+    return study.title, sections
