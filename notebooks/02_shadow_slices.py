@@ -43,8 +43,8 @@ resolutions = sorted({int(row["resolution"]) for row in maps})
 curves = {r: sorted((int(row["slices"]), float(row["mean_error"]), float(row["p95_error"])) for row in maps if int(row["resolution"]) == r) for r in resolutions}
 
 figure, axes = pyplot.subplots(figsize=(8, 4.6), layout="constrained")
-for r, curve in curves.items():
-    (line,) = axes.plot([p[0] for p in curve], [p[1] for p in curve], "o-", label=f"{r} x {r}, mean")
+for marker, (r, curve) in zip("osD^v" * 2, curves.items()):
+    (line,) = axes.plot([p[0] for p in curve], [p[1] for p in curve], marker + "-", markersize=9, fillstyle="none", label=f"{r} x {r}, mean")
     axes.plot([p[0] for p in curve], [p[2] for p in curve], ":", color=line.get_color(), label=f"{r} x {r}, 95th percentile")
 for (name, value), style in zip(baselines.items(), ("--", "-.")):
     axes.axhline(value, color="black", linestyle=style, linewidth=1, label=f"{name}: {value:.3f}")
