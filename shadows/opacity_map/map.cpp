@@ -162,7 +162,7 @@ Geometry map_geometry(const LightAxes& axes, const LightBox& box, const Settings
 }
 
 Result<float> filter_texels(const Geometry& geometry, const Settings& settings) {
-  const double given = settings.filter_radius > 0 ? settings.filter_radius * double(geometry.scale.x) : settings.filter_texels;
+  const double given = settings.filter_radius > 0 ? std::max(0.5, settings.filter_radius * double(geometry.scale.x)) : settings.filter_texels;
   if (given > 64)
     return usage_error(fmt::format("opacity_map: the filter's radius is {:.0f} texels, more than 64", given),
                        "a smaller filter_radius_mm or a lower resolution");

@@ -20,7 +20,7 @@ struct Settings {
   std::uint32_t resolution = 256;  ///< texels along each side
   double k = 5.5;                  ///< sigma = optical depth / k
   double filter_texels = 1;        ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
-  double filter_radius = 0;        ///< the same in metres; used instead where it is not 0
+  double filter_radius = 0;        ///< the same in metres, at least half a texel; used instead where it is not 0
   bool poisson = false;            ///< sum alpha c and average sigma; else sum -ln(1 - alpha c) and average T
   bool printed_spacing = false;    ///< slices range / n apart, as printed in the source; else range / (n - 1)
 };

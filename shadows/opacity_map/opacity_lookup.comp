@@ -41,7 +41,7 @@ void main() {
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
   const vec3 point = place_in_map(placement, in_light_axes(vertices[v].xyz));
-  const float radius = push.filter_radius > 0.0 ? min(64.0, push.filter_radius * placement.scale.x) : push.filter_texels;
+  const float radius = push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, 64.0) : push.filter_texels;
   const float limit = float(push.resolution) + 130.0;
   const bool inside = abs(point.x) < limit && abs(point.y) < limit;
   transmittance[v] = inside ? mean(point.xy, clamp(point.z, 0.0, float(push.layers)), radius) : 1.0;

@@ -15,7 +15,7 @@ constexpr registry::Parameter k_parameters[] = {
     {"resolution", ParameterType::integer, "1", 16, 4096, "256", {}, "texels along each side of the map"},
     {"k", ParameterType::real, "1", 0.1, 100, "5.5", {}, "sigma = optical depth / k, T = exp(-k sigma)"},
     {"filter_texels", ParameterType::real, "1", 0, 64, "1", {}, "radius of the disc that a lookup averages; below 0.5 one texel"},
-    {"filter_radius_mm", ParameterType::real, "mm", 0, 1000, "0", {}, "the same in millimetres, used instead where it is not 0"},
+    {"filter_radius_mm", ParameterType::real, "mm", 0, 1000, "0", {}, "the same in millimetres, at least half a texel; used instead where it is not 0"},
     {"accumulate", ParameterType::choice, "1", 0, 0, "optical_depth", k_accumulations,
      "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma"},
     {"spacing", ParameterType::choice, "1", 0, 0, "last_plane", k_spacings,

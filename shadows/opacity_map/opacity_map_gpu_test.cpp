@@ -93,7 +93,8 @@ TEST(OpacityMapGpu, OpaqueStrandsAndPrintedSpacing_SameIntegers) {
 }
 
 TEST(OpacityMapGpu, Lookup_AgreesWithTheCpu) {
-  for (const std::string set : {"slices=16", "slices=32,accumulate=poisson,filter_texels=3", "slices=4,filter_texels=0"}) {
+  for (const std::string set : {"slices=16", "slices=32,accumulate=poisson,filter_texels=3", "slices=4,filter_texels=0", "slices=8,filter_radius_mm=0.1",
+                                "slices=8,filter_radius_mm=5"}) {
     Scene scene(tests::coat(2000, 8, 0.03, 1e-4f, 5));
     const Frame frame = run(scene, set, {1, 1, 0.3});
     const Method& method = **find_method("opacity_map");

@@ -114,6 +114,11 @@ TEST(OpacityMap, DoubledFilter_MillimetresAndTexelsAgree) {
   EXPECT_NEAR(one(groom, {0, 0, 0}, set), one(groom, {0, 0, 0}, "filter_texels=3"), 1e-4);
 }
 
+TEST(OpacityMap, FilterFinerThanATexel_StaysHalfATexel) {
+  const strands::Groom groom = tests::coat(500, 6, 0.03, 1e-4f, 3);
+  EXPECT_EQ(one(groom, {0, 0, 0}, "filter_radius_mm=0.0001"), one(groom, {0, 0, 0}, "filter_texels=0.5"));
+}
+
 TEST(OpacityMap, AnyThreadCount_SameIntegers) {
   const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
   const auto geometry = geometry_of(groom, {0.6, 0.8, 0});
