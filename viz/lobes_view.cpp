@@ -17,7 +17,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cuticle/viz/lobe_surface.h>
-#include <cuticle/viz/stage.h>
+#include <cuticle/viz/detail/stage.h>
 
 namespace cuticle::viz {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/viz/stage.h>
+#include <cuticle/viz/detail/stage.h>
 
 #include <cstdlib>
 

@@ -1,4 +1,5 @@
 """Views as pictures under a virtual display: what is drawn is there, in its colours, inside the frame."""
+import itertools
 import os
 import pathlib
 import shutil
@@ -10,6 +11,8 @@ from matplotlib import image
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("CUTICLE_PROGRAM", str(ROOT / "build/release/bin/cuticle"))
+# A server number of its own for every view: the one before may still be closing.
+SERVERS = itertools.count(100 + os.getpid() % 5000)
 R, TT, TRT = (0.20, 0.47, 0.75), (0.93, 0.60, 0.13), (0.75, 0.22, 0.27)
 
 STATE = """<?xml version="1.0"?>
@@ -27,7 +30,7 @@ def view(*arguments, display=True):
     environment = dict(os.environ)
     if display:
         assert shutil.which("xvfb-run"), "xvfb is in scripts/packages.txt"
-        command = ["xvfb-run", "-a", *command]
+        command = ["xvfb-run", "-a", "-n", str(next(SERVERS)), *command]
     else:
         environment.pop("DISPLAY", None)
     return subprocess.run(command, capture_output=True, text=True, timeout=120, env=environment)
