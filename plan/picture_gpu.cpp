@@ -45,7 +45,7 @@ Result<void> Picture::make_strands() {
   resources_.strands = {&generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
   resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
-  resources_.fibre_radius = set_.radius;
+  resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
   resources_.lights = scene_.lights;
@@ -70,7 +70,10 @@ Result<void> Picture::make_tables(Progress& progress) {
   progress.message("baking lookup tables");
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene_.material.model.name));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));
-  CUTICLE_ASSIGN(table_set_, lut::bake_gpu(*device_, *model, scene_.material.model.values, *layout, scene_.material.lut_size));
+  const registry::ParameterValues& values = scene_.material.model.values;
+  // A software device runs on the same cores and has a kernel to compile first.
+  CUTICLE_ASSIGN(table_set_, device_->info().is_software ? lut::bake(*model, values, *layout, scene_.material.lut_size, progress)
+                                                         : lut::bake_gpu(*device_, *model, values, *layout, scene_.material.lut_size));
   CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;

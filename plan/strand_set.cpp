@@ -95,8 +95,16 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
   return {};
 }
 
-double root_radius(const strands::Groom& groom) {
-  return groom.radii.empty() || !(groom.radii[0] > 0) ? strands::k_default_radius : groom.radii[0];
+double fibre_radius(const scene::Scene& scene, const strands::Groom& groom) {
+  if (scene.groom.radius > 0) return scene.groom.radius;
+  return double(groom.radii.empty() || !(groom.radii[0] > 0) ? strands::k_default_radius : groom.radii[0]);
+}
+
+/// A drawn strand shades, covers and shadows for several fibres side by side; past a millimetre it would look like one itself.
+double drawn_radius(const scene::Scene& scene, const StrandSet& set) {
+  constexpr double k_widest = 5e-4;
+  const double fibre = fibre_radius(scene, set.control), stands_for = scene.fibre_count / double(std::max<std::size_t>(1, set.hairs.size()));
+  return std::max(fibre, std::min(k_widest, fibre * stands_for));
 }
 
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
@@ -131,7 +139,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   StrandSet set;
   if (scene.groom.file.empty()) CUTICLE_TRY(grow(scene, set));
   else CUTICLE_TRY(read(scene, set));
-  set.radius = float(scene.groom.radius > 0 ? scene.groom.radius : root_radius(set.control));
+  set.radius = float(drawn_radius(scene, set));
   if (scene.head.present && !scene.head.mesh.empty()) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
   }

@@ -15,7 +15,7 @@ struct StrandSet {
   strands::Groom control;                            ///< at rest, metres
   std::vector<std::array<std::uint32_t, 3>> hairs;   ///< per drawn strand: its three control strands
   std::vector<glm::vec3> weights;                    ///< per drawn strand, sum 1
-  float radius = strands::k_default_radius;          ///< of the drawn fibres, metres
+  float radius = strands::k_default_radius;          ///< of a drawn strand, metres: as wide as the fibres it stands for
   strands::Mesh head, scalp;                         ///< drawn; empty where the scene has none
   std::vector<Sphere> colliders;                     ///< in the head's rest space
   glm::dvec3 pivot{0};                               ///< about which the head turns: the neck, or the middle of the roots

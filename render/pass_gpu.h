@@ -22,7 +22,7 @@ struct FrameResources {
   std::vector<const gpu::Texture*> tables;             ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
   std::uint32_t vertices_per_strand = 0;               ///< of the drawn strands, all alike
-  double fibre_radius = 35e-6;                         ///< metres, at the root
+  double strand_radius = 35e-6;                        ///< of a drawn strand, metres, at the root
   const strands::Mesh* head = nullptr;                 ///< rest pose
   const strands::Mesh* scalp = nullptr;                ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};

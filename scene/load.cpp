@@ -190,6 +190,7 @@ void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   root.get("name", scene.name);
   root.get("strand_count", scene.strand_count);
   root.get("strand_vertices", scene.strand_vertices);
+  root.get("fibre_count", scene.fibre_count);
   root.get("frames_per_second", scene.frames_per_second);
   const Reader outputs = root.child("outputs");
   outputs.get("color", scene.outputs.color);

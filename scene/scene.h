@@ -78,6 +78,7 @@ struct Scene {
   double frames_per_second = 30;
   int strand_vertices = 30;                  ///< per drawn strand, 2 .. 64
   int strand_count = 4095;                   ///< drawn strands
+  double fibre_count = 100000;               ///< fibres that the drawn strands stand for; they are as wide as these together
   Outputs outputs;
   std::map<std::string, registry::ParameterValues, std::less<>> passes;  ///< of render passes, by name; absent: defaults
 };

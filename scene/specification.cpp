@@ -122,6 +122,7 @@ Spec specification(const Catalogue& catalogue) {
                  material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
                  integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
                  integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
+                 real("fibre_count", 1, 1e9, "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
                  real("frames_per_second", 1, 1000, "frame rate"), outputs(),
                  blocks("passes", "parameters of render passes", catalogue.passes)});
 }

@@ -52,6 +52,7 @@ Result<glm::vec4> multiple_scattering(const lut::TableSet& set, double strength)
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
   Frame frame{};
   frame.variation = float(parameters.real("variation"));
+  frame.tip_variation = float(parameters.real("tip_variation"));
   frame.vertices_per_strand = resources.vertices_per_strand;
   frame.vertex_count = resources.strands.vertex_count;
   if (!resources.table_set) return frame;
@@ -84,9 +85,8 @@ float line_width(const FrameResources& resources, const registry::ParameterValue
   const Camera& camera = resources.camera;
   const double pixel = 2 * glm::distance(camera.position, camera.target) * std::tan(camera.vertical_field_of_view / 2) /
                        double(camera.resolution.y);
-  const double strands = double(resources.strands.vertex_count) / std::max(1u, resources.vertices_per_strand);
-  const double width = 2 * resources.fibre_radius * std::max(1.0, parameters.real("fibres") / std::max(1.0, strands));
-  return float(std::max(1.0, std::min(width / pixel, parameters.real("widest_px")) * resources.supersampling));
+  const double width = 2 * resources.strand_radius / pixel;
+  return float(std::max(1.0, std::min(width, parameters.real("widest_px")) * resources.supersampling));
 }
 
 }  // namespace cuticle::render::lines

@@ -13,18 +13,18 @@ struct Frame {
   glm::vec4 m_scale, n_tt_r_scale, n_trt_scale;
   glm::vec4 multiple;
   std::uint32_t light_count, vertex_count, vertices_per_strand;
-  float variation;
+  float variation, tip_variation, unused[3];
   std::array<glm::vec4, k_max_lights> to_light, irradiance;
 };
-static_assert(sizeof(Frame) == 64 + 16 * 8 + 16 * 2 * k_max_lights);
+static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 2 * k_max_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
 /// Error: bad_input when the tables are not those of a three-texture Nalu layout.
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Adds camera and lights.
 void set_view(Frame& frame, const FrameResources& resources);
-/// Line width in supersampled pixels: as given, or such that the drawn strands together are as wide as `fibres` fibres of
-/// their radius, seen at the camera's target; at least one supersample, at most `widest_px`.
+/// Line width in supersampled pixels: as given, or a strand's width seen at the camera's target, at least one supersample and
+/// at most `widest_px`.
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters);
 
 }  // namespace cuticle::render::lines

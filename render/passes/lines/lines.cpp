@@ -12,12 +12,12 @@ constexpr std::string_view k_after[] = {"head"};
 constexpr std::string_view k_systems[] = {"N13", "H12"};
 constexpr Parameter k_parameters[] = {
     {.name = "width_px", .unit = "px", .minimum = 0, .maximum = 16, .default_text = "0",
-     .summary = "line width in pixels of the picture; 0: from the fibres that a drawn strand stands for"},
-    {.name = "fibres", .minimum = 0, .maximum = 1e7, .default_text = "100000",
-     .summary = "fibres on the whole scalp; the drawn strands cover what these would"},
+     .summary = "line width in pixels of the picture; 0: the width of a drawn strand at the camera's target"},
     {.name = "widest_px", .unit = "px", .minimum = 0.1, .maximum = 16, .default_text = "1.25",
      .summary = "limit of the derived width, in pixels of the picture"},
-    {.name = "ambient", .minimum = 0, .maximum = 4, .default_text = "1",
+    {.name = "tip_variation", .minimum = 0, .maximum = 1, .default_text = "0.2",
+     .summary = "share of the length that chance takes away from a drawn strand's tip"},
+    {.name = "ambient", .minimum = 0, .maximum = 4, .default_text = "0.6",
      .summary = "strength of the approximation to light scattered many times; 0: single scattering only"},
     {.name = "variation", .minimum = 0, .maximum = 1, .default_text = "0.15",
      .summary = "difference between strands: tilt of their tangents and brightness"},

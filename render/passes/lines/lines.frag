@@ -31,7 +31,7 @@ vec3 shade(uint light, vec3 t, vec3 to_eye) {
   vec3 across_i = l - sin_i * t, across_o = to_eye - sin_o * t;
   float cos_phi = dot(across_i, across_o) * inversesqrt(max(dot(across_i, across_i) * dot(across_o, across_o), k_tiny));
   float cos_i = sqrt(max(1.0 - sin_i * sin_i, 0.0));
-  float through = reached[light >> 2][light & 3u];
+  float through = clamp(reached[light >> 2][light & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
   vec3 once = scattering(sin_i, sin_o, cos_phi) * (cos_i * through);
   vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
   return (once + often) * irradiance[light].rgb;

@@ -30,5 +30,8 @@ void main() {
   brightness = 1.0 + variation * (2.0 * mixed(strand, 3u) - 1.0);
   for (uint k = 0u; k < 8u; ++k)
     reached[k >> 2][k & 3u] = k < light_count ? transmittance[k * vertex_count + vertex] : 0.0;
-  gl_Position = world_to_clip * vec4(position, 1.0);
+  // A strand that chance cuts short ends in a segment of no length, outside the view.
+  uint last = segments[gl_VertexIndex >> 1] + 1u;
+  bool kept = tangents[last].w <= 1.0 - tip_variation * mixed(strand, 4u);
+  gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

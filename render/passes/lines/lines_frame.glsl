@@ -6,7 +6,7 @@ layout(std430, set = 0, binding = 4) readonly buffer Frame {
   vec4 m_scale, n_tt_r_scale, n_trt_scale;  // value = stored * scale
   vec4 multiple;                          // of light scattered many times, per irradiance
   uint light_count, vertex_count, vertices_per_strand;
-  float variation;
+  float variation, tip_variation;
   vec4 to_light[8];
   vec4 irradiance[8];
 };

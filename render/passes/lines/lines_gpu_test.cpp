@@ -14,7 +14,7 @@
 namespace cuticle::render {
 namespace {
 
-constexpr int k_size = 16;
+constexpr int k_size = 17;  // odd: the middle pixel looks along the camera's axis
 const glm::dvec3 k_eye(0, 0, 1);
 
 std::shared_ptr<gpu::Device> device() {
@@ -27,7 +27,7 @@ const lut::TableSet& tables() {
   static const lut::TableSet set = [] {
     const bsdf::Model* model = *bsdf::find_model("marschner");
     const auto values = registry::parse_assignments(model->entry.parameters, "sigma_a=0.2/0.4/0.8,beta=0.25,alpha=-0.1");
-    return *lut::bake_gpu(*device(), *model, *values, **lut::find_layout("nalu"), 128);
+    return *lut::bake(*model, *values, **lut::find_layout("nalu"), 128, silent_progress());
   }();
   return set;
 }
@@ -69,6 +69,7 @@ struct OneStrand {
     registry::ParameterValues values = registry::default_values(lines::entry().entry.parameters);
     values.set("width_px", 8.0);
     values.set("variation", 0.0);
+    values.set("tip_variation", 0.0);
     values.set("ambient", ambient);
     return values;
   }
@@ -118,10 +119,11 @@ Light light_from(double x, double y, double z) {
   return {.name = "", .to_light = glm::normalize(glm::dvec3(x, y, z)), .irradiance = {1, 2, 3}};
 }
 
-/// Worst channel error, relative to the brightest channel.
+/// Worst channel error, relative to the brightest channel; radiance below k_dim is not told apart from 0.
 double error(const glm::vec4& pixel, const glm::dvec3& exact) {
+  constexpr double k_dim = 1e-3;
   const glm::dvec3 apart = glm::abs(glm::dvec3(pixel) - exact);
-  return std::max({apart.x, apart.y, apart.z}) / std::max({exact.x, exact.y, exact.z});
+  return std::max({apart.x, apart.y, apart.z}) / std::max({exact.x, exact.y, exact.z, k_dim});
 }
 
 // Measured worst over these directions: see README.md.
@@ -131,9 +133,7 @@ TEST(Lines, PixelOfAStrand_EqualsTheModel) {
     for (const Light& light : {light_from(0, 0.2, 1), light_from(1, 0.5, 0.6), light_from(-0.7, 0.8, 0.2), light_from(0.3, 0.4, -1)}) {
       const OneStrand strand{glm::normalize(axis), {light}, {1}};
       const glm::dvec3 exact = exact_radiance(strand.tangent, light);
-      const glm::vec4 px = strand.center_pixel();
-      std::printf("axis %g %g %g light %g %g %g: %g %g %g | %g %g %g\n", axis.x, axis.y, axis.z, light.to_light.x, light.to_light.y, light.to_light.z, double(px.x), double(px.y), double(px.z), exact.x, exact.y, exact.z);
-      worst = std::max(worst, error(px, exact));
+      worst = std::max(worst, error(strand.center_pixel(), exact));
     }
   RecordProperty("worst_relative_error", std::to_string(worst));
   EXPECT_LT(worst, 0.05) << worst;
