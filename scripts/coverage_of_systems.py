@@ -34,11 +34,11 @@ def passed_tests(report):
 def rows_by_registry():
     """Row ids that an entry of a registry claims: {id: ['model marschner', ...]}."""
     claims = {}
-    for kind in ("models", "methods", "effects", "passes"):
+    for singular, kind in (("model", "models"), ("method", "methods"), ("effect", "effects"), ("pass", "passes")):
         done = subprocess.run([BUILD / "bin/cuticle", kind, "--json"], capture_output=True, text=True)
         for entry in json.loads(done.stdout) if done.returncode == 0 else []:
             for row in entry.get("systems", []):
-                claims.setdefault(row, []).append(f"{kind[:-1]} {entry['name']}")
+                claims.setdefault(row, []).append(f"{singular} {entry['name']}")
     return claims
 
 

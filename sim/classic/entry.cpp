@@ -25,7 +25,7 @@ constexpr Parameter k_parameters[] = {
      .summary = "first vertices of a strand that the head carries: 2 keeps the direction in which hair leaves the scalp"},
 };
 constexpr std::string_view k_demands[] = {"simulation"};
-constexpr std::string_view k_systems[] = {"N6", "N7", "N8", "N22"};
+constexpr std::string_view k_systems[] = {"N6", "N7", "N8"};
 
 /// Integration and length constraints, once per substep.
 std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 2 * shape.substeps; }

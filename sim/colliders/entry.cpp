@@ -13,7 +13,7 @@ constexpr Parameter k_parameters[] = {
      .summary = "grow each pearl until its straight segments clear the collider"},
 };
 constexpr std::string_view k_demands[] = {"simulation", "colliders"};
-constexpr std::string_view k_systems[] = {"N9", "G8"};
+constexpr std::string_view k_systems[] = {"G8"};
 constexpr std::string_view k_after[] = {"classic"};
 
 /// Contact and lengths in turn, once per substep.
