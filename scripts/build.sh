@@ -5,6 +5,8 @@ cd "$(dirname "$0")/.."
 preset=$1
 shift
 export PATH="$PWD/.venv/bin:$PATH"
+# With ccache, clones in other folders share what they compiled.
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 log=build/$preset.configure.log
 mkdir -p build
 cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
