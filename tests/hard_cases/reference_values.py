@@ -60,6 +60,7 @@ class Fibre:
 
     def azimuthal(self, p, theta_d, phi):
         total, steps = mp.mpf(0), 720
+        phi -= 2 * mp.pi * mp.nint(phi / (2 * mp.pi))
         for k in range(steps):
             low, high = (-mp.pi / 2 + mp.pi * (k + j) / steps for j in (0, 1))
             for turns in range(-3, 4):

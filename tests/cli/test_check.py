@@ -1,0 +1,44 @@
+"""cuticle check: the verdict in the exit code, the facts on stdout."""
+import json
+
+import pytest
+
+from program import ROOT, refused, run
+
+
+@pytest.fixture(scope="module")
+def report():
+    done = run("check", "device", "--json", "--device", "cpu")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_Device_OfTheSoftwareDriver_HoldsEveryCase(report):
+    assert report["failed"] == 0 and report["passed"] > 200
+    assert report["chosen"]["software"] is True and report["chosen"]["subgroup_size"] >= 4
+
+
+def test_Device_Catalogue_RanInThreePrecisions(report):
+    assert {case["precision"] for case in report["cases"]} == {"f32", "f64", "gpu"}
+    assert len({case["id"] for case in report["cases"]}) >= 40
+
+
+def test_Device_ThatIsNotThere_IsExitCodeFour():
+    assert "nosuch" in refused(4, "check", "device", "--device", "nosuch")
+
+
+def test_Scene_OfTheRepository_IsValid():
+    assert "valid" in run("check", "scene", ROOT / "scenes/nalu.json").stdout
+
+
+def test_Scene_WithAnUnknownKey_IsExitCodeThree(tmp_path):
+    scene = json.loads((ROOT / "scenes/nalu.json").read_text())
+    scene["ligths"] = []
+    path = tmp_path / "wrong.json"
+    path.write_text(json.dumps(scene))
+    message = refused(3, "check", "scene", path)
+    assert "ligths" in message and "lights" in message
+
+
+def test_Check_WithoutATarget_IsAUsageError():
+    assert "subcommand" in refused(2, "check")
