@@ -1,6 +1,8 @@
 #include <cuticle/cli/command.h>
 
 #ifdef CUTICLE_HAS_GPU
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -38,16 +40,17 @@ struct Costs {
 
 void print_text(const Costs& costs, const std::string& device) {
   fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device, costs.wall_ms / costs.frames);
-  fmt::print("{:<20} {:>10} {:>6} {:>22}\n", "pass", "dispatches", "draws", "timestamps, ms a frame");
+  fmt::print("{:<20} {:>10} {:>6} {:>15}   (each a frame)\n", "pass", "dispatches", "draws", "timestamps, ms");
   for (const gpu::PassCost& pass : costs.passes)
-    fmt::print("{:<20} {:>10} {:>6} {:>22.3f}\n", pass.name, pass.dispatches, pass.draws, pass.gpu_ms / costs.frames);
+    fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames, double(pass.draws) / costs.frames,
+               pass.gpu_ms / costs.frames);
 }
 
 void print_json(const Costs& costs, const std::string& device) {
   nlohmann::ordered_json passes = nlohmann::ordered_json::array();
   for (const gpu::PassCost& pass : costs.passes)
-    passes.push_back({{"name", pass.name}, {"dispatches", pass.dispatches}, {"draws", pass.draws},
-                      {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
+    passes.push_back({{"name", pass.name}, {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
+                      {"draws_per_frame", double(pass.draws) / costs.frames}, {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
   const nlohmann::ordered_json json = {
       {"device", device}, {"frames", costs.frames}, {"wall_ms_per_frame", costs.wall_ms / costs.frames}, {"passes", passes}};
   fmt::print("{}\n", json.dump(2));

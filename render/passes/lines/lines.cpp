@@ -9,7 +9,7 @@ using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"strands", "output_color"};
 constexpr std::string_view k_after[] = {"head"};
-constexpr std::string_view k_systems[] = {"N13", "H12"};
+constexpr std::string_view k_systems[] = {"H12"};
 constexpr Parameter k_parameters[] = {
     {.name = "width_px", .unit = "px", .minimum = 0, .maximum = 16, .default_text = "0",
      .summary = "line width in pixels of the picture; 0: the width of a drawn strand at the camera's target"},
@@ -19,7 +19,7 @@ constexpr Parameter k_parameters[] = {
      .summary = "share of the length that chance takes away from a drawn strand's tip"},
     {.name = "ambient", .minimum = 0, .maximum = 4, .default_text = "0.6",
      .summary = "strength of the approximation to light scattered many times; 0: single scattering only"},
-    {.name = "variation", .minimum = 0, .maximum = 1, .default_text = "0.15",
+    {.name = "variation", .minimum = 0, .maximum = 1, .default_text = "0.22",
      .summary = "difference between strands: tilt of their tangents and brightness"},
 };
 
