@@ -21,10 +21,18 @@ namespace {
 
 void set_quantity(bsdf::Point& point, AxisQuantity quantity, double value) {
   switch (quantity) {
-    case AxisQuantity::sin_theta_i: point.theta_i = std::asin(value); break;
-    case AxisQuantity::sin_theta_o: point.theta_o = std::asin(value); break;
-    case AxisQuantity::cos_phi: point.phi = std::acos(value); break;
-    case AxisQuantity::cos_theta_d: point.theta_d = std::acos(value); break;
+    case AxisQuantity::sin_theta_i:
+      point.theta_i = std::asin(value);
+      break;
+    case AxisQuantity::sin_theta_o:
+      point.theta_o = std::asin(value);
+      break;
+    case AxisQuantity::cos_phi:
+      point.phi = std::acos(value);
+      break;
+    case AxisQuantity::cos_theta_d:
+      point.theta_d = std::acos(value);
+      break;
   }
 }
 

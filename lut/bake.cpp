@@ -23,7 +23,8 @@ std::vector<bsdf::Point> texel_points(const TableLayout& table, int size) {
   points.reserve(std::size_t(size) * size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
-      points.push_back(make_point(table, axis_value(table.u, size, (x + 0.5) / size), axis_value(table.v, size, (y + 0.5) / size)));
+      points.push_back(
+          make_point(table, axis_value(table.u, size, (x + 0.5) / size), axis_value(table.v, size, (y + 0.5) / size)));
   return points;
 }
 
@@ -117,8 +118,8 @@ Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view n
   return lobes;
 }
 
-Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate, const Channel& channel,
-                                                std::span<const bsdf::Point> points) {
+Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate,
+                                                const Channel& channel, std::span<const bsdf::Point> points) {
   CUTICLE_ASSIGN(const std::vector<int> lobes, find_lobes(model, channel.lobe));
   std::vector<glm::dvec3> sum(points.size(), glm::dvec3(0)), values(points.size());
   for (int lobe : lobes) {
@@ -128,8 +129,8 @@ Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const 
   return sum;
 }
 
-Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,
-                           Progress& progress) {
+Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
+                           int size, Progress& progress) {
   CUTICLE_TRY(check_size(size));
   TableSet set{&layout, source.model, values, size, {}, 0, {}};
   for (const TableLayout& table : layout.tables) {

@@ -11,9 +11,11 @@ namespace {
 Result<Source> device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
   CUTICLE_ASSIGN(bsdf::GpuEvaluator made, bsdf::GpuEvaluator::make(device, model));
   const auto evaluator = std::make_shared<bsdf::GpuEvaluator>(std::move(made));
-  return Source{&model, [evaluator, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+  return Source{&model,
+                [evaluator, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
                   return evaluator->evaluate(values, request, out);
-                }, cpu_source(model, values).evaluate};
+                },
+                cpu_source(model, values).evaluate};
 }
 
 /// Four floats a texel, values with their scale applied, missing channels 0.
@@ -21,7 +23,8 @@ std::vector<float> texels_of(const Table& table) {
   const int channels = table.image.channels();
   std::vector<float> texels(std::size_t(table.image.width) * table.image.height * 4, 0.0F);
   for (std::size_t i = 0; i < texels.size() / 4; ++i)
-    for (int c = 0; c < channels; ++c) texels[i * 4 + c] = float(double(table.image.pixels[i * channels + c]) * table.scale[c]);
+    for (int c = 0; c < channels; ++c)
+      texels[i * 4 + c] = float(double(table.image.pixels[i * channels + c]) * table.scale[c]);
   return texels;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -11,14 +12,15 @@
 namespace cuticle::lut {
 namespace {
 
-constexpr int k_nodes = 17;                 ///< of the 15-point rule, between the two ends
+constexpr int k_nodes = 17;  ///< of the 15-point rule, between the two ends
 constexpr double k_tolerance = 5e-6;
-constexpr int k_early = 8;                  ///< halvings after which what has not converged is a caustic
-constexpr int k_halvings = 36;              ///< at most: a cell of 0.01 rad is then cut near the spacing of double
+constexpr int k_early = 8;                 ///< halvings after which what has not converged is a caustic
+constexpr int k_halvings = 36;             ///< at most: a cell of 0.01 rad is then cut near the spacing of double
+constexpr std::size_t k_most_pieces = 64;  ///< of each interval at one level: a term that is noise converges nowhere
 constexpr std::size_t k_pieces_at_once = 16384;
 
-/// Nodes on [-1, 1] with the weights of both rules (0 where a rule has no node). The ends have no weight: they show a peak
-/// that stands between an end and its neighbour.
+/// Nodes on [-1, 1] with the weights of both rules (0 where a rule has no node). The ends have no weight: they show a
+/// peak that stands between an end and its neighbour.
 struct Rule {
   std::array<double, k_nodes> node{}, kronrod{}, gauss{};
 };
@@ -43,7 +45,8 @@ struct Piece {
   double begin = 0, end = 0;
 };
 
-std::vector<bsdf::Point> points_of(const Rule& rule, std::span<const Piece> pieces, std::span<const PhiInterval> intervals) {
+std::vector<bsdf::Point> points_of(const Rule& rule, std::span<const Piece> pieces,
+                                   std::span<const PhiInterval> intervals) {
   std::vector<bsdf::Point> points;
   points.reserve(pieces.size() * k_nodes);
   for (const Piece& piece : pieces)
@@ -68,7 +71,8 @@ Share share_of(const Rule& rule, const Piece& piece, const PhiInterval& interval
     fine += rule.kronrod[i] * values[i];
     coarse += rule.gauss[i] * values[i];
   }
-  const double width = (piece.end - piece.begin) / (interval.end - interval.begin) / 2, gap = 1 - rule.node[k_nodes - 2];
+  const double width = (piece.end - piece.begin) / (interval.end - interval.begin) / 2,
+               gap = 1 - rule.node[k_nodes - 2];
   const glm::dvec3 ends = glm::abs(values[0] - values[1]) + glm::abs(values[k_nodes - 1] - values[k_nodes - 2]);
   return {fine * width, largest(glm::abs(fine - coarse) + ends * gap) * width};
 }
@@ -90,21 +94,23 @@ class Averager {
  private:
   Result<void> advance(int level) {
     const std::vector<Piece> pieces = std::exchange(pieces_, {});
+    const bool last = level >= k_halvings || pieces.size() > k_most_pieces * intervals_.size();
     for (std::size_t first = 0; first < pieces.size(); first += k_pieces_at_once) {
       const auto part = std::span(pieces).subspan(first, std::min(k_pieces_at_once, pieces.size() - first));
       const Evaluate& evaluate = level > k_early ? source_.evaluate_in_double : source_.evaluate;
       CUTICLE_ASSIGN(const std::vector<glm::dvec3> values,
                      evaluate_points(*source_.model, evaluate, channel_, points_of(rule_, part, intervals_)));
-      for (std::size_t i = 0; i < part.size(); ++i) settle(level, part[i], std::span(values).subspan(i * k_nodes, k_nodes));
+      for (std::size_t i = 0; i < part.size(); ++i)
+        settle(level, last, part[i], std::span(values).subspan(i * k_nodes, k_nodes));
     }
     return {};
   }
-  void settle(int level, const Piece& piece, std::span<const glm::dvec3> values) {
+  void settle(int level, bool last, const Piece& piece, std::span<const glm::dvec3> values) {
     const Share share = share_of(rule_, piece, intervals_[piece.interval], values);
     glm::dvec3& mean = result_.values[piece.interval];
-    const bool converged = share.error <= k_tolerance * largest(mean + share.mean);
+    const bool converged = !(share.error > k_tolerance * largest(mean + share.mean));  // also when not a number
     if (!converged && level >= k_early) result_.singular[piece.interval] = 1;
-    if (converged || level >= k_halvings) {
+    if (converged || last) {
       mean += share.mean;
       return;
     }
@@ -129,7 +135,8 @@ PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, dou
   return {std::acos(axis_value(table.v, size, v)), std::acos(upper), std::acos(lower)};
 }
 
-Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel, std::span<const PhiInterval> intervals) {
+Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel,
+                                     std::span<const PhiInterval> intervals) {
   return Averager(source, channel, intervals).run();
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <tbb/parallel_for.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <cuticle/lut/cell_average.h>
 
@@ -19,7 +19,8 @@ struct Grid {
   double row(int row) const { return (row + 0.5) / rows; }
   std::size_t size() const { return std::size_t(columns) * rows; }
 };
-/// Four points a texel each way, or bins half a texel wide on one row less than the table has, which sweeps the rows' offsets.
+/// Four points a texel each way, or bins half a texel wide on one row less than the table has, which sweeps the rows'
+/// offsets.
 Grid grid_for(const Channel& channel, int size) {
   if (channel.texel == Texel::point) return {std::min(4 * size, k_most_points), std::min(4 * size, k_most_points)};
   return {2 * size, std::min(size - 1, k_most_points)};
@@ -36,11 +37,13 @@ Exact cosines(const std::vector<bsdf::Point>& points) {
   return exact;
 }
 
-Result<Exact> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size, const Grid& grid) {
+Result<Exact> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size,
+                           const Grid& grid) {
   std::vector<bsdf::Point> points;
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x)
-      points.push_back(make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
+      points.push_back(
+          make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
   if (channel.lobe.empty()) return cosines(points);
   CUTICLE_ASSIGN(std::vector<glm::dvec3> values, evaluate_points(*source.model, source.evaluate, channel, points));
   return Exact{std::move(values), {}};
@@ -49,7 +52,9 @@ Result<Exact> exact_points(const Source& source, const Channel& channel, const T
 /// Whether any texel that filters into the bin is singular.
 bool touches_singular(const Table& table, double u_begin, double u_end, double v) {
   const int size = table.image.width;
-  const auto texel = [size](double coordinate) { return std::clamp(int(std::floor(coordinate * size - 0.5)), 0, size - 1); };
+  const auto texel = [size](double coordinate) {
+    return std::clamp(int(std::floor(coordinate * size - 0.5)), 0, size - 1);
+  };
   for (int y = texel(v); y <= std::min(texel(v) + 1, size - 1); ++y)
     for (int x = texel(u_begin); x <= std::min(texel(u_end) + 1, size - 1); ++x)
       if (table.singular[std::size_t(y) * size + x]) return true;
@@ -75,13 +80,16 @@ Result<Exact> exact_bins(const Source& source, const Channel& channel, const Tab
   return exact;
 }
 
-/// The filtered table's mean over the azimuths of a bin: 3-point Gauss-Legendre (the table is piecewise linear in cos phi).
+/// The filtered table's mean over the azimuths of a bin: 3-point Gauss-Legendre (the table is piecewise linear in cos
+/// phi).
 double table_bin_mean(const Table& table, int channel, double u_begin, double u_end, double v) {
   using Rule = boost::math::quadrature::gauss<double, 3>;
   const AxisMap map = axis_map(table.layout->u, table.image.width);
   const PhiInterval bin = phi_interval(*table.layout, table.image.width, u_begin, u_end, v);
   const double middle = (bin.begin + bin.end) / 2, half = (bin.end - bin.begin) / 2;
-  const auto at = [&](double node) { return sample(table, channel, std::cos(middle + node * half) * map.scale + map.bias, v); };
+  const auto at = [&](double node) {
+    return sample(table, channel, std::cos(middle + node * half) * map.scale + map.bias, v);
+  };
   return (Rule::weights()[0] * at(0) + Rule::weights()[1] * (at(Rule::abscissa()[1]) + at(-Rule::abscissa()[1]))) / 2;
 }
 
@@ -91,7 +99,8 @@ double table_value(const Table& table, int channel, const Grid& grid, std::size_
   return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
 }
 
-ChannelError summarise(const Channel& channel, std::vector<double>& errors, const std::vector<double>& signal, std::size_t all) {
+ChannelError summarise(const Channel& channel, std::vector<double>& errors, const std::vector<double>& signal,
+                       std::size_t all) {
   ChannelError result;
   result.channel = channel.name;
   result.excluded = 1 - double(errors.size()) / double(all);

@@ -26,13 +26,13 @@ bool same_lobes(const Channel& a, const Channel& b);
 /// Lobes of a channel ("TT+TRT" names two), as indices. Error: usage when the model lacks one.
 Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view names);
 /// Value of a channel's quantity, summed over its lobes, at many points.
-Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate, const Channel& channel,
-                                                std::span<const bsdf::Point> points);
+Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const Evaluate& evaluate,
+                                                const Channel& channel, std::span<const bsdf::Point> points);
 
 /// Error: usage for a size outside 16 .. 1024.
 Result<void> check_size(int size);
 /// `bake` from any source; bake_ms and baked_on are left to the caller.
-Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout, int size,
-                           Progress& progress);
+Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
+                           int size, Progress& progress);
 
 }  // namespace cuticle::lut

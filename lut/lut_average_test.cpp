@@ -38,7 +38,8 @@ double caustic_mean(double begin, double end) {
 }
 
 TEST(AverageOverPhi, SmoothTerm_EqualsTheIntegral) {
-  const PhiAverages result = averages([](double phi) { return std::cos(phi / 2) / 4; }, {{0, 0.3, 0.4}, {0, 0, std::numbers::pi}});
+  const PhiAverages result =
+      averages([](double phi) { return std::cos(phi / 2) / 4; }, {{0, 0.3, 0.4}, {0, 0, std::numbers::pi}});
   EXPECT_NEAR(result.values[0].x, (std::sin(0.2) - std::sin(0.15)) / 2 / 0.1, 1e-14);
   EXPECT_NEAR(result.values[1].y, 0.5 / std::numbers::pi, 1e-14);
   EXPECT_EQ(result.singular, (std::vector<std::uint8_t>{0, 0}));
@@ -61,6 +62,15 @@ TEST(AverageOverPhi, TermThatIsZero_GivesZero) {
   const PhiAverages result = averages([](double) { return 0.0; }, {{0, 0.1, 0.2}});
   EXPECT_EQ(result.values[0], glm::dvec3(0));
   EXPECT_EQ(result.singular[0], 0);
+}
+
+TEST(AverageOverPhi, TermThatIsNotANumber_EndsAndIsNotANumber) {
+  EXPECT_TRUE(std::isnan(averages([](double) { return std::nan(""); }, {{0, 0.1, 0.2}}).values[0].x));
+}
+
+TEST(AverageOverPhi, TermThatIsNoise_EndsNearItsMean) {
+  const auto noise = [](double phi) { return 1 + 0.01 * std::sin(1e9 * phi); };
+  EXPECT_NEAR(averages(noise, {{0, 0.1, 0.2}}).values[0].x, 1, 1e-3);
 }
 
 }  // namespace

@@ -24,7 +24,9 @@ double model_value(bsdf::Quantity quantity, const char* lobe, const bsdf::Point&
   EXPECT_TRUE(bsdf::evaluate(marschner(), blonde(), bsdf::Precision::f64, request, std::span(&value, 1)).ok());
   return value[component];
 }
-double stored(const Table& table, int x, int y, int channel) { return double(table.image.at(x, y, channel)) * table.scale[channel]; }
+double stored(const Table& table, int x, int y, int channel) {
+  return double(table.image.at(x, y, channel)) * table.scale[channel];
+}
 
 TEST(Layouts, Registry_HoldsTheNaluForms) {
   std::vector<std::string_view> names;
@@ -64,7 +66,8 @@ TEST(Bake, LongitudinalTexels_EqualTheModelAtTheirCentres) {
       const bsdf::Point point{.theta_i = std::asin(-1 + 2.0 * x / 31), .theta_o = std::asin(-1 + 2.0 * y / 31)};
       for (int c = 0; c < 3; ++c) {
         const double expected = model_value(bsdf::Quantity::M, lobes[c], point, 0);
-        EXPECT_NEAR(stored(set.tables[0], x, y, c), expected, 1e-7 * expected + 1e-12) << lobes[c] << " " << x << " " << y;
+        EXPECT_NEAR(stored(set.tables[0], x, y, c), expected, 1e-7 * expected + 1e-12)
+            << lobes[c] << " " << x << " " << y;
       }
     }
 }
@@ -92,8 +95,8 @@ TEST(Bake, AzimuthalTexels_EqualTheModelAtTheirCentres) {
     }
 }
 
-/// The energy of a row of cell averages, the integral of N_TRT over phi in (0, pi), is a quarter of the integral of A over h
-/// in (-1, 1): no energy of the caustic is lost.
+/// The energy of a row of cell averages, the integral of N_TRT over phi in (0, pi), is a quarter of the integral of A
+/// over h in (-1, 1): no energy of the caustic is lost.
 TEST(Bake, CellAverages_KeepTheEnergyOfTheCausticLobe) {
   const int size = 64;
   const TableSet set = bake_set("nalu", size);
@@ -139,7 +142,8 @@ TEST(Bake, TwoTextureForm_StoresTheSumOfTheTransmittedLobes) {
 TEST(Bake, AnyTexel_IsFiniteAndNotNegative) {
   for (const char* name : {"nalu", "nalu2", "nalu_borders"})
     for (const Table& table : bake_set(name, 16).tables)
-      for (float value : table.image.pixels) ASSERT_TRUE(std::isfinite(value) && value >= 0) << name << " " << table.layout->name;
+      for (float value : table.image.pixels)
+        ASSERT_TRUE(std::isfinite(value) && value >= 0) << name << " " << table.layout->name;
 }
 
 TEST(Bake, SizeOutOfRange_IsRefusedWithTheRange) {
@@ -153,7 +157,8 @@ TEST(Bake, SizeOutOfRange_IsRefusedWithTheRange) {
 TEST(ExactValue, FractionsOfTheAxes_AreTheModelAtThem) {
   const TableLayout& n = layout("nalu").tables[1];
   const bsdf::Point point{.theta_d = std::acos(0.75), .phi = std::acos(-0.5)};
-  EXPECT_EQ(exact_value(marschner(), blonde(), n, n.channels[1], 0.25, 0.75), model_value(bsdf::Quantity::N, "TT", point, 1));
+  EXPECT_EQ(exact_value(marschner(), blonde(), n, n.channels[1], 0.25, 0.75),
+            model_value(bsdf::Quantity::N, "TT", point, 1));
 }
 
 }  // namespace

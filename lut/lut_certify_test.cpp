@@ -133,8 +133,9 @@ double error_within_80_degrees(const Table& table, const TableSet& set, int c) {
   return std::sqrt(error / signal);
 }
 
-/// Bilinear tables of 128^2 over the sines, lobes of 5, 2.5 and 10 degrees in theta_h: earlier measurements with Gaussian lobes
-/// gave 1.2e-2, 2.3e-2 and 7.6e-3 over all angles, most of it at grazing ones; within 80 degrees ours stay below.
+/// Bilinear tables of 128^2 over the sines, lobes of 5, 2.5 and 10 degrees in theta_h: earlier measurements with
+/// Gaussian lobes gave 1.2e-2, 2.3e-2 and 7.6e-3 over all angles, most of it at grazing ones; within 80 degrees ours
+/// stay below.
 TEST(Certify, LongitudinalErrorsAt128_AreOfTheKnownOrder) {
   TableSet set = bake_set("beta=0.174533,alpha=0", 128);
   ASSERT_TRUE(store_as(set, Format::exr).ok());

@@ -21,7 +21,9 @@ const TableSet& device_tables(const char* layout) {
   static std::map<std::string, TableSet> made;
   auto found = made.find(layout);
   if (found == made.end())
-    found = made.emplace(layout, bake_gpu(*device(), marschner(), parameters(), *find_layout(layout).value(), 32).value()).first;
+    found =
+        made.emplace(layout, bake_gpu(*device(), marschner(), parameters(), *find_layout(layout).value(), 32).value())
+            .first;
   return found->second;
 }
 
@@ -35,14 +37,13 @@ TEST(BakeGpu, AnyLayout_AgreesWithTheCpuToHalfPrecision) {
       for (std::size_t i = 0; i < cpu.tables[t].image.pixels.size(); ++i) {
         const double expected = double(cpu.tables[t].image.pixels[i]), value = double(gpu.tables[t].image.pixels[i]);
         ASSERT_NEAR(value, expected, std::ldexp(expected, -10) + 1e-6)
-            << name << " " << layout.tables[t].name << " value " << i << " singular " << int(cpu.tables[t].singular[i / cpu.tables[t].scale.size()]);
+            << name << " " << layout.tables[t].name << " value " << i << " singular "
+            << int(cpu.tables[t].singular[i / cpu.tables[t].scale.size()]);
       }
   }
 }
 
-TEST(BakeGpu, BakedOn_IsTheDevicesName) {
-  EXPECT_EQ(device_tables("nalu").baked_on, device()->info().name);
-}
+TEST(BakeGpu, BakedOn_IsTheDevicesName) { EXPECT_EQ(device_tables("nalu").baked_on, device()->info().name); }
 
 TEST(BakeGpu, SizeOutOfRange_IsRefused) {
   EXPECT_FALSE(bake_gpu(*device(), marschner(), parameters(), *find_layout("nalu").value(), 8).ok());

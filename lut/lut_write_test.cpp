@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
 #include <cuticle/lut/table_set.h>
@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 class Written : public testing::Test {
  protected:
-  Written() : folder_(fs::temp_directory_path() / ("cuticle_lut_" + std::to_string(::getpid()))) { fs::remove_all(folder_); }
+  Written() : folder_(fs::temp_directory_path() / ("cuticle_lut_" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+  }
   ~Written() override { fs::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   TableSet bake_and_write(Format format) {
@@ -43,7 +45,8 @@ TEST_F(Written, Exr_HoldsTheTablesTexelForTexel) {
     const Image image = read_exr(path(file_name(table, Format::exr))).value();
     ASSERT_EQ(image.channels(), table.image.channels());
     for (int c = 0; c < image.channels(); ++c) {
-      const auto position = std::find(image.channel_names.begin(), image.channel_names.end(), std::string(1, "RGBA"[c]));
+      const auto position =
+          std::find(image.channel_names.begin(), image.channel_names.end(), std::string(1, "RGBA"[c]));
       ASSERT_NE(position, image.channel_names.end());
       const int read = int(position - image.channel_names.begin());
       for (int y = 0; y < 16; ++y)
@@ -94,7 +97,8 @@ TEST_F(Written, Png16WithScale_GivesTheValuesBack) {
   const Image image = read_image(path("N_TT_R.png")).value();
   const double scale = manifest()["tables"][1]["channels"][0]["scale"];
   for (int x = 0; x < 16; ++x)
-    EXPECT_NEAR(double(image.at(x, 9, 0)) * scale, double(set.tables[1].image.at(x, 9, 0)) * set.tables[1].scale[0], 1e-6 * scale);
+    EXPECT_NEAR(double(image.at(x, 9, 0)) * scale, double(set.tables[1].image.at(x, 9, 0)) * set.tables[1].scale[0],
+                1e-6 * scale);
 }
 
 TEST_F(Written, Png8WithScale_GivesTheValuesBack) {
@@ -102,12 +106,14 @@ TEST_F(Written, Png8WithScale_GivesTheValuesBack) {
   const Image image = read_image(path("M.png")).value();
   const double scale = manifest()["tables"][0]["channels"][0]["scale"];
   for (int x = 0; x < 16; ++x)
-    EXPECT_NEAR(double(image.at(x, 15 - x, 0)) * scale, double(set.tables[0].image.at(x, 15 - x, 0)) * set.tables[0].scale[0], 1e-6 * scale);
+    EXPECT_NEAR(double(image.at(x, 15 - x, 0)) * scale,
+                double(set.tables[0].image.at(x, 15 - x, 0)) * set.tables[0].scale[0], 1e-6 * scale);
 }
 
 TEST_F(Written, Folder_HoldsTheFilesAndNothingElse) {
   bake_and_write(Format::exr);
-  EXPECT_THAT(names(), testing::UnorderedElementsAre("M.exr", "N_TT_R.exr", "N_TRT.exr", "manifest.json", "preview.png"));
+  EXPECT_THAT(names(),
+              testing::UnorderedElementsAre("M.exr", "N_TT_R.exr", "N_TRT.exr", "manifest.json", "preview.png"));
 }
 
 TEST_F(Written, FolderThatCannotBe_IsAnErrorAndLeavesNothing) {
@@ -115,7 +121,8 @@ TEST_F(Written, FolderThatCannotBe_IsAnErrorAndLeavesNothing) {
   std::ofstream(folder_ / "file") << "in the way";
   const TableSet set = bake(*bsdf::find_model("marschner").value(),
                             registry::default_values(bsdf::find_model("marschner").value()->entry.parameters),
-                            *find_layout("nalu").value(), 16, silent_progress()).value();
+                            *find_layout("nalu").value(), 16, silent_progress())
+                           .value();
   const auto result = write(set, Format::exr, path("file/tables"));
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, ErrorKind::bad_input);
@@ -126,8 +133,9 @@ TEST_F(Written, FolderThatCannotBe_IsAnErrorAndLeavesNothing) {
 TEST_F(Written, FileThatCannotBeReplaced_LeavesNoPartOfTheSetBehind) {
   fs::create_directories(folder_ / "M.exr" / "occupied");
   const bsdf::Model& model = *bsdf::find_model("marschner").value();
-  const TableSet set = bake(model, registry::default_values(model.entry.parameters), *find_layout("nalu").value(), 16,
-                            silent_progress()).value();
+  const TableSet set =
+      bake(model, registry::default_values(model.entry.parameters), *find_layout("nalu").value(), 16, silent_progress())
+          .value();
   ASSERT_FALSE(write(set, Format::exr, folder_.string()).ok());
   EXPECT_THAT(names(), testing::ElementsAre("M.exr"));
 }

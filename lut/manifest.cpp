@@ -10,10 +10,14 @@ using Json = nlohmann::ordered_json;
 
 std::string formula(AxisQuantity quantity) {
   switch (quantity) {
-    case AxisQuantity::sin_theta_i: return "sin theta_i = dot(light direction, fibre tangent)";
-    case AxisQuantity::sin_theta_o: return "sin theta_o = dot(eye direction, fibre tangent)";
-    case AxisQuantity::cos_phi: return "cos phi = cosine between the two directions projected on the normal plane; N is even in phi";
-    case AxisQuantity::cos_theta_d: return "cos theta_d, theta_d = (theta_o - theta_i) / 2, from the table M";
+    case AxisQuantity::sin_theta_i:
+      return "sin theta_i = dot(light direction, fibre tangent)";
+    case AxisQuantity::sin_theta_o:
+      return "sin theta_o = dot(eye direction, fibre tangent)";
+    case AxisQuantity::cos_phi:
+      return "cos phi = cosine between the two directions projected on the normal plane; N is even in phi";
+    case AxisQuantity::cos_theta_d:
+      return "cos theta_d, theta_d = (theta_o - theta_i) / 2, from the table M";
   }
   return {};
 }
@@ -30,8 +34,11 @@ Json axis_json(const Axis& axis, int size) {
 }
 
 Json error_json(const ChannelError& error, Texel texel) {
-  Json json{{"maximum", error.maximum},       {"rms", error.rms},   {"percentile_99", error.percentile_99},
-            {"exact_peak", error.peak},       {"exact_rms", error.signal_rms},
+  Json json{{"maximum", error.maximum},
+            {"rms", error.rms},
+            {"percentile_99", error.percentile_99},
+            {"exact_peak", error.peak},
+            {"exact_rms", error.signal_rms},
             {"maximum_over_peak", error.peak > 0 ? error.maximum / error.peak : 0},
             {"rms_over_rms", error.signal_rms > 0 ? error.rms / error.signal_rms : 0}};
   if (texel == Texel::cell_average) {
@@ -89,9 +96,12 @@ Json conventions_json(const bsdf::Conventions& conventions) {
 
 std::string_view format_words(Format format) {
   switch (format) {
-    case Format::exr: return "OpenEXR, half, ZIP";
-    case Format::png8: return "PNG, 8 bit, no transfer curve";
-    case Format::png16: return "PNG, 16 bit, no transfer curve";
+    case Format::exr:
+      return "OpenEXR, half, ZIP";
+    case Format::png8:
+      return "PNG, 8 bit, no transfer curve";
+    case Format::png16:
+      return "PNG, 16 bit, no transfer curve";
   }
   return {};
 }

@@ -28,8 +28,8 @@ Result<double> channel_peak(const Table& table, int channel) {
   for (std::size_t i = channel; i < table.image.pixels.size(); i += stride) {
     const double value = double(table.image.pixels[i]) * table.scale[channel];
     if (!std::isfinite(value) || value < 0)
-      return internal_error(fmt::format("{}: channel {} holds {}, tables hold finite values from 0 up", table.layout->name,
-                                        table.layout->channels[channel].name, value));
+      return internal_error(fmt::format("{}: channel {} holds {}, tables hold finite values from 0 up",
+                                        table.layout->name, table.layout->channels[channel].name, value));
     peak = std::max(peak, value);
   }
   return peak;
@@ -58,7 +58,8 @@ double sample(const Table& table, int channel, double u, double v) {
   const int x0 = std::min(int(x), width - 2), y0 = std::min(int(y), height - 2);
   const double fx = x - x0, fy = y - y0;
   const auto texel = [&](int i, int j) { return double(table.image.at(x0 + i, y0 + j, channel)); };
-  const double top = texel(0, 0) + fx * (texel(1, 0) - texel(0, 0)), bottom = texel(0, 1) + fx * (texel(1, 1) - texel(0, 1));
+  const double top = texel(0, 0) + fx * (texel(1, 0) - texel(0, 0)),
+               bottom = texel(0, 1) + fx * (texel(1, 1) - texel(0, 1));
   return (top + fy * (bottom - top)) * table.scale[channel];
 }
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 /// A folder beside the final files that vanishes unless its files were moved out.
 class Staging {
  public:
-  explicit Staging(const std::string& folder) : target_(folder), path_(target_ / fmt::format(".cuticle-{}", ::getpid())) {
+  explicit Staging(const std::string& folder)
+      : target_(folder), path_(target_ / fmt::format(".cuticle-{}", ::getpid())) {
     std::error_code code;
     existed_ = fs::exists(target_, code);
   }
@@ -37,7 +38,8 @@ class Staging {
       fs::rename(path_ / name, target_ / name, code);
       if (code) {
         for (const fs::path& each : done) fs::remove(target_ / each);
-        return bad_input(fmt::format("{}: {}", (target_ / name).string(), code.message()), "choose another folder by --out");
+        return bad_input(fmt::format("{}: {}", (target_ / name).string(), code.message()),
+                         "choose another folder by --out");
       }
       done.push_back(name);
     }

@@ -5,7 +5,8 @@
 namespace cuticle::python {
 
 void raise(const Error& error) {
-  throw nb::value_error((error.hint.empty() ? error.message : fmt::format("{} (try: {})", error.message, error.hint)).c_str());
+  throw nb::value_error(
+      (error.hint.empty() ? error.message : fmt::format("{} (try: {})", error.message, error.hint)).c_str());
 }
 
 std::vector<std::size_t> broadcast_shape(const std::vector<Numbers>& arrays) {
@@ -16,7 +17,8 @@ std::vector<std::size_t> broadcast_shape(const std::vector<Numbers>& arrays) {
     for (std::size_t axis = 0; axis < array.ndim(); ++axis) {
       std::size_t& length = shape[lead + axis];
       if (length != array.shape(axis) && length != 1 && array.shape(axis) != 1)
-        raise(usage_error(fmt::format("angles of lengths {} and {} cannot be broadcast together", length, array.shape(axis))));
+        raise(usage_error(
+            fmt::format("angles of lengths {} and {} cannot be broadcast together", length, array.shape(axis))));
       if (length == 1) length = array.shape(axis);
     }
   }

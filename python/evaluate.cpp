@@ -10,8 +10,8 @@
 namespace cuticle::python {
 namespace {
 
-constexpr std::array<double bsdf::Point::*, 5> k_members = {&bsdf::Point::theta_i, &bsdf::Point::theta_o, &bsdf::Point::theta_d,
-                                                            &bsdf::Point::phi, &bsdf::Point::h};
+constexpr std::array<double bsdf::Point::*, 5> k_members = {&bsdf::Point::theta_i, &bsdf::Point::theta_o,
+                                                            &bsdf::Point::theta_d, &bsdf::Point::phi, &bsdf::Point::h};
 
 std::vector<bsdf::Point> make_points(const std::vector<Numbers>& coordinates, const std::vector<std::size_t>& shape) {
   std::size_t count = 1;
@@ -19,7 +19,8 @@ std::vector<bsdf::Point> make_points(const std::vector<Numbers>& coordinates, co
   std::vector<bsdf::Point> points(count);
   for (std::size_t c = 0; c < k_members.size(); ++c) {
     const double unit = c < 4 ? std::numbers::pi / 180 : 1;
-    for (std::size_t i = 0; i < count; ++i) points[i].*k_members[c] = coordinates[c].data()[broadcast_index(coordinates[c], shape, i)] * unit;
+    for (std::size_t i = 0; i < count; ++i)
+      points[i].*k_members[c] = coordinates[c].data()[broadcast_index(coordinates[c], shape, i)] * unit;
   }
   return points;
 }
@@ -27,11 +28,13 @@ std::vector<bsdf::Point> make_points(const std::vector<Numbers>& coordinates, co
 bsdf::Precision find_precision(const std::string& name) {
   if (name == "f64") return bsdf::Precision::f64;
   if (name == "f32") return bsdf::Precision::f32;
-  raise(usage_error("precision '" + name + "' is not one of f32, f64", "the program for the GPU: cuticle eval --precision gpu"));
+  raise(usage_error("precision '" + name + "' is not one of f32, f64",
+                    "the program for the GPU: cuticle eval --precision gpu"));
 }
 
-OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name, const std::string& preset,
-                     const std::string& settings, const std::vector<Numbers>& coordinates, const std::string& precision_name) {
+OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name,
+                     const std::string& preset, const std::string& settings, const std::vector<Numbers>& coordinates,
+                     const std::string& precision_name) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
   const registry::ParameterValues values = value_or_raise(bsdf::parse_settings(*model, preset, settings));
   const bsdf::Quantity quantity = value_or_raise(bsdf::find_quantity(quantity_name));

@@ -9,8 +9,8 @@ namespace cuticle::python {
 namespace {
 
 /// Baked and certified, as half.
-Result<lut::TableSet> make_tables(const std::string& model_name, const std::string& layout_name, int size, const std::string& preset,
-                                  const std::string& settings) {
+Result<lut::TableSet> make_tables(const std::string& model_name, const std::string& layout_name, int size,
+                                  const std::string& preset, const std::string& settings) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(model_name));
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, preset, settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(layout_name));
@@ -19,13 +19,14 @@ Result<lut::TableSet> make_tables(const std::string& model_name, const std::stri
   return set;
 }
 
-Result<lut::TableSet> make_without_lock(const std::string& model, const std::string& layout, int size, const std::string& preset,
-                                        const std::string& settings) {
+Result<lut::TableSet> make_without_lock(const std::string& model, const std::string& layout, int size,
+                                        const std::string& preset, const std::string& settings) {
   nb::gil_scoped_release released;
   return make_tables(model, layout, size, preset, settings);
 }
 
-nb::tuple bake(const std::string& model, const std::string& layout, int size, const std::string& preset, const std::string& settings) {
+nb::tuple bake(const std::string& model, const std::string& layout, int size, const std::string& preset,
+               const std::string& settings) {
   lut::TableSet set = value_or_raise(make_without_lock(model, layout, size, preset, settings));
   nb::dict tables;
   const std::string manifest = lut::manifest_json(set, lut::Format::exr);

@@ -30,8 +30,10 @@ void blend(std::span<double> row) {
 lut::Source source_of(const LobesView& view) {
   const lut::Evaluate evaluate = [&view](const bsdf::Request& request, std::span<glm::dvec3> out) {
     std::vector<bsdf::Point> points;
-    for (const bsdf::Point& at : request.points) points.push_back({.theta_i = view.theta_i, .theta_o = at.theta_d, .phi = at.phi});
-    return bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, request.lobe, points}, out);
+    for (const bsdf::Point& at : request.points)
+      points.push_back({.theta_i = view.theta_i, .theta_o = at.theta_d, .phi = at.phi});
+    return bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, request.lobe, points},
+                          out);
   };
   return {view.model, evaluate, evaluate};
 }
@@ -45,8 +47,8 @@ std::vector<lut::PhiInterval> columns_of(const DirectionGrid& grid) {
   return cells;
 }
 
-/// S of one lobe on the grid: the mean over colour, and over about three degrees of phi, because of a caustic, which is an
-/// infinite peak, only a mean can be drawn.
+/// S of one lobe on the grid: the mean over colour, and over about three degrees of phi, because of a caustic, which is
+/// an infinite peak, only a mean can be drawn.
 Result<std::vector<double>> lobe_values(const LobesView& view, const DirectionGrid& grid, int lobe) {
   const lut::Channel channel{"S", bsdf::Quantity::S, view.model->lobes[std::size_t(lobe)], 0, lut::Texel::cell_average};
   const lut::Source source = source_of(view);
@@ -79,14 +81,16 @@ double high_percentile(std::vector<double> values) {
   return *rank > 0 ? *rank : 1;
 }
 
-LobeSurface make_surface(const LobesView& view, const LobeSurfaces& set, std::string name, const std::vector<double>& values) {
+LobeSurface make_surface(const LobesView& view, const LobeSurfaces& set, std::string name,
+                         const std::vector<double>& values) {
   LobeSurface surface{std::move(name), {}, {}};
   for (int row = 0; row < set.grid.rows; ++row)
     for (int column = 0; column < set.grid.columns; ++column) {
       const double value = values[std::size_t(row) * set.grid.columns + column];
       const double theta = set.grid.theta_o(row), phi = set.grid.phi(column);
-      surface.positions.push_back(surface_radius(value, set.peak, view.logarithmic) *
-                                  glm::dvec3(std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), std::sin(theta)));
+      surface.positions.push_back(
+          surface_radius(value, set.peak, view.logarithmic) *
+          glm::dvec3(std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), std::sin(theta)));
     }
   return surface;
 }
@@ -122,7 +126,8 @@ double surface_radius(double value, double peak, bool logarithmic) {
 }
 
 glm::dvec3 lobe_color(int lobe) {
-  static const std::array<glm::dvec3, 4> colors = {{{0.20, 0.47, 0.75}, {0.93, 0.60, 0.13}, {0.75, 0.22, 0.27}, {0.35, 0.62, 0.36}}};
+  static const std::array<glm::dvec3, 4> colors = {
+      {{0.20, 0.47, 0.75}, {0.93, 0.60, 0.13}, {0.75, 0.22, 0.27}, {0.35, 0.62, 0.36}}};
   return colors[std::size_t(lobe) % colors.size()];
 }
 
@@ -133,7 +138,8 @@ Result<LobeSurfaces> make_surfaces(const LobesView& view) {
   if (view.lobe == -1) add_sum(view, lobes, set);
   for (int lobe = 0; lobe < int(lobes.size()); ++lobe) {
     if (view.lobe != LobesView::k_all_lobes && view.lobe != lobe) continue;
-    set.surfaces.push_back(make_surface(view, set, std::string(view.model->lobes[std::size_t(lobe)]), lobes[std::size_t(lobe)]));
+    set.surfaces.push_back(
+        make_surface(view, set, std::string(view.model->lobes[std::size_t(lobe)]), lobes[std::size_t(lobe)]));
     set.surfaces.back().colors.assign(set.grid.size(), lobe_color(lobe));
   }
   return set;

@@ -25,7 +25,7 @@ struct LobeSurface {
 struct LobeSurfaces {
   DirectionGrid grid;
   std::vector<LobeSurface> surfaces;
-  double peak = 0;                 ///< the value at radius 1: the 99.9th percentile of S, averaged over 3 degrees of phi
+  double peak = 0;  ///< the value at radius 1: the 99.9th percentile of S, averaged over 3 degrees of phi
 };
 
 inline constexpr double k_decades = 3;

@@ -34,8 +34,9 @@ TEST(MakeSurfaces, SingleLobe_ReachesAsFarAsTheModelSays) {
   const int row = 47, column = 350;
   const bsdf::Point point{.theta_i = 0.5, .theta_o = set.grid.theta_o(row), .phi = set.grid.phi(column)};
   glm::dvec3 value;
-  ASSERT_TRUE(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64, {bsdf::Quantity::S, 1, std::span(&point, 1)},
-                             std::span(&value, 1)).ok());
+  ASSERT_TRUE(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64,
+                             {bsdf::Quantity::S, 1, std::span(&point, 1)}, std::span(&value, 1))
+                  .ok());
   const glm::dvec3 position = set.surfaces[0].positions[std::size_t(row) * set.grid.columns + column];
   const double radius = std::sqrt(position.x * position.x + position.y * position.y + position.z * position.z);
   EXPECT_NEAR(radius * set.peak, (value.x + value.y + value.z) / 3, 1e-3 * set.peak);

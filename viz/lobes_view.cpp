@@ -16,8 +16,8 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <cuticle/viz/lobe_surface.h>
 #include <cuticle/viz/detail/stage.h>
+#include <cuticle/viz/lobe_surface.h>
 
 namespace cuticle::viz {
 namespace {
@@ -122,14 +122,19 @@ void add_legend(vtkRenderer& renderer, const LobesView& view) {
 }
 
 std::string legend_words(const LobesView& view, double peak) {
-  const std::string radius = view.logarithmic ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/rad^2", k_decades, peak)
-                                              : fmt::format("radius: S, linear up to {:.3g} 1/rad^2", peak);
-  return fmt::format("{}; above it (caustics) cut\nmean of r, g, b, and over 3 deg of phi; no cosine; rings in the normal plane: S there", radius);
+  const std::string radius = view.logarithmic
+                                 ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/rad^2", k_decades, peak)
+                                 : fmt::format("radius: S, linear up to {:.3g} 1/rad^2", peak);
+  return fmt::format(
+      "{}; above it (caustics) cut\nmean of r, g, b, and over 3 deg of phi; no cosine; rings in the normal plane: S "
+      "there",
+      radius);
 }
 
 std::string title_of(const LobesView& view) {
-  const std::string what = view.lobe >= 0 ? fmt::format("lobe {}", view.model->lobes[std::size_t(view.lobe)])
-                           : view.lobe == -1 ? "sum of the lobes, coloured by share" : "each lobe";
+  const std::string what = view.lobe >= 0    ? fmt::format("lobe {}", view.model->lobes[std::size_t(view.lobe)])
+                           : view.lobe == -1 ? "sum of the lobes, coloured by share"
+                                             : "each lobe";
   return fmt::format("{}: S over outgoing directions, {}, theta_i = {:.4g} deg", view.model->entry.name, what,
                      view.theta_i * 180 / std::numbers::pi);
 }

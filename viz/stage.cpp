@@ -58,7 +58,9 @@ Result<void> check_display() {
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name) return Error{ErrorKind::no_device, "views need an X display, and DISPLAY is not set", hint};
   Display* display = XOpenDisplay(name);
-  if (!display) return Error{ErrorKind::no_device, fmt::format("views need an X display, and DISPLAY={} does not answer", name), hint};
+  if (!display)
+    return Error{ErrorKind::no_device, fmt::format("views need an X display, and DISPLAY={} does not answer", name),
+                 hint};
   XCloseDisplay(display);
   return {};
 }

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -11,6 +10,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
+#include <glm/geometric.hpp>
 
 #include <cuticle/strands/formats/formats.h>
 
@@ -72,7 +72,8 @@ Result<StrandsView> read_state(const std::string& path) {
   reader->Update();
   vtkPolyData* data = reader->GetOutput();
   if (catcher->caught || !data || data->GetNumberOfLines() == 0)
-    return bad_input(fmt::format("{}: not a state of strands (VTK XML poly data with lines)", path), "a .vtp written by cuticle simulate");
+    return bad_input(fmt::format("{}: not a state of strands (VTK XML poly data with lines)", path),
+                     "a .vtp written by cuticle simulate");
   StrandsView view = view_of(*data);
   if (!view.scalar.empty()) color_by_stretch(view);
   return view;

@@ -42,7 +42,8 @@ vtkSmartPointer<vtkColorTransferFunction> colors_for(const StrandsView& view, co
     colors->SetColorSpaceToDiverging();
     at(0, 0.13, 0.30, 0.75), at(0.5, 0.80, 0.80, 0.80), at(1, 0.75, 0.10, 0.12);
   } else {
-    at(0, 0.27, 0.00, 0.33), at(0.25, 0.23, 0.32, 0.55), at(0.5, 0.13, 0.57, 0.55), at(0.75, 0.37, 0.79, 0.38), at(1, 0.95, 0.85, 0.15);
+    at(0, 0.27, 0.00, 0.33), at(0.25, 0.23, 0.32, 0.55), at(0.5, 0.13, 0.57, 0.55), at(0.75, 0.37, 0.79, 0.38),
+        at(1, 0.95, 0.85, 0.15);
   }
   return colors;
 }
@@ -53,7 +54,8 @@ vtkSmartPointer<vtkPolyData> polylines(const StrandsView& view) {
   vtkNew<vtkCellArray> lines;
   for (std::size_t s = 0; s < view.groom.strand_count(); ++s) {
     lines->InsertNextCell(int(view.groom.strand_size(s)));
-    for (std::size_t v = view.groom.offsets[s]; v < view.groom.offsets[s + 1]; ++v) lines->InsertCellPoint(vtkIdType(v));
+    for (std::size_t v = view.groom.offsets[s]; v < view.groom.offsets[s + 1]; ++v)
+      lines->InsertCellPoint(vtkIdType(v));
   }
   vtkNew<vtkFloatArray> scalars;
   for (float value : view.scalar) scalars->InsertNextValue(value);
@@ -100,8 +102,8 @@ void add_color_bar(vtkRenderer& renderer, vtkColorTransferFunction* colors) {
 
 std::string words_of(const StrandsView& view) {
   const auto [low, high] = std::minmax_element(view.scalar.begin(), view.scalar.end());
-  return fmt::format("{} strands, {} vertices; {} from {:.4g} to {:.4g}", view.groom.strand_count(), view.groom.vertex_count(),
-                     view.scalar_title, *low, *high);
+  return fmt::format("{} strands, {} vertices; {} from {:.4g} to {:.4g}", view.groom.strand_count(),
+                     view.groom.vertex_count(), view.scalar_title, *low, *high);
 }
 
 /// From the front and slightly above, y up, with room for title and colour bar.

@@ -31,7 +31,8 @@ Result<lut::TableSet> bake_on(const BakeOptions& options, const Context& context
 
 Result<lut::TableSet> make_tables(const BakeOptions& options, lut::Format format, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
-  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, options.preset, options.settings));
+  CUTICLE_ASSIGN(const registry::ParameterValues values,
+                 bsdf::parse_settings(*model, options.preset, options.settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
   CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
   CUTICLE_TRY(lut::certify(set, format, *context.progress));
@@ -42,14 +43,15 @@ Result<lut::TableSet> make_tables(const BakeOptions& options, lut::Format format
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 void print_errors(const lut::TableSet& set, const std::string& out) {
-  fmt::print("{:<14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "channel", "max", "rms", "p99", "peak", "max/peak", "rms/rms",
-             "left out");
+  fmt::print("{:<14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "channel", "max", "rms", "p99", "peak", "max/peak",
+             "rms/rms", "left out");
   for (const lut::Table& table : set.tables)
     for (const lut::ChannelError& e : table.errors)
-      fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>10.1f}%\n", e.channel, e.maximum, e.rms,
-                 e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms), 100 * e.excluded);
-  fmt::print("{} of {}, {}x{}, baked on {} in {:.0f} ms, in {}\n", set.layout->entry.name, set.model->entry.name, set.size, set.size,
-             set.baked_on, set.bake_ms, out);
+      fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>10.1f}%\n", e.channel, e.maximum,
+                 e.rms, e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms),
+                 100 * e.excluded);
+  fmt::print("{} of {}, {}x{}, baked on {} in {:.0f} ms, in {}\n", set.layout->entry.name, set.model->entry.name,
+             set.size, set.size, set.baked_on, set.bake_ms, out);
 }
 
 int bake(const BakeOptions& options, const Context& context) {
@@ -75,7 +77,9 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--layout", options->layout, "nalu, nalu2 or nalu_borders")->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
   command->add_option("--format", options->format, "exr (half), png8 or png16")->capture_default_str();
-  command->add_option("--on", options->processor, "cpu or gpu")->check(CLI::IsMember({"cpu", "gpu"}))->capture_default_str();
+  command->add_option("--on", options->processor, "cpu or gpu")
+      ->check(CLI::IsMember({"cpu", "gpu"}))
+      ->capture_default_str();
   command->add_option("--out", options->out, "folder to write")->required();
   command->callback([&context, options] { context.action = [&context, options] { return bake(*options, context); }; });
 }

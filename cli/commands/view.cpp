@@ -24,7 +24,9 @@ void add_target(CLI::App& command, const std::shared_ptr<ViewOptions>& options) 
   command.add_option("--size", options->size, "width and height in pixels")->expected(2)->check(CLI::Range(64, 8192));
 }
 
-viz::ViewTarget target_of(const ViewOptions& options) { return {options.target.screenshot, {options.size[0], options.size[1]}}; }
+viz::ViewTarget target_of(const ViewOptions& options) {
+  return {options.target.screenshot, {options.size[0], options.size[1]}};
+}
 
 Result<void> view_lobes(const ViewOptions& options) {
   viz::LobesView view;
@@ -59,18 +61,23 @@ void add_lobes(CLI::App& app, Context& context) {
   command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
   command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
   command->add_option("--set", options->settings, "parameters, name=value,name=value");
-  command->add_option("--theta-i-deg,--theta-i", options->theta_i_deg, "inclination of the light, degrees")->check(CLI::Range(-90.0, 90.0));
+  command->add_option("--theta-i-deg,--theta-i", options->theta_i_deg, "inclination of the light, degrees")
+      ->check(CLI::Range(-90.0, 90.0));
   command->add_option("--lobe", options->lobe, "R, TT, TRT, sum, or all (one surface each)")->capture_default_str();
-  command->add_option("--radius", options->radius, "log (three decades) or linear")->check(CLI::IsMember({"log", "linear"}))->capture_default_str();
+  command->add_option("--radius", options->radius, "log (three decades) or linear")
+      ->check(CLI::IsMember({"log", "linear"}))
+      ->capture_default_str();
   add_target(*command, options);
   set_action(*command, context, options, view_lobes);
 }
 
 void add_strands(CLI::App& app, Context& context) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command = app.add_subcommand("strands", "strands coloured by stretch (.vtp states) or by arc length (grooms)");
+  CLI::App* command =
+      app.add_subcommand("strands", "strands coloured by stretch (.vtp states) or by arc length (grooms)");
   command->add_option("file", options->file, "a state (.vtp) or a groom (.hair, .tfx)")->required();
-  command->add_option("--metres-per-unit", options->metres_per_unit, "unit of a groom's file; 0 = guess")->check(CLI::Range(0.0, 1000.0));
+  command->add_option("--metres-per-unit", options->metres_per_unit, "unit of a groom's file; 0 = guess")
+      ->check(CLI::Range(0.0, 1000.0));
   add_target(*command, options);
   set_action(*command, context, options, view_strands);
 }

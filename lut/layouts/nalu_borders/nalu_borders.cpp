@@ -3,8 +3,9 @@
 namespace cuticle::lut::nalu_borders {
 
 const Layout& entry() {
-  static const Layout layout{nalu_entry("nalu_borders", "as nalu, end points on texel borders: the sine or cosine itself addresses the table"),
-                             k_nalu_tables<false>, k_three_textures};
+  static const Layout layout{
+      nalu_entry("nalu_borders", "as nalu, end points on texel borders: the sine or cosine itself addresses the table"),
+      k_nalu_tables<false>, k_three_textures};
   return layout;
 }
 
