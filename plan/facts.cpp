@@ -43,13 +43,15 @@ registry::Facts facts_of(const scene::Scene& scene) {
   registry::Facts facts;
   add_effects(scene, facts);
   facts["strands"] = strands_fact(scene);
-  facts["light"] = {!scene.lights.empty(), scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
+  facts["light"] = {!scene.lights.empty(),
+                    scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
   facts["shadow_method"] = {scene.shadow.has_value(), scene.shadow ? fmt::format("shadows by '{}'", scene.shadow->name)
                                                                    : "the scene names no shadow method"};
   facts["motion"] = motion_fact(scene);
   facts["simulation"] = {scene.simulation.solver.has_value(),
-                         scene.simulation.solver ? fmt::format("the hair is simulated by '{}'", scene.simulation.solver->name)
-                                                 : "the hair is not simulated"};
+                         scene.simulation.solver
+                             ? fmt::format("the hair is simulated by '{}'", scene.simulation.solver->name)
+                             : "the hair is not simulated"};
   facts["colliders"] = colliders_fact(scene);
   facts["head"] = {scene.head.present, scene.head.present ? "the scene has a head" : "the scene has no head"};
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};

@@ -11,8 +11,8 @@ namespace cuticle::plan {
 
 namespace {
 
-/// Modules name their recorded passes "stage.part"; a plan knows them by the entry's name. All parts of "shadow." are the
-/// scene's shadow method.
+/// Modules name their recorded passes "stage.part"; a plan knows them by the entry's name. All parts of "shadow." are
+/// the scene's shadow method.
 std::string entry_name(const std::string& recorded, const scene::Scene& scene) {
   if (recorded == "generate.smooth") return "smooth_strands";
   if (recorded == "generate.interpolate") return "interpolate_strands";
@@ -56,7 +56,8 @@ struct FrameRunner::Impl {
     plan = make_plan(scene, shape);
     CUTICLE_ASSIGN(motion, StrandMotion::create(device, scene, set, plan));
     if (!scene.outputs.color) return {};
-    CUTICLE_ASSIGN(picture, Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
+    CUTICLE_ASSIGN(picture,
+                   Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
     return {};
   }
 
@@ -64,9 +65,10 @@ struct FrameRunner::Impl {
   static Result<void> check_size(const registry::FrameShape& shape) {
     const std::uint64_t most = shape.max_storage_buffer_bytes / sizeof(glm::vec4);
     if (shape.vertices <= most) return {};
-    return bad_input(fmt::format("strand_count: {} strands have {} vertices; this device allows 1 .. {} vertices in one buffer",
-                                 shape.strands, shape.vertices, most),
-                     "lower strand_count or strand_vertices");
+    return bad_input(
+        fmt::format("strand_count: {} strands have {} vertices; this device allows 1 .. {} vertices in one buffer",
+                    shape.strands, shape.vertices, most),
+        "lower strand_count or strand_vertices");
   }
 
   Result<void> paint(int frame, FrameResult& result) {
@@ -115,7 +117,8 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
 }
 
 Result<strands::Groom> FrameRunner::drawn_strands() {
-  if (!impl_->picture) return usage_error("the scene wants no picture, so no strands are drawn", "set outputs.color to true");
+  if (!impl_->picture)
+    return usage_error("the scene wants no picture, so no strands are drawn", "set outputs.color to true");
   return impl_->picture->read_strands();
 }
 

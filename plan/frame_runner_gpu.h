@@ -13,14 +13,14 @@
 namespace cuticle::plan {
 
 struct FrameOptions {
-  bool render = true;          ///< false: simulate only
-  bool read_state = false;     ///< control hairs' state in the result
+  bool render = true;       ///< false: simulate only
+  bool read_state = false;  ///< control hairs' state in the result
 };
 struct FrameResult {
-  Image color;                 ///< linear RGBA
-  Image depth;                 ///< when the scene asks for it
-  sim::State state;            ///< when asked for
-  gpu::SubmitCost cost;        ///< passes named as the plan names them
+  Image color;           ///< linear RGBA
+  Image depth;           ///< when the scene asks for it
+  sim::State state;      ///< when asked for
+  gpu::SubmitCost cost;  ///< passes named as the plan names them
 };
 
 /// Owns everything a scene needs on the device. Frames are run in order; running frame k advances the simulation to k.
@@ -30,7 +30,7 @@ class FrameRunner {
                                                      Progress& progress, Trace* trace = nullptr);
   ~FrameRunner();
   const Plan& plan() const;
-  const strands::Groom& control_groom() const;   ///< simulated hairs at rest
+  const strands::Groom& control_groom() const;  ///< simulated hairs at rest
   const lut::TableSet& tables() const;
   Result<FrameResult> run(int frame, const FrameOptions& options = {});
   /// The drawn strands of the frame last run, read back.

@@ -26,8 +26,8 @@ class HeadPath {
   glm::dvec3 pivot_{0};
 };
 
-/// The camera of a frame: the scene's own or, if it is automatic, one that sees the whole sphere about the bounds from the front,
-/// a little to the right and above; then turned by the turntable.
+/// The camera of a frame: the scene's own or, if it is automatic, one that sees the whole sphere about the bounds from
+/// the front, a little to the right and above; then turned by the turntable.
 Camera camera_at(const scene::CameraPath& path, const strands::Bounds& rest, int frame);
 
 }  // namespace cuticle::plan

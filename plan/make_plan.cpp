@@ -26,13 +26,17 @@ ParameterValues values_in(const std::map<std::string, ParameterValues, std::less
 /// A candidate of which the scene names one: shadow methods, solvers.
 Candidate one_of(const Entry& entry, const std::optional<scene::Block>& chosen, std::string_view what) {
   if (chosen && chosen->name == entry.name) return {&entry, chosen->values, ""};
-  return {&entry, {}, chosen ? fmt::format("the scene's {} is '{}'", what, chosen->name) : fmt::format("the scene names no {}", what)};
+  return {
+      &entry,
+      {},
+      chosen ? fmt::format("the scene's {} is '{}'", what, chosen->name) : fmt::format("the scene names no {}", what)};
 }
 
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> all;
   for (const Entry* entry : catalogue().solvers) all.push_back(one_of(*entry, scene.simulation.solver, "solver"));
-  for (const Entry* entry : catalogue().effects) all.push_back({entry, values_in(scene.simulation.effects, *entry), ""});
+  for (const Entry* entry : catalogue().effects)
+    all.push_back({entry, values_in(scene.simulation.effects, *entry), ""});
   for (const Entry* entry : catalogue().methods) all.push_back(one_of(*entry, scene.shadow, "shadow method"));
   for (const Entry* entry : catalogue().passes) all.push_back({entry, values_in(scene.passes, *entry), ""});
   return all;
@@ -55,7 +59,9 @@ bool waits(const PlannedPass& pass, std::span<const PlannedPass> rest) {
 void sort(std::vector<PlannedPass>& passes) {
   std::ranges::sort(passes, before);
   for (auto place = passes.begin(); place != passes.end(); ++place) {
-    const auto next = std::find_if(place, passes.end(), [&](const PlannedPass& pass) { return !waits(pass, {place, passes.end()}); });
+    const auto next = std::find_if(place, passes.end(), [&](const PlannedPass& pass) {
+      return !waits(pass, {place, passes.end()});
+    });
     if (next != passes.end()) std::rotate(place, next, next + 1);
   }
 }
@@ -68,15 +74,19 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     const Entry& entry = *candidate.entry;
     const registry::Verdict verdict = registry::judge(entry, plan.facts);
     const std::string& refused = verdict.demanded ? candidate.not_chosen : verdict.reason;
-    if (!refused.empty()) plan.left_out.push_back({&entry, refused});
-    else plan.passes.push_back({&entry, verdict.reason, entry.dispatches ? entry.dispatches(candidate.values, shape) : 0, entry.draws});
+    if (!refused.empty())
+      plan.left_out.push_back({&entry, refused});
+    else
+      plan.passes.push_back(
+          {&entry, verdict.reason, entry.dispatches ? entry.dispatches(candidate.values, shape) : 0, entry.draws});
   }
   sort(plan.passes);
   return plan;
 }
 
 const PlannedPass* find_pass(const Plan& plan, std::string_view name) {
-  const auto found = std::ranges::find_if(plan.passes, [&](const PlannedPass& pass) { return pass.entry->name == name; });
+  const auto found =
+      std::ranges::find_if(plan.passes, [&](const PlannedPass& pass) { return pass.entry->name == name; });
   return found == plan.passes.end() ? nullptr : &*found;
 }
 

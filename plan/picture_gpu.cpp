@@ -23,8 +23,9 @@ const render::GpuPassEntry* find_gpu_pass(std::string_view name) {
 
 }  // namespace
 
-Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set,
-                                                 const Plan& plan, const Camera& first_camera, Progress& progress) {
+Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                 const StrandSet& set, const Plan& plan, const Camera& first_camera,
+                                                 Progress& progress) {
   std::unique_ptr<Picture> picture(new Picture(std::move(device), scene, set, plan));
   picture->resources_.camera = first_camera;
   picture->resources_.parameters = scene.passes;
@@ -42,7 +43,8 @@ Result<void> Picture::make_strands() {
                                                                         .hairs = set_.hairs,
                                                                         .weights = set_.weights,
                                                                         .radius = set_.radius}));
-  resources_.strands = {&generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
+  resources_.strands = {
+      &generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
   resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
   resources_.strand_radius = double(set_.radius);
@@ -72,8 +74,9 @@ Result<void> Picture::make_tables(Progress& progress) {
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));
   const registry::ParameterValues& values = scene_.material.model.values;
   // A software device runs on the same cores and has a kernel to compile first.
-  CUTICLE_ASSIGN(table_set_, device_->info().is_software ? lut::bake(*model, values, *layout, scene_.material.lut_size, progress)
-                                                         : lut::bake_gpu(*device_, *model, values, *layout, scene_.material.lut_size));
+  CUTICLE_ASSIGN(table_set_, device_->info().is_software
+                                 ? lut::bake(*model, values, *layout, scene_.material.lut_size, progress)
+                                 : lut::bake_gpu(*device_, *model, values, *layout, scene_.material.lut_size));
   CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;
@@ -115,7 +118,8 @@ Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInpu
 
 Result<void> Picture::record_shadows(gpu::Commands& commands) {
   for (std::size_t k = 0; k < shadows_.size(); ++k)
-    CUTICLE_TRY(shadows_[k]->record(commands, resources_.strands, scene_.fibre_alpha, scene_.lights[k].to_light, transmittance_[k]));
+    CUTICLE_TRY(shadows_[k]->record(commands, resources_.strands, scene_.fibre_alpha, scene_.lights[k].to_light,
+                                    transmittance_[k]));
   return {};
 }
 

@@ -22,8 +22,9 @@ struct PictureInput {
 
 class Picture {
  public:
-  static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set,
-                                                 const Plan& plan, const Camera& first_camera, Progress& progress);
+  static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                 const StrandSet& set, const Plan& plan, const Camera& first_camera,
+                                                 Progress& progress);
   /// Runs every planned pass after the simulation, in one submission.
   Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
   Result<Image> read_color() const;

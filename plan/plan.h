@@ -23,11 +23,12 @@ struct LeftOut {
 struct Plan {
   registry::Facts facts;
   registry::FrameShape shape;
-  std::vector<PlannedPass> passes;          ///< in the order in which they run
+  std::vector<PlannedPass> passes;  ///< in the order in which they run
   std::vector<LeftOut> left_out;
 };
 
-/// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands", "output_color", ...
+/// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands",
+/// "output_color", ...
 registry::Facts facts_of(const scene::Scene& scene);
 /// `shape` of the frame as built (strands loaded or grown).
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape);

@@ -39,8 +39,8 @@ std::string why_left_out(const Plan& plan, std::string_view name) {
 
 TEST(Plan, FullScene_RunsStagesInOrder) {
   EXPECT_THAT(names(planned(k_full)),
-              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands", "interpolate_strands",
-                                   "opacity_map", "head", "lines", "resolve"));
+              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands",
+                                   "interpolate_strands", "opacity_map", "head", "lines", "resolve"));
 }
 
 TEST(Plan, NoLight_HasNoShadowAndNoTables) {
@@ -64,7 +64,8 @@ TEST(Plan, NoColliders_HasNoCollision) {
 
 TEST(Plan, NoSimulation_SimulatesNothing) {
   const Plan plan = planned(R"("colliders": {"head": true})");
-  for (const PlannedPass& pass : plan.passes) EXPECT_NE(pass.entry->stage, registry::Stage::simulate) << pass.entry->name;
+  for (const PlannedPass& pass : plan.passes)
+    EXPECT_NE(pass.entry->stage, registry::Stage::simulate) << pass.entry->name;
   EXPECT_EQ(why_left_out(plan, "classic"), "the hair is not simulated");
 }
 

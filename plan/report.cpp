@@ -11,14 +11,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json shape_json(const registry::FrameShape& shape) {
-  return {{"control_strands", shape.control_strands}, {"control_vertices", shape.control_vertices}, {"strands", shape.strands},
-          {"vertices", shape.vertices}, {"segments", shape.segments}, {"substeps", shape.substeps}, {"lights", shape.lights}};
+  return {{"control_strands", shape.control_strands},
+          {"control_vertices", shape.control_vertices},
+          {"strands", shape.strands},
+          {"vertices", shape.vertices},
+          {"segments", shape.segments},
+          {"substeps", shape.substeps},
+          {"lights", shape.lights}};
 }
 
 Json passes_json(const Plan& plan) {
   Json list = Json::array();
   for (const PlannedPass& pass : plan.passes)
-    list.push_back({{"name", pass.entry->name}, {"reason", pass.reason}, {"dispatches", pass.dispatches}, {"draws", pass.draws}});
+    list.push_back(
+        {{"name", pass.entry->name}, {"reason", pass.reason}, {"dispatches", pass.dispatches}, {"draws", pass.draws}});
   return list;
 }
 
@@ -32,8 +38,9 @@ Json left_out_json(const Plan& plan) {
 
 std::string to_text(const Plan& plan) {
   const registry::FrameShape& shape = plan.shape;
-  std::string text = fmt::format("{} control hairs ({} vertices), {} drawn strands ({} vertices), {} light(s), {} substep(s) a frame\n\n",
-                                 shape.control_strands, shape.control_vertices, shape.strands, shape.vertices, shape.lights, shape.substeps);
+  std::string text = fmt::format(
+      "{} control hairs ({} vertices), {} drawn strands ({} vertices), {} light(s), {} substep(s) a frame\n\n",
+      shape.control_strands, shape.control_vertices, shape.strands, shape.vertices, shape.lights, shape.substeps);
   text += fmt::format("{:<20} {:>10} {:>6}  {}\n", "pass", "dispatches", "draws", "because");
   for (const PlannedPass& pass : plan.passes)
     text += fmt::format("{:<20} {:>10} {:>6}  {}\n", pass.entry->name, pass.dispatches, pass.draws, pass.reason);
@@ -45,7 +52,10 @@ std::string to_text(const Plan& plan) {
 std::string to_json(const Plan& plan) {
   Json facts = Json::object();
   for (const auto& [name, fact] : plan.facts) facts[name] = {{"holds", fact.holds}, {"why", fact.why}};
-  const Json json = {{"shape", shape_json(plan.shape)}, {"facts", facts}, {"passes", passes_json(plan)}, {"left_out", left_out_json(plan)}};
+  const Json json = {{"shape", shape_json(plan.shape)},
+                     {"facts", facts},
+                     {"passes", passes_json(plan)},
+                     {"left_out", left_out_json(plan)}};
   return json.dump(2);
 }
 

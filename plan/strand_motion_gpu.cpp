@@ -18,8 +18,9 @@ sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
   return blocks;
 }
 
-Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
-                                                           const StrandSet& set, const Plan& plan) {
+Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::Device> device,
+                                                           const scene::Scene& scene, const StrandSet& set,
+                                                           const Plan& plan) {
   std::unique_ptr<StrandMotion> motion(new StrandMotion(std::move(device), scene, set, plan));
   CUTICLE_ASSIGN(motion->path_, HeadPath::create(scene, set.pivot));
   if (!scene.simulation.solver) {
@@ -48,10 +49,11 @@ Result<void> StrandMotion::settle() {
 
 Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(solver_->record(commands, {.duration = 1 / scene_.frames_per_second,
-                                         .head_begin = begin,
-                                         .head_end = end,
-                                         .colliders = find_pass(plan_, "colliders") ? set_.colliders : std::span<const Sphere>()}));
+  CUTICLE_TRY(solver_->record(
+      commands, {.duration = 1 / scene_.frames_per_second,
+                 .head_begin = begin,
+                 .head_end = end,
+                 .colliders = find_pass(plan_, "colliders") ? set_.colliders : std::span<const Sphere>()}));
   return device_->submit(std::move(commands), trace);
 }
 
@@ -76,7 +78,8 @@ Result<void> StrandMotion::carry() {
 }
 
 Result<void> StrandMotion::measure() {
-  CUTICLE_ASSIGN(const std::vector<glm::vec4> places, gpu::read_buffer<glm::vec4>(*device_, positions(), set_.control.vertex_count()));
+  CUTICLE_ASSIGN(const std::vector<glm::vec4> places,
+                 gpu::read_buffer<glm::vec4>(*device_, positions(), set_.control.vertex_count()));
   bounds_ = {glm::vec3(places.front()), glm::vec3(places.front())};
   for (const glm::vec4& place : places) {
     bounds_.lower = glm::min(bounds_.lower, glm::vec3(place));
@@ -90,7 +93,8 @@ Result<void> StrandMotion::measure() {
 
 Result<sim::State> StrandMotion::state() {
   if (solver_) return solver_->state();
-  CUTICLE_ASSIGN(const std::vector<glm::vec4> places, gpu::read_buffer<glm::vec4>(*device_, carried_, set_.control.vertex_count()));
+  CUTICLE_ASSIGN(const std::vector<glm::vec4> places,
+                 gpu::read_buffer<glm::vec4>(*device_, carried_, set_.control.vertex_count()));
   sim::State state;
   state.positions.assign(places.begin(), places.end());
   state.velocities.assign(places.size(), glm::vec3(0));

@@ -13,9 +13,9 @@ class StrandMotion {
  public:
   static Result<std::unique_ptr<StrandMotion>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                       const StrandSet& set, const Plan& plan);
-  /// Brings the control hairs to a frame: every frame from the last one to this is simulated; an earlier frame starts anew
-  /// from rest. Frame 0 is settled at rest, then simulated for one frame with the head still, so that all frames cost alike.
-  /// Returns the cost of the last of them.
+  /// Brings the control hairs to a frame: every frame from the last one to this is simulated; an earlier frame starts
+  /// anew from rest. Frame 0 is settled at rest, then simulated for one frame with the head still, so that all frames
+  /// cost alike. Returns the cost of the last of them.
   Result<gpu::SubmitCost> advance_to(int frame, Trace* trace);
 
   /// World positions, vec4 per control vertex.
@@ -38,7 +38,7 @@ class StrandMotion {
   const StrandSet& set_;
   const Plan& plan_;
   HeadPath path_;
-  std::unique_ptr<sim::GpuSolver> solver_;   ///< null: carried rigidly
+  std::unique_ptr<sim::GpuSolver> solver_;  ///< null: carried rigidly
   gpu::Buffer carried_;
   strands::Bounds bounds_;
   glm::dmat4 head_{1};

@@ -76,7 +76,8 @@ void add_followers(std::size_t wanted, StrandSet& set) {
 }
 
 Result<void> read(const scene::Scene& scene, StrandSet& set) {
-  CUTICLE_ASSIGN(strands::GroomFile file, strands::read_groom(scene.groom.file, {scene.groom.metres_per_unit, scene.groom.radius}));
+  CUTICLE_ASSIGN(strands::GroomFile file,
+                 strands::read_groom(scene.groom.file, {scene.groom.metres_per_unit, scene.groom.radius}));
   set.control = std::move(file.groom);
   set.notes = std::move(file.notes);
   for (const strands::Root& root : strands::identity_roots(set.control.strand_count())) {
@@ -84,7 +85,8 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
     set.weights.push_back(root.weights);
   }
   const std::vector<glm::vec3> roots = roots_of(set.control);
-  if (roots.size() != set.control.strand_count()) return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
+  if (roots.size() != set.control.strand_count())
+    return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
   for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
   add_followers(std::size_t(scene.strand_count), set);
   if (scene.head.present && scene.head.mesh.empty()) set.head = strands::make_head().mesh;
@@ -100,18 +102,20 @@ double fibre_radius(const scene::Scene& scene, const strands::Groom& groom) {
   return double(groom.radii.empty() || !(groom.radii[0] > 0) ? strands::k_default_radius : groom.radii[0]);
 }
 
-/// A drawn strand shades, covers and shadows for several fibres side by side; past a millimetre it would look like one itself.
+/// A drawn strand shades, covers and shadows for several fibres side by side; past a millimetre it would look like one
+/// itself.
 double drawn_radius(const scene::Scene& scene, const StrandSet& set) {
   constexpr double k_widest = 5e-4;
-  const double fibre = fibre_radius(scene, set.control), stands_for = scene.fibre_count / double(std::max<std::size_t>(1, set.hairs.size()));
+  const double fibre = fibre_radius(scene, set.control),
+               stands_for = scene.fibre_count / double(std::max<std::size_t>(1, set.hairs.size()));
   return std::max(fibre, std::min(k_widest, fibre * stands_for));
 }
 
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
   const double vertices = double(set.hairs.size()) * scene.strand_vertices;
   if (vertices < 4e9 / 16) return {};
-  return bad_input(fmt::format("strand_count = {} with strand_vertices = {} makes {} vertices; allowed: 0 .. 250000000", set.hairs.size(),
-                               scene.strand_vertices, vertices));
+  return bad_input(fmt::format("strand_count = {} with strand_vertices = {} makes {} vertices; allowed: 0 .. 250000000",
+                               set.hairs.size(), scene.strand_vertices, vertices));
 }
 
 }  // namespace
@@ -137,8 +141,10 @@ Result<Sphere> fit_sphere(std::span<const glm::vec3> points) {
 
 Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   StrandSet set;
-  if (scene.groom.file.empty()) CUTICLE_TRY(grow(scene, set));
-  else CUTICLE_TRY(read(scene, set));
+  if (scene.groom.file.empty())
+    CUTICLE_TRY(grow(scene, set));
+  else
+    CUTICLE_TRY(read(scene, set));
   set.radius = float(drawn_radius(scene, set));
   if (scene.head.present && !scene.head.mesh.empty()) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
@@ -158,7 +164,8 @@ registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set) {
   shape.lights = std::uint32_t(scene.lights.size());
   if (!scene.simulation.solver) return shape;
   const auto solver = sim::find_effect(scene.simulation.solver->name);
-  if (solver && (*solver)->substeps) shape.substeps = (*solver)->substeps(scene.simulation.solver->values, 1 / scene.frames_per_second);
+  if (solver && (*solver)->substeps)
+    shape.substeps = (*solver)->substeps(scene.simulation.solver->values, 1 / scene.frames_per_second);
   return shape;
 }
 

@@ -12,25 +12,26 @@
 namespace cuticle::plan {
 
 struct StrandSet {
-  strands::Groom control;                            ///< at rest, metres
-  std::vector<std::array<std::uint32_t, 3>> hairs;   ///< per drawn strand: its three control strands
-  std::vector<glm::vec3> weights;                    ///< per drawn strand, sum 1
-  float radius = strands::k_default_radius;          ///< of a drawn strand, metres: as wide as the fibres it stands for
-  strands::Mesh head, scalp;                         ///< drawn; empty where the scene has none
-  std::vector<Sphere> colliders;                     ///< in the head's rest space
-  glm::dvec3 pivot{0};                               ///< about which the head turns: the neck, or the middle of the roots
-  std::vector<std::string> notes;                    ///< what was guessed, one sentence each
+  strands::Groom control;                           ///< at rest, metres
+  std::vector<std::array<std::uint32_t, 3>> hairs;  ///< per drawn strand: its three control strands
+  std::vector<glm::vec3> weights;                   ///< per drawn strand, sum 1
+  float radius = strands::k_default_radius;         ///< of a drawn strand, metres: as wide as the fibres it stands for
+  strands::Mesh head, scalp;                        ///< drawn; empty where the scene has none
+  std::vector<Sphere> colliders;                    ///< in the head's rest space
+  glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots
+  std::vector<std::string> notes;  ///< what was guessed, one sentence each
 };
 
-/// Reads or grows the scene's hair. A file's strands are their own control hairs; where `strand_count` asks for more, each
-/// further strand is mixed from a strand of the file and the two that root nearest to it.
-/// Error: bad_input from the readers, or naming the key that cannot be met.
+/// Reads or grows the scene's hair. A file's strands are their own control hairs; where `strand_count` asks for more,
+/// each further strand is mixed from a strand of the file and the two that root nearest to it. Error: bad_input from
+/// the readers, or naming the key that cannot be met.
 Result<StrandSet> build_strand_set(const scene::Scene& scene);
 
 /// Sizes of a frame of this scene.
 registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set);
 
-/// The sphere that passes nearest to the points (algebraic least squares). Error: bad_input when they lie in a plane or are fewer than 4.
+/// The sphere that passes nearest to the points (algebraic least squares). Error: bad_input when they lie in a plane or
+/// are fewer than 4.
 Result<Sphere> fit_sphere(std::span<const glm::vec3> points);
 
 }  // namespace cuticle::plan

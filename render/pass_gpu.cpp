@@ -16,9 +16,10 @@ gpu::GraphicsDescription target_description(const FrameResources& resources) {
 }
 
 void begin_target(gpu::Commands& commands, const FrameResources& resources) {
-  const gpu::Commands::Target target{.color = resources.color,
-                                     .resolve = resources.resolve_target && resources.color != resources.resolved ? resources.resolved : nullptr,
-                                     .keep = resources.keep_target};
+  const gpu::Commands::Target target{
+      .color = resources.color,
+      .resolve = resources.resolve_target && resources.color != resources.resolved ? resources.resolved : nullptr,
+      .keep = resources.keep_target};
   commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
 }
 

@@ -16,22 +16,23 @@ namespace cuticle::render {
 struct FrameResources {
   Camera camera;
   std::vector<Light> lights;
-  shadows::GpuStrands strands;                         ///< drawn strands: vec4 (position, radius) per vertex
-  const gpu::Buffer* tangents = nullptr;               ///< vec4 (unit tangent, fraction of the strand's length) per vertex
-  std::vector<const gpu::Buffer*> transmittance;       ///< per light: one float per vertex
-  std::vector<const gpu::Texture*> tables;             ///< in the layout's order
+  shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
+  const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
+  std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
+  std::vector<const gpu::Texture*> tables;        ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
-  std::uint32_t vertices_per_strand = 0;               ///< of the drawn strands, all alike
-  double strand_radius = 35e-6;                        ///< of a drawn strand, metres, at the root
-  const strands::Mesh* head = nullptr;                 ///< rest pose
-  const strands::Mesh* scalp = nullptr;                ///< the part of the head where hair grows, rest pose; may be null
+  std::uint32_t vertices_per_strand = 0;  ///< of the drawn strands, all alike
+  double strand_radius = 35e-6;           ///< of a drawn strand, metres, at the root
+  const strands::Mesh* head = nullptr;    ///< rest pose
+  const strands::Mesh* scalp = nullptr;   ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
-  const gpu::Texture *color = nullptr, *depth = nullptr;   ///< targets, at supersampled size, samples as the device offers
-  const gpu::Texture *resolved = nullptr;              ///< single-sample, supersampled size
-  const gpu::Texture *output = nullptr;                ///< rgba32f or rgba16f, output size
+  const gpu::Texture *color = nullptr,
+                     *depth = nullptr;     ///< targets, at supersampled size, samples as the device offers
+  const gpu::Texture* resolved = nullptr;  ///< single-sample, supersampled size
+  const gpu::Texture* output = nullptr;    ///< rgba32f or rgba16f, output size
   int supersampling = 2;
-  bool keep_target = false;      ///< the targets hold what an earlier pass of this frame drew
-  bool resolve_target = true;    ///< this pass is the last to draw: its multisampled colour goes to `resolved`
+  bool keep_target = false;    ///< the targets hold what an earlier pass of this frame drew
+  bool resolve_target = true;  ///< this pass is the last to draw: its multisampled colour goes to `resolved`
   /// Parameters of the passes by name, as the scene gives them; absent: defaults.
   std::map<std::string, registry::ParameterValues, std::less<>> parameters;
 };

@@ -39,7 +39,8 @@ Result<void> check_number(const Spec& spec, const Json& value, const Place& plac
   if (!value.is_number()) return wrong_type(place, whole ? "a whole number" : "a number", value);
   const double number = value.get<double>();
   if (whole && number != std::floor(number))
-    return bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number, spec.minimum, spec.maximum));
+    return bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number, spec.minimum,
+                                 spec.maximum));
   if (!(number >= spec.minimum && number <= spec.maximum))
     return bad_input(fmt::format("{} = {} is outside {} .. {}", place.text(), number, spec.minimum, spec.maximum));
   return {};
@@ -47,7 +48,8 @@ Result<void> check_number(const Spec& spec, const Json& value, const Place& plac
 
 Result<void> check_numbers(const Spec& spec, const Json& value, const Place& place) {
   if (!value.is_array() || value.size() != std::size_t(spec.count))
-    return bad_input(fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum));
+    return bad_input(
+        fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum));
   for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_number(spec, value[i], place.at(i)));
   return {};
 }
@@ -56,11 +58,13 @@ Result<void> check_text(const Spec& spec, const Json& value, const Place& place)
   if (!value.is_string()) return wrong_type(place, "a text", value);
   const auto text = value.get<std::string>();
   if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end()) return {};
-  return bad_input(fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", ")));
+  return bad_input(
+      fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", ")));
 }
 
 Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
-  auto values = registry::values_from_json(table, value.dump(-1, ' ', false, Json::error_handler_t::replace), place.text());
+  auto values =
+      registry::values_from_json(table, value.dump(-1, ' ', false, Json::error_handler_t::replace), place.text());
   if (values) return {};
   return Error{ErrorKind::bad_input, values.error().message, values.error().hint};
 }
@@ -92,8 +96,10 @@ Result<void> check_object(const Spec& spec, const Json& value, const Place& plac
   CUTICLE_TRY(check_known_keys(spec, value, place));
   for (const Spec& child : spec.children) {
     const auto found = value.find(child.key);
-    if (found != value.end()) CUTICLE_TRY(check_value(child, *found, place.at(child.key)));
-    else if (child.required) return bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary));
+    if (found != value.end())
+      CUTICLE_TRY(check_value(child, *found, place.at(child.key)));
+    else if (child.required)
+      return bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary));
   }
   return {};
 }
@@ -108,17 +114,25 @@ Result<void> check_array(const Spec& spec, const Json& value, const Place& place
 
 Result<void> check_value(const Spec& spec, const Json& value, const Place& place) {
   switch (spec.kind) {
-    case SpecKind::object: return check_object(spec, value, place);
-    case SpecKind::array: return check_array(spec, value, place);
+    case SpecKind::object:
+      return check_object(spec, value, place);
+    case SpecKind::array:
+      return check_array(spec, value, place);
     case SpecKind::block:
-    case SpecKind::blocks: return check_blocks(spec, value, place);
-    case SpecKind::parameters: return check_parameters(spec.table, value, place);
+    case SpecKind::blocks:
+      return check_blocks(spec, value, place);
+    case SpecKind::parameters:
+      return check_parameters(spec.table, value, place);
     case SpecKind::text:
-    case SpecKind::file: return check_text(spec, value, place);
+    case SpecKind::file:
+      return check_text(spec, value, place);
     case SpecKind::real:
-    case SpecKind::integer: return check_number(spec, value, place);
-    case SpecKind::numbers: return check_numbers(spec, value, place);
-    case SpecKind::boolean: break;
+    case SpecKind::integer:
+      return check_number(spec, value, place);
+    case SpecKind::numbers:
+      return check_numbers(spec, value, place);
+    case SpecKind::boolean:
+      break;
   }
   if (!value.is_boolean()) return wrong_type(place, "true or false", value);
   return {};
@@ -130,7 +144,8 @@ Result<void> check(const Spec& spec, std::string_view json, const std::string& w
   try {
     return check_value(spec, Json::parse(json), {where, ""});
   } catch (const Json::parse_error& error) {
-    return bad_input(fmt::format("{}: not JSON at byte {}", where, error.byte), "check commas, quotes and brackets there");
+    return bad_input(fmt::format("{}: not JSON at byte {}", where, error.byte),
+                     "check commas, quotes and brackets there");
   } catch (const Json::exception& error) {
     return bad_input(fmt::format("{}: {}", where, error.what()));
   }

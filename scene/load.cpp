@@ -160,10 +160,12 @@ void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
 
 Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {
   if (camera.near_plane >= camera.far_plane)
-    return bad_input(fmt::format("{}: camera.near_m = {} is not below camera.far_m = {}", where, camera.near_plane, camera.far_plane));
+    return bad_input(fmt::format("{}: camera.near_m = {} is not below camera.far_m = {}", where, camera.near_plane,
+                                 camera.far_plane));
   const glm::dvec3 forward = camera.target - camera.position;
   if (!automatic && glm::length(glm::cross(forward, camera.up)) <= 0)
-    return bad_input(fmt::format("{}: camera.up is parallel to the view from camera.position_m to camera.target_m", where));
+    return bad_input(
+        fmt::format("{}: camera.up is parallel to the view from camera.position_m to camera.target_m", where));
   return {};
 }
 
@@ -215,7 +217,8 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
 
 }  // namespace
 
-Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where, const Catalogue& catalogue) {
+Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
+                          const Catalogue& catalogue) {
   CUTICLE_TRY(check(specification(catalogue), json, where));
   const Json value = Json::parse(json);
   return read_scene({value, where, folder}, catalogue);

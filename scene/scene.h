@@ -1,5 +1,6 @@
 #pragma once
-// The scene file (JSON, docs/scene.schema.json) as data. Knows no effect by name: blocks are tables checked against a Catalogue.
+// The scene file (JSON, docs/scene.schema.json) as data. Knows no effect by name: blocks are tables checked against a
+// Catalogue.
 #include <map>
 #include <optional>
 #include <string>
@@ -14,7 +15,8 @@ namespace cuticle::scene {
 /// The registered entries that a scene may name. The caller gathers them (plan::catalogue()).
 struct Catalogue {
   std::vector<const registry::Entry*> models, layouts, methods, effects, passes;
-  std::vector<const registry::Entry*> solvers;   ///< those of sim::effects() that are solvers; `effects` holds the others
+  std::vector<const registry::Entry*>
+      solvers;  ///< those of sim::effects() that are solvers; `effects` holds the others
 };
 
 /// A registered thing with its validated parameters.
@@ -25,36 +27,36 @@ struct Block {
 };
 
 struct GroomSource {
-  std::string file;                          ///< absolute path; empty: grown on the head by `grow`
-  double metres_per_unit = 0;                ///< 0 = guess, and say so
-  double radius = 0;                         ///< metres; 0 = the file's own, or strands::k_default_radius
-  registry::ParameterValues grow;            ///< of strands::growing_parameters()
+  std::string file;                ///< absolute path; empty: grown on the head by `grow`
+  double metres_per_unit = 0;      ///< 0 = guess, and say so
+  double radius = 0;               ///< metres; 0 = the file's own, or strands::k_default_radius
+  registry::ParameterValues grow;  ///< of strands::growing_parameters()
 };
 struct HeadSource {
-  bool present = true;                       ///< false: bare strands
-  std::string mesh;                          ///< OBJ file; empty: the procedural head
+  bool present = true;  ///< false: bare strands
+  std::string mesh;     ///< OBJ file; empty: the procedural head
   double metres_per_unit = 1;
 };
 struct MotionSource {
-  std::string bvh;                           ///< absolute path
+  std::string bvh;  ///< absolute path
   std::string joint = "Head";
-  double start_time = 0;                     ///< seconds into the clip
-  double amplitude = 1;                      ///< rotation scaled about the first frame
+  double start_time = 0;  ///< seconds into the clip
+  double amplitude = 1;   ///< rotation scaled about the first frame
 };
 struct MaterialSource {
-  Block model;                               ///< bsdf model with its parameters
+  Block model;  ///< bsdf model with its parameters
   std::string layout = "nalu";
   int lut_size = 128;
 };
 struct SimulationSource {
-  std::optional<Block> solver;               ///< absent: nothing moves but what the head moves rigidly
+  std::optional<Block> solver;  ///< absent: nothing moves but what the head moves rigidly
   std::map<std::string, registry::ParameterValues, std::less<>> effects;
-  double settle_time = 0;                    ///< seconds simulated before frame 0, the head at rest
+  double settle_time = 0;  ///< seconds simulated before frame 0, the head at rest
 };
 struct CameraPath {
   Camera camera;
-  double turntable_degrees_per_frame = 0;    ///< about the target's vertical axis
-  bool automatic = false;                    ///< framed on the hair: position and target are not used
+  double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
+  bool automatic = false;                  ///< framed on the hair: position and target are not used
 };
 struct Outputs {
   bool color = true, depth = false, transmittance = false;
@@ -69,24 +71,26 @@ struct Scene {
   std::optional<MotionSource> motion;
   MaterialSource material;
   SimulationSource simulation;
-  std::vector<Sphere> colliders;             ///< in the head's rest space; "head": true in the file adds the head's own spheres
+  std::vector<Sphere> colliders;  ///< in the head's rest space; "head": true in the file adds the head's own spheres
   bool head_colliders = false;
   std::vector<Light> lights;
-  std::optional<Block> shadow;               ///< shadow method with its parameters
-  double fibre_alpha = 0.4;                  ///< opacity of one crossing
+  std::optional<Block> shadow;  ///< shadow method with its parameters
+  double fibre_alpha = 0.4;     ///< opacity of one crossing
   CameraPath camera;
   double frames_per_second = 30;
-  int strand_vertices = 30;                  ///< per drawn strand, 2 .. 64
-  int strand_count = 4095;                   ///< drawn strands
-  double fibre_count = 100000;               ///< fibres that the drawn strands stand for; they are as wide as these together
+  int strand_vertices = 30;     ///< per drawn strand, 2 .. 64
+  int strand_count = 4095;      ///< drawn strands
+  double fibre_count = 100000;  ///< fibres that the drawn strands stand for; they are as wide as these together
   Outputs outputs;
-  std::map<std::string, registry::ParameterValues, std::less<>> passes;  ///< of render passes, by name; absent: defaults
+  std::map<std::string, registry::ParameterValues, std::less<>>
+      passes;  ///< of render passes, by name; absent: defaults
 };
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue);
 /// From text; `folder` resolves relative paths, `where` names the source in errors.
-Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where, const Catalogue& catalogue);
+Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
+                          const Catalogue& catalogue);
 /// The JSON Schema (draft 7), generated from the catalogue.
 std::string scene_schema(const Catalogue& catalogue);
 

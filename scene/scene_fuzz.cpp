@@ -18,8 +18,8 @@ const Entry k_entry{.name = "known", .parameters = k_parameters};
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const cuticle::scene::Catalogue catalogue{
-      {&k_entry}, {&k_entry}, {&k_entry}, {&k_entry}, {&k_entry}, {&k_entry}};
+  static const cuticle::scene::Catalogue catalogue{{&k_entry}, {&k_entry}, {&k_entry},
+                                                   {&k_entry}, {&k_entry}, {&k_entry}};
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   (void)cuticle::scene::parse_scene(text, "/", "fuzz", catalogue).ok();
   return 0;

@@ -1,4 +1,5 @@
-// Every error of a scene file names source, key and what is allowed; what is given is read, what is absent has its default.
+// Every error of a scene file names source, key and what is allowed; what is given is read, what is absent has its
+// default.
 #include <cuticle/scene/scene.h>
 
 #include <cstdlib>
@@ -6,9 +7,9 @@
 #include <fstream>
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace cuticle::scene {
 namespace {
@@ -18,8 +19,8 @@ using registry::Parameter;
 using registry::ParameterType;
 using testing::HasSubstr;
 
-constexpr Parameter k_fibre[] = {
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "index"}, {"sigma_a", ParameterType::rgb, "1", 0, 100, "0.2", {}, "absorption"}};
+constexpr Parameter k_fibre[] = {{"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "index"},
+                                 {"sigma_a", ParameterType::rgb, "1", 0, 100, "0.2", {}, "absorption"}};
 constexpr Parameter k_slices[] = {{"slices", ParameterType::integer, "1", 2, 256, "16", {}, "slices"}};
 
 Entry named(std::string_view name, registry::ParameterTable table = {}) {
@@ -28,8 +29,8 @@ Entry named(std::string_view name, registry::ParameterTable table = {}) {
   entry.parameters = table;
   return entry;
 }
-const Entry k_model = named("marschner", k_fibre), k_layout = named("nalu"), k_solver = named("classic"), k_gravity = named("gravity"),
-            k_method = named("opacity_map", k_slices), k_pass = named("lines");
+const Entry k_model = named("marschner", k_fibre), k_layout = named("nalu"), k_solver = named("classic"),
+            k_gravity = named("gravity"), k_method = named("opacity_map", k_slices), k_pass = named("lines");
 
 Catalogue catalogue() {
   Catalogue entries;
@@ -43,7 +44,8 @@ Catalogue catalogue() {
 }
 
 Result<Scene> parsed(const std::string& fields) {
-  return parse_scene(fmt::format(R"({{"schema_version": 1{}{}}})", fields.empty() ? "" : ", ", fields), "/", "s.json", catalogue());
+  return parse_scene(fmt::format(R"({{"schema_version": 1{}{}}})", fields.empty() ? "" : ", ", fields), "/", "s.json",
+                     catalogue());
 }
 
 void expect_refused(const std::string& fields, std::initializer_list<const char*> words) {
@@ -97,7 +99,8 @@ TEST(Scene, UnknownKey_NamesItTheNearestAndAllAllowed) {
 
 TEST(Scene, UnknownBlock_NamesTheRegisteredOnes) {
   expect_refused(R"("shadow": {"method": {"opacity_mpa": {}}})", {"shadow.method", "opacity_mpa", "opacity_map"});
-  expect_refused(R"("simulation": {"solver": {"classic": {}}, "effects": {"wind": {}}})", {"simulation.effects", "wind", "gravity"});
+  expect_refused(R"("simulation": {"solver": {"classic": {}}, "effects": {"wind": {}}})",
+                 {"simulation.effects", "wind", "gravity"});
 }
 
 TEST(Scene, BlockWithoutOrWithTwoNames_IsRefused) {
@@ -106,11 +109,13 @@ TEST(Scene, BlockWithoutOrWithTwoNames_IsRefused) {
 
 TEST(Scene, NumberOutOfRange_NamesKeyValueAndRange) {
   expect_refused(R"("strand_vertices": 1000)", {"strand_vertices", "1000", "2 .. 64"});
-  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, -2, 1]}])", {"lights[0].irradiance[1]", "-2", "0 .. "});
+  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, -2, 1]}])",
+                 {"lights[0].irradiance[1]", "-2", "0 .. "});
 }
 
 TEST(Scene, ParameterOutOfRange_NamesTheBlockAndTheRange) {
-  expect_refused(R"("material": {"model": {"marschner": {"eta": 9}}})", {"material.model.marschner", "eta", "9", "1.05", "3"});
+  expect_refused(R"("material": {"model": {"marschner": {"eta": 9}}})",
+                 {"material.model.marschner", "eta", "9", "1.05", "3"});
 }
 
 TEST(Scene, WrongType_NamesWhatWasExpected) {
@@ -158,7 +163,8 @@ TEST(Scene, GroomFile_HasNoHeadUnlessAsked) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "a.hair") << "x";
   const auto load = [&](const std::string& more) {
-    return parse_scene(fmt::format(R"({{"schema_version": 1, "groom": {{"file": "a.hair"}}{}}})", more), folder.string(), "s.json", catalogue());
+    return parse_scene(fmt::format(R"({{"schema_version": 1, "groom": {{"file": "a.hair"}}{}}})", more),
+                       folder.string(), "s.json", catalogue());
   };
   ASSERT_TRUE(load(""));
   EXPECT_FALSE(load("")->head.present);

@@ -36,11 +36,16 @@ Json blocks_schema(const Spec& spec) {
 }
 
 Json number_schema(const Spec& spec) {
-  return {{"type", spec.kind == SpecKind::integer ? "integer" : "number"}, {"minimum", spec.minimum}, {"maximum", spec.maximum}};
+  return {{"type", spec.kind == SpecKind::integer ? "integer" : "number"},
+          {"minimum", spec.minimum},
+          {"maximum", spec.maximum}};
 }
 
 Json array_schema(Json items, double least, double most) {
-  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", std::size_t(least)}, {"maxItems", std::size_t(most)}};
+  return {{"type", "array"},
+          {"items", std::move(items)},
+          {"minItems", std::size_t(least)},
+          {"maxItems", std::size_t(most)}};
 }
 
 Json text_schema(const Spec& spec) {
@@ -51,17 +56,25 @@ Json text_schema(const Spec& spec) {
 
 Json bare_schema(const Spec& spec) {
   switch (spec.kind) {
-    case SpecKind::object: return object_schema(spec);
-    case SpecKind::array: return array_schema(schema_of(spec.children[0]), 0, spec.maximum);
+    case SpecKind::object:
+      return object_schema(spec);
+    case SpecKind::array:
+      return array_schema(schema_of(spec.children[0]), 0, spec.maximum);
     case SpecKind::block:
-    case SpecKind::blocks: return blocks_schema(spec);
-    case SpecKind::parameters: return Json::parse(registry::json_schema(spec.table));
+    case SpecKind::blocks:
+      return blocks_schema(spec);
+    case SpecKind::parameters:
+      return Json::parse(registry::json_schema(spec.table));
     case SpecKind::text:
-    case SpecKind::file: return text_schema(spec);
+    case SpecKind::file:
+      return text_schema(spec);
     case SpecKind::real:
-    case SpecKind::integer: return number_schema(spec);
-    case SpecKind::numbers: return array_schema(number_schema(spec), spec.count, spec.count);
-    case SpecKind::boolean: break;
+    case SpecKind::integer:
+      return number_schema(spec);
+    case SpecKind::numbers:
+      return array_schema(number_schema(spec), spec.count, spec.count);
+    case SpecKind::boolean:
+      break;
   }
   return {{"type", "boolean"}};
 }

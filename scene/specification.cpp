@@ -7,10 +7,18 @@ namespace {
 constexpr double k_metres = 1000;  // scenes live within a kilometre of their origin
 
 Spec real(std::string key, double minimum, double maximum, std::string summary) {
-  return {.key = std::move(key), .kind = SpecKind::real, .summary = std::move(summary), .minimum = minimum, .maximum = maximum};
+  return {.key = std::move(key),
+          .kind = SpecKind::real,
+          .summary = std::move(summary),
+          .minimum = minimum,
+          .maximum = maximum};
 }
 Spec integer(std::string key, double minimum, double maximum, std::string summary) {
-  return {.key = std::move(key), .kind = SpecKind::integer, .summary = std::move(summary), .minimum = minimum, .maximum = maximum};
+  return {.key = std::move(key),
+          .kind = SpecKind::integer,
+          .summary = std::move(summary),
+          .minimum = minimum,
+          .maximum = maximum};
 }
 Spec boolean(std::string key, std::string summary) {
   return {.key = std::move(key), .kind = SpecKind::boolean, .summary = std::move(summary)};
@@ -22,21 +30,30 @@ Spec file(std::string key, std::string summary) {
   return {.key = std::move(key), .kind = SpecKind::file, .summary = std::move(summary)};
 }
 Spec numbers(std::string key, int count, double minimum, double maximum, std::string summary) {
-  return {.key = std::move(key), .kind = SpecKind::numbers, .summary = std::move(summary), .minimum = minimum,
-          .maximum = maximum, .count = count};
+  return {.key = std::move(key),
+          .kind = SpecKind::numbers,
+          .summary = std::move(summary),
+          .minimum = minimum,
+          .maximum = maximum,
+          .count = count};
 }
 Spec object(std::string key, std::string summary, std::vector<Spec> children) {
-  return {.key = std::move(key), .kind = SpecKind::object, .summary = std::move(summary), .children = std::move(children)};
+  return {
+      .key = std::move(key), .kind = SpecKind::object, .summary = std::move(summary), .children = std::move(children)};
 }
 Spec array(std::string key, int most, std::string summary, Spec item) {
-  return {.key = std::move(key), .kind = SpecKind::array, .summary = std::move(summary), .maximum = double(most),
+  return {.key = std::move(key),
+          .kind = SpecKind::array,
+          .summary = std::move(summary),
+          .maximum = double(most),
           .children = {std::move(item)}};
 }
 Spec block(std::string key, std::string summary, std::vector<const registry::Entry*> entries) {
   return {.key = std::move(key), .kind = SpecKind::block, .summary = std::move(summary), .entries = std::move(entries)};
 }
 Spec blocks(std::string key, std::string summary, std::vector<const registry::Entry*> entries) {
-  return {.key = std::move(key), .kind = SpecKind::blocks, .summary = std::move(summary), .entries = std::move(entries)};
+  return {
+      .key = std::move(key), .kind = SpecKind::blocks, .summary = std::move(summary), .entries = std::move(entries)};
 }
 Spec required(Spec spec) {
   spec.required = true;
@@ -44,11 +61,14 @@ Spec required(Spec spec) {
 }
 
 Spec groom() {
-  Spec grow{.key = "grow", .kind = SpecKind::parameters, .summary = "how hair grows on the head's scalp",
+  Spec grow{.key = "grow",
+            .kind = SpecKind::parameters,
+            .summary = "how hair grows on the head's scalp",
             .table = strands::growing_parameters()};
-  return object("groom", "the hair: a file, or grown on the head",
-                {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
-                 real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow)});
+  return object(
+      "groom", "the hair: a file, or grown on the head",
+      {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
+       real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow)});
 }
 
 Spec head() {
@@ -84,12 +104,14 @@ Spec colliders() {
                        {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
                         required(real("radius_m", 1e-6, k_metres, "radius"))});
   return object("colliders", "what the hair may not enter",
-                {boolean("head", "the head's own spheres"), array("spheres", 256, "spheres that move with the head", std::move(sphere))});
+                {boolean("head", "the head's own spheres"),
+                 array("spheres", 256, "spheres that move with the head", std::move(sphere))});
 }
 
 Spec lights() {
   Spec light = object("", "a distant light",
-                      {text("name", "for messages"), required(numbers("to_light", 3, -1e6, 1e6, "direction from the scene to the light")),
+                      {text("name", "for messages"),
+                       required(numbers("to_light", 3, -1e6, 1e6, "direction from the scene to the light")),
                        required(numbers("irradiance", 3, 0, 1e6, "on a plane facing the light, linear Rec.709"))});
   return array("lights", 8, "lights; none: no shading by light and no shadow", std::move(light));
 }
@@ -102,10 +124,10 @@ Spec shadow(const Catalogue& catalogue) {
 
 Spec camera() {
   return object("camera", "absent position: framed on the hair",
-                {numbers("position_m", 3, -k_metres, k_metres, "eye"), numbers("target_m", 3, -k_metres, k_metres, "looked at"),
-                 numbers("up", 3, -1, 1, "up"), real("fov_deg", 0.6, 170, "vertical field of view"),
-                 real("near_m", 1e-5, k_metres, "near plane"), real("far_m", 1e-4, 1e6, "far plane"),
-                 numbers("resolution_px", 2, 16, 4096, "width, height"),
+                {numbers("position_m", 3, -k_metres, k_metres, "eye"),
+                 numbers("target_m", 3, -k_metres, k_metres, "looked at"), numbers("up", 3, -1, 1, "up"),
+                 real("fov_deg", 0.6, 170, "vertical field of view"), real("near_m", 1e-5, k_metres, "near plane"),
+                 real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 16, 4096, "width, height"),
                  real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
 }
 
@@ -117,14 +139,16 @@ Spec outputs() {
 }  // namespace
 
 Spec specification(const Catalogue& catalogue) {
-  return object("", "A scene of Cuticle.",
-                {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(), motion(),
-                 material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
-                 integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
-                 integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
-                 real("fibre_count", 1, 1e9, "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
-                 real("frames_per_second", 1, 1000, "frame rate"), outputs(),
-                 blocks("passes", "parameters of render passes", catalogue.passes)});
+  return object(
+      "", "A scene of Cuticle.",
+      {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(),
+       motion(), material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
+       integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
+       integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
+       real("fibre_count", 1, 1e9,
+            "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
+       real("frames_per_second", 1, 1000, "frame rate"), outputs(),
+       blocks("passes", "parameters of render passes", catalogue.passes)});
 }
 
 }  // namespace cuticle::scene

@@ -16,13 +16,13 @@ struct Spec {
   std::string key;
   SpecKind kind = SpecKind::object;
   std::string summary = {};
-  double minimum = 0, maximum = 0;                     ///< of numbers; of the item count of an array
-  int count = 0;                                       ///< of `numbers`: how many
+  double minimum = 0, maximum = 0;  ///< of numbers; of the item count of an array
+  int count = 0;                    ///< of `numbers`: how many
   bool required = false;
-  std::vector<std::string> choices = {};               ///< of a text; empty: any
-  std::vector<Spec> children = {};                     ///< fields of an object; the item of an array
-  std::vector<const registry::Entry*> entries = {};    ///< of block and blocks
-  registry::ParameterTable table = {};                 ///< of parameters
+  std::vector<std::string> choices = {};             ///< of a text; empty: any
+  std::vector<Spec> children = {};                   ///< fields of an object; the item of an array
+  std::vector<const registry::Entry*> entries = {};  ///< of block and blocks
+  registry::ParameterTable table = {};               ///< of parameters
 };
 
 /// The whole file, for the entries that are registered.

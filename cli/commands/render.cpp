@@ -39,20 +39,25 @@ struct Costs {
 };
 
 void print_text(const Costs& costs, const std::string& device) {
-  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device, costs.wall_ms / costs.frames);
+  fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device,
+             costs.wall_ms / costs.frames);
   fmt::print("{:<20} {:>10} {:>6} {:>15}   (each a frame)\n", "pass", "dispatches", "draws", "timestamps, ms");
   for (const gpu::PassCost& pass : costs.passes)
-    fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames, double(pass.draws) / costs.frames,
-               pass.gpu_ms / costs.frames);
+    fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames,
+               double(pass.draws) / costs.frames, pass.gpu_ms / costs.frames);
 }
 
 void print_json(const Costs& costs, const std::string& device) {
   nlohmann::ordered_json passes = nlohmann::ordered_json::array();
   for (const gpu::PassCost& pass : costs.passes)
-    passes.push_back({{"name", pass.name}, {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
-                      {"draws_per_frame", double(pass.draws) / costs.frames}, {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
-  const nlohmann::ordered_json json = {
-      {"device", device}, {"frames", costs.frames}, {"wall_ms_per_frame", costs.wall_ms / costs.frames}, {"passes", passes}};
+    passes.push_back({{"name", pass.name},
+                      {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
+                      {"draws_per_frame", double(pass.draws) / costs.frames},
+                      {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
+  const nlohmann::ordered_json json = {{"device", device},
+                                       {"frames", costs.frames},
+                                       {"wall_ms_per_frame", costs.wall_ms / costs.frames},
+                                       {"passes", passes}};
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -61,8 +66,8 @@ Result<void> write_frame(const std::string& folder, int frame, const Image& colo
   return write_png(fmt::format("{}/frame_{:04d}.png", folder, frame), tone_map(color, exposure_stops));
 }
 
-Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner, double exposure_stops,
-                     Progress& progress, std::pair<int, int> frames) {
+Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner,
+                     double exposure_stops, Progress& progress, std::pair<int, int> frames) {
   Costs costs;
   for (int frame = frames.first; frame <= frames.second; ++frame) {
     CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
@@ -70,20 +75,25 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
     CUTICLE_TRY(write_frame(options.out, frame, result.color, exposure_stops));
     progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
   }
-  progress.message(fmt::format("most device memory at once: {:.1f} MiB", double(device.peak_allocated_bytes()) / (1 << 20)));
+  progress.message(
+      fmt::format("most device memory at once: {:.1f} MiB", double(device.peak_allocated_bytes()) / (1 << 20)));
   return costs;
 }
 
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
-  if (!scene.outputs.color) return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
+  if (!scene.outputs.color)
+    return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   CUTICLE_TRY(make_folder(options.out));
-  CUTICLE_ASSIGN(const Costs costs, render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
-  if (context.json) print_json(costs, device->info().name);
-  else print_text(costs, device->info().name);
+  CUTICLE_ASSIGN(const Costs costs,
+                 render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
+  if (context.json)
+    print_json(costs, device->info().name);
+  else
+    print_text(costs, device->info().name);
   return {};
 }
 
@@ -99,15 +109,14 @@ int act(const RenderOptions& options, Context& context) {
 }  // namespace
 
 void add_render(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("render", "pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
+  auto* command = app.add_subcommand(
+      "render", "pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
   command->add_option("--method", options->method, "how strands are drawn")->check(CLI::IsMember({"lines"}));
   command->add_option("--out", options->out, "folder to write (default: render)");
-  command->callback([&context, options] {
-    context.action = [&context, options] { return act(*options, context); };
-  });
+  command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }
 #else
 void add_render(CLI::App&, Context&) {}

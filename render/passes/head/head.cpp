@@ -9,12 +9,24 @@ using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"head", "output_color"};
 constexpr Parameter k_parameters[] = {
-    {.name = "skin", .type = ParameterType::rgb, .minimum = 0, .maximum = 1, .default_text = "0.42/0.27/0.2",
+    {.name = "skin",
+     .type = ParameterType::rgb,
+     .minimum = 0,
+     .maximum = 1,
+     .default_text = "0.42/0.27/0.2",
      .summary = "diffuse albedo of the face"},
-    {.name = "scalp", .type = ParameterType::rgb, .minimum = 0, .maximum = 1, .default_text = "0.05/0.033/0.02",
+    {.name = "scalp",
+     .type = ParameterType::rgb,
+     .minimum = 0,
+     .maximum = 1,
+     .default_text = "0.05/0.033/0.02",
      .summary = "diffuse albedo where hair grows, close to that of the hair's depth"},
     {.name = "wrap", .minimum = 0, .maximum = 1, .default_text = "0.4", .summary = "light carried past the terminator"},
-    {.name = "ambient", .minimum = 0, .maximum = 1, .default_text = "0.12", .summary = "share of the lights' sum that arrives from everywhere"},
+    {.name = "ambient",
+     .minimum = 0,
+     .maximum = 1,
+     .default_text = "0.12",
+     .summary = "share of the lights' sum that arrives from everywhere"},
 };
 
 }  // namespace

@@ -57,12 +57,16 @@ class Head : public GpuPass {
  public:
   Head(std::shared_ptr<gpu::Device> device, Geometry geometry, gpu::GraphicsPipeline pipeline, gpu::Buffer frame,
        registry::ParameterValues parameters)
-      : device_(std::move(device)), geometry_(std::move(geometry)), pipeline_(std::move(pipeline)), frame_(std::move(frame)),
+      : device_(std::move(device)),
+        geometry_(std::move(geometry)),
+        pipeline_(std::move(pipeline)),
+        frame_(std::move(frame)),
         parameters_(std::move(parameters)) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     CUTICLE_TRY(device_->upload(frame_, gpu::bytes_of(frame(resources))));
-    const glm::mat4 rest_to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) * resources.head_transform);
+    const glm::mat4 rest_to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) *
+                                 resources.head_transform);
     begin_target(commands, resources);
     commands.draw(pipeline_, {&geometry_.positions, &geometry_.normals, &geometry_.indices, &frame_}, {},
                   gpu::bytes_of(rest_to_clip), geometry_.index_count);

@@ -40,7 +40,8 @@ Result<glm::dvec3> albedo(const lut::TableSet& set) {
   return glm::clamp(result, 0.0, 1.0);
 }
 
-/// An isotropic fibre of albedo a has S = a / pi^2. Light that reaches the eye after about three scatterings is tinted a^3.
+/// An isotropic fibre of albedo a has S = a / pi^2. Light that reaches the eye after about three scatterings is tinted
+/// a^3.
 Result<glm::vec4> multiple_scattering(const lut::TableSet& set, double strength) {
   if (strength == 0) return glm::vec4(0);
   CUTICLE_ASSIGN(const glm::dvec3 once, albedo(set));
@@ -58,7 +59,8 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   if (!resources.table_set) return frame;
   const lut::TableSet& set = *resources.table_set;
   if (!is_readable(set))
-    return bad_input(fmt::format("material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT", set.layout->entry.name),
+    return bad_input(fmt::format("material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT",
+                                 set.layout->entry.name),
                      "use the layout 'nalu'");
   frame.m_scale_bias = scale_bias(set.tables[0], set.size);
   frame.n_scale_bias = scale_bias(set.tables[1], set.size);

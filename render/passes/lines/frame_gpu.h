@@ -23,8 +23,8 @@ static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 2 * k_max_lights);
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Adds camera and lights.
 void set_view(Frame& frame, const FrameResources& resources);
-/// Line width in supersampled pixels: as given, or a strand's width seen at the camera's target, at least one supersample and
-/// at most `widest_px`.
+/// Line width in supersampled pixels: as given, or a strand's width seen at the camera's target, at least one
+/// supersample and at most `widest_px`.
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters);
 
 }  // namespace cuticle::render::lines

@@ -12,16 +12,22 @@ namespace {
 
 class Lines : public GpuPass {
  public:
-  Lines(std::shared_ptr<gpu::Device> device, gpu::GraphicsPipeline pipeline, gpu::Buffer frame_buffer, const Frame& frame)
-      : device_(std::move(device)), pipeline_(std::move(pipeline)), frame_buffer_(std::move(frame_buffer)), frame_(frame) {}
+  Lines(std::shared_ptr<gpu::Device> device, gpu::GraphicsPipeline pipeline, gpu::Buffer frame_buffer,
+        const Frame& frame)
+      : device_(std::move(device)),
+        pipeline_(std::move(pipeline)),
+        frame_buffer_(std::move(frame_buffer)),
+        frame_(frame) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     set_view(frame_, resources);
     CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
     gather_transmittance(commands, resources);
     begin_target(commands, resources);
-    commands.draw(pipeline_, {resources.strands.vertices, resources.tangents, resources.strands.segments, &transmittance_, &frame_buffer_},
-                  {table(resources, 0), table(resources, 1), table(resources, 2)}, {}, 2 * resources.strands.segment_count);
+    commands.draw(
+        pipeline_,
+        {resources.strands.vertices, resources.tangents, resources.strands.segments, &transmittance_, &frame_buffer_},
+        {table(resources, 0), table(resources, 1), table(resources, 2)}, {}, 2 * resources.strands.segment_count);
     commands.end_rendering();
     return {};
   }

@@ -9,7 +9,11 @@ using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"output_color"};
 constexpr Parameter k_parameters[] = {
-    {.name = "background", .type = ParameterType::rgb, .minimum = 0, .maximum = 1000, .default_text = "0/0/0",
+    {.name = "background",
+     .type = ParameterType::rgb,
+     .minimum = 0,
+     .maximum = 1000,
+     .default_text = "0/0/0",
      .summary = "radiance behind everything, opaque; 0/0/0: none, the colour stays premultiplied by coverage"},
 };
 

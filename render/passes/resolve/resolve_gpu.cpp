@@ -15,7 +15,8 @@ struct Push {
 
 class Resolve : public GpuPass {
  public:
-  Resolve(gpu::GraphicsPipeline pipeline, glm::vec3 background) : pipeline_(std::move(pipeline)), background_(background) {}
+  Resolve(gpu::GraphicsPipeline pipeline, glm::vec3 background)
+      : pipeline_(std::move(pipeline)), background_(background) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const gpu::Commands::Target target{.color = resources.output};

@@ -1,0 +1,132 @@
+// The hair of a scene before its first frame: grown or from a file, with the strands that are drawn between.
+#include <cuticle/plan/strand_set.h>
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include <cuticle/strands/formats/formats.h>
+
+namespace cuticle::plan {
+namespace {
+
+using testing::HasSubstr;
+
+scene::Scene grown(int strands) {
+  scene::Scene scene;
+  scene.groom.grow = registry::default_values(strands::growing_parameters());
+  scene.strand_count = strands;
+  return scene;
+}
+
+/// Three strands of three vertices, 10 cm long, as a file of its own.
+scene::Scene of_file(int strands) {
+  strands::Groom groom;
+  for (int s = 0; s < 3; ++s) {
+    for (int v = 0; v < 3; ++v) groom.positions.emplace_back(0.02f * float(s), -0.05f * float(v), 0);
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), 3e-5f);
+  const auto folder = std::filesystem::path(CUTICLE_BINARY_DIR) / "strand_set_test";
+  std::filesystem::create_directories(folder);
+  scene::Scene scene;
+  scene.groom.file = (folder / "three.hair").string();
+  scene.groom.metres_per_unit = 1;
+  scene.head.present = false;
+  scene.strand_count = strands;
+  EXPECT_TRUE(strands::write_groom(scene.groom.file, groom));
+  return scene;
+}
+
+std::vector<glm::vec3> on_sphere(const glm::vec3& center, float radius) {
+  std::vector<glm::vec3> points;
+  for (int k = 0; k < 20; ++k) {
+    const glm::vec3 direction(std::cos(float(k)), std::sin(1.7f * float(k)), std::cos(2.3f * float(k) + 1));
+    points.push_back(center + radius * glm::normalize(direction));
+  }
+  return points;
+}
+
+TEST(FitSphere, PointsOnASphere_GiveIt) {
+  const auto sphere = fit_sphere(on_sphere({0.1f, 1.6f, -0.2f}, 0.09f));
+  ASSERT_TRUE(sphere);
+  EXPECT_LT(glm::distance(sphere->center, glm::dvec3(0.1f, 1.6f, -0.2f)), 1e-6);
+  EXPECT_NEAR(sphere->radius, 0.09, 1e-6);
+}
+
+TEST(FitSphere, FewPointsOrOnePlace_IsRefused) {
+  EXPECT_FALSE(fit_sphere(std::vector<glm::vec3>(3)));
+  EXPECT_FALSE(fit_sphere(std::vector<glm::vec3>(10, glm::vec3(1, 2, 3))));
+}
+
+TEST(StrandSet, Grown_HasTheStrandsAskedForWithWeightsOfSumOne) {
+  const auto set = build_strand_set(grown(700));
+  ASSERT_TRUE(set);
+  ASSERT_EQ(set->hairs.size(), 700u);
+  for (const auto& hair : set->hairs)
+    for (std::uint32_t control : hair) EXPECT_LT(control, set->control.strand_count());
+  for (const glm::vec3& weights : set->weights) EXPECT_NEAR(weights.x + weights.y + weights.z, 1, 1e-6f);
+}
+
+TEST(StrandSet, FewDrawnStrands_AreAsWideAsTheFibresTheyStandFor) {
+  scene::Scene scene = grown(1000);
+  scene.groom.radius = 4e-5;
+  scene.fibre_count = 5000;
+  EXPECT_NEAR(build_strand_set(scene)->radius, 2e-4, 1e-9);
+  scene.fibre_count = 10;
+  EXPECT_NEAR(build_strand_set(scene)->radius, 4e-5, 1e-9) << "never thinner than a fibre";
+  scene.fibre_count = 1e9;
+  EXPECT_NEAR(build_strand_set(scene)->radius, 5e-4, 1e-9) << "at most a millimetre wide";
+}
+
+TEST(StrandSet, File_DrawsItsOwnStrandsFirstThenFollowers) {
+  const auto set = build_strand_set(of_file(8));
+  ASSERT_TRUE(set) << set.error().message;
+  ASSERT_EQ(set->hairs.size(), 8u);
+  for (std::uint32_t s = 0; s < 3; ++s) EXPECT_EQ(set->hairs[s], (std::array<std::uint32_t, 3>{s, s, s}));
+  EXPECT_EQ(set->hairs[3], (std::array<std::uint32_t, 3>{0, 1, 2})) << "a leader and the two roots nearest to it";
+  for (const glm::vec3& weights : set->weights) EXPECT_NEAR(weights.x + weights.y + weights.z, 1, 1e-6f);
+}
+
+TEST(StrandSet, FileWithMoreStrandsThanAskedFor_DrawsThemAll) {
+  EXPECT_EQ(build_strand_set(of_file(1))->hairs.size(), 3u);
+}
+
+TEST(StrandSet, FileTurnsAboutTheMiddleOfItsRoots) {
+  EXPECT_LT(glm::distance(build_strand_set(of_file(3))->pivot, glm::dvec3(0.02, 0, 0)), 1e-6);
+}
+
+TEST(StrandSet, HeadOfAFlatGroom_NamesTheKey) {
+  scene::Scene scene = of_file(3);
+  scene.head_colliders = true;
+  const auto set = build_strand_set(scene);
+  ASSERT_FALSE(set);
+  EXPECT_THAT(set.error().message, HasSubstr("colliders.head"));
+}
+
+TEST(StrandSet, GrowingOnAMesh_IsRefusedByKey) {
+  scene::Scene scene = grown(10);
+  scene.head.mesh = "head.obj";
+  const auto set = build_strand_set(scene);
+  ASSERT_FALSE(set);
+  EXPECT_THAT(set.error().message, HasSubstr("head.mesh"));
+}
+
+TEST(FrameShape, CountsStrandsVerticesAndSubsteps) {
+  scene::Scene scene = grown(100);
+  scene.strand_vertices = 20;
+  scene.lights.resize(2);
+  const auto set = build_strand_set(scene);
+  const registry::FrameShape shape = shape_of(scene, *set);
+  EXPECT_EQ(shape.strands, 100u);
+  EXPECT_EQ(shape.vertices, 2000u);
+  EXPECT_EQ(shape.segments, 1900u);
+  EXPECT_EQ(shape.lights, 2u);
+  EXPECT_EQ(shape.control_strands, set->control.strand_count());
+  EXPECT_EQ(shape.substeps, 1u);
+}
+
+}  // namespace
+}  // namespace cuticle::plan
