@@ -67,14 +67,12 @@ double mean(const std::vector<float>& values) {
 }
 
 TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
-  const std::vector<std::vector<std::string_view>> parts = {{},
-                                                            {k_light},
-                                                            {k_light, k_shadow},
-                                                            {k_light, k_shadow, k_motion},
-                                                            {k_simulation},
-                                                            {k_simulation, k_colliders},
-                                                            {k_colliders},
-                                                            {k_light, k_shadow, k_simulation, k_colliders, k_motion}};
+  const std::vector<std::vector<std::string_view>> parts = {
+      {},
+      {k_light},
+      {k_light, k_shadow, k_motion},
+      {k_simulation, k_colliders},
+      {k_light, k_shadow, k_simulation, k_colliders, k_motion}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
     for (std::string_view piece : part) text += ", " + std::string(piece);
