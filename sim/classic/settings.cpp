@@ -14,7 +14,8 @@ std::uint32_t whole(const registry::ParameterValues& values, std::string_view na
 
 std::uint32_t count(double duration, double inner_step, std::uint32_t most) {
   const double rounded = std::ceil(duration / inner_step * (1 - 1e-9));  // 1/30 s is 8 steps of 1/240 s, not 9
-  return static_cast<std::uint32_t>(std::clamp(rounded, 1.0, double(most)));
+  if (!(rounded > 1)) return 1;  // also for a duration that is no number, which the solver then refuses
+  return static_cast<std::uint32_t>(std::min(rounded, double(most)));
 }
 
 }  // namespace
