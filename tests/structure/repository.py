@@ -32,12 +32,12 @@ def code_files():
 
 
 def closure(module):
-    seen, todo = {module}, [module]
-    while todo:
-        for other in ARROWS.get(todo.pop(), []):
+    seen, pending = {module}, [module]
+    while pending:
+        for other in ARROWS.get(pending.pop(), []):
             if other not in seen:
                 seen.add(other)
-                todo.append(other)
+                pending.append(other)
     return seen
 
 
