@@ -11,7 +11,8 @@
 namespace cuticle::bsdf {
 namespace {
 
-constexpr std::array<std::string_view, 5> quantity_names = {"S", "M", "N", "A", "albedo"};
+constexpr std::array<std::string_view, quantity_count> quantity_names = {"S",      "M",   "N",    "A",
+                                                                         "albedo", "pdf", "error"};
 
 /// A refusal of a name that lists what there is and offers the nearest.
 Error unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
@@ -20,32 +21,58 @@ Error unknown_name(std::string_view what, std::string_view name, std::span<const
                      near.empty() ? std::string() : fmt::format("did you mean {}?", near));
 }
 
-/// A coordinate of Point: which quantities use it, and the largest magnitude that it may have.
+/// A coordinate of Point: the quantities that are functions of it, in the far field and in the near field, and the largest
+/// magnitude that it may have.
 struct Coordinate {
   std::string_view name;
   double Point::*member;
   double limit;
   std::string_view limit_words;
-  std::array<bool, 5> used;  ///< by S, M, N, A, albedo
+  std::string_view far, near;  ///< a letter for each quantity: S, M, N, A, a(lbedo), p(df), e(rror)
 };
+constexpr std::string_view quantity_letters = "SMNAape";
 // A right angle given in degrees may round to just above pi/2.
 constexpr double quarter_turn = 1.5707963267948966 * (1 + 1e-12);
-constexpr std::array<Coordinate, 5> coordinates = {{
-    {"theta_i", &Point::theta_i, quarter_turn, "-pi/2 .. pi/2 rad", {true, true, false, false, false}},
-    {"theta_o", &Point::theta_o, quarter_turn, "-pi/2 .. pi/2 rad", {true, true, false, false, true}},
-    {"theta_d", &Point::theta_d, quarter_turn, "-pi/2 .. pi/2 rad", {false, false, true, true, false}},
-    {"phi", &Point::phi, 1e6, "-1e6 .. 1e6 rad", {true, false, true, false, false}},
-    {"h", &Point::h, 1, "-1 .. 1", {false, false, false, true, false}},
+constexpr std::array<Coordinate, coordinate_count> coordinates = {{
+    {"theta_i", &Point::theta_i, quarter_turn, "-pi/2 .. pi/2 rad", "SMpe", "SMpe"},
+    {"theta_o", &Point::theta_o, quarter_turn, "-pi/2 .. pi/2 rad", "SMape", "SMape"},
+    {"theta_d", &Point::theta_d, quarter_turn, "-pi/2 .. pi/2 rad", "NA", "NA"},
+    {"phi", &Point::phi, 1e6, "-1e6 .. 1e6 rad", "SNpe", "SNpe"},
+    {"h", &Point::h, 1, "-1 .. 1", "A", "SNAape"},
+    {"phi_o", &Point::phi_o, 1e6, "-1e6 .. 1e6 rad", "", ""},
 }};
 
+bool in_list(std::string_view letters, Quantity quantity) {
+  return letters.find(quantity_letters[std::size_t(quantity)]) != std::string_view::npos;
+}
+
+Result<void> check_magnitude(const Coordinate& coordinate, double value, std::string_view what, std::size_t index) {
+  if (std::abs(value) <= coordinate.limit) return {};
+  return bad_input(
+      fmt::format("{} {}: {} = {} is outside {}", what, index, coordinate.name, value, coordinate.limit_words));
+}
+
 Result<void> check_point(Quantity quantity, const Point& point, std::size_t index) {
-  for (const Coordinate& coordinate : coordinates) {
-    const double value = point.*coordinate.member;
-    if (!coordinate.used[std::size_t(quantity)] || std::abs(value) <= coordinate.limit) continue;
-    return bad_input(
-        fmt::format("point {}: {} = {} is outside {}", index, coordinate.name, value, coordinate.limit_words));
-  }
+  for (const Coordinate& coordinate : coordinates)
+    if (in_list(coordinate.near, quantity) || coordinate.member == &Point::phi_o)
+      CUTICLE_TRY(check_magnitude(coordinate, point.*coordinate.member, "point", index));
   return {};
+}
+
+Result<void> check_query(const SampleQuery& query, std::size_t index) {
+  CUTICLE_TRY(check_magnitude(coordinates[1], query.theta_o, "query", index));
+  CUTICLE_TRY(check_magnitude(coordinates[4], query.h, "query", index));
+  CUTICLE_TRY(check_magnitude(coordinates[5], query.phi_o, "query", index));
+  for (double u : query.u)
+    if (!(u >= 0 && u < 1)) return bad_input(fmt::format("query {}: u = {} is outside [0, 1)", index, u));
+  return {};
+}
+
+/// As blocks of consecutive items on all threads.
+template <class Body>
+void in_parallel(std::size_t count, std::size_t grain, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.size()); });
 }
 
 }  // namespace
@@ -86,6 +113,15 @@ Result<registry::ParameterValues> parse_settings(const Model& model, std::string
   return unknown_name(fmt::format("preset of {}", model.entry.name), preset, known);
 }
 
+std::array<bool, coordinate_count> coordinates_of(const Model& model, const registry::ParameterValues& values,
+                                                  Quantity quantity) {
+  const bool near = model.near_field && model.near_field(values);
+  std::array<bool, coordinate_count> used{};
+  for (std::size_t c = 0; c < coordinate_count; ++c)
+    used[c] = in_list(near ? coordinates[c].near : coordinates[c].far, quantity);
+  return used;
+}
+
 Result<void> check_request(const Model& model, const Request& request, std::size_t room) {
   CUTICLE_EXPECT(room == request.points.size(), "one result for each point");
   static_cast<void>(room);
@@ -104,11 +140,23 @@ Result<void> evaluate(const Model& model, const registry::ParameterValues& value
   CUTICLE_TRY(check_request(model, request, out.size()));
   const auto run = precision == Precision::f32 ? model.evaluate_f32 : model.evaluate_f64;
   const std::size_t grain = request.quantity == Quantity::albedo ? 1 : 256;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, out.size(), grain), [&](const tbb::blocked_range<std::size_t>& range) {
-        const Request part{request.quantity, request.lobe, request.points.subspan(range.begin(), range.size())};
-        run(values, part, out.subspan(range.begin(), range.size()));
-      });
+  in_parallel(out.size(), grain, [&](std::size_t first, std::size_t count) {
+    run(values, {request.quantity, request.lobe, request.points.subspan(first, count)}, out.subspan(first, count));
+  });
+  return {};
+}
+
+Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,
+                    std::span<const SampleQuery> queries, std::span<Sample> out) {
+  CUTICLE_EXPECT(queries.size() == out.size(), "one sample for each query");
+  if (precision == Precision::gpu)
+    return usage_error("sample runs on the CPU: precision f32 or f64", "GpuEvaluator::sample");
+  const auto run = precision == Precision::f32 ? model.sample_f32 : model.sample_f64;
+  if (!run) return usage_error(fmt::format("model {} has no sampler", model.entry.name));
+  for (std::size_t i = 0; i < queries.size(); ++i) CUTICLE_TRY(check_query(queries[i], i));
+  in_parallel(out.size(), 256, [&](std::size_t first, std::size_t count) {
+    run(values, queries.subspan(first, count), out.subspan(first, count));
+  });
   return {};
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 // The concept of a fibre scattering model, and the registry. Angles in radians (docs/conventions.md): theta_i, theta_o
 // inclinations from the normal plane, phi = phi_o - phi_i, h in [-1, 1]. No cosine of the incident angle is included.
+#include <array>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include <cuticle/bsdf/fibre.h>
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/result.h>
 
@@ -14,8 +18,10 @@ namespace cuticle::bsdf {
 enum class Precision { f32, f64, gpu };
 /// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of
 /// the path at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident
-/// directions.
-enum class Quantity { S, M, N, A, albedo };
+/// directions; pdf: density of `sample` per steradian of incident directions (of one lobe: of that lobe's samples alone);
+/// error: the model's own bound on the absolute error of S where it is a quadrature, 0 where it is a closed form.
+enum class Quantity { S, M, N, A, albedo, pdf, error };
+constexpr std::size_t quantity_count = 7;
 
 struct Conventions {
   std::string_view field;       ///< "near" or "far"
@@ -26,9 +32,30 @@ struct Conventions {
 };
 
 /// One point of evaluation, in double; each precision narrows it itself. Quantities use what they need:
-/// S(theta_i, theta_o, phi), M(theta_i, theta_o), N(theta_d, phi), A(theta_d, h), albedo(theta_o).
+/// S, pdf and error (theta_i, theta_o, phi), M(theta_i, theta_o), N(theta_d, phi), A(theta_d, h), albedo(theta_o).
+/// In the near field S, N, pdf, error and albedo are functions of h too. phi_o is the viewer's azimuth from the major axis
+/// of the cross-section, which only elliptical fibres use.
 struct Point {
-  double theta_i = 0, theta_o = 0, theta_d = 0, phi = 0, h = 0;
+  double theta_i = 0, theta_o = 0, theta_d = 0, phi = 0, h = 0, phi_o = 0;
+};
+constexpr std::size_t coordinate_count = 6;
+
+/// What an incident direction is drawn for: the viewer's direction, the offset (near field), and numbers in [0, 1).
+struct SampleQuery {
+  double theta_o = 0, phi_o = 0, h = 0;
+  std::array<double, 8> u{};
+};
+/// The direction drawn, its lobe (-1 where the model draws from all at once), its density per steradian, and S / pdf: the
+/// mean of `weight` is the albedo.
+struct Sample {
+  double theta_i = 0, phi = 0, pdf = 0;
+  glm::dvec3 weight{0};
+  int lobe = -1;
+};
+
+/// A check of `cuticle check model` that this model does not meet by its nature, and why.
+struct Exception {
+  std::string_view check, why;
 };
 
 /// Work for one call: one quantity, one lobe (index into lobes; -1 = the sum over lobes) at many points.
@@ -46,10 +73,18 @@ struct Model {
   /// Evaluates into `out` (one rgb per point) in the precision named. Values are finite at every point of the domain.
   void (*evaluate_f32)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
   void (*evaluate_f64)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
-  /// The values that the model's GLSL `make_parameters` reads, in its order (at most 32 floats).
+  /// Draws incident directions; the same number of queries and results.
+  void (*sample_f32)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
+  void (*sample_f64)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
+  /// What the model's GLSL `evaluate_packed` reads (CUTICLE_PACKED_COUNT floats).
   std::vector<float> (*pack)(const registry::ParameterValues&);
   /// Named starting points, "blonde" -> "eta=1.55,sigma_a=...".
-  std::span<const registry::StudyCase> presets;
+  std::span<const registry::StudyCase> presets = {};
+  /// Whether these values make it a near-field model, a function of h; null: never.
+  bool (*near_field)(const registry::ParameterValues&) = nullptr;
+  /// A physical fibre in this model's parameters, with the mapping in words; null: it has none.
+  FibreMapping (*from_fibre)(const Fibre&) = nullptr;
+  std::span<const Exception> exceptions = {};
 };
 
 /// All registered models, and one by name (Error: usage, with the nearest name).
@@ -57,12 +92,16 @@ std::span<const Model* const> models();
 Result<const Model*> find_model(std::string_view name);
 /// Index of a lobe by name; "sum" is -1. Error: usage, listing the lobes.
 Result<int> find_lobe(const Model& model, std::string_view lobe);
-/// "S", "M", "N", "A", "albedo". Error: usage, listing them.
+/// "S", "M", "N", "A", "albedo", "pdf", "error". Error: usage, listing them.
 Result<Quantity> find_quantity(std::string_view name);
 /// Parameters from a preset's name (may be empty) and settings that go over it, "eta=1.5,alpha_deg=-3". Error: usage,
 /// listing the presets, or naming parameter, value and range.
 Result<registry::ParameterValues> parse_settings(const Model& model, std::string_view preset,
                                                  std::string_view settings);
+
+/// Which members of Point, in their order, the quantity is a function of for these values.
+std::array<bool, coordinate_count> coordinates_of(const Model& model, const registry::ParameterValues& values,
+                                                  Quantity quantity);
 
 /// Whether every coordinate that the quantity uses is finite and in its range, and the lobe exists. `room`: size of the
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
@@ -71,5 +110,10 @@ Result<void> check_request(const Model& model, const Request& request, std::size
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
                       const Request& request, std::span<glm::dvec3> out);
+
+/// Draws directions on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: usage, where
+/// the model has no sampler; bad_input, naming query, coordinate, value and range.
+Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,
+                    std::span<const SampleQuery> queries, std::span<Sample> out);
 
 }  // namespace cuticle::bsdf

@@ -25,7 +25,7 @@ const GpuModel* find_gpu_model(std::string_view name) {
 }
 
 using DevicePoint = EvaluationPoint<float>;
-static_assert(sizeof(DevicePoint) == 5 * sizeof(float), "gpu/evaluate.comp reads five floats a point");
+static_assert(sizeof(DevicePoint) == 6 * sizeof(float), "gpu/evaluate.comp reads six floats a point");
 
 std::vector<DevicePoint> narrow_points(std::span<const Point> points) {
   std::vector<DevicePoint> narrowed(points.size());

@@ -13,9 +13,9 @@ layout(push_constant) uniform Batch { uint count; int quantity; int lobe; } batc
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= batch.count) return;
-  uint first = 5u * i;
+  uint first = 6u * i;
   EvaluationPoint at = EvaluationPoint(coordinates[first], coordinates[first + 1u], coordinates[first + 2u],
-                                       coordinates[first + 3u], coordinates[first + 4u]);
+                                       coordinates[first + 3u], coordinates[first + 4u], coordinates[first + 5u]);
   vec3 value = evaluate_packed(packed, batch.quantity, batch.lobe, at);
   rgb[3u * i] = value.x;
   rgb[3u * i + 1u] = value.y;

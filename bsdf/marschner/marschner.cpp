@@ -72,17 +72,13 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   return packed;
 }
 
-std::vector<float> pack(const registry::ParameterValues& values) {
-  const Packed<float> packed = narrow<float>(pack_double(values));
-  return {packed.value, packed.value + CUTICLE_PACKED_COUNT};
-}
-
-template <class Real>
-void evaluate_points(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out) {
-  const Marschner<Real> m = unpack_marschner(narrow<Real>(pack_double(values)));
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = glm::dvec3(evaluate(m, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
-}
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+};
 
 }  // namespace
 
@@ -102,9 +98,9 @@ const Model& entry() {
                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
            .roughness = "standard deviation in theta_i",
            .absorption = "per fibre radius"},
-      .evaluate_f32 = evaluate_points<Single>,
-      .evaluate_f64 = evaluate_points<double>,
-      .pack = pack,
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
       .presets = presets};
   return model;
 }

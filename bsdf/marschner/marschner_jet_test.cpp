@@ -12,7 +12,7 @@ namespace {
 template <class Real>
 Real evaluate_with(const Real& eta, const Real& sigma_a, const Real& beta, const Real& alpha, int quantity, int lobe,
                    double phi) {
-  const EvaluationPoint<Real> at{Real(0.2), Real(-0.1), Real(0.5), Real(phi), Real(0.4)};
+  const EvaluationPoint<Real> at{Real(0.2), Real(-0.1), Real(0.5), Real(phi), Real(0.4), Real(0)};
   return evaluate(make_marschner<Real>(eta, glm::vec<3, Real>(sigma_a), beta, alpha), quantity, lobe, at).x;
 }
 

@@ -1,13 +1,24 @@
 #pragma once
-// What every model's CPU batch loop needs: numbers narrowed to the precision asked for, points made ready for the
-// formulas.
+// What every model's CPU batch loops need: numbers narrowed to the precision asked for, points made ready for the
+// formulas, and the loops themselves. A model says how to pack and which formulas to call:
+//
+//   struct Formulas {
+//     static Packed<double> pack(const registry::ParameterValues& values);
+//     template <class Real> static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe,
+//                                                     const EvaluationPoint<Real>& at);
+//     template <class Real> static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at);
+//   };
 #include <cmath>
 
 #include <cuticle/bsdf/model.h>
 #include <cuticle/bsdf/shared/evaluation.glslh>
 #include <cuticle/bsdf/shared/packing.glslh>
+#include <cuticle/core/real.h>
 
 namespace cuticle::bsdf {
+
+template <class Real>
+using Rgb = glm::vec<3, Real>;
 
 /// The numbers of a model, prepared in double, in the precision of a batch.
 template <class Real>
@@ -17,12 +28,54 @@ Packed<Real> narrow(const Packed<double>& packed) {
   return narrowed;
 }
 
-/// A point in the precision of a batch; phi is brought to [-pi, pi] in double first, so that no digit is lost to turns.
+/// An azimuth brought to [-pi, pi] in double, so that no digit is lost to turns when it is narrowed.
+inline double wrapped(double phi) { return std::remainder(phi, 6.283185307179586); }
+
 template <class Real>
 EvaluationPoint<Real> narrow(const Point& point) {
-  constexpr double turn = 6.283185307179586;
-  return {Real(point.theta_i), Real(point.theta_o), Real(point.theta_d), Real(std::remainder(point.phi, turn)),
-          Real(point.h)};
+  return {Real(point.theta_i),      Real(point.theta_o), Real(point.theta_d),
+          Real(wrapped(point.phi)), Real(point.h),       Real(wrapped(point.phi_o))};
+}
+
+template <class Real>
+SamplePoint<Real> narrow(const SampleQuery& query) {
+  SamplePoint<Real> at{Real(query.theta_o), Real(wrapped(query.phi_o)), Real(query.h), {}};
+  // A number just below 1 may round up to it.
+  for (std::size_t i = 0; i < query.u.size(); ++i) at.u[i] = std::min(Real(query.u[i]), Real(1) - Real(0x1p-24));
+  return at;
+}
+
+template <class Formulas>
+std::vector<float> pack_floats(const registry::ParameterValues& values) {
+  const Packed<float> packed = narrow<float>(Formulas::pack(values));
+  return {packed.value, packed.value + CUTICLE_PACKED_COUNT};
+}
+
+template <class Formulas, class Real>
+void evaluate_points(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out) {
+  const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = glm::dvec3(
+        Formulas::evaluate(packed, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
+}
+
+/// S / pdf; 0 where the density is 0.
+template <class Real>
+glm::dvec3 sample_weight(const Rgb<Real>& scattering, Real pdf) {
+  return pdf > 0 ? glm::dvec3(scattering) / double(pdf) : glm::dvec3(0);
+}
+
+template <class Formulas, class Real>
+void sample_points(const registry::ParameterValues& values, std::span<const SampleQuery> queries, std::span<Sample> out) {
+  const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const SamplePoint<Real> query = narrow<Real>(queries[i]);
+    const SampledDirection<Real> drawn = Formulas::sample(packed, query);
+    const EvaluationPoint<Real> at{drawn.theta_i, query.theta_o, Real(0), drawn.phi, query.h, query.phi_o};
+    const Real pdf = Formulas::evaluate(packed, CUTICLE_QUANTITY_PDF, -1, at).x;
+    const Rgb<Real> scattering = Formulas::evaluate(packed, CUTICLE_QUANTITY_S, -1, at);
+    out[i] = {double(drawn.theta_i), double(drawn.phi), double(pdf), sample_weight(scattering, pdf), drawn.lobe};
+  }
 }
 
 }  // namespace cuticle::bsdf
