@@ -57,6 +57,8 @@ def float_polynomials():
     show("arcsine: asin x = x + x z P(z)", over_powers(mp.asin, mp.sqrt, 3), 0, mp.mpf("0.25"), 5, 12,
          lambda z, p: 1 + z * p)
     show("arctangent: atan t = t + t z P(z)", over_powers(mp.atan, mp.sqrt, 3), 0, 1, 10, 12, lambda z, p: 1 + z * p)
+    show("logarithm: 2 artanh t = 2 t + t z P(z), z = t^2", over_powers(lambda t: 2 * mp.atanh(t), lambda z: 2 * mp.sqrt(z), 3), 0,
+         mp.mpf("0.1112"), 5, 12, lambda z, p: 2 + z * p)
     half = mp.log(2) / 2
     show("exponential", mp.exp, -half, half, 7, 12)
     show("1 - exp(-t) = t P(t)", lambda t: mp.expm1(-t) / -t, 0, mp.mpf("0.5"), 6, 12)
