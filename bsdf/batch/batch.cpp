@@ -1,0 +1,172 @@
+#include <cuticle/bsdf/batch/batch.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cuticle/bsdf/batch/detail/one_by_one.h>
+#include <cuticle/bsdf/batch/detail/rows.h>
+#include <cuticle/bsdf/batch/kernel.h>
+
+namespace cuticle::bsdf {
+namespace batch {
+std::span<const Entry> entries();  // written by CMake (bsdf/CMakeLists.txt)
+}
+
+namespace {
+
+constexpr std::array<std::string_view, instruction_set_count> set_names = {"baseline", "avx2", "avx512"};
+constexpr std::size_t block = 4096;  // points in one call of a kernel, and the least that a thread takes
+
+bool processor_has(InstructionSet set) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx2) return __builtin_cpu_supports("x86-64-v3");
+  if (set == InstructionSet::avx512) return __builtin_cpu_supports("x86-64-v4");
+#endif
+  return set == InstructionSet::baseline;
+}
+
+const batch::Entry* find_entry(std::string_view model) {
+  for (const batch::Entry& entry : batch::entries())
+    if (entry.model == model) return &entry;
+  return nullptr;
+}
+
+struct SizedArray {
+  std::string_view name;
+  std::size_t size;
+};
+Result<void> check_sizes(std::size_t count, std::initializer_list<SizedArray> arrays) {
+  for (const SizedArray& array : arrays)
+    if (array.size != count)
+      return bad_input(fmt::format("{} has {} elements, the first array has {}", array.name, array.size, count));
+  return {};
+}
+Result<void> check_points(const BatchPoints& points, bool needs_offset) {
+  const std::size_t count = points.to_light.x.size();
+  CUTICLE_TRY(check_sizes(count, {{"to_light.y", points.to_light.y.size()},
+                                  {"to_light.z", points.to_light.z.size()},
+                                  {"to_viewer.x", points.to_viewer.x.size()},
+                                  {"to_viewer.y", points.to_viewer.y.size()},
+                                  {"to_viewer.z", points.to_viewer.z.size()}}));
+  return needs_offset || !points.h.empty() ? check_sizes(count, {{"h", points.h.size()}}) : Result<void>{};
+}
+Result<void> check_output(std::size_t count, const OutputSpans& out) {
+  return check_sizes(count, {{"output x", out.x.size()}, {"output y", out.y.size()}, {"output z", out.z.size()}});
+}
+
+batch::DirectionPointers pointers(const BatchPoints& points, std::size_t first) {
+  return {points.to_light.x.data() + first,
+          points.to_light.y.data() + first,
+          points.to_light.z.data() + first,
+          points.to_viewer.x.data() + first,
+          points.to_viewer.y.data() + first,
+          points.to_viewer.z.data() + first,
+          points.h.data() + first};
+}
+batch::ColorPointers pointers(const OutputSpans& out, std::size_t first) {
+  return {out.x.data() + first, out.y.data() + first, out.z.data() + first};
+}
+
+/// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks.
+template <class Body>
+void in_blocks(std::size_t total, const Body& body) {
+  const std::size_t blocks = (total + block - 1) / block;
+  const auto one = [&](std::size_t b) { body(b * block, int(std::min(block, total - b * block))); };
+  if (blocks == 1) return one(0);
+  tbb::parallel_for(std::size_t(0), blocks, one);
+}
+
+}  // namespace
+
+std::string_view name_of(InstructionSet set) { return set_names[std::size_t(set)]; }
+
+bool is_supported(InstructionSet set) {
+  const auto built = [&](const batch::Entry& entry) { return entry.kernels[std::size_t(set)] != nullptr; };
+  return processor_has(set) && (set == InstructionSet::baseline || std::ranges::any_of(batch::entries(), built));
+}
+
+InstructionSet best_instruction_set() {
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+    if (is_supported(set)) return set;
+  return InstructionSet::baseline;
+}
+
+Result<BatchEvaluator> BatchEvaluator::make(const Model& model, const registry::ParameterValues& values,
+                                            InstructionSet set) {
+  if (!is_supported(set)) return usage_error(fmt::format("this processor or build has no {}", name_of(set)));
+  BatchEvaluator evaluator(model, values);
+  const std::vector<float> packed = model.pack(values);
+  std::copy(packed.begin(), packed.end(), evaluator.packed_.value);
+  const batch::Entry* entry = find_entry(model.entry.name);
+  const bool near = model.near_field && model.near_field(values);
+  if (entry && (near || !entry->near_only)) evaluator.kernels_ = entry->kernels[std::size_t(set)];
+  return evaluator;
+}
+
+Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpans& color) const {
+  CUTICLE_TRY(check_points(points, kernels_ != nullptr));
+  CUTICLE_TRY(check_output(points.to_light.x.size(), color));
+  in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
+    if (kernels_) return kernels_->evaluate(packed_, count, pointers(points, first), pointers(color, first));
+    batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
+  });
+  return {};
+}
+
+Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> density) const {
+  CUTICLE_TRY(check_points(points, kernels_ != nullptr));
+  CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{"density", density.size()}}));
+  in_blocks(density.size(), [&](std::size_t first, int count) {
+    if (kernels_) return kernels_->pdf(packed_, count, pointers(points, first), density.data() + first);
+    batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
+  });
+  return {};
+}
+
+Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpans& to_light) const {
+  if (!model_->sample_f32) return usage_error(fmt::format("model {} has no sampler", model_->entry.name));
+  const std::size_t count = queries.to_viewer.x.size();
+  CUTICLE_TRY(
+      check_sizes(count, {{"to_viewer.y", queries.to_viewer.y.size()}, {"to_viewer.z", queries.to_viewer.z.size()}}));
+  const bool vectorised = kernels_ && kernels_->sample;
+  if (vectorised || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
+  for (std::size_t k = 0; k < (vectorised ? 4 : 5); ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
+  CUTICLE_TRY(check_output(count, to_light));
+  in_blocks(count, [&](std::size_t first, int size) {
+    if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
+    const VectorSpans& viewer = queries.to_viewer;
+    const batch::QueryPointers from{viewer.x.data() + first,
+                                    viewer.y.data() + first,
+                                    viewer.z.data() + first,
+                                    queries.h.data() + first,
+                                    {queries.u[0].data() + first, queries.u[1].data() + first,
+                                     queries.u[2].data() + first, queries.u[3].data() + first}};
+    kernels_->sample(packed_, size, from,
+                     {to_light.x.data() + first, to_light.y.data() + first, to_light.z.data() + first});
+  });
+  return {};
+}
+
+Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::span<const VaryingParameter> varying,
+                                              const OutputSpans& color) const {
+  CUTICLE_TRY(check_points(points, true));
+  CUTICLE_TRY(check_output(points.to_light.x.size(), color));
+  if (!kernels_ || !kernels_->evaluate_rows)
+    return usage_error(fmt::format("model {} has no parameters that vary from point to point with these settings",
+                                   model_->entry.name));
+  for (const VaryingParameter& parameter : varying)
+    CUTICLE_TRY(check_sizes(points.h.size(), {{parameter.name, parameter.values.size()}}));
+  CUTICLE_ASSIGN(const batch::RowColumns columns, batch::RowColumns::make(*model_, values_, varying));
+  in_blocks(points.h.size(), [&](std::size_t first, int count) {
+    const batch::RowBlock rows = columns.block(first, std::size_t(count));
+    kernels_->evaluate_rows(count, rows.pointers, pointers(points, first), pointers(color, first));
+  });
+  return {};
+}
+
+}  // namespace cuticle::bsdf

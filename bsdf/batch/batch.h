@@ -1,0 +1,93 @@
+#pragma once
+// Many directions at once, in float: a model's formulas over arrays, vectorised by the compiler for several instruction
+// sets, of which the best that the processor has is taken at run time. Unit vectors are in the fibre's frame, x along
+// it from root to tip; phi counts from y to z. No angle is formed, so nothing is lost near the poles. Denormal results
+// count as 0.
+#include <array>
+#include <span>
+#include <string_view>
+
+#include <cuticle/bsdf/model.h>
+#include <cuticle/core/result.h>
+#include <cuticle/bsdf/shared/packing.glslh>
+
+namespace cuticle::bsdf {
+
+namespace batch {
+struct Kernels;
+}
+
+/// In rising order: what every x86-64 (or any other) processor has; AVX2 with FMA (x86-64-v3); AVX-512 (x86-64-v4).
+enum class InstructionSet { baseline, avx2, avx512 };
+constexpr std::size_t instruction_set_count = 3;
+/// "baseline", "avx2", "avx512".
+std::string_view name_of(InstructionSet set);
+/// Whether this processor has it and this build was made with it.
+bool is_supported(InstructionSet set);
+InstructionSet best_instruction_set();
+
+/// Unit vectors, or what is written where results are vectors or colours: three arrays of one size.
+struct VectorSpans {
+  std::span<const float> x, y, z;
+};
+struct OutputSpans {
+  std::span<float> x, y, z;
+};
+
+/// Points: unit vectors toward light and viewer, and offsets in [-1, 1]; `h` may be empty where the model is a far
+/// field.
+struct BatchPoints {
+  VectorSpans to_light, to_viewer;
+  std::span<const float> h;
+};
+
+/// What directions are drawn for, with four random numbers in [0, 1) each (u[0] chooses the lobe) and a fifth for far
+/// fields, which draw the offset by it; unused arrays may be empty.
+struct BatchQueries {
+  VectorSpans to_viewer;
+  std::span<const float> h;
+  std::array<std::span<const float>, 5> u;
+};
+
+/// Values of one parameter for every point: "eta", "sigma_a.r", ...
+struct VaryingParameter {
+  std::string_view name;
+  std::span<const float> values;
+};
+
+/// One model with its parameters, ready for arrays. Cheap to make; safe to use from several threads. Large batches use
+/// all threads; the results do not depend on their number. Arrays must not overlap. All calls refuse arrays whose sizes
+/// differ (bad_input, naming the array and both sizes); vectors are not checked: where they are not of unit length to
+/// float precision, results are finite but meaningless. Against the same formulas one by one, in float:
+/// bsdf/batch/batch_test.cpp.
+class BatchEvaluator {
+ public:
+  /// Error: usage, where this processor or build lacks the instruction set.
+  static Result<BatchEvaluator> make(const Model& model, const registry::ParameterValues& values,
+                                     InstructionSet set = best_instruction_set());
+
+  /// S [1/sr], the sum over lobes, without the cosine of theta_i.
+  Result<void> evaluate(const BatchPoints& points, const OutputSpans& color) const;
+  /// Density of `sample` per steradian.
+  Result<void> pdf(const BatchPoints& points, std::span<float> density) const;
+  /// Unit vectors toward the light. Error: usage, where the model has no sampler.
+  Result<void> sample(const BatchQueries& queries, const OutputSpans& to_light) const;
+  /// As evaluate, with parameters that change from point to point, in their range; the others are those given to
+  /// `make`. Errors: usage, where the model cannot vary this parameter, listing those that it can.
+  Result<void> evaluate_varying(const BatchPoints& points, std::span<const VaryingParameter> varying,
+                                const OutputSpans& color) const;
+
+  /// Whether the loops are vectorised; else points go one by one through the model's scalar formulas (far fields,
+  /// models without kernels).
+  bool is_vectorised() const { return kernels_ != nullptr; }
+
+ private:
+  BatchEvaluator(const Model& model, registry::ParameterValues values) : model_(&model), values_(std::move(values)) {}
+
+  const Model* model_;
+  registry::ParameterValues values_;
+  Packed<float> packed_{};
+  const batch::Kernels* kernels_ = nullptr;
+};
+
+}  // namespace cuticle::bsdf

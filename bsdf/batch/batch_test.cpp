@@ -1,0 +1,253 @@
+// Arrays against the scalar formulas for every instruction set of this processor: values, edges, sizes, threads.
+#include <cuticle/bsdf/batch/batch.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cuticle/core/random.h>
+
+namespace cuticle::bsdf {
+namespace {
+
+using ::testing::HasSubstr;
+constexpr double pi = std::numbers::pi;
+
+struct Arrays {
+  std::vector<float> x, y, z;
+  explicit Arrays(std::size_t count) : x(count), y(count), z(count) {}
+  VectorSpans in() const { return {x, y, z}; }
+  OutputSpans out() { return {x, y, z}; }
+};
+
+/// Directions over the whole sphere, a quarter of them nearly along the fibre, offsets, random numbers.
+struct Data {
+  Arrays light, viewer;
+  std::vector<float> h;
+  std::array<std::vector<float>, 5> u;
+  explicit Data(std::size_t count) : light(count), viewer(count), h(count) {
+    RandomStream random(7);
+    for (auto& numbers : u)
+      for (std::size_t i = 0; i < count; ++i) numbers.push_back(float(random.next_word() >> 8) * 0x1p-24f);
+    for (std::size_t i = 0; i < count; ++i) {
+      set(light, i, random);
+      set(viewer, i, random);
+      h[i] = float(2 * random.next_unit() - 1);
+    }
+  }
+  static void set(Arrays& to, std::size_t i, RandomStream& random) {
+    const double s = i % 4 ? 2 * random.next_unit() - 1 : 1 - 1e-6 * random.next_unit(),
+                 phi = 2 * pi * random.next_unit();
+    to.x[i] = float(s);
+    to.y[i] = float(std::sqrt(1 - s * s) * std::cos(phi));
+    to.z[i] = float(std::sqrt(1 - s * s) * std::sin(phi));
+  }
+  BatchPoints points() const { return {light.in(), viewer.in(), h}; }
+  BatchQueries queries() const { return {viewer.in(), h, {u[0], u[1], u[2], u[3], u[4]}}; }
+  Point point(std::size_t i) const {
+    const auto theta = [&](const Arrays& v) {
+      return std::atan2(double(v.x[i]), std::hypot(double(v.y[i]), double(v.z[i])));
+    };
+    const auto phi = [&](const Arrays& v) { return std::atan2(double(v.z[i]), double(v.y[i])); };
+    return {.theta_i = theta(light), .theta_o = theta(viewer), .phi = phi(viewer) - phi(light), .h = double(h[i])};
+  }
+};
+
+const Model& chiang() { return **find_model("chiang"); }
+registry::ParameterValues values_of(const std::string& settings) { return *parse_settings(chiang(), "", settings); }
+constexpr const char* usual = "field=near,sigma_a=0.2/0.5/1.2,beta_m=0.3,beta_n=0.3";
+
+glm::dvec3 truth(const std::string& settings, Quantity quantity, const Point& point) {
+  glm::dvec3 value(0);
+  EXPECT_TRUE(evaluate(chiang(), values_of(settings), Precision::f64, {quantity, -1, {&point, 1}}, {&value, 1}).ok());
+  return value;
+}
+
+class BatchSet : public testing::TestWithParam<InstructionSet> {
+ protected:
+  void SetUp() override {
+    if (!is_supported(GetParam())) GTEST_SKIP() << "this processor has no " << name_of(GetParam());
+  }
+  BatchEvaluator evaluator(const std::string& settings) const {
+    return *BatchEvaluator::make(chiang(), values_of(settings), GetParam());
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Sets, BatchSet,
+                         testing::Values(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512),
+                         [](const auto& info) { return std::string(name_of(info.param)); });
+
+struct Errors {
+  std::vector<double> relative;
+  void add(double value, double exact) { relative.push_back(std::abs(value - exact) / (exact + 1e-12)); }
+  double at(double share) {
+    std::ranges::sort(relative);
+    return relative[std::size_t(share * double(relative.size() - 1))];
+  }
+};
+
+TEST_P(BatchSet, Values_AgreeWithDouble) {
+  const Data data(5000);
+  Arrays color(5000);
+  std::vector<float> density(5000);
+  ASSERT_TRUE(evaluator(usual).is_vectorised());
+  ASSERT_TRUE(evaluator(usual).evaluate(data.points(), color.out()).ok());
+  ASSERT_TRUE(evaluator(usual).pdf(data.points(), density).ok());
+  Errors value_errors, density_errors;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    const glm::dvec3 exact = truth(usual, Quantity::S, data.point(i));
+    value_errors.add(color.x[i], exact.x);
+    value_errors.add(color.y[i], exact.y);
+    value_errors.add(color.z[i], exact.z);
+    density_errors.add(density[i], truth(usual, Quantity::pdf, data.point(i)).x);
+  }
+  fmt::print("{}: S median {:.2g} 99 % {:.2g} largest {:.2g}; pdf largest {:.2g}\n", name_of(GetParam()),
+             value_errors.at(0.5), value_errors.at(0.99), value_errors.at(1), density_errors.at(1));
+  EXPECT_LT(value_errors.at(0.5), 5e-7);
+  EXPECT_LT(value_errors.at(0.99), 5e-6);
+  EXPECT_LT(value_errors.at(1), 3e-5);
+  EXPECT_LT(density_errors.at(1), 3e-5);
+}
+
+// The sets differ in the fusing of products and sums alone.
+TEST_P(BatchSet, Values_AreThoseOfTheBaselineWithinAFewUlp) {
+  const Data data(5000);
+  Arrays mine(5000), plain(5000);
+  ASSERT_TRUE(evaluator(usual).evaluate(data.points(), mine.out()).ok());
+  ASSERT_TRUE((*BatchEvaluator::make(chiang(), values_of(usual), InstructionSet::baseline))
+                  .evaluate(data.points(), plain.out())
+                  .ok());
+  Errors errors;
+  for (std::size_t i = 0; i < mine.x.size(); ++i) errors.add(mine.x[i], plain.x[i]);
+  EXPECT_LT(errors.at(0.5), 4 * 1.2e-7);
+  EXPECT_LT(errors.at(1), 2e-5);
+}
+
+TEST_P(BatchSet, Samples_AreThoseOfTheScalarSampler) {
+  const Data data(2000);
+  Arrays light(2000);
+  ASSERT_TRUE(evaluator(usual).sample(data.queries(), light.out()).ok());
+  std::vector<SampleQuery> queries(2000);
+  std::vector<Sample> samples(2000);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    queries[i] = {.theta_o = data.point(i).theta_o, .h = double(data.h[i])};
+    for (std::size_t k = 0; k < 4; ++k) queries[i].u[k] = double(data.u[k][i]);
+  }
+  ASSERT_TRUE(sample(chiang(), values_of(usual), Precision::f64, queries, samples).ok());
+  int apart = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double phi_o = std::atan2(double(data.viewer.z[i]), double(data.viewer.y[i])), phi = phi_o - samples[i].phi;
+    const glm::dvec3 exact(std::sin(samples[i].theta_i), std::cos(samples[i].theta_i) * std::cos(phi),
+                           std::cos(samples[i].theta_i) * std::sin(phi));
+    EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 2e-6);
+    if (glm::length(exact - glm::dvec3(light.x[i], light.y[i], light.z[i])) > 1e-4) ++apart;
+  }
+  EXPECT_LE(apart, 2);  // a random number at the border of two lobes falls on either side
+}
+
+TEST_P(BatchSet, ParametersThatVary_GiveTheValuesOfEach) {
+  const Data data(600);
+  Arrays color(600);
+  std::vector<float> beta_n, red;
+  for (int i = 0; i < 600; ++i) {
+    beta_n.push_back(0.15f + 0.001f * float(i));
+    red.push_back(0.002f * float(i));
+  }
+  const std::array<VaryingParameter, 2> varying = {{{"beta_n", beta_n}, {"sigma_a.r", red}}};
+  ASSERT_TRUE(evaluator(usual).evaluate_varying(data.points(), varying, color.out()).ok());
+  Errors errors;
+  for (std::size_t i = 0; i < 600; ++i) {
+    const std::string settings = fmt::format("field=near,sigma_a={}/0.5/1.2,beta_m=0.3,beta_n={}", red[i], beta_n[i]);
+    errors.add(color.x[i], truth(settings, Quantity::S, data.point(i)).x);
+    errors.add(color.z[i], truth(settings, Quantity::S, data.point(i)).z);
+  }
+  EXPECT_LT(errors.at(0.5), 1e-6);
+  EXPECT_LT(errors.at(1), 5e-5);
+}
+
+TEST_P(BatchSet, EdgesOfTheDomain_AreFinite) {
+  const std::array<std::array<float, 3>, 6> vectors = {
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0.99999994f, 1e-20f, 0}, {0.6f, -0.8f, 0}}};
+  for (const char* settings : {"beta_m=0.001,beta_n=0.001,sigma_a=0", "beta_m=1,beta_n=1,sigma_a=100,eta=1.05",
+                               "eta=3,alpha=0.17", "beta_m=0.001,sigma_a=100"})
+    for (const auto& light : vectors)
+      for (const auto& viewer : vectors) {
+        Data data(16);
+        Arrays color(16), drawn(16);
+        std::vector<float> density(16);
+        for (std::size_t i = 0; i < 16; ++i) {
+          data.h[i] = i % 3 == 0 ? -1.0f : i % 3 == 1 ? 1.0f : 0.0f;
+          for (auto* to : {&data.light, &data.viewer}) {
+            const auto& v = to == &data.light ? light : viewer;
+            to->x[i] = v[0], to->y[i] = v[1], to->z[i] = v[2];
+          }
+          for (auto& u : data.u) u[i] = i % 2 ? 0.0f : 0.99999994f;
+        }
+        const BatchEvaluator batch = evaluator(fmt::format("field=near,{}", settings));
+        ASSERT_TRUE(batch.evaluate(data.points(), color.out()).ok() && batch.pdf(data.points(), density).ok() &&
+                    batch.sample(data.queries(), drawn.out()).ok());
+        for (std::size_t i = 0; i < 16; ++i)
+          for (float v : {color.x[i], color.y[i], color.z[i], density[i], drawn.x[i], drawn.y[i], drawn.z[i]})
+            ASSERT_TRUE(std::isfinite(v)) << settings;
+      }
+}
+
+TEST(Batch, LargeBatch_IsTheSameAsItsParts) {
+  const Data data(20000);
+  Arrays whole(20000), part(100);
+  const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(usual));
+  ASSERT_TRUE(batch.evaluate(data.points(), whole.out()).ok());
+  const auto cut = [](const std::vector<float>& v) { return std::span<const float>(v).subspan(12288, 100); };
+  const BatchPoints points{{cut(data.light.x), cut(data.light.y), cut(data.light.z)},
+                           {cut(data.viewer.x), cut(data.viewer.y), cut(data.viewer.z)},
+                           cut(data.h)};
+  ASSERT_TRUE(batch.evaluate(points, part.out()).ok());
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.x[i], whole.x[12288 + i]);
+}
+
+TEST(Batch, FarField_GoesPointByPoint) {
+  const Data data(20);
+  Arrays color(20), light(20);
+  std::vector<float> density(20);
+  const std::string settings = "field=far,tolerance=1e-4";
+  const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(settings));
+  EXPECT_FALSE(batch.is_vectorised());
+  ASSERT_TRUE(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).ok());
+  ASSERT_TRUE(batch.pdf(data.points(), density).ok());
+  ASSERT_TRUE(batch.sample(data.queries(), light.out()).ok());
+  for (std::size_t i = 0; i < 20; ++i) {
+    const double exact = truth(settings, Quantity::S, data.point(i)).x;
+    EXPECT_NEAR(color.x[i], exact, 3e-4 * exact + 1e-9);
+    EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 1e-6);
+  }
+}
+
+TEST(Batch, EmptyArrays_AreNoError) {
+  EXPECT_TRUE((*BatchEvaluator::make(chiang(), values_of(usual))).evaluate({}, {}).ok());
+}
+
+TEST(Batch, ArraysOfDifferentSize_AreRefusedByName) {
+  const Data data(8);
+  Arrays color(8);
+  std::vector<float> density(7);
+  const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(usual));
+  EXPECT_THAT(batch.pdf(data.points(), density).error().message, HasSubstr("density has 7 elements"));
+  EXPECT_THAT(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).error().message,
+              HasSubstr("h has 0"));
+  BatchQueries queries = data.queries();
+  queries.u[2] = {};
+  EXPECT_THAT(batch.sample(queries, color.out()).error().message, HasSubstr("u has 0"));
+}
+TEST(Batch, ParameterThatCannotVary_IsRefusedWithTheListOfThoseThatCan) {
+  const Data data(8);
+  Arrays color(8);
+  const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(usual));
+  const std::array<VaryingParameter, 1> varying = {{{"gamma", data.h}}};
+  EXPECT_THAT(batch.evaluate_varying(data.points(), varying, color.out()).error().message, HasSubstr("sigma_a.r"));
+}
+
+}  // namespace
+}  // namespace cuticle::bsdf

@@ -1,0 +1,133 @@
+// The loops of one model for one instruction set: compiled several times (bsdf/CMakeLists.txt, cuticle_model_batch)
+// with CUTICLE_BATCH, which makes every shared function static and inlined, so that the linker cannot take code of one
+// instruction set for another. Every loop is one block of arithmetic without calls or branches, which the compiler
+// turns into vectors.
+#include <model_of_batch.h>
+
+#include <cuticle/bsdf/batch/kernel.h>
+#include <cuticle/bsdf/shared/directions.glslh>
+
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
+#define CUTICLE_JOIN_NAMES(a, b) a##b
+#define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
+
+namespace cuticle::bsdf::CUTICLE_BATCH_MODEL {
+namespace {
+
+using namespace cuticle::bsdf::batch;
+
+#ifdef __SSE__
+/// Products of two lobes' tails are denormal: slow, and worth nothing.
+class FlushToZero {
+ public:
+  [[gnu::always_inline]] FlushToZero() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040); }
+  [[gnu::always_inline]] ~FlushToZero() { _mm_setcsr(saved_); }
+
+ private:
+  unsigned saved_;
+};
+#else
+class FlushToZero {};
+#endif
+
+FN glm::vec<3, Real> value_at(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
+  if constexpr (requires { evaluate_directions(packed, quantity, -1, d); })
+    return evaluate_directions(packed, quantity, -1, d);
+  else
+    return evaluate_packed(packed, quantity, -1, point_of(d));
+}
+
+FNI Directions<float> directions_at(const DirectionPointers& in, int i) {
+  return directions_between(glm::vec3(in.light_x[i], in.light_y[i], in.light_z[i]),
+                            glm::vec3(in.viewer_x[i], in.viewer_y[i], in.viewer_z[i]), in.h[i]);
+}
+
+void evaluate(const Packed<float>& packed, int count, const DirectionPointers& in, const ColorPointers& out) {
+  [[maybe_unused]] const FlushToZero guard;
+  const Packed<float> numbers = packed;  // copies, which no store can alias
+  const DirectionPointers from = in;
+  const ColorPointers to = out;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 value = value_at(numbers, CUTICLE_QUANTITY_S, directions_at(from, i));
+    to.red[i] = value.x;
+    to.green[i] = value.y;
+    to.blue[i] = value.z;
+  }
+}
+
+void pdf(const Packed<float>& packed, int count, const DirectionPointers& in, float* density) {
+  [[maybe_unused]] const FlushToZero guard;
+  const Packed<float> numbers = packed;
+  const DirectionPointers from = in;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) density[i] = value_at(numbers, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
+}
+
+template <class Real>
+constexpr bool draws_directions = requires(const Packed<Real>& packed, Real u) {
+  sample_directions(packed, u, u, u, u, u, u, u);
+};
+
+FN glm::vec<3, Real> light_drawn(const Packed<Real>& packed, glm::vec<3, Real> viewer, Real h, Real u0, Real u1, Real u2,
+                                 Real u3) {
+  const Real cos_o = sqrt(viewer.y * viewer.y + viewer.z * viewer.z);
+  return light_of(sample_directions(packed, viewer.x, cos_o, h, u0, u1, u2, u3), viewer);
+}
+
+template <class Real>
+void sample(const Packed<Real>& packed, int count, const QueryPointers& in, const VectorPointers& out) {
+  [[maybe_unused]] const FlushToZero guard;
+  const Packed<Real> numbers = packed;
+  const QueryPointers from = in;
+  const VectorPointers to = out;
+  const float *const u0 = in.u[0], *const u1 = in.u[1], *const u2 = in.u[2], *const u3 = in.u[3];
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 light = light_drawn(numbers, glm::vec3(from.viewer_x[i], from.viewer_y[i], from.viewer_z[i]), from.h[i],
+                                        u0[i], u1[i], u2[i], u3[i]);
+    to.x[i] = light.x;
+    to.y[i] = light.y;
+    to.z[i] = light.z;
+  }
+}
+
+template <class Real>
+constexpr bool takes_rows = requires(const ParameterRow<Real>& row, const Directions<Real>& d) {
+  evaluate_row(row, 0, -1, d);
+};
+
+template <class Real>
+void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& in, const ColorPointers& out) {
+  [[maybe_unused]] const FlushToZero guard;
+  const RowPointers parameters = rows;
+  const DirectionPointers from = in;
+  const ColorPointers to = out;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    ParameterRow<Real> row;
+    for (int k = 0; k < CUTICLE_ROW_COUNT; ++k) row.value[k] = parameters.value[k][i];
+    const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, -1, directions_at(from, i));
+    to.red[i] = value.x;
+    to.green[i] = value.y;
+    to.blue[i] = value.z;
+  }
+}
+
+template <class Real>
+constexpr Kernels make_kernels() {
+  Kernels kernels{evaluate, pdf, nullptr, nullptr};
+  if constexpr (draws_directions<Real>) kernels.sample = sample<Real>;
+  if constexpr (takes_rows<Real>) kernels.evaluate_rows = evaluate_rows<Real>;
+  return kernels;
+}
+
+}  // namespace
+
+extern const Kernels CUTICLE_JOIN(batch_kernels_, CUTICLE_BATCH_SET);
+const Kernels CUTICLE_JOIN(batch_kernels_, CUTICLE_BATCH_SET) = make_kernels<float>();
+
+}  // namespace cuticle::bsdf::CUTICLE_BATCH_MODEL

@@ -1,0 +1,42 @@
+#pragma once
+// What one instruction set's unit of one model offers: loops over arrays. Included by units that no symbol may leave,
+// so it holds types only.
+#include <cuticle/bsdf/shared/packing.glslh>
+
+namespace cuticle::bsdf::batch {
+
+/// Points given as unit vectors (x along the fibre from root to tip) toward the light and the viewer, and offsets.
+struct DirectionPointers {
+  const float *light_x, *light_y, *light_z, *viewer_x, *viewer_y, *viewer_z, *h;
+};
+struct ColorPointers {
+  float *red, *green, *blue;
+};
+/// Queries: the viewer's unit vector, the offset, and random numbers in [0, 1).
+struct QueryPointers {
+  const float *viewer_x, *viewer_y, *viewer_z, *h;
+  const float* u[4];
+};
+struct VectorPointers {
+  float *x, *y, *z;
+};
+/// One array for each number of ParameterRow; the first `count` are read.
+struct RowPointers {
+  const float* value[CUTICLE_ROW_COUNT];
+};
+
+struct Kernels {
+  void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
+  void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density);
+  void (*sample)(const Packed<float>&, int count, const QueryPointers&, const VectorPointers&);  ///< null: no sampler
+  void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&, const ColorPointers&);  ///< null: none
+};
+
+/// A model's kernels, from the plainest instruction set to the widest; null where the build has none.
+struct Entry {
+  const char* model;
+  const Kernels* kernels[3];
+  bool near_only;  ///< the loops hold for the near field alone
+};
+
+}  // namespace cuticle::bsdf::batch

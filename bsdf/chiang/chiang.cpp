@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/chiang/conversions.h>
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/core/real.h>
+#include <cuticle/bsdf/chiang/chiang.glslh>
+
+namespace cuticle::bsdf::chiang {
+namespace {
+
+constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "TRRT+"};
+constexpr std::array<std::string_view, 2> fields = {"near", "far"};
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 9> parameters = {{
+    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
+    {"sigma_a",
+     ParameterType::rgb,
+     "1/radius",
+     0,
+     100,
+     "0.2",
+     {},
+     "absorption per fibre radius, for red, green and blue"},
+    {"beta_m", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "longitudinal roughness, the paper's perceptual scale"},
+    {"beta_n", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "azimuthal roughness, the paper's perceptual scale"},
+    {"alpha",
+     ParameterType::real,
+     "rad",
+     -0.17453292519943295,
+     0.17453292519943295,
+     "0.034906585039886591",
+     {},
+     "tilt of the cuticle's scales, positive where they lean to the tip"},
+    {"field", ParameterType::choice, "1", 0, 0, "far", fields,
+     "near: a function of h; far: its mean over h_from .. h_to"},
+    {"h_from", ParameterType::real, "1", -1, 1, "-1", {}, "start of the interval of h that the far field takes in"},
+    {"h_to",
+     ParameterType::real,
+     "1",
+     -1,
+     1,
+     "1",
+     {},
+     "end of the interval; in either order; at h_from, the far field is 0"},
+    {"tolerance",
+     ParameterType::real,
+     "1",
+     1e-12,
+     0.1,
+     "1e-5",
+     {},
+     "relative error to which the far field is integrated"},
+}};
+
+// sigma_a from pigment: eumelanin (0.419, 0.697, 1.37) per unit of concentration (d'Eon et al. 2011, as tabulated in
+// pbrt), concentration 0.3 blonde, 1.3 brown, 8 black (pbrt).
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
+    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
+    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
+}};
+constexpr std::array<registry::StudyCase, 5> tiers = {{
+    {"near", "field=near"},
+    {"far, 1e-2", "field=far,tolerance=1e-2"},
+    {"far, 1e-4", "field=far,tolerance=1e-4"},
+    {"far, 1e-6", "field=far,tolerance=1e-6"},
+    {"far, 1e-10", "field=far,tolerance=1e-10"},
+}};
+constexpr std::array<Exception, 1> exceptions = {{
+    {"reciprocity", "A takes theta_o alone, so exchanging the directions changes the energy of each path"},
+}};
+
+void pack_lobe(const LongitudinalLobe<double>& lobe, double* out) {
+  out[0] = lobe.inverse_variance;
+  out[1] = lobe.norm;
+  out[2] = lobe.sin_shift;
+  out[3] = lobe.cos_shift;
+}
+
+void pack_interval(const registry::ParameterValues& values, double* out) {
+  const auto [from, to] = std::minmax({values.real("h_from"), values.real("h_to")});
+  out[0] = from;
+  out[1] = to;
+  out[2] = to == from ? 0 : 1 / (to - from);
+  out[3] = values.real("tolerance");
+}
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const Chiang<double> c = make_chiang<double>(values.real("eta"), values.rgb("sigma_a"), values.real("beta_m"),
+                                               values.real("beta_n"), values.real("alpha"));
+  Packed<double> packed{};
+  pack_lobe(c.r, packed.value);
+  pack_lobe(c.tt, packed.value + 4);
+  pack_lobe(c.trt, packed.value + 8);
+  pack_lobe(c.rest, packed.value + 12);
+  packed.value[16] = c.blur.inverse_scale;
+  packed.value[17] = c.blur.norm;
+  packed.value[18] = c.blur.edge;
+  packed.value[19] = c.glass.eta_squared;
+  packed.value[20] = c.glass.eta_squared_minus_one;
+  for (int k = 0; k < 3; ++k) packed.value[21 + k] = c.glass.sigma_a[k];
+  pack_interval(values, packed.value + 24);
+  packed.value[28] = values.choice("field") == "near" ? 1 : 0;
+  return packed;
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+FibreMapping from_fibre(const Fibre& fibre) {
+  const double beta_m = beta_m_from_deviation(fibre.longitudinal_deviation);
+  const double beta_n = beta_n_from_scale(scale_from_deviation(fibre.azimuthal_deviation));
+  return {fmt::format("eta={},sigma_a={}/{}/{},beta_m={},beta_n={},alpha={}", fibre.eta, fibre.sigma_a.x,
+                      fibre.sigma_a.y, fibre.sigma_a.z, beta_m, beta_n, fibre.scale_tilt),
+          "beta_m, beta_n: roughness whose R lobe has these standard deviations in theta_i and phi; alpha: the tilt "
+          "itself; "
+          "no medulla, circular cross-section, all lobes share one azimuthal width"};
+}
+
+bool near_field(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "chiang",
+                .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
+                .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
+                .parameters = parameters,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions = {.field = "near or far",
+                      .cosine = "not included",
+                      .tilt_sign =
+                          "positive alpha moves the R lobe toward theta_i + theta_o < 0, the root; opposite to pbrt "
+                          "and Tungsten (conversions.h)",
+                      .roughness = "the paper's perceptual beta_m and beta_n",
+                      .absorption = "per fibre radius"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .near_field = near_field,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::chiang
