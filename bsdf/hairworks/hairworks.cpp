@@ -1,0 +1,178 @@
+#include <array>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_energy.h>
+#include <cuticle/bsdf/shared/highlight_mixture.h>
+#include <cuticle/bsdf/hairworks/hairworks.glslh>
+
+namespace cuticle::bsdf::hairworks {
+namespace {
+
+constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
+constexpr std::array<std::string_view, 2> system_rows = {"H13", "H14"};
+constexpr double pi = 3.14159265358979323846;
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 12> parameters = {{
+    {"root_color", ParameterType::rgb, "1", 0, 1, "0.05", {}, "colour at the root, of the skin's texture"},
+    {"tip_color", ParameterType::rgb, "1", 0, 1, "0.05", {}, "colour at the tip"},
+    {"along", ParameterType::real, "1", 0, 1, "1", {}, "place on the strand, 0: root, 1: tip"},
+    {"root_reach",
+     ParameterType::real,
+     "1",
+     1e-3,
+     1,
+     "1",
+     {},
+     "share of the strand over which the root's colour goes over to the tip's"},
+    {"diffuse_blend",
+     ParameterType::real,
+     "1",
+     0,
+     1,
+     "0",
+     {},
+     "0: diffuse by the strand's tangent, 1: by the body's normal"},
+    {"normal_theta",
+     ParameterType::real,
+     "rad",
+     -1.5707963267948966,
+     1.5707963267948966,
+     "0",
+     {},
+     "inclination of the body's normal, toward the tip"},
+    {"normal_phi",
+     ParameterType::real,
+     "rad",
+     -3.141592653589793,
+     3.141592653589793,
+     "0",
+     {},
+     "azimuth of the body's normal from the viewer's"},
+    {"specular_color", ParameterType::rgb, "1", 0, 10, "0.05", {}, "colour of the primary highlight"},
+    {"exponent",
+     ParameterType::real,
+     "1",
+     1,
+     1e6,
+     "50",
+     {},
+     "of the primary highlight; its deviation in theta_i is 1/sqrt(exponent) rad"},
+    {"secondary_scale",
+     ParameterType::real,
+     "1",
+     0,
+     1,
+     "0.25",
+     {},
+     "peak of the secondary highlight over the primary's"},
+    {"secondary_width",
+     ParameterType::real,
+     "1",
+     1,
+     10,
+     "2",
+     {},
+     "width of the secondary highlight over the primary's"},
+    {"secondary_shift",
+     ParameterType::real,
+     "rad",
+     -1,
+     1,
+     "0.1",
+     {},
+     "the secondary highlight peaks at theta_i + theta_o = this; positive is toward the tip"},
+}};
+
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "root_color=0.069/0.059/0.041,tip_color=0.069/0.059/0.041"},
+    {"brown", "root_color=0.034/0.019/0.006,tip_color=0.034/0.019/0.006"},
+    {"black", "root_color=0.0015/0.0004/0,tip_color=0.0015/0.0004/0"},
+}};
+
+constexpr std::array<Exception, 3> exceptions = {{
+    {"white_furnace", "the colours are no shares of energy: white hair scatters pi^2 times the light"},
+    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the hair's colour"},
+    {"reciprocity", "the diffuse lobe is a function of the light's direction only"},
+}};
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const double toward_tip = std::min(values.real("along") / values.real("root_reach"), 1.0);
+  const glm::dvec3 root = values.rgb("root_color"), color = root + (values.rgb("tip_color") - root) * toward_tip;
+  const glm::dvec3 primary = values.rgb("specular_color"), secondary = primary * values.real("secondary_scale");
+  const double exponent = values.real("exponent"), width = values.real("secondary_width");
+  const double wider = exponent / (width * width), shift = values.real("secondary_shift");
+  const double blended = values.real("diffuse_blend"), theta = values.real("normal_theta");
+  Packed<double> packed{{color.r, color.g, color.b, primary.r, primary.g, primary.b, secondary.r, secondary.g,
+                         secondary.b, exponent, wider, shift, blended, std::sin(theta), std::cos(theta),
+                         values.real("normal_phi")}};
+  const Proposal first{mean_of(primary) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
+  const Proposal second{mean_of(secondary) * 2 * pi * highlight_width(wider), 1 / std::sqrt(wider), shift};
+  pack_mixture(mean_of(color) * pi * (pi + blended * (1 - pi)), first, second, packed.value + 16);
+  return packed;
+}
+
+/// The primary highlight as R; the secondary as wide as TRT, where TRT stands, with its mean energy; the rest is the
+/// hair's colour.
+FibreMapping from_fibre(const Fibre& fibre) {
+  const FibreEnergy energy = fibre_energy(fibre);
+  const double exponent = std::clamp(1 / (fibre.longitudinal_deviation * fibre.longitudinal_deviation), 1.0, 1e6);
+  const double primary = energy.reflected / (2 * pi * highlight_width(exponent));
+  const double secondary = mean_of(energy.once_inside) / (2 * pi * highlight_width(exponent / 4));
+  const glm::dvec3 color = (energy.crossed - energy.once_inside) / (pi * pi);
+  const std::string text = fmt::format("{:.6g}/{:.6g}/{:.6g}", color.r, color.g, color.b);
+  return {fmt::format("root_color={},tip_color={},specular_color={:.6g},exponent={:.6g},secondary_scale={:.6g},"
+                      "secondary_width=2,secondary_shift={:.6g}",
+                      text, text, primary, exponent, std::min(secondary / primary, 1.0), 3 * fibre.scale_tilt),
+          "primary highlight: R with its energy at normal incidence, unshifted, exponent 1 / longitudinal deviation "
+          "squared; "
+          "secondary: TRT's mean energy, without its colour, twice as wide, shifted by 3 tilts; hair colour: the "
+          "energy of all "
+          "other paths; no azimuthal roughness, no cross-section, no medulla"};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry =
+          {.kind = registry::EntryKind::model,
+           .name = "hairworks",
+           .summary =
+               "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
+           .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
+           .parameters = parameters,
+           .systems = system_rows},
+      .lobes = lobe_names,
+      .conventions =
+          {.field = "far",
+           .cosine = "not included",
+           .tilt_sign = "positive secondary_shift moves the secondary highlight toward theta_i + theta_o > 0, the tip",
+           .roughness = "exponent of the highlight: 1 / variance in theta_i",
+           .absorption = "none: colours instead"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::hairworks

@@ -1,0 +1,105 @@
+#include <array>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_energy.h>
+#include <cuticle/bsdf/shared/highlight_mixture.h>
+#include <cuticle/bsdf/kajiya_kay/kajiya_kay.glslh>
+
+namespace cuticle::bsdf::kajiya_kay {
+namespace {
+
+constexpr std::array<std::string_view, 2> lobe_names = {"diffuse", "specular"};
+constexpr double pi = 3.14159265358979323846;
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 3> parameters = {{
+    {"diffuse", ParameterType::rgb, "1", 0, 1, "0.05", {}, "K_d, colour of the diffuse lobe"},
+    {"specular", ParameterType::rgb, "1", 0, 10, "0.1", {}, "K_s, colour of the highlight"},
+    {"exponent",
+     ParameterType::real,
+     "1",
+     1,
+     1e6,
+     "25",
+     {},
+     "p; the highlight's deviation in theta_i is 1/sqrt(p) rad"},
+}};
+
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "diffuse=0.069/0.059/0.041,specular=0.023,exponent=25"},
+    {"brown", "diffuse=0.034/0.019/0.006,specular=0.023,exponent=25"},
+    {"black", "diffuse=0.0015/0.0004/0,specular=0.023,exponent=25"},
+}};
+
+constexpr std::array<Exception, 3> exceptions = {{
+    {"white_furnace",
+     "the coefficients are colours, not shares of energy: diffuse 1 alone scatters pi^2 times the light"},
+    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the diffuse colour"},
+    {"reciprocity", "the diffuse lobe is a function of the light's inclination only"},
+}};
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const glm::dvec3 diffuse = values.rgb("diffuse"), specular = values.rgb("specular");
+  const double exponent = values.real("exponent");
+  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b, specular.r, specular.g, specular.b, exponent}};
+  const Proposal highlight{mean_of(specular) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
+  pack_mixture(mean_of(diffuse) * pi * pi, highlight, {}, packed.value + 7);
+  return packed;
+}
+
+/// The highlight as wide as the fibre's R lobe and with its energy; everything that crosses the fibre is the diffuse
+/// colour.
+FibreMapping from_fibre(const Fibre& fibre) {
+  const FibreEnergy energy = fibre_energy(fibre);
+  const double exponent = std::clamp(1 / (fibre.longitudinal_deviation * fibre.longitudinal_deviation), 1.0, 1e6);
+  const double specular = energy.reflected / (2 * pi * highlight_width(exponent));
+  const glm::dvec3 diffuse = energy.crossed / (pi * pi);
+  return {
+      fmt::format("diffuse={:.6g}/{:.6g}/{:.6g},specular={:.6g},exponent={:.6g}", diffuse.r, diffuse.g, diffuse.b,
+                  specular, exponent),
+      "exponent = 1 / longitudinal deviation squared; the specular colour gives the highlight the energy that a smooth "
+      "fibre reflects at normal incidence, the diffuse colour has the energy of every path through it; no tilt, no "
+      "azimuth, no cross-section, no medulla"};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "kajiya_kay",
+                .summary = "diffuse sin(t, l) and a highlight cos^p around the cone of reflection; not normalised",
+                .source = "Kajiya and Kay 1989, section 4",
+                .parameters = parameters},
+      .lobes = lobe_names,
+      .conventions = {.field = "far",
+                      .cosine = "not included",
+                      .tilt_sign = "no tilt",
+                      .roughness = "exponent of the highlight: 1 / variance in theta_i",
+                      .absorption = "none: colours instead"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::kajiya_kay

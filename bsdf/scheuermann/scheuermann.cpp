@@ -1,0 +1,141 @@
+#include <array>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_energy.h>
+#include <cuticle/bsdf/shared/highlight_mixture.h>
+#include <cuticle/bsdf/scheuermann/scheuermann.glslh>
+
+namespace cuticle::bsdf::scheuermann {
+namespace {
+
+constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
+constexpr std::array<std::string_view, 3> system_rows = {"A4", "A5", "A6"};
+constexpr double pi = 3.14159265358979323846;
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 11> parameters = {{
+    {"base", ParameterType::rgb, "1", 0, 1, "1", {}, "base colour, of a texture, on every lobe"},
+    {"occlusion", ParameterType::real, "1", 0, 1, "1", {}, "ambient occlusion of the vertex, 1: open, on every lobe"},
+    {"diffuse", ParameterType::rgb, "1", 0, 1, "0.12", {}, "colour of the diffuse lobe"},
+    {"primary", ParameterType::rgb, "1", 0, 10, "0.025", {}, "colour of the primary highlight"},
+    {"primary_exponent", ParameterType::real, "1", 1, 1e6, "100", {}, "of the sine of the angle between T and H"},
+    {"primary_shift",
+     ParameterType::real,
+     "1",
+     -1,
+     1,
+     "0.05",
+     {},
+     "of the tangent along the normal; positive reflects toward the root"},
+    {"secondary", ParameterType::rgb, "1", 0, 10, "0.01", {}, "colour of the secondary highlight"},
+    {"secondary_exponent", ParameterType::real, "1", 1, 1e6, "25", {}, "of the sine of the angle between T and H"},
+    {"secondary_shift",
+     ParameterType::real,
+     "1",
+     -1,
+     1,
+     "-0.08",
+     {},
+     "of the tangent along the normal; negative reflects toward the tip"},
+    {"shift_texture", ParameterType::real, "1", 0, 1, "0.5", {}, "texel of the shift texture; 0.5 moves nothing"},
+    {"mask", ParameterType::real, "1", 0, 1, "1", {}, "texel of the noise that makes the secondary highlight sparkle"},
+}};
+
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "diffuse=0.16/0.14/0.097"},
+    {"brown", "diffuse=0.08/0.045/0.014"},
+    {"black", "diffuse=0.0036/0.0009/0.0001"},
+}};
+
+constexpr std::array<Exception, 3> exceptions = {{
+    {"white_furnace", "the colours are no shares of energy: diffuse 1 alone scatters 4 pi / 3 times the light"},
+    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the diffuse colour"},
+    {"reciprocity", "the normal faces the viewer, and the diffuse lobe is a function of the light's direction only"},
+}};
+
+/// A highlight's numbers and what to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 atan(shift), and
+/// cos^exponent of half the angle from there falls off with the deviation 2 / sqrt(exponent).
+Proposal pack_highlight(const glm::dvec3& color, double exponent, double shift, double* out) {
+  const double tilt = std::atan(shift);
+  out[0] = std::sin(tilt);
+  out[1] = std::cos(tilt);
+  out[2] = exponent;
+  for (int c = 0; c < 3; ++c) out[3 + c] = color[c];
+  return {mean_of(color) * 4 * pi * highlight_width(exponent), 2 / std::sqrt(exponent), -2 * tilt};
+}
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const glm::dvec3 all = values.rgb("base") * values.real("occlusion"), diffuse = all * values.rgb("diffuse");
+  const double shift = values.real("shift_texture") - 0.5;
+  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b}};
+  const Proposal primary = pack_highlight(all * values.rgb("primary"), values.real("primary_exponent"),
+                                          values.real("primary_shift") + shift, packed.value + 3);
+  const Proposal secondary =
+      pack_highlight(all * values.rgb("secondary") * values.real("mask"), values.real("secondary_exponent"),
+                     values.real("secondary_shift") + shift, packed.value + 9);
+  pack_mixture(mean_of(diffuse) * 4 * pi / 3, primary, secondary, packed.value + 15);
+  return packed;
+}
+
+/// The primary highlight as R, the secondary as TRT, with their widths, shifts and energies; the rest is the diffuse
+/// colour.
+FibreMapping from_fibre(const Fibre& fibre) {
+  const FibreEnergy energy = fibre_energy(fibre);
+  const double exponent = std::clamp(4 / (fibre.longitudinal_deviation * fibre.longitudinal_deviation), 1.0, 1e6);
+  const double wider = std::max(0.25 * exponent, 1.0),
+               primary = energy.reflected / (4 * pi * highlight_width(exponent));
+  const glm::dvec3 secondary = energy.once_inside / (4 * pi * highlight_width(wider));
+  const glm::dvec3 diffuse = (energy.crossed - energy.once_inside) * (0.75 / pi);
+  return {
+      fmt::format("diffuse={:.6g}/{:.6g}/{:.6g},primary={:.6g},primary_exponent={:.6g},primary_shift={:.6g},"
+                  "secondary={:.6g}/{:.6g}/{:.6g},secondary_exponent={:.6g},secondary_shift={:.6g}",
+                  diffuse.r, diffuse.g, diffuse.b, primary, exponent, std::tan(fibre.scale_tilt), secondary.r,
+                  secondary.g, secondary.b, wider, -std::tan(1.5 * fibre.scale_tilt)),
+      "primary highlight: R with its energy at normal incidence, exponent 4 / longitudinal deviation squared, shift "
+      "tan(tilt); secondary: TRT, twice as wide, shift -tan(1.5 tilt); diffuse: the energy of all other paths; no "
+      "azimuthal roughness, no cross-section, no medulla"};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "scheuermann",
+                .summary =
+                    "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
+                .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
+                .parameters = parameters,
+                .systems = system_rows},
+      .lobes = lobe_names,
+      .conventions = {.field = "far",
+                      .cosine = "not included",
+                      .tilt_sign = "positive shift reflects toward the root, theta_i + theta_o = -2 atan(shift)",
+                      .roughness = "exponent of the highlight: 4 / variance in theta_i",
+                      .absorption = "none: colours instead"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::scheuermann

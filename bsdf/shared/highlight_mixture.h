@@ -1,0 +1,44 @@
+#pragma once
+// Preparing a HighlightMixture, in double, once a batch.
+#include <algorithm>
+#include <cmath>
+
+#include <cuticle/bsdf/shared/highlight_mixture.glslh>
+
+namespace cuticle::bsdf {
+
+/// A highlight to draw from: its share of the energy (any scale), standard deviation in theta_i and shift of its peak,
+/// both in radians.
+struct Proposal {
+  double energy = 0, width = 1, shift = 0;
+};
+
+inline void pack_proposal(const Proposal& proposal, double* out) {
+  const auto lobe = make_longitudinal_lobe<double>(std::clamp(proposal.width, 5e-4, 2.0), proposal.shift);
+  out[0] = lobe.inverse_variance;
+  out[1] = lobe.norm;
+  out[2] = lobe.sin_shift;
+  out[3] = lobe.cos_shift;
+}
+
+/// Writes CUTICLE_MIXTURE_COUNT numbers. Lobes are drawn in proportion to their energies, the even one at least for a
+/// tenth of the samples, so that no direction is left out.
+inline void pack_mixture(double even_energy, const Proposal& primary, const Proposal& secondary, double* out) {
+  const double highlights = primary.energy + secondary.energy, total = even_energy + highlights;
+  const double even = highlights > 0 ? std::max(0.1, even_energy / total) : 1;
+  out[0] = even;
+  out[1] = secondary.energy > 0 ? (1 - even) * primary.energy / highlights : 1 - even;
+  pack_proposal(primary, out + 2);
+  pack_proposal(secondary, out + 6);
+}
+
+/// The integral of cos^(exponent + 1) over a half circle: a highlight's width in theta_i at normal incidence.
+inline double highlight_width(double exponent) {
+  return std::sqrt(3.14159265358979323846) *
+         std::exp(std::lgamma(0.5 * exponent + 1) - std::lgamma(0.5 * exponent + 1.5));
+}
+
+/// The mean of a colour's components.
+inline double mean_of(const glm::dvec3& color) { return (color.x + color.y + color.z) / 3; }
+
+}  // namespace cuticle::bsdf
