@@ -8,6 +8,8 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include <cuticle/study/oracle/optics.h>
+
 namespace cuticle::study::oracle {
 namespace {
 
@@ -24,25 +26,6 @@ dvec3 surface_normal(dvec3 position) { return glm::normalize(dvec3(position.x, p
 /// The ray that meets the cylinder at offset h, travelling toward -x at inclination theta.
 Ray incoming(double theta, double h) {
   return {dvec3(std::sqrt(1 - h * h), h, 0), dvec3(-std::cos(theta), 0, std::sin(theta))};
-}
-
-dvec3 reflect(dvec3 direction, dvec3 normal) { return direction - 2 * glm::dot(direction, normal) * normal; }
-
-/// Snell's law in vectors; `ratio` is index before over index after. The caller knows that no total reflection happens.
-dvec3 refract(dvec3 direction, dvec3 normal, double ratio) {
-  const dvec3 along = ratio * (direction - glm::dot(direction, normal) * normal);
-  const double across = std::sqrt(std::max(0.0, 1 - glm::dot(along, along)));
-  return along + std::copysign(across, glm::dot(direction, normal)) * normal;
-}
-
-/// Fresnel reflectance for unpolarised light from index `before` to index `after`.
-double reflectance(double cosine, double before, double after) {
-  const double sine_after = before / after * std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  if (sine_after >= 1) return 1;
-  const double cosine_after = std::sqrt(1 - sine_after * sine_after);
-  const double s = (before * cosine - after * cosine_after) / (before * cosine + after * cosine_after);
-  const double p = (after * cosine - before * cosine_after) / (after * cosine + before * cosine_after);
-  return (s * s + p * p) / 2;
 }
 
 /// Length of the straight way through the inside to the surface again.
