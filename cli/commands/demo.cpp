@@ -1,4 +1,4 @@
-#include <cuticle/cli/command.h>
+#include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/shared_files.h>
 
 #include <fmt/core.h>
@@ -31,8 +31,7 @@ void add_demo(CLI::App& app, Context& context) {
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
   command->add_option("--groom", options->groom_file, "a groom file in place of the grown hair (.hair, .tfx)");
-  command->add_option("--metres-per-unit", options->metres_per_unit, "unit of the groom file; 0 = guess and say so")->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own or 35e-6")->check(CLI::Range(0.0, 0.01));
+  add_groom_options(*command, options->metres_per_unit, options->radius);
   command->add_option("--out", options->out, "folder to write (default: demo)");
   command->add_option("--frames", options->frames, "frames to simulate and render")->check(CLI::Range(2, 2000));
   command->add_flag("!--no-study", options->study, "leave the shadow study out");

@@ -4,19 +4,13 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <cuticle/cli/command.h>
+#include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/points_file.h>
 #include <cuticle/cli/shared_files.h>
-#if defined(CUTICLE_HAS_GPU) || defined(CUTICLE_HAS_EMBREE)
-#define CUTICLE_HAS_SHADOWS
 #include <cuticle/shadows/footprint.h>
-#include <cuticle/strands/formats/formats.h>
 #include <cuticle/study/shadows/comparison.h>
-#endif
 
 namespace cuticle::cli {
-
-#ifdef CUTICLE_HAS_SHADOWS
 namespace {
 
 struct Options {
@@ -43,12 +37,6 @@ Result<std::vector<std::int64_t>> parse_integers(const std::string& name, const 
     integers.push_back(std::int64_t(number));
   }
   return integers;
-}
-
-Result<strands::Groom> load(const Options& options, Progress& progress) {
-  CUTICLE_ASSIGN(auto file, strands::read_groom(options.groom, options.read));
-  for (const std::string& note : file.notes) progress.message(note);
-  return std::move(file.groom);
 }
 
 /// A lookup's filter is as wide as the truth's footprint unless it is given.
@@ -152,7 +140,7 @@ void print_comparison(const study::Comparison& comparison, const study::Comparis
 
 Result<int> run(const Options& options, Context& context) {
   CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_light(options.light));
-  CUTICLE_ASSIGN(const strands::Groom groom, load(options, *context.progress));
+  CUTICLE_ASSIGN(const strands::Groom groom, load_groom(options.groom, options.read, *context.progress));
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
   CUTICLE_ASSIGN(const study::Comparison comparison, compare(options, casters, *context.progress));
@@ -177,8 +165,7 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--filter-mm", options.filter_mm, "radius of a map's lookup; 0 = the footprint's")->check(CLI::Range(0.0, 1000.0));
   command.add_option("--footprint-mm", options.footprint_mm, "radius that the truth is averaged over; 0 = two fibre spacings")->check(CLI::Range(0.0, 1000.0));
   command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
-  command.add_option("--radius", options.read.radius, "fibre radius in metres; 0 = the file's own or 35e-6")->check(CLI::Range(0.0, 0.01));
-  command.add_option("--metres-per-unit", options.read.metres_per_unit, "unit of the groom file; 0 = guess and say so")->check(CLI::Range(0.0, 1000.0));
+  add_groom_options(command, options.read.metres_per_unit, options.read.radius);
   command.add_option("--rays", options.rays, "rays of the truth for each point")->check(CLI::Range(1, 65536));
   command.add_option("--receivers", options.receivers, "strand vertices that are compared")->check(CLI::Range(1, 1000000));
   command.add_option("--budget-ms", options.budget_ms, "most time of build + lookup")->check(CLI::Range(0.0, infinity));
@@ -200,8 +187,5 @@ void add_shadows(CLI::App& app, Context& context) {
     };
   });
 }
-#else
-void add_shadows(CLI::App&, Context&) {}
-#endif
 
 }  // namespace cuticle::cli

@@ -2,9 +2,10 @@
 import dataclasses
 import pathlib
 
-from . import ReportError, data, figures, page
+from . import ReportError, curves, data, figures, page
 
-COLUMNS = ["method", "settings", "mean_error", "p95_error", "max_error", "bias", "build_ms", "lookup_ms", "total_ms", "bytes"]
+COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "median_error", "p95_error", "p99_error", "max_error", "bias", "ns", "build_ms",
+           "lookup_ms", "total_ms", "bytes"]
 
 
 @dataclasses.dataclass
@@ -38,7 +39,11 @@ class Study:
         for row in self.raw["rows"]:
             name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
             named.setdefault(name, []).append(row)
-        return {name: sorted(rows, key=lambda row: row.get(self.point_label, 0)) for name, rows in named.items()}
+        key = self.point_label if self.has_numeric_labels() else self.x.key
+        return {name: sorted(rows, key=lambda row: row.get(key, 0)) for name, rows in named.items()}
+
+    def has_numeric_labels(self):
+        return not any(isinstance(row.get(self.point_label), str) for row in self.raw["rows"])
 
     def label_axis(self):
         return Axis(self.point_label, self.point_label, "log")
@@ -64,6 +69,8 @@ def load(path):
 def words(study):
     """What was measured, in sentences."""
     raw, parts = study.raw, []
+    if notes := raw.get("words"):
+        return "\n\n".join(notes)
     if groom := raw.get("groom"):
         parts.append(f"Hair: {groom['name']}, {groom['strands']} strands, {groom['vertices']} vertices, strand spacing "
                      f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
@@ -91,12 +98,14 @@ def make(folder):
     """Writes the plots and index.html into the folder; returns the title and the sections."""
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
-    plots = [(study.x, "error_against_time.png"), (study.label_axis(), f"error_against_{study.point_label}.png")]
+    plots = [(study.x, "error_against_time.png")]
+    if study.has_numeric_labels():
+        plots.append((study.label_axis(), f"error_against_{study.point_label}.png"))
     plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
     for axis, file in plots:
         figures.save_png(study, axis, folder / file)
     columns, rows = table(study)
     sections = [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
-                page.Section("Numbers", "", columns=columns, rows=rows)]
+                page.Section("Numbers", "", columns=columns, rows=rows)] + curves.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))
     return study.title, sections

@@ -26,14 +26,14 @@ constexpr Ellipsoid k_parts[] = {
     {{0, 0.097, 0.088}, {0.0085, 0.026, 0.014}, 0.014},      // bridge of the nose
     {{0, 0.080, 0.101}, {0.0115, 0.010, 0.012}, 0.012},      // tip of the nose
     {{0.010, 0.078, 0.093}, {0.0075, 0.007, 0.008}, 0.007},  // nostril
-    {{0, 0.056, 0.0855}, {0.021, 0.0055, 0.0085}, 0.007},    // upper lip
-    {{0, 0.0455, 0.0835}, {0.018, 0.0055, 0.009}, 0.007},    // lower lip
+    {{0, 0.0555, 0.0800}, {0.021, 0.0085, 0.0110}, 0.012},   // upper lip
+    {{0, 0.0440, 0.0785}, {0.018, 0.0080, 0.0110}, 0.012},   // lower lip
     {{0, -0.005, -0.028}, {0.049, 0.120, 0.053}, 0.030},     // neck
 };
 constexpr Ellipsoid k_ear = {{0.077, 0.104, -0.012}, {0.010, 0.030, 0.017}, 0.006};
 constexpr Ellipsoid k_eye_socket = {{0.031, 0.1075, 0.098}, {0.0190, 0.0120, 0.0170}, 0.012};
 constexpr Ellipsoid k_eye_ball = {{0.031, 0.1070, 0.0715}, {0.0135, 0.0115, 0.0130}, 0.004};
-constexpr double k_neck_end = -0.06;
+constexpr double k_neck_end = -0.06, k_neck_rim = 0.03;
 
 double ellipsoid_distance(const glm::dvec3& point, const Ellipsoid& part) {
   const glm::dvec3 q = point - part.center;
@@ -59,7 +59,7 @@ double head_distance(const glm::dvec3& point) {
   distance = -smooth_union(-distance, ellipsoid_distance(half, k_eye_socket), k_eye_socket.blend);
   distance = smooth_union(distance, ellipsoid_distance(half, k_eye_ball), k_eye_ball.blend);
   distance = smooth_union(distance, ellipsoid_distance(half, k_ear), k_ear.blend);
-  return std::max(distance, k_neck_end - point.y);
+  return -smooth_union(-distance, point.y - k_neck_end, k_neck_rim);
 }
 
 glm::dvec3 head_normal(const glm::dvec3& point) {

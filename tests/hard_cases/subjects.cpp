@@ -5,11 +5,6 @@
 #else
 #define ON_GPU(run) nullptr
 #endif
-#ifdef CUTICLE_HAS_SHADOWS
-#define WITH_SHADOWS(run) run
-#else
-#define WITH_SHADOWS(run) nullptr
-#endif
 
 namespace cuticle::hard_cases {
 
@@ -18,7 +13,7 @@ std::span<const Subject> subjects() {
       {"function", {run_function_f32, run_function_f64, ON_GPU(run_function_gpu)}},
       {"model", {run_model_f32, run_model_f64, ON_GPU(run_model_gpu)}},
       {"lut", {run_lut_stored, run_lut_f64, ON_GPU(run_lut_gpu)}},
-      {"shadow", {WITH_SHADOWS(run_shadow_f32), nullptr, ON_GPU(run_shadow_gpu)}},
+      {"shadow", {run_shadow_f32, nullptr, ON_GPU(run_shadow_gpu)}},
       {"motion", {run_motion_f32, nullptr, ON_GPU(run_motion_gpu)}},
       {"strands", {run_strands_f32, nullptr, ON_GPU(run_strands_gpu)}},
   };

@@ -1,7 +1,7 @@
 #version 460
 // Marschner scattering from lookup tables by dot products alone (GPU Gems 2, chapter 23): no trigonometry here.
 //   sin theta_i = L.T, sin theta_o = E.T, cos phi from the parts of L and E across the fibre, cos theta_d from the M table.
-// Radiance = sum over lights of S cos(theta_i) irradiance transmittance; the tables hold S without the cosine.
+// Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M (docs/conventions.md).
 #extension GL_GOOGLE_include_directive : require
 #include "lines_frame.glsl"
 
@@ -32,7 +32,7 @@ vec3 shade(uint light, vec3 t, vec3 to_eye) {
   float cos_phi = dot(across_i, across_o) * inversesqrt(max(dot(across_i, across_i) * dot(across_o, across_o), k_tiny));
   float cos_i = sqrt(max(1.0 - sin_i * sin_i, 0.0));
   float through = clamp(reached[light >> 2][light & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
-  vec3 once = scattering(sin_i, sin_o, cos_phi) * (cos_i * through);
+  vec3 once = scattering(sin_i, sin_o, cos_phi) * through;
   vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
   return (once + often) * irradiance[light].rgb;
 }

@@ -1,4 +1,4 @@
-// A wide straight strand in the middle of the picture: its pixel is S cos(theta_i) x irradiance x transmittance, with S
+// A wide straight strand in the middle of the picture: its pixel is S x irradiance x transmittance, with S
 // from the model itself in double, from the angles; the pass has half-float tables and dot products.
 #include <array>
 #include <cmath>
@@ -114,7 +114,7 @@ glm::dvec3 exact_radiance(const glm::dvec3& t, const Light& light) {
   glm::dvec3 scattered{0};
   EXPECT_TRUE(
       bsdf::evaluate(*tables().model, tables().values, bsdf::Precision::f64, {.points = {&point, 1}}, {&scattered, 1}));
-  return scattered * std::cos(point.theta_i) * light.irradiance;
+  return scattered * light.irradiance;
 }
 
 Light light_from(double x, double y, double z) {

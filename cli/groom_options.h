@@ -1,0 +1,14 @@
+#pragma once
+// What every command that reads a groom does in the same way.
+#include <cuticle/cli/command.h>
+#include <cuticle/strands/formats/formats.h>
+
+namespace cuticle::cli {
+
+/// --metres-per-unit and --radius, into the numbers given; 0 = not given.
+void add_groom_options(CLI::App& command, double& metres_per_unit, double& radius);
+
+/// The groom in a file; what was guessed goes to `progress`. Errors: as strands::read_groom.
+Result<strands::Groom> load_groom(const std::string& file, const strands::ReadOptions& options, Progress& progress);
+
+}  // namespace cuticle::cli

@@ -1,0 +1,51 @@
+#include <fmt/core.h>
+
+#include <cuticle/cli/shared_files.h>
+#include <cuticle/cli/study/study.h>
+#include <cuticle/study/lobes/lobes_study.h>
+
+namespace cuticle::cli {
+namespace {
+
+struct Options {
+  std::string models = "all", out;
+  bool quick = false;
+};
+
+study::LobesRequest request_of(const Options& options) {
+  study::LobesRequest request;
+  request.fibre_name = "blond";
+  if (options.models != "all") request.models = split_list(options.models);
+  if (!options.quick) return request;
+  request.points = 256;
+  request.repeats = 3;
+  request.samples = 91;
+  return request;
+}
+
+Result<study::LobesStudy> run_lobes(const Options& options, Progress& progress) {
+  CUTICLE_ASSIGN(const study::LobesStudy lobes, study::run_lobes_study(request_of(options), progress));
+  CUTICLE_TRY(study::write_lobes_study(lobes, options.out));
+  return lobes;
+}
+
+int study_lobes(const Options& options, Context& context) {
+  const auto lobes = run_lobes(options, *context.progress);
+  if (!lobes) return report(lobes.error());
+  fmt::print("{}", context.json ? study::to_json(*lobes) : study::to_csv(*lobes));
+  return make_page("", options.out, *context.progress);
+}
+
+}  // namespace
+
+void add_study_lobes(CLI::App& study, Context& context) {
+  auto* command = study.add_subcommand("lobes", "every fibre model: error against time of its tiers, and its lobes");
+  auto options = std::make_shared<Options>();
+  command->add_option("--out", options->out, "folder to write")->required();
+  command->add_option("--models", options->models, "models, a,b,c, or all")->capture_default_str();
+  command->add_flag("--quick", options->quick, "fewer points and timings");
+  command->callback(
+      [&context, options] { context.action = [&context, options] { return study_lobes(*options, context); }; });
+}
+
+}  // namespace cuticle::cli

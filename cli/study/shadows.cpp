@@ -1,0 +1,52 @@
+#include <fmt/core.h>
+
+#include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/shared_files.h>
+#include <cuticle/cli/study/study.h>
+#include <cuticle/study/shadows/slices_study.h>
+
+namespace cuticle::cli {
+namespace {
+
+struct Options {
+  std::string groom, out;
+  strands::ReadOptions read;
+  bool quick = false;
+};
+
+Result<strands::Groom> groom_of(const Options& options, Progress& progress) {
+  if (options.groom.empty()) return study::study_coat(options.quick ? 5000 : 20000);
+  return load_groom(options.groom, options.read, progress);
+}
+
+Result<study::Comparison> run_shadows(const Options& options, Progress& progress) {
+  CUTICLE_ASSIGN(const strands::Groom groom, groom_of(options, progress));
+  study::SlicesStudy slices = options.quick ? study::quick_slices_study() : study::SlicesStudy{};
+  slices.request.groom = &groom;
+  slices.request.groom_name = options.groom.empty() ? "coat" : options.groom;
+  CUTICLE_ASSIGN(auto comparison, study::run_slices_study(slices, progress));
+  CUTICLE_TRY(study::write_comparison(comparison, options.out));
+  return comparison;
+}
+
+int study_shadows(const Options& options, Context& context) {
+  const auto comparison = run_shadows(options, *context.progress);
+  if (!comparison) return report(comparison.error());
+  fmt::print("{}", context.json ? study::to_json(*comparison) : study::to_csv(*comparison));
+  return make_page("", options.out, *context.progress);
+}
+
+}  // namespace
+
+void add_study_shadows(CLI::App& study, Context& context) {
+  auto* command = study.add_subcommand("shadows", "opacity-map slices and resolution against ray-traced truth");
+  auto options = std::make_shared<Options>();
+  command->add_option("--out", options->out, "folder to write")->required();
+  command->add_option("--groom", options->groom, "groom: .hair or .tfx; without it a coat of strands on a half sphere");
+  add_groom_options(*command, options->read.metres_per_unit, options->read.radius);
+  command->add_flag("--quick", options->quick, "fewer settings, receivers and rays");
+  command->callback(
+      [&context, options] { context.action = [&context, options] { return study_shadows(*options, context); }; });
+}
+
+}  // namespace cuticle::cli

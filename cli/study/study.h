@@ -1,0 +1,10 @@
+#pragma once
+// `cuticle study`: one file here for each study, each defining a function below.
+#include <cuticle/cli/command.h>
+
+namespace cuticle::cli {
+
+void add_study_lobes(CLI::App& study, Context& context);
+void add_study_shadows(CLI::App& study, Context& context);
+
+}  // namespace cuticle::cli
