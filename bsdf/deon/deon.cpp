@@ -1,0 +1,173 @@
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/core/real.h>
+#include <cuticle/bsdf/deon/deon.glslh>
+
+namespace cuticle::bsdf::deon {
+namespace {
+
+constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
+constexpr std::array<std::string_view, 2> r_lobes = {"separable", "non_separable"};
+constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "theta_d"};
+constexpr std::array<std::string_view, 1> system_rows = {"G7"};
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 8> parameters = {{
+    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
+    {"sigma_a",
+     ParameterType::rgb,
+     "1/radius",
+     0,
+     100,
+     "0.2",
+     {},
+     "absorption per fibre radius, for red, green and blue"},
+    {"beta_m",
+     ParameterType::real,
+     "rad",
+     1e-3,
+     1,
+     "0.2",
+     {},
+     "standard deviation of the R lobe in theta_i; TT has half of it, TRT twice"},
+    {"beta_n",
+     ParameterType::real,
+     "rad",
+     1e-3,
+     1,
+     "0.2",
+     {},
+     "standard deviation of the azimuthal blur of the R lobe; TT has half of it, TRT twice"},
+    {"alpha",
+     ParameterType::real,
+     "rad",
+     -0.17453292519943295,
+     0.17453292519943295,
+     "-0.05235987755982988",
+     {},
+     "shift of the R lobe in theta_h by the cuticle's scales"},
+    {"azimuthal_tolerance",
+     ParameterType::real,
+     "1",
+     1e-12,
+     0.1,
+     "1e-6",
+     {},
+     "relative error of the azimuthal quadrature's panels"},
+    {"r_lobe", ParameterType::choice, "1", 0, 0, "separable", r_lobes,
+     "separable: 2011; non_separable: width and shift of R depend on phi, 2014"},
+    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_o", attenuation_angles,
+     "theta_o: energy is kept exactly; theta_d: as the paper, reciprocal where alpha is 0"},
+}};
+
+// The pigment of the marschner presets (eumelanin 0.3, 1.3 and 8).
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
+    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
+    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
+}};
+constexpr std::array<registry::StudyCase, 3> tiers = {{
+    {"tolerance 1e-2", "azimuthal_tolerance=1e-2"},
+    {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
+    {"tolerance 1e-8", "azimuthal_tolerance=1e-8"},
+}};
+constexpr std::array<Exception, 1> exceptions = {{
+    {"reciprocity",
+     "attenuation belongs to theta_o, which keeps energy; with attenuation_angle=theta_d and alpha=0 it is reciprocal"},
+}};
+
+void pack_lobe(double width, double shift, double* out) {
+  const LongitudinalLobe<double> lobe = make_longitudinal_lobe(width, shift);
+  out[0] = lobe.inverse_variance;
+  out[1] = lobe.norm;
+  out[2] = lobe.sin_shift;
+  out[3] = lobe.cos_shift;
+}
+void pack_detector(double sigma, double* out) {
+  const Detector<double> detector = make_detector(sigma);
+  out[0] = detector.sigma;
+  out[1] = detector.inverse;
+  out[2] = detector.height;
+  out[3] = detector.decay;
+}
+
+/// How far from its centre, in deviations, the detector counts: where it has fallen to a millionth of the tolerance.
+double detector_reach(double tolerance) { return std::sqrt(-2 * std::log(tolerance * 1e-6)); }
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
+  const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
+  Packed<double> packed{};
+  pack_lobe(beta_m, 2 * alpha, packed.value);
+  pack_lobe(beta_m / 2, -alpha, packed.value + 4);
+  pack_lobe(beta_m * 2, -3 * alpha, packed.value + 8);
+  pack_detector(beta_n, packed.value + 12);
+  pack_detector(beta_n / 2, packed.value + 16);
+  pack_detector(beta_n * 2, packed.value + 20);
+  packed.value[24] = eta * eta;
+  packed.value[25] = (eta - 1) * (eta + 1);
+  for (int c = 0; c < 3; ++c) packed.value[26 + c] = values.rgb("sigma_a")[c];
+  packed.value[29] = tolerance;
+  packed.value[30] = detector_reach(tolerance);
+  packed.value[31] = beta_m;
+  packed.value[32] = std::sin(alpha);
+  packed.value[33] = std::cos(alpha);
+  packed.value[34] = values.choice("r_lobe") == "non_separable";
+  packed.value[35] = values.choice("attenuation_angle") == "theta_o";
+  return packed;
+}
+
+FibreMapping from_fibre(const Fibre& fibre) {
+  return {
+      fmt::format("eta={},sigma_a={}/{}/{},beta_m={},beta_n={},alpha={}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
+                  fibre.sigma_a.z, fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
+      "deviations and tilt as they are; the cross-section is a circle and there is no medulla"};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "deon",
+                .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
+                .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
+                .parameters = parameters,
+                .systems = system_rows,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions =
+          {.field = "far",
+           .cosine = "not included",
+           .tilt_sign =
+               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
+           .roughness = "standard deviation in theta_i and in phi",
+           .absorption = "per fibre radius"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::deon

@@ -1,0 +1,277 @@
+// The model of d'Eon et al.: tables by mpmath, energy, the variants, hard cases, bad parameters.
+#define GLM_FORCE_XYZW_ONLY
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cuticle/bsdf/model.h>
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/tests/support/condition_number.h>
+#include <cuticle/tests/support/csv_table.h>
+#include <cuticle/bsdf/deon/deon.glslh>
+
+namespace cuticle::bsdf {
+namespace {
+
+using ::testing::HasSubstr;
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+constexpr const char* fine = "azimuthal_tolerance=1e-12";
+
+const Model& model() { return **find_model("deon"); }
+
+std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
+                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
+  std::vector<glm::dvec3> out(points.size());
+  const auto values = parse_settings(model(), "", settings);
+  EXPECT_TRUE(values.ok()) << settings;
+  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, points}, out).ok());
+  return out;
+}
+double value_at(const std::string& settings, Quantity quantity, int lobe, const Point& point,
+                Precision precision = Precision::f64) {
+  return evaluate_at(settings, quantity, lobe, {point}, precision)[0].x;
+}
+
+/// A row of azimuthal.csv as settings, lobe and point.
+struct AzimuthalCase {
+  std::string settings;
+  int lobe;
+  Point point;
+  double truth;
+};
+std::vector<AzimuthalCase> azimuthal_cases() {
+  std::vector<AzimuthalCase> cases;
+  for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/deon/reference/azimuthal.csv"))
+    cases.push_back(
+        {fmt::format("eta={},sigma_a={},beta_n={}", row.text("eta"), row.text("sigma_a"), row.text("beta_n")),
+         int(row.number("lobe")),
+         {.theta_d = row.number("theta_d"), .phi = row.number("phi")},
+         row.number("n")});
+  return cases;
+}
+
+TEST(Deon, AzimuthalAtTheFinestTolerance_AgreesWithMpmath) {
+  for (const AzimuthalCase& c : azimuthal_cases())
+    EXPECT_NEAR(value_at(c.settings + "," + fine, Quantity::N, c.lobe, c.point), c.truth,
+                6e-15 * std::max(c.truth, 1e-4))
+        << c.settings << " lobe " << c.lobe << " phi " << c.point.phi;
+}
+TEST(Deon, AzimuthalAtTheUsualTolerance_AgreesWithMpmath) {
+  for (const AzimuthalCase& c : azimuthal_cases())
+    EXPECT_NEAR(value_at(c.settings, Quantity::N, c.lobe, c.point), c.truth, 1e-12 * std::max(c.truth, 1e-4))
+        << c.settings << " lobe " << c.lobe << " phi " << c.point.phi;
+}
+TEST(Deon, FloatAzimuthal_AgreesWithMpmath) {
+  for (const AzimuthalCase& c : azimuthal_cases())
+    EXPECT_NEAR(value_at(c.settings, Quantity::N, c.lobe, c.point, Precision::f32), c.truth,
+                1e-5 * std::max(c.truth, 1e-4))
+        << c.settings << " lobe " << c.lobe << " phi " << c.point.phi;
+}
+
+/// The M of the R lobe of 2014 with its condition number, at one place.
+template <class Real>
+Real non_separable_of(const Packed<Real>& packed, const EvaluationPoint<Real>& at) {
+  const deon::Deon<Real> m = deon::unpack_deon(packed);
+  return deon::longitudinal_of(m, 0, deon::make_inclinations(at.theta_i, at.theta_o), at.phi);
+}
+Packed<double> packed_of(const std::string& settings) {
+  const std::vector<float> floats = model().pack(*parse_settings(model(), "", settings));
+  Packed<double> packed;
+  std::copy(floats.begin(), floats.end(), packed.value);
+  return packed;
+}
+
+TEST(Deon, NonSeparableR_AgreesWithMpmathAsFarAsItsInputsAllow) {
+  double worst_ratio = 0, worst = 0;
+  for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/deon/reference/non_separable.csv")) {
+    const double truth = row.number("m"), alpha = row.number("alpha");
+    Packed<double> packed = packed_of(fmt::format("r_lobe=non_separable,beta_m={}", row.text("beta_m")));
+    packed.value[31] = row.number("beta_m");
+    packed.value[32] = std::sin(alpha);
+    packed.value[33] = std::cos(alpha);
+    const EvaluationPoint<double> at{row.number("theta_i"), row.number("theta_o"), 0, row.number("phi"), 0, 0};
+    const auto formula = [](const auto& numbers, int, int, const auto& point) {
+      return glm::vec<3, std::decay_t<decltype(point.phi)>>(non_separable_of(numbers, point));
+    };
+    const double kappa = tests::condition_number(packed, 0, 0, at, formula).kappa;
+    const double error = std::abs(non_separable_of(packed, at) - truth) / truth;
+    worst_ratio = std::max(worst_ratio, error / tests::allowed_error<double>(kappa));
+    worst = std::max(worst, error);
+  }
+  EXPECT_LE(worst_ratio, 1);
+  EXPECT_LE(worst, 1e-11);
+}
+
+TEST(Deon, IntegralOfN_IsHalfThatOfA) {
+  for (const char* settings : {"beta_n=0.05", "beta_n=0.7,eta=1.2"})
+    for (int lobe = 0; lobe < 4; ++lobe) {
+      std::vector<Point> turn, across;
+      const int count = 2000;
+      for (int k = 0; k < count; ++k) {
+        turn.push_back({.theta_d = 0.7, .phi = (k + 0.5) / count * 2 * pi - pi});
+        across.push_back({.theta_d = 0.7, .h = std::sin((k + 0.5) / count * pi / 2)});
+      }
+      double n = 0, a = 0;
+      const auto around = evaluate_at(settings, Quantity::N, lobe, turn),
+                 shares = evaluate_at(settings, Quantity::A, lobe, across);
+      for (int k = 0; k < count; ++k) {
+        n += around[std::size_t(k)].x * 2 * pi / count;
+        a += shares[std::size_t(k)].x * std::cos((k + 0.5) / count * pi / 2) * pi / 2 / count;
+      }
+      EXPECT_NEAR(n, a, 1e-6 * a) << settings << " lobe " << lobe;
+    }
+}
+
+TEST(Deon, WhiteFibre_ScattersAll) {
+  for (const char* settings : {"sigma_a=0", "sigma_a=0,beta_m=1,eta=1.1,r_lobe=non_separable"})
+    for (double theta_o : {0.0, 0.6, 1.4, 1.5707})
+      EXPECT_NEAR(value_at(settings, Quantity::albedo, -1, {.theta_o = theta_o}), 1, 1e-9)
+          << settings << " " << theta_o;
+}
+
+/// The integral of S cos(theta_i) over all directions by products of midpoints.
+double furnace(const std::string& settings, int lobe, double theta_o) {
+  const int across = 240, around = 120;
+  std::vector<Point> points;
+  for (int i = 0; i < across; ++i)
+    for (int k = 0; k < around; ++k)
+      points.push_back(
+          {.theta_i = ((i + 0.5) / across - 0.5) * pi, .theta_o = theta_o, .phi = (k + 0.5) / around * pi});
+  const auto values = evaluate_at(settings, Quantity::S, lobe, points);
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += values[i].x * std::cos(points[i].theta_i) * 2 * pi * pi / (across * around);
+  return sum;
+}
+TEST(Deon, WhiteFurnace_IsFullWhereAttenuationBelongsToThetaO) {
+  EXPECT_NEAR(furnace("sigma_a=0,beta_m=0.5,beta_n=0.4,azimuthal_tolerance=1e-4", -1, 0.7), 1, 2e-4);
+}
+TEST(Deon, AlbedoAtThetaD_IsTheIntegralOfS) {
+  const std::string settings = "sigma_a=0.5,beta_m=0.5,beta_n=0.4,azimuthal_tolerance=1e-4,attenuation_angle=theta_d";
+  for (int lobe = 0; lobe < 4; ++lobe)
+    EXPECT_NEAR(furnace(settings, lobe, 0.7), value_at(settings, Quantity::albedo, lobe, {.theta_o = 0.7}), 1e-4)
+        << lobe;
+}
+TEST(Deon, AlbedoOfTheNonSeparableRAtThetaD_IsTheIntegralOfS) {
+  const std::string settings =
+      "beta_m=0.5,beta_n=0.4,azimuthal_tolerance=1e-3,attenuation_angle=theta_d,r_lobe=non_separable";
+  EXPECT_NEAR(furnace(settings, 0, 0.7), value_at(settings, Quantity::albedo, 0, {.theta_o = 0.7}), 2e-3);
+}
+
+TEST(Deon, AtThetaDWithoutTilt_IsReciprocal) {
+  const std::string settings = std::string("alpha=0,attenuation_angle=theta_d,") + fine;
+  for (double phi : {0.1, 1.0, 3.0}) {
+    const double forth = value_at(settings, Quantity::S, -1, {.theta_i = 0.5, .theta_o = -0.9, .phi = phi});
+    const double back = value_at(settings, Quantity::S, -1, {.theta_i = -0.9, .theta_o = 0.5, .phi = -phi});
+    EXPECT_NEAR(forth, back, 1e-11 * forth);
+  }
+}
+
+/// theta_i at which S of the lobe is largest, in steps of 1e-3.
+double peak(const std::string& settings, int lobe, double theta_o, double phi) {
+  std::vector<Point> points;
+  for (int i = -1500; i <= 1500; ++i) points.push_back({.theta_i = i * 1e-3, .theta_o = theta_o, .phi = phi});
+  const auto values = evaluate_at(settings, Quantity::S, lobe, points);
+  const auto largest = std::max_element(values.begin(), values.end(), [](auto a, auto b) { return a.x < b.x; });
+  return points[std::size_t(largest - values.begin())].theta_i;
+}
+TEST(Deon, PeaksOfTheLobes_AreShiftedByTheTilt) {
+  const std::string settings = "beta_m=0.02,alpha=-0.06";
+  EXPECT_NEAR(peak(settings, 0, 0.3, 1), -0.3 - 0.12, 2e-3);
+  EXPECT_NEAR(peak(settings, 1, 0.3, 3), -0.3 + 0.06, 2e-3);
+  EXPECT_NEAR(peak(settings, 2, 0.3, 1), -0.3 + 0.18, 2e-3);
+}
+TEST(Deon, ShiftOfTheNonSeparableR_ShrinksWithTheCosineOfHalfTheAzimuth) {
+  const std::string settings = "beta_m=0.02,alpha=-0.06,r_lobe=non_separable";
+  EXPECT_NEAR(peak(settings, 0, 0, 0), -0.12, 2e-3);
+  EXPECT_NEAR(peak(settings, 0, 0, 2 * pi / 3), -0.06, 2e-3);
+}
+
+TEST(Deon, Lobes_AddUpToTheSum) {
+  const Point point{.theta_i = 0.2, .theta_o = -0.3, .theta_d = 0.1, .phi = 2.9, .h = 0.4};
+  for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A, Quantity::albedo, Quantity::error}) {
+    double sum = 0;
+    for (int lobe = 0; lobe < 4; ++lobe) sum += value_at("", quantity, lobe, point);
+    EXPECT_DOUBLE_EQ(value_at("", quantity, -1, point), sum);
+  }
+}
+
+/// Settings and points that are hard, or drawn over the whole domain by a fixed seed.
+std::string hard_settings(std::mt19937& random) {
+  constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
+                                  alphas = {-0.17, 0, 0.05, 0.17};
+  const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
+  return fmt::format(
+      "eta={},sigma_a={},beta_m={},beta_n={},alpha={},azimuthal_tolerance=1e-3,r_lobe={},attenuation_angle={}",
+      pick(etas), pick(sigmas), pick(betas), pick(betas), pick(alphas), random() % 2 ? "separable" : "non_separable",
+      random() % 2 ? "theta_o" : "theta_d");
+}
+Point hard_point(std::mt19937& random) {
+  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90},
+                                  phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
+  const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
+  const auto angle = [&] {
+    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
+  };
+  const double offset = random() % 4 ? uniform() : (random() % 2 ? -1 : 1);
+  return {angle(), angle(), angle(), (random() % 2 ? 180 * uniform() : phis[random() % 8]) * degree, offset};
+}
+
+class DeonDomain : public testing::TestWithParam<Precision> {};
+INSTANTIATE_TEST_SUITE_P(Precisions, DeonDomain, testing::Values(Precision::f32, Precision::f64));
+TEST_P(DeonDomain, EveryValue_IsFiniteAndNotNegative) {
+  std::mt19937 random(20110627);
+  for (int set = 0; set < 60; ++set) {
+    const std::string settings = hard_settings(random);
+    std::vector<Point> points;
+    for (int i = 0; i < 20; ++i) points.push_back(hard_point(random));
+    for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A, Quantity::pdf, Quantity::error})
+      for (int lobe = -1; lobe < 4; ++lobe) {
+        const auto values = evaluate_at(settings, quantity, lobe, points, GetParam());
+        for (std::size_t i = 0; i < values.size(); ++i)
+          for (int c = 0; c < 3; ++c)
+            ASSERT_TRUE(std::isfinite(values[i][c]) && values[i][c] >= 0)
+                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " "
+                << points[i].theta_o << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
+      }
+  }
+}
+
+struct Refusal {
+  const char* settings;
+  const char* words;
+};
+class DeonParameters : public testing::TestWithParam<Refusal> {};
+INSTANTIATE_TEST_SUITE_P(Bad, DeonParameters,
+                         testing::Values(Refusal{"eta=1", "eta"}, Refusal{"beta_m=0", "beta_m"},
+                                         Refusal{"beta_n=nan", "beta_n"}, Refusal{"sigma_a=101", "sigma_a"},
+                                         Refusal{"azimuthal_tolerance=0", "azimuthal_tolerance"},
+                                         Refusal{"r_lobe=both", "non_separable"}));
+TEST_P(DeonParameters, OutOfRange_AreRefusedByName) {
+  const auto values = parse_settings(model(), "", GetParam().settings);
+  ASSERT_FALSE(values.ok());
+  EXPECT_THAT(values.error().message, HasSubstr(GetParam().words));
+}
+
+TEST(Deon, Fibre_MapsToItsOwnDeviationsAndTilt) {
+  const FibreMapping mapping = model().from_fibre({.scale_tilt = 0.05, .azimuthal_deviation = 0.3});
+  const auto values = parse_settings(model(), "", mapping.settings);
+  ASSERT_TRUE(values.ok());
+  EXPECT_EQ(values->real("alpha"), -0.05);
+  EXPECT_EQ(values->real("beta_n"), 0.3);
+}
+TEST(Deon, PresetsAndTiers_AreValid) {
+  for (const registry::StudyCase& preset : model().presets)
+    EXPECT_TRUE(parse_settings(model(), preset.name, "").ok()) << preset.name;
+  for (const registry::StudyCase& tier : model().entry.study_cases)
+    EXPECT_TRUE(parse_settings(model(), "", tier.settings).ok()) << tier.name;
+}
+
+}  // namespace
+}  // namespace cuticle::bsdf
