@@ -86,10 +86,16 @@ constexpr std::array<registry::Parameter, 12> parameters = {{
      "the secondary highlight peaks at theta_i + theta_o = this; positive is toward the tip"},
 }};
 
+// As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "root_color=0.069/0.059/0.041,tip_color=0.069/0.059/0.041"},
-    {"brown", "root_color=0.034/0.019/0.006,tip_color=0.034/0.019/0.006"},
-    {"black", "root_color=0.0015/0.0004/0,tip_color=0.0015/0.0004/0"},
+    {"blonde",
+     "root_color=0.0695/0.0594/0.0407,tip_color=0.0695/0.0594/"
+     "0.0407,specular_color=0.0245,exponent=25,secondary_scale=0.18"},
+    {"brown",
+     "root_color=0.0317/0.0162/0.00324,tip_color=0.0317/0.0162/"
+     "0.00324,specular_color=0.0245,exponent=25,secondary_scale=0.025"},
+    {"black",
+     "root_color=0.000186/3.56e-6/0,tip_color=0.000186/3.56e-6/0,specular_color=0.0245,exponent=25,secondary_scale=0"},
 }};
 
 constexpr std::array<Exception, 3> exceptions = {{

@@ -27,10 +27,11 @@ constexpr std::array<registry::Parameter, 3> parameters = {{
      "p; the highlight's deviation in theta_i is 1/sqrt(p) rad"},
 }};
 
+// As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "diffuse=0.069/0.059/0.041,specular=0.023,exponent=25"},
-    {"brown", "diffuse=0.034/0.019/0.006,specular=0.023,exponent=25"},
-    {"black", "diffuse=0.0015/0.0004/0,specular=0.023,exponent=25"},
+    {"blonde", "diffuse=0.0731/0.0621/0.042,specular=0.0245,exponent=25"},
+    {"brown", "diffuse=0.0326/0.0165/0.00325,specular=0.0245,exponent=25"},
+    {"black", "diffuse=0.000186/3.56e-6/0,specular=0.0245,exponent=25"},
 }};
 
 constexpr std::array<Exception, 3> exceptions = {{

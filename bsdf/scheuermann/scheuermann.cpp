@@ -43,10 +43,15 @@ constexpr std::array<registry::Parameter, 11> parameters = {{
     {"mask", ParameterType::real, "1", 0, 1, "1", {}, "texel of the noise that makes the secondary highlight sparkle"},
 }};
 
+// As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "diffuse=0.16/0.14/0.097"},
-    {"brown", "diffuse=0.08/0.045/0.014"},
-    {"black", "diffuse=0.0036/0.0009/0.0001"},
+    {"blonde",
+     "diffuse=0.164/0.14/0.0959,primary=0.024,primary_shift=0.044,secondary=0.0058/0.0043/"
+     "0.0021,secondary_shift=-0.066"},
+    {"brown",
+     "diffuse=0.0748/0.0383/0.00764,primary=0.024,primary_shift=0.052,secondary=0.0013/0.00036/"
+     "0.000018,secondary_shift=-0.079"},
+    {"black", "diffuse=0.00044/8.4e-6/0,primary=0.024,primary_shift=0.052,secondary=9e-8/0/0,secondary_shift=-0.079"},
 }};
 
 constexpr std::array<Exception, 3> exceptions = {{
@@ -54,6 +59,11 @@ constexpr std::array<Exception, 3> exceptions = {{
     {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the diffuse colour"},
     {"reciprocity", "the normal faces the viewer, and the diffuse lobe is a function of the light's direction only"},
 }};
+
+/// What a highlight of colour 1 scatters at normal incidence.
+double energy_at_normal(double exponent, double tilt) {
+  return highlight_energy<double>({std::sin(tilt), std::cos(tilt), exponent, {}}, 0);
+}
 
 /// A highlight's numbers and what to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 atan(shift), and
 /// cos^exponent of half the angle from there falls off with the deviation 2 / sqrt(exponent).
@@ -63,7 +73,7 @@ Proposal pack_highlight(const glm::dvec3& color, double exponent, double shift, 
   out[1] = std::cos(tilt);
   out[2] = exponent;
   for (int c = 0; c < 3; ++c) out[3 + c] = color[c];
-  return {mean_of(color) * 4 * pi * highlight_width(exponent), 2 / std::sqrt(exponent), -2 * tilt};
+  return {mean_of(color) * energy_at_normal(exponent, tilt), 2 / std::sqrt(exponent), -2 * tilt};
 }
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
@@ -84,15 +94,15 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
 FibreMapping from_fibre(const Fibre& fibre) {
   const FibreEnergy energy = fibre_energy(fibre);
   const double exponent = std::clamp(4 / (fibre.longitudinal_deviation * fibre.longitudinal_deviation), 1.0, 1e6);
-  const double wider = std::max(0.25 * exponent, 1.0),
-               primary = energy.reflected / (4 * pi * highlight_width(exponent));
-  const glm::dvec3 secondary = energy.once_inside / (4 * pi * highlight_width(wider));
+  const double wider = std::max(0.25 * exponent, 1.0), tilt = fibre.scale_tilt;
+  const double primary = energy.reflected / energy_at_normal(exponent, tilt);
+  const glm::dvec3 secondary = energy.once_inside / energy_at_normal(wider, -1.5 * tilt);
   const glm::dvec3 diffuse = (energy.crossed - energy.once_inside) * (0.75 / pi);
   return {
       fmt::format("diffuse={:.6g}/{:.6g}/{:.6g},primary={:.6g},primary_exponent={:.6g},primary_shift={:.6g},"
                   "secondary={:.6g}/{:.6g}/{:.6g},secondary_exponent={:.6g},secondary_shift={:.6g}",
-                  diffuse.r, diffuse.g, diffuse.b, primary, exponent, std::tan(fibre.scale_tilt), secondary.r,
-                  secondary.g, secondary.b, wider, -std::tan(1.5 * fibre.scale_tilt)),
+                  diffuse.r, diffuse.g, diffuse.b, primary, exponent, std::tan(tilt), secondary.r, secondary.g,
+                  secondary.b, wider, -std::tan(1.5 * tilt)),
       "primary highlight: R with its energy at normal incidence, exponent 4 / longitudinal deviation squared, shift "
       "tan(tilt); secondary: TRT, twice as wide, shift -tan(1.5 tilt); diffuse: the energy of all other paths; no "
       "azimuthal roughness, no cross-section, no medulla"};
