@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cuticle/bsdf/fibre/fibres.h>
 #include <cuticle/cli/shared_files.h>
 #include <cuticle/cli/study/study.h>
 #include <cuticle/study/lobes/lobes_study.h>
@@ -8,13 +9,15 @@ namespace cuticle::cli {
 namespace {
 
 struct Options {
-  std::string models = "all", out;
+  std::string models = "all", hair = "blond", out;
   bool quick = false;
 };
 
-study::LobesRequest request_of(const Options& options) {
+Result<study::LobesRequest> request_of(const Options& options) {
   study::LobesRequest request;
-  request.fibre_name = "blond";
+  CUTICLE_ASSIGN(const bsdf::NamedFibre hair, bsdf::find_fibre(options.hair));
+  request.fibre = hair.fibre;
+  request.fibre_name = options.hair;
   if (options.models != "all") request.models = split_list(options.models);
   if (!options.quick) return request;
   request.points = 256;
@@ -24,7 +27,8 @@ study::LobesRequest request_of(const Options& options) {
 }
 
 Result<study::LobesStudy> run_lobes(const Options& options, Progress& progress) {
-  CUTICLE_ASSIGN(const study::LobesStudy lobes, study::run_lobes_study(request_of(options), progress));
+  CUTICLE_ASSIGN(const study::LobesRequest request, request_of(options));
+  CUTICLE_ASSIGN(const study::LobesStudy lobes, study::run_lobes_study(request, progress));
   CUTICLE_TRY(study::write_lobes_study(lobes, options.out));
   return lobes;
 }
@@ -43,6 +47,7 @@ void add_study_lobes(CLI::App& study, Context& context) {
   auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--models", options->models, "models, a,b,c, or all")->capture_default_str();
+  command->add_option("--hair", options->hair, "physical fibre that every model is mapped to")->capture_default_str();
   command->add_flag("--quick", options->quick, "fewer points and timings");
   command->callback(
       [&context, options] { context.action = [&context, options] { return study_lobes(*options, context); }; });

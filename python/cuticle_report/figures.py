@@ -7,15 +7,20 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402  (after the choice of back end)
 import plotly.graph_objects as plotly  # noqa: E402
 
-COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777"]
+COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
+          "#b9a5dd", "#cdb58a", "#93cfe0", "#b5b5b5"]
 DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
 
 
 def plain_numbers(axis):
-    """Ticks as 0.02, 0.1, 20 and not as powers of ten; between decades 2, 3 and 5 only."""
+    """Ticks as 0.02, 0.1, 20 and not as powers of ten; between decades 2, 3 and 5 only, and none where the axis spans many decades."""
     if axis.get_scale() != "log":
         return
     axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    lower, upper = axis.get_view_interval()
+    if upper > 3e3 * lower:
+        axis.set_minor_formatter(ticker.NullFormatter())
+        return
     axis.set_minor_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}" if f"{value:e}"[0] in "235" else ""))
     axis.set_tick_params(which="minor", labelsize=8)
 

@@ -1,7 +1,9 @@
 // Error and time of a model's tiers.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <fmt/core.h>
@@ -66,22 +68,29 @@ void set_errors(TierRow& row, const Values& values, const Values& reference) {
   row.max_error = errors.back();
 }
 
+bool is_near(const bsdf::Model& model, const registry::ParameterValues& values) {
+  return model.near_field && model.near_field(values);
+}
+
 }  // namespace
 
 Result<std::vector<TierRow>> compare_tiers(const bsdf::Model& model, const std::string& settings,
                                            const LobesRequest& request) {
   const std::vector<bsdf::Point> points = random_points(request.points);
   const std::vector<Tier> tiers = tiers_of(model, settings);
-  Values reference(points.size()), out(points.size());
+  // The near field is another function than the far field, so each has its own reference.
+  std::array<std::optional<Values>, 2> references;
+  Values out(points.size());
   std::vector<TierRow> rows;
   for (auto tier = tiers.rbegin(); tier != tiers.rend(); ++tier) {
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", tier->settings));
+    std::optional<Values>& reference = references[is_near(model, values)];
     for (const bool in_double : {true, false}) {
       TierRow row{std::string(model.entry.name), tier->name, in_double ? "f64" : "f32", tier->settings};
       row.ns = best_ns(in_double ? model.evaluate_f64 : model.evaluate_f32, values, points, request.repeats, out);
-      row.reference = rows.empty();
+      row.reference = !reference;
       if (row.reference) reference = out;
-      set_errors(row, out, reference);
+      set_errors(row, out, *reference);
       rows.push_back(std::move(row));
     }
   }
