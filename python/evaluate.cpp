@@ -1,8 +1,11 @@
 #include <numbers>
 
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cuticle/bsdf/fibre/fibres.h>
+#include <cuticle/bsdf/listing/listing.h>
 #include <cuticle/bsdf/model.h>
 
 #include "arrays.h"
@@ -10,15 +13,17 @@
 namespace cuticle::python {
 namespace {
 
-constexpr std::array<double bsdf::Point::*, 5> k_members = {&bsdf::Point::theta_i, &bsdf::Point::theta_o,
-                                                            &bsdf::Point::theta_d, &bsdf::Point::phi, &bsdf::Point::h};
+constexpr std::array<double bsdf::Point::*, bsdf::coordinate_count> k_members = {
+    &bsdf::Point::theta_i, &bsdf::Point::theta_o, &bsdf::Point::theta_d,
+    &bsdf::Point::phi,     &bsdf::Point::h,       &bsdf::Point::phi_o};
+constexpr std::size_t k_offset = 4;  // h is no angle
 
 std::vector<bsdf::Point> make_points(const std::vector<Numbers>& coordinates, const std::vector<std::size_t>& shape) {
   std::size_t count = 1;
   for (std::size_t length : shape) count *= length;
   std::vector<bsdf::Point> points(count);
   for (std::size_t c = 0; c < k_members.size(); ++c) {
-    const double unit = c < 4 ? std::numbers::pi / 180 : 1;
+    const double unit = c == k_offset ? 1 : std::numbers::pi / 180;
     for (std::size_t i = 0; i < count; ++i)
       points[i].*k_members[c] = coordinates[c].data()[broadcast_index(coordinates[c], shape, i)] * unit;
   }
@@ -32,11 +37,28 @@ bsdf::Precision find_precision(const std::string& name) {
                     "the program for the GPU: cuticle eval --precision gpu"));
 }
 
+/// A named hair in the model's parameters. Error: usage.
+Result<bsdf::FibreMapping> map_hair(const bsdf::Model& model, const std::string& hair) {
+  CUTICLE_ASSIGN(const bsdf::NamedFibre named, bsdf::find_fibre(hair));
+  if (!model.from_fibre)
+    return usage_error("model " + std::string(model.entry.name) + " has no mapping from a hair", "set={...}");
+  return model.from_fibre(named.fibre);
+}
+
+/// Settings over the hair, where one is named, or over the preset.
+registry::ParameterValues find_values(const bsdf::Model& model, const std::string& preset, const std::string& settings,
+                                      const std::string& hair) {
+  if (hair.empty()) return value_or_raise(bsdf::parse_settings(model, preset, settings));
+  if (!preset.empty()) raise(usage_error("preset and hair exclude each other"));
+  const std::string mapped = value_or_raise(map_hair(model, hair)).settings;
+  return value_or_raise(bsdf::parse_settings(model, "", settings.empty() ? mapped : mapped + "," + settings));
+}
+
 OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name,
-                     const std::string& preset, const std::string& settings, const std::vector<Numbers>& coordinates,
-                     const std::string& precision_name) {
+                     const std::string& preset, const std::string& settings, const std::string& hair,
+                     const std::vector<Numbers>& coordinates, const std::string& precision_name) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
-  const registry::ParameterValues values = value_or_raise(bsdf::parse_settings(*model, preset, settings));
+  const registry::ParameterValues values = find_values(*model, preset, settings, hair);
   const bsdf::Quantity quantity = value_or_raise(bsdf::find_quantity(quantity_name));
   const int lobe = value_or_raise(bsdf::find_lobe(*model, lobe_name));
   const bsdf::Precision precision = find_precision(precision_name);
@@ -56,10 +78,17 @@ OutputArray evaluate(const std::string& model_name, const std::string& quantity_
   return take(std::move(flat), shape);
 }
 
-std::string models_json() {
-  std::vector<const registry::Entry*> entries;
-  for (const bsdf::Model* model : bsdf::models()) entries.push_back(&model->entry);
-  return registry::to_json(entries);
+/// (settings, words) of a hair in a model's parameters.
+std::pair<std::string, std::string> hair_mapping(const std::string& model_name, const std::string& hair) {
+  const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
+  const bsdf::FibreMapping mapping = value_or_raise(map_hair(*model, hair));
+  return {mapping.settings, mapping.words};
+}
+
+std::vector<std::string> hairs() {
+  std::vector<std::string> names;
+  for (const bsdf::NamedFibre& named : bsdf::fibres()) names.emplace_back(named.name);
+  return names;
 }
 
 std::vector<std::string> lobes(const std::string& model_name) {
@@ -71,7 +100,9 @@ std::vector<std::string> lobes(const std::string& model_name) {
 
 void add_evaluate(nb::module_& module) {
   module.def("evaluate", &evaluate);
-  module.def("models_json", &models_json);
+  module.def("hair_mapping", &hair_mapping);
+  module.def("hairs", &hairs);
+  module.def("models_json", &bsdf::models_json);
   module.def("lobes", &lobes);
 }
 

@@ -9,7 +9,7 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom, load_groom
 
-__all__ = ["Groom", "bake", "eval", "load_groom", "lobes", "models"]
+__all__ = ["Groom", "bake", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
 
 
 def _text(value):
@@ -32,7 +32,8 @@ def _numbers(value):
 
 
 def models():
-    """The registered models: a list of dictionaries with name, summary, source and parameters (unit, range, default)."""
+    """The registered models: a list of dictionaries with name, summary, source, parameters (unit, range, default), lobes, conventions,
+    presets and exceptions."""
     return json.loads(_cuticle.models_json())
 
 
@@ -41,16 +42,28 @@ def lobes(model):
     return _cuticle.lobes(model)
 
 
-def eval(model, quantity, lobe="sum", set=None, *, preset=None, theta_i_deg=0.0, theta_o_deg=0.0, theta_d_deg=0.0, phi_deg=0.0, h=0.0,
-         precision="f64"):
-    """A model's quantity: "S", "M", "N", "A" or "albedo", without the cosine of the incident angle.
+def hairs():
+    """Names of the fibres that models can be given as `hair`."""
+    return _cuticle.hairs()
+
+
+def hair_mapping(model, hair):
+    """(settings, words): a named fibre in a model's own parameters, and how they came about."""
+    return _cuticle.hair_mapping(model, hair)
+
+
+def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta_i_deg=0.0, theta_o_deg=0.0, theta_d_deg=0.0, phi_deg=0.0,
+         h=0.0, phi_o_deg=0.0, precision="f64"):
+    """A model's quantity: "S", "M", "N", "A", "albedo", "pdf" or "error", without the cosine of the incident angle.
 
     The angles (numbers or arrays; h in [-1, 1]) are broadcast together; the result has their shape with an axis of r, g, b added.
-    S uses theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o.
-    `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset or the defaults; `precision` is "f32" or "f64".
+    S, pdf and error use theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o. Near-field models use h
+    too, and fibres of elliptical cross-section phi_o, the viewer's azimuth from the major axis.
+    `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset, the named hair or the defaults; `precision` is "f32" or
+    "f64".
     """
-    coordinates = [_numbers(value) for value in (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h)]
-    return _cuticle.evaluate(model, quantity, lobe, preset or "", _settings(set), coordinates, precision)
+    coordinates = [_numbers(value) for value in (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)]
+    return _cuticle.evaluate(model, quantity, lobe, preset or "", _settings(set), hair or "", coordinates, precision)
 
 
 def bake(model, layout="nalu", size=128, set=None, preset=None):

@@ -53,7 +53,24 @@ def test_Eval_PresetAndSet_SetGoesOver():
     assert blonde[0] > blonde[2] and clear[0] == clear[2] > blonde[0]
 
 
+def test_Eval_Hair_IsTheMappingsSettings():
+    settings, words = cuticle.hair_mapping("kajiya_kay", "blond")
+    angles = dict(theta_i_deg=[-40.0, 10.0], theta_o_deg=20.0, phi_deg=30.0)
+    assert "exponent" in words and "blond" in cuticle.hairs()
+    assert numpy.array_equal(cuticle.eval("kajiya_kay", "S", hair="blond", **angles), cuticle.eval("kajiya_kay", "S", set=settings, **angles))
+    other = cuticle.eval("kajiya_kay", "S", set={"exponent": 1000}, hair="blond", **angles)
+    assert not numpy.array_equal(other, cuticle.eval("kajiya_kay", "S", hair="blond", **angles))
+
+
+def test_Eval_PdfErrorAndPhiO_AreTaken():
+    phi_o = numpy.array([0.0, 45.0, 90.0])
+    assert cuticle.eval("kajiya_kay", "pdf", phi_o_deg=phi_o).shape == (3, 3)
+    assert (cuticle.eval("kajiya_kay", "error", phi_o_deg=phi_o) == 0).all()
+
+
 @pytest.mark.parametrize("arguments, words", [
+    (dict(model="kajiya_kay", quantity="S", hair="blonde"), ["blonde", "blond"]),
+    (dict(model="kajiya_kay", quantity="S", hair="blond", preset="black"), ["preset", "hair"]),
     (dict(model="marschnr", quantity="S"), ["marschnr", "marschner"]),
     (dict(model="marschner", quantity="Q"), ["Q", "albedo"]),
     (dict(model="marschner", quantity="S", lobe="TTT"), ["TTT", "TRT"]),
@@ -73,7 +90,14 @@ def test_Eval_BadInput_IsAValueErrorThatSaysWhat(arguments, words):
 def test_Models_Marschner_HasItsParameters():
     marschner = next(model for model in cuticle.models() if model["name"] == "marschner")
     assert {"eta", "sigma_a", "beta", "alpha"} <= {parameter["name"] for parameter in marschner["parameters"]}
-    assert cuticle.lobes("marschner") == ["R", "TT", "TRT"]
+    assert cuticle.lobes("marschner") == ["R", "TT", "TRT"] == marschner["lobes"]
+
+
+def test_Models_EachOfThem_SaysWhatAResearcherAsks():
+    for model in cuticle.models():
+        assert model["lobes"] and model["source"] and set(model["conventions"]) == {"field", "cosine", "tilt_sign", "roughness", "absorption"}
+        assert all({"check", "why"} == set(exception) for exception in model["exceptions"])
+    assert {"white_furnace"} <= {exception["check"] for model in cuticle.models() if model["name"] == "kajiya_kay" for exception in model["exceptions"]}
 
 
 def test_Bake_Tables_HoldTheModelsValues():
