@@ -133,6 +133,13 @@ Result<void> check_request(const Model& model, const Request& request, std::size
   return {};
 }
 
+Result<void> check_queries(std::span<const SampleQuery> queries, std::size_t room) {
+  CUTICLE_EXPECT(room == queries.size(), "one sample for each query");
+  static_cast<void>(room);
+  for (std::size_t i = 0; i < queries.size(); ++i) CUTICLE_TRY(check_query(queries[i], i));
+  return {};
+}
+
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
                       const Request& request, std::span<glm::dvec3> out) {
   if (precision == Precision::gpu)
@@ -148,12 +155,11 @@ Result<void> evaluate(const Model& model, const registry::ParameterValues& value
 
 Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,
                     std::span<const SampleQuery> queries, std::span<Sample> out) {
-  CUTICLE_EXPECT(queries.size() == out.size(), "one sample for each query");
   if (precision == Precision::gpu)
     return usage_error("sample runs on the CPU: precision f32 or f64", "GpuEvaluator::sample");
   const auto run = precision == Precision::f32 ? model.sample_f32 : model.sample_f64;
   if (!run) return usage_error(fmt::format("model {} has no sampler", model.entry.name));
-  for (std::size_t i = 0; i < queries.size(); ++i) CUTICLE_TRY(check_query(queries[i], i));
+  CUTICLE_TRY(check_queries(queries, out.size()));
   in_parallel(out.size(), 256, [&](std::size_t first, std::size_t count) {
     run(values, queries.subspan(first, count), out.subspan(first, count));
   });

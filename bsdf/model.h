@@ -107,12 +107,16 @@ std::array<bool, coordinate_count> coordinates_of(const Model& model, const regi
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
 Result<void> check_request(const Model& model, const Request& request, std::size_t room);
 
+/// Whether every number of the queries is finite and in its range; `room` as for check_request. Error: bad_input, naming query,
+/// coordinate, value and range.
+Result<void> check_queries(std::span<const SampleQuery> queries, std::size_t room);
+
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
                       const Request& request, std::span<glm::dvec3> out);
 
 /// Draws directions on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: usage, where
-/// the model has no sampler; bad_input, naming query, coordinate, value and range.
+/// the model has no sampler; as check_queries.
 Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,
                     std::span<const SampleQuery> queries, std::span<Sample> out);
 

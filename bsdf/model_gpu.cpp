@@ -9,7 +9,7 @@
 namespace cuticle::bsdf {
 namespace {
 
-constexpr std::uint32_t group_size = 64;      // local_size_x of gpu/evaluate.comp
+constexpr std::uint32_t group_size = 64;      // local_size_x of gpu/evaluate.comp and gpu/sample.comp
 constexpr std::uint64_t most_groups = 65535;  // every Vulkan device allows so many in one direction
 
 /// Push constants of gpu/evaluate.comp.
@@ -27,11 +27,28 @@ const GpuModel* find_gpu_model(std::string_view name) {
 using DevicePoint = EvaluationPoint<float>;
 static_assert(sizeof(DevicePoint) == 6 * sizeof(float), "gpu/evaluate.comp reads six floats a point");
 
-std::vector<DevicePoint> narrow_points(std::span<const Point> points) {
-  std::vector<DevicePoint> narrowed(points.size());
-  std::transform(points.begin(), points.end(), narrowed.begin(),
-                 [](const Point& point) { return narrow<float>(point); });
+using DeviceQuery = SamplePoint<float>;
+static_assert(sizeof(DeviceQuery) == 11 * sizeof(float), "gpu/sample.comp reads eleven floats a query");
+
+/// What gpu/sample.comp writes for each query.
+struct DeviceSample {
+  float theta_i, phi, pdf, weight[3], lobe;
+};
+
+template <class Narrow, class Wide>
+std::vector<Narrow> narrow_all(std::span<const Wide> items) {
+  std::vector<Narrow> narrowed(items.size());
+  std::transform(items.begin(), items.end(), narrowed.begin(), [](const Wide& item) { return narrow<float>(item); });
   return narrowed;
+}
+
+Sample widened(const DeviceSample& drawn) {
+  return {drawn.theta_i, drawn.phi, drawn.pdf, {drawn.weight[0], drawn.weight[1], drawn.weight[2]}, int(drawn.lobe)};
+}
+
+/// Bytes of a storage buffer that one dispatch may read.
+std::uint64_t chunk_limit(const gpu::Device& device, std::size_t item_bytes) {
+  return std::min(device.info().max_storage_buffer_bytes, most_groups * group_size * item_bytes);
 }
 
 }  // namespace
@@ -46,7 +63,7 @@ Result<GpuEvaluator> GpuEvaluator::make(gpu::Device& device, const Model& model)
 
 Result<void> GpuEvaluator::evaluate_chunk(const gpu::Buffer& parameters, const Request& request,
                                           std::span<glm::dvec3> out) {
-  const std::vector<DevicePoint> narrowed = narrow_points(request.points);
+  const std::vector<DevicePoint> narrowed = narrow_all<DevicePoint>(request.points);
   CUTICLE_ASSIGN(gpu::Buffer points, gpu::make_buffer_from(*device_, std::span<const DevicePoint>(narrowed)));
   CUTICLE_ASSIGN(gpu::Buffer results, device_->make_buffer(out.size() * sizeof(glm::vec3)));
   const Batch batch{std::uint32_t(out.size()), std::int32_t(request.quantity), request.lobe};
@@ -61,18 +78,61 @@ Result<void> GpuEvaluator::evaluate_chunk(const gpu::Buffer& parameters, const R
   return {};
 }
 
+Result<gpu::Buffer> GpuEvaluator::parameters_of(const registry::ParameterValues& values) {
+  const std::vector<float> packed = model_->pack(values);
+  CUTICLE_EXPECT(packed.size() == CUTICLE_PACKED_COUNT, "a model packs as many numbers as Packed holds");
+  return gpu::make_buffer_from(*device_, std::span<const float>(packed));
+}
+
 Result<void> GpuEvaluator::evaluate(const registry::ParameterValues& values, const Request& request,
                                     std::span<glm::dvec3> out) {
   CUTICLE_TRY(check_request(*model_, request, out.size()));
-  const std::vector<float> packed = model_->pack(values);
-  CUTICLE_EXPECT(packed.size() == CUTICLE_PACKED_COUNT, "a model packs as many numbers as Packed holds");
-  CUTICLE_ASSIGN(gpu::Buffer parameters, gpu::make_buffer_from(*device_, std::span<const float>(packed)));
-  const std::uint64_t limit =
-      std::min(device_->info().max_storage_buffer_bytes, most_groups * group_size * sizeof(DevicePoint));
+  CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
+  const std::uint64_t limit = chunk_limit(*device_, sizeof(DevicePoint));
   for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DevicePoint), limit)) {
     const std::size_t size = chunk.end - chunk.begin;
     const Request part{request.quantity, request.lobe, request.points.subspan(chunk.begin, size)};
     CUTICLE_TRY(evaluate_chunk(parameters, part, out.subspan(chunk.begin, size)));
+  }
+  return {};
+}
+
+Result<void> GpuEvaluator::make_sample_kernel() {
+  if (sample_kernel_) return {};
+  const GpuModel* gpu_model = find_gpu_model(model_->entry.name);
+  if (gpu_model->sample_spirv.empty())
+    return usage_error(fmt::format("model {} has no sampler on the device", model_->entry.name), "precision f32");
+  gpu::ShaderInterface interface { .storage_buffers = 3, .push_constant_bytes = sizeof(std::uint32_t) };
+  CUTICLE_ASSIGN(sample_kernel_, device_->make_kernel(gpu_model->sample_spirv, interface));
+  return {};
+}
+
+Result<void> GpuEvaluator::sample_chunk(const gpu::Buffer& parameters, std::span<const SampleQuery> queries,
+                                        std::span<Sample> out) {
+  const std::vector<DeviceQuery> narrowed = narrow_all<DeviceQuery>(queries);
+  CUTICLE_ASSIGN(gpu::Buffer numbers, gpu::make_buffer_from(*device_, std::span<const DeviceQuery>(narrowed)));
+  CUTICLE_ASSIGN(gpu::Buffer results, device_->make_buffer(out.size() * sizeof(DeviceSample)));
+  const std::uint32_t count = std::uint32_t(out.size());
+  gpu::Commands commands = device_->record();
+  commands.begin_pass("bsdf sample");
+  commands.dispatch(*sample_kernel_, {&parameters, &numbers, &results}, {}, gpu::bytes_of(count),
+                    (count + group_size - 1) / group_size);
+  commands.end_pass();
+  CUTICLE_TRY(device_->submit(std::move(commands)));
+  CUTICLE_ASSIGN(std::vector<DeviceSample> drawn, gpu::read_buffer<DeviceSample>(*device_, results, out.size()));
+  std::transform(drawn.begin(), drawn.end(), out.begin(), widened);
+  return {};
+}
+
+Result<void> GpuEvaluator::sample(const registry::ParameterValues& values, std::span<const SampleQuery> queries,
+                                  std::span<Sample> out) {
+  CUTICLE_TRY(check_queries(queries, out.size()));
+  CUTICLE_TRY(make_sample_kernel());
+  CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
+  for (const gpu::Chunk& chunk :
+       gpu::chunks(out.size(), sizeof(DeviceQuery), chunk_limit(*device_, sizeof(DeviceQuery)))) {
+    const std::size_t size = chunk.end - chunk.begin;
+    CUTICLE_TRY(sample_chunk(parameters, queries.subspan(chunk.begin, size), out.subspan(chunk.begin, size)));
   }
   return {};
 }

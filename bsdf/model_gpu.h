@@ -1,6 +1,7 @@
 #pragma once
 // Batch evaluation of any registered model by the kernel compiled for it from the shared source.
 #include <memory>
+#include <optional>
 
 #include <cuticle/bsdf/model.h>
 #include <cuticle/gpu/device.h>
@@ -11,10 +12,11 @@ namespace cuticle::bsdf {
 struct GpuModel {
   std::string_view name;
   std::span<const std::uint32_t> evaluate_spirv;
+  std::span<const std::uint32_t> sample_spirv = {};  ///< empty: the model has no sampler
 };
 std::span<const GpuModel* const> gpu_models();
 
-/// A model's kernel on a device, made once for many batches. Belongs to the device, which must outlive it.
+/// A model's kernels on a device, made once for many batches. Belongs to the device, which must outlive it.
 class GpuEvaluator {
  public:
   /// Error: usage where the model has no kernel, or what the device says.
@@ -22,15 +24,23 @@ class GpuEvaluator {
   /// In float, in chunks that respect the device's buffer limit; the same bits from run to run. Errors: as
   /// check_request.
   Result<void> evaluate(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out);
+  /// Draws directions in float, as bsdf::sample does on the CPU; its kernel is compiled at the first call. Errors:
+  /// usage, where the model has no sampler; as check_queries.
+  Result<void> sample(const registry::ParameterValues& values, std::span<const SampleQuery> queries,
+                      std::span<Sample> out);
 
  private:
   GpuEvaluator(gpu::Device& device, const Model& model, gpu::Kernel kernel)
       : device_(&device), model_(&model), kernel_(std::move(kernel)) {}
+  Result<gpu::Buffer> parameters_of(const registry::ParameterValues& values);
   Result<void> evaluate_chunk(const gpu::Buffer& parameters, const Request& request, std::span<glm::dvec3> out);
+  Result<void> make_sample_kernel();
+  Result<void> sample_chunk(const gpu::Buffer& parameters, std::span<const SampleQuery> queries, std::span<Sample> out);
 
   gpu::Device* device_;
   const Model* model_;
   gpu::Kernel kernel_;
+  std::optional<gpu::Kernel> sample_kernel_;
 };
 
 /// One batch on the device: GpuEvaluator for callers that have only one.

@@ -74,7 +74,7 @@ def test_PublicHeaders_HoldNoHeavyType():
 
 def target_module(target):
     name = target.replace("cuticle::", "").replace("cuticle_", "", 1) if target.startswith("cuticle") else None
-    special = {"core_image": "core/image", "strands_rays": "strands/rays", "study_oracle": "study/oracle", "study_shadows": "study", "study_demo": "study"}
+    special = {"core_image": "core/image", "strands_rays": "strands/rays", "study_oracle": "study/oracle", "study_shadows": "study", "study_demo": "study", "study_model_check": "study"}
     if name is None or name in ("", "warnings", "cuticle"):
         return None
     return special.get(name, name.removesuffix("_gpu"))

@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include <cuticle/cli/check/check.h>
+#include <cuticle/study/model_check/registered.h>
+#include <cuticle/study/model_check/report.h>
+
+namespace cuticle::cli {
+namespace {
+
+using study::model_check::Report;
+
+struct ModelOptions {
+  std::string name, settings, preset, precision = "f64";
+  study::model_check::Options check;
+};
+
+Result<std::vector<const bsdf::Model*>> chosen_models(const std::string& name) {
+  if (name == "all") return std::vector<const bsdf::Model*>(bsdf::models().begin(), bsdf::models().end());
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
+  return std::vector<const bsdf::Model*>{model};
+}
+
+Result<std::vector<Report>> check_models(const ModelOptions& options, Progress& progress) {
+  CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, chosen_models(options.name));
+  const bsdf::Precision precision = options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64;
+  std::vector<Report> reports;
+  for (const bsdf::Model* model : models) {
+    CUTICLE_ASSIGN(const registry::ParameterValues values,
+                   bsdf::parse_settings(*model, options.preset, options.settings));
+    const study::model_check::Subject subject = study::model_check::subject_of(*model, values, precision);
+    reports.push_back(check_subject(subject, model->exceptions, options.check, progress));
+  }
+  return reports;
+}
+
+int check_model(const ModelOptions& options, const Context& context) {
+  const Result<std::vector<Report>> reports = check_models(options, *context.progress);
+  if (!reports) return report(reports.error());
+  if (context.json) fmt::print("{}\n", study::model_check::to_json(*reports));
+  for (const Report& one : *reports)
+    if (!context.json) fmt::print("{}", to_text(one));
+  const bool sound = std::all_of(reports->begin(), reports->end(), [](const Report& one) { return one.sound(); });
+  return sound ? Exit::ok : Exit::check_failed;
+}
+
+}  // namespace
+
+void add_check_model(CLI::App& check, Context& context) {
+  auto* command =
+      check.add_subcommand("model", "energy, reciprocity, density, samples, tails and finiteness of a fibre model");
+  auto options = std::make_shared<ModelOptions>();
+  command->add_option("model", options->name, "a model (cuticle models), or all")->required();
+  command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
+  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
+  command->add_option("--precision", options->precision, "f32 or f64")
+      ->check(CLI::IsMember({"f32", "f64"}))
+      ->capture_default_str();
+  command->add_option("--seed", options->check.seed, "of the samples and of the search for NaN")->capture_default_str();
+  command->add_flag("--quick", options->check.quick, "fewer directions and samples");
+  command->callback(
+      [&context, options] { context.action = [&context, options] { return check_model(*options, context); }; });
+}
+
+}  // namespace cuticle::cli

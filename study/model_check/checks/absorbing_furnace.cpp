@@ -1,0 +1,58 @@
+// The energy that a coloured fibre scatters, by quadrature of S: against the model's own albedo, and where the lobes
+// are narrow and untilted against the mean attenuation of a dielectric cylinder.
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/study/model_check/checks/checks.h>
+#include <cuticle/study/model_check/mean_attenuation.h>
+#include <cuticle/study/model_check/sphere_quadrature.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+constexpr std::array<Situation, 3> situations = {{{Absorption::coloured, Roughness::usual, Tilt::given},
+                                                  {Absorption::coloured, Roughness::wide, Tilt::given},
+                                                  {Absorption::given, Roughness::narrow, Tilt::given}}};
+constexpr Situation as_a_cylinder = {Absorption::coloured, Roughness::narrowest, Tilt::none};
+constexpr double steepest = 1.4;  // [rad]; beyond, the width of even the narrowest lobe changes the energy
+
+void against_albedo(const Subject& subject, const Options& options, Worst& worst) {
+  for (const Scatterer& scatterer : scatterers(subject, std::span(situations).first(options.quick ? 1 : 3))) {
+    if (!scatterer.albedo) continue;
+    for (const bsdf::Point& view : furnace_views(subject, options)) {
+      const glm::dvec3 difference = scattered_energy(scatterer, view).value - value_at(scatterer.albedo, view);
+      worst.note(largest(difference), "the albedo at " + where(subject, scatterer, view));
+    }
+  }
+}
+
+void against_cylinder(const Subject& subject, const Options& options, Worst& worst) {
+  const std::optional<Scatterer> scatterer = subject.make(as_a_cylinder);
+  if (!scatterer || !scatterer->cylinder) return;
+  for (const bsdf::Point& view : furnace_views(subject, options)) {
+    if (std::abs(view.theta_o) > steepest) continue;
+    const Cylinder& cylinder = *scatterer->cylinder;
+    const glm::dvec3 truth =
+        subject.near_field ? attenuation_at(cylinder, view.theta_o, view.h) : mean_attenuation(cylinder, view.theta_o);
+    worst.note(largest(scattered_energy(*scatterer, view).value - truth),
+               "a dielectric cylinder at " + where(subject, *scatterer, view));
+  }
+}
+
+}  // namespace
+
+Verdict absorbing_furnace(const Subject& subject, const Options& options) {
+  Worst albedo, cylinder;
+  against_albedo(subject, options, albedo);
+  against_cylinder(subject, options, cylinder);
+  if (albedo.where.empty() && cylinder.where.empty()) return skipped("it names neither an albedo nor a dielectric");
+  std::string words;
+  for (const Worst* worst : {&albedo, &cylinder})
+    if (!worst->where.empty())
+      words += fmt::format("{}{:.2e} off {}", words.empty() ? "" : "; ", worst->value, worst->where);
+  return judged(std::max(albedo.value, cylinder.value), 2e-3 + 100 * subject.rounding, words);
+}
+
+}  // namespace cuticle::study::model_check

@@ -1,0 +1,75 @@
+// The integral of S over phi in the mirror direction, as the inclination grows: where caustics form, merge and vanish,
+// the energy may not jump.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include <cuticle/study/model_check/checks/checks.h>
+#include <cuticle/study/model_check/sphere_quadrature.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+constexpr double half_width = 1e-7;  // of the ring around the mirror direction [rad]
+constexpr double steepest = 80;      // [deg]
+
+double ring_energy(const Scatterer& scatterer, double theta_o, double h) {
+  Partition ring{{-theta_o - half_width, -theta_o + half_width}, {}};
+  for (int k = 0; k <= 48; ++k) ring.phi.push_back(pi * (k / 24.0 - 1));
+  const double scale = 2 * half_width * std::cos(theta_o);
+  const bsdf::Point view{.theta_o = theta_o, .h = h};
+  return brightness(integrate_sphere(scatterer.scattering, view, ring, {2e-5 * scale, 40000}).value) / scale;
+}
+
+struct Step {
+  double low = 0, high = 0, low_value = 0, high_value = 0;
+  double jump() const {
+    return std::abs(high_value - low_value) / std::max({std::abs(high_value), std::abs(low_value), 1e-3});
+  }
+};
+
+/// What remains of a change when its step is halved again and again on the side of the larger change.
+Step narrowed(const Scatterer& scatterer, Step step, double h) {
+  for (int k = 0; k < 18; ++k) {
+    const double middle = 0.5 * (step.low + step.high), value = ring_energy(scatterer, middle, h);
+    const Step low{step.low, middle, step.low_value, value}, high{middle, step.high, value, step.high_value};
+    step = low.jump() > high.jump() ? low : high;
+  }
+  return step;
+}
+
+std::vector<Step> sweep(const Scatterer& scatterer, double h, int parts) {
+  std::vector<Step> steps;
+  double before = ring_energy(scatterer, 0, h);
+  for (int k = 0; k < parts; ++k) {
+    const double low = steepest * degree * k / parts, high = steepest * degree * (k + 1) / parts;
+    const double value = ring_energy(scatterer, high, h);
+    steps.push_back({low, high, before, value});
+    before = value;
+  }
+  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.jump() > b.jump(); });
+  return steps;
+}
+
+}  // namespace
+
+Verdict caustic_continuity(const Subject& subject, const Options& options) {
+  const std::optional<Scatterer> scatterer = subject.make({Absorption::given, Roughness::usual, Tilt::none});
+  if (!scatterer) return skipped("its roughness cannot be set");
+  Worst worst;
+  constexpr double h = 0.4;
+  const std::vector<Step> steps = sweep(*scatterer, h, options.quick ? 20 : 40);
+  for (std::size_t k = 0; k < (options.quick ? 1u : 3u); ++k) {
+    const Step step = narrowed(*scatterer, steps[k], h);
+    worst.note(step.jump(), fmt::format("theta_d = {:.4f} deg ({})", step.low / degree, scatterer->label));
+  }
+  return judged(worst.value, 1e-3 + 1e3 * subject.rounding,
+                fmt::format("largest jump {:.1e} of the energy over phi, at {}", worst.value, worst.where));
+}
+
+}  // namespace cuticle::study::model_check

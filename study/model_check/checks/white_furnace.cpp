@@ -1,0 +1,51 @@
+// A fibre that absorbs nothing, lit evenly from everywhere: by quadrature for each viewing direction.
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/study/model_check/checks/checks.h>
+#include <cuticle/study/model_check/sphere_quadrature.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+constexpr std::array<Situation, 4> situations = {{{Absorption::none, Roughness::usual, Tilt::given},
+                                                  {Absorption::none, Roughness::narrowest, Tilt::given},
+                                                  {Absorption::none, Roughness::wide, Tilt::given},
+                                                  {Absorption::none, Roughness::narrow, Tilt::strong}}};
+constexpr double quadrature_tolerance = 1e-4;
+
+struct Range {
+  double least = 1e300, most = -1e300;
+  std::size_t unresolved = 0;
+};
+
+std::string summary(const Range& range, std::size_t count, const std::string& place) {
+  const std::string note = range.unresolved > 0 ? fmt::format("; {} not resolved to 1e-4", range.unresolved) : "";
+  return fmt::format("energy {:.6f} .. {:.6f} over {} views; worst at {}{}", range.least, range.most, count, place,
+                     note);
+}
+
+}  // namespace
+
+Verdict white_furnace(const Subject& subject, const Options& options) {
+  Worst worst;
+  Range range;
+  const std::vector<bsdf::Point> views = furnace_views(subject, options);
+  const std::vector<Scatterer> all = scatterers(subject, std::span(situations).first(options.quick ? 2 : 4));
+  if (all.empty()) return skipped("it cannot be made free of absorption");
+  for (const Scatterer& scatterer : all)
+    for (const bsdf::Point& view : views) {
+      const SphereIntegral energy = scattered_energy(scatterer, view, quadrature_tolerance);
+      const double value = largest(energy.value);
+      range.least = std::min(range.least, value);
+      range.most = std::max(range.most, value);
+      range.unresolved += energy.converged ? 0 : 1;
+      worst.note(subject.complete ? std::abs(value - 1) : value - 1, where(subject, scatterer, view));
+    }
+  const double allowed = 5e-4 + 100 * subject.rounding;
+  return judged(std::max(worst.value, 0.0), allowed, summary(range, all.size() * views.size(), worst.where));
+}
+
+}  // namespace cuticle::study::model_check

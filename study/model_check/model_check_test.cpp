@@ -1,0 +1,108 @@
+// What the checks are made of, each against a known answer.
+#include <cuticle/study/model_check/model_check.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/study/model_check/checks/chi_square.h>
+#include <cuticle/study/model_check/gallery/gallery.h>
+#include <cuticle/study/model_check/mean_attenuation.h>
+#include <cuticle/study/model_check/registered.h>
+#include <cuticle/study/model_check/sphere_quadrature.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(SphereQuadrature, Even_IsTheSphere) {
+  const Batch one = [](std::span<const bsdf::Point>, std::span<glm::dvec3> out) {
+    std::fill(out.begin(), out.end(), glm::dvec3(1));
+  };
+  const SphereIntegral sum = integrate_sphere(one, {}, {{-pi / 2, 0, pi / 2}, {-pi, pi}}, {.absolute = 1e-6});
+  EXPECT_TRUE(sum.converged);
+  EXPECT_NEAR(sum.value.x, 4 * pi, 1e-6);
+}
+
+// As 1 / sqrt(x) at a caustic.
+TEST(SphereQuadrature, InverseRootInPhi_Converges) {
+  const Batch root = [](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = glm::dvec3(points[i].phi < 1 ? 1 / std::sqrt(1 - points[i].phi) : 0);
+  };
+  const SphereIntegral sum = integrate_sphere(root, {}, {{-pi / 2, pi / 2}, {-pi, 0, pi}}, {.absolute = 1e-3});
+  EXPECT_NEAR(sum.value.x, 4 * std::sqrt(1 + pi), 4e-3);
+}
+
+class NarrowLobe : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Views, NarrowLobe, testing::Values(0.0, 0.6, -1.4, 1.569));
+TEST_P(NarrowLobe, OfAThousandthOfARadian_KeepsItsEnergy) {
+  const std::optional<Scatterer> fibre =
+      exhibit(Cause::none).make({Absorption::none, Roughness::narrowest, Tilt::given});
+  const SphereIntegral sum = scattered_energy(*fibre, {.theta_o = GetParam(), .h = 0.3});
+  EXPECT_NEAR(sum.value.x, 1, 4e-4);
+}
+
+// Q(1/2, 1.92) of one degree of freedom and the tabulated 5 % points (Abramowitz and Stegun, table 26.8).
+TEST(ChiSquareTail, KnownQuantiles_GiveTheirProbabilities) {
+  EXPECT_NEAR(chi_square_tail(3.841458820694124, 1), 0.05, 1e-12);
+  EXPECT_NEAR(chi_square_tail(18.307038053275146, 10), 0.05, 1e-12);
+  EXPECT_NEAR(chi_square_tail(124.34211340400407, 100), 0.05, 1e-12);
+  EXPECT_NEAR(chi_square_tail(2 * std::log(100.0), 2), 0.01, 1e-14);
+  EXPECT_EQ(chi_square_tail(0, 5), 1);
+}
+
+TEST(MeanAttenuation, WithoutAbsorptionAndWithAllOrders_IsOne) {
+  for (double theta : {0.0, 0.5, -1.3})
+    EXPECT_NEAR(mean_attenuation({1.55, glm::dvec3(0), 0}, theta).x, 1, 1e-6) << theta;
+}
+
+TEST(MeanAttenuation, OnTheAxisOfAnAbsorber_IsTheTextbooks) {
+  const double f = std::pow(0.55 / 2.55, 2), t = std::exp(-0.4);
+  const glm::dvec3 energy = attenuation_at({1.55, glm::dvec3(0.2), 3}, 0, 0);
+  EXPECT_NEAR(energy.x, f + (1 - f) * (1 - f) * t * (1 + f * t), 1e-14);
+}
+
+TEST(MeanAttenuation, SquareOfTheChord_AbsorbsMore) {
+  const Cylinder cylinder{1.55, glm::dvec3(1), 3};
+  EXPECT_LT(mean_attenuation(cylinder, 0, Physics::squared_path).x, mean_attenuation(cylinder, 0).x - 0.05);
+}
+
+TEST(ChiSquareOfASampler, ThatFollowsItsDensity_IsProbable) {
+  const std::optional<Scatterer> fibre = exhibit(Cause::none).make({});
+  EXPECT_GT(sampler_probability(*fibre, {.theta_o = 0.7, .h = 0.3}, 20000, 1), 1e-3);
+}
+
+TEST(ChiSquareOfASampler, ForAnotherDensity_IsImprobable) {
+  std::optional<Scatterer> fibre = exhibit(Cause::none).make({});
+  fibre->pdf = exhibit(Cause::none).make({Absorption::none})->pdf;
+  EXPECT_LT(sampler_probability(*fibre, {.theta_o = 0.7, .h = 0.3}, 20000, 1), 1e-6);
+}
+
+TEST(Checks, SameSeed_GivesTheSameVerdicts) {
+  const Check& check = checks()[4];
+  EXPECT_EQ(check.name, "chi_square");
+  const Subject subject = exhibit(Cause::none);
+  EXPECT_EQ(check.run(subject, {.quick = true, .seed = 3}).measured,
+            check.run(subject, {.quick = true, .seed = 3}).measured);
+}
+
+TEST(Checks, WithoutASampler_AreSkippedWithAReason) {
+  Subject subject = exhibit(Cause::none);
+  subject.make = [whole = subject.make](const Situation& situation) {
+    std::optional<Scatterer> scatterer = whole(situation);
+    scatterer->sample = nullptr;
+    scatterer->pdf = nullptr;
+    return scatterer;
+  };
+  for (std::size_t k : {3u, 4u, 5u}) {
+    const Verdict verdict = checks()[k].run(subject, {.quick = true});
+    EXPECT_EQ(verdict.state, State::skipped) << checks()[k].name;
+    EXPECT_FALSE(verdict.words.empty());
+  }
+}
+
+}  // namespace
+}  // namespace cuticle::study::model_check

@@ -1,0 +1,172 @@
+#include <cuticle/study/model_check/registered.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include <cuticle/core/random.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+using registry::Parameter;
+using registry::ParameterType;
+using registry::ParameterValues;
+
+bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+bool is_roughness(const Parameter& p) {
+  return p.type == ParameterType::real && (p.name.starts_with("beta") || contains(p.name, "roughness"));
+}
+bool is_tilt(const Parameter& p) {
+  return p.type == ParameterType::real && (p.name.starts_with("alpha") || contains(p.name, "tilt"));
+}
+bool is_absorption(const Parameter& p) { return p.name.starts_with("sigma_a") || contains(p.name, "absorption"); }
+
+double roughness_of(const Parameter& p, Roughness roughness) {
+  constexpr std::array<double, 5> widths = {0, 0, 0.1, 0.25, 0.6};
+  return std::clamp(widths[std::size_t(roughness)], p.minimum, p.maximum);
+}
+
+double in_range(const Parameter& p, double value) { return std::clamp(value, p.minimum, p.maximum); }
+
+void set_absorption(ParameterValues& values, const Parameter& p, Absorption absorption) {
+  const glm::dvec3 colour = absorption == Absorption::none ? glm::dvec3(0) : glm::dvec3(0.1, 0.5, 2);
+  if (p.type == ParameterType::rgb)
+    values.set(p.name, glm::dvec3(in_range(p, colour.x), in_range(p, colour.y), in_range(p, colour.z)));
+  if (p.type == ParameterType::real) values.set(p.name, in_range(p, colour.y));
+}
+
+double tilt_of(const Parameter& p, Tilt tilt) {
+  return tilt == Tilt::none ? 0.0 : p.minimum < 0 ? std::max(p.minimum, -0.0873) : std::min(p.maximum, 0.0873);
+}
+
+/// The values put into a situation; parameters that it does not speak of keep theirs.
+ParameterValues in_situation(const bsdf::Model& model, ParameterValues values, const Situation& situation) {
+  for (const Parameter& p : model.entry.parameters) {
+    if (situation.roughness != Roughness::given && is_roughness(p))
+      values.set(p.name, roughness_of(p, situation.roughness));
+    if (situation.absorption != Absorption::given && is_absorption(p)) set_absorption(values, p, situation.absorption);
+    if (situation.tilt != Tilt::given && is_tilt(p)) values.set(p.name, tilt_of(p, situation.tilt));
+  }
+  return values;
+}
+
+std::string label_of(const Situation& situation) {
+  constexpr std::array<std::string_view, 3> absorption = {"absorption as given", "no absorption", "coloured"};
+  constexpr std::array<std::string_view, 5> roughness = {"roughness as given", "narrowest", "narrow", "usual roughness",
+                                                         "wide"};
+  constexpr std::array<std::string_view, 3> tilt = {"tilt as given", "no tilt", "strong tilt"};
+  return fmt::format("{}, {}, {}", absorption[std::size_t(situation.absorption)],
+                     roughness[std::size_t(situation.roughness)], tilt[std::size_t(situation.tilt)]);
+}
+
+bool is_path(std::string_view lobe) { return lobe == "R" || lobe == "TT" || lobe == "TRT" || lobe == "TRRT"; }
+
+bool carries_all_orders(const bsdf::Model& model) {
+  const auto paths = std::count_if(model.lobes.begin(), model.lobes.end(), is_path);
+  return paths >= 3 && std::size_t(paths) < model.lobes.size() && contains(model.lobes.back(), "esidual");
+}
+
+/// The dielectric cylinder that the values describe, where the model follows the paths of one and nothing else.
+std::optional<Cylinder> cylinder_of(const bsdf::Model& model, const ParameterValues& values) {
+  const auto& all = values.all();
+  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a");
+  const bool paths_only = std::all_of(model.lobes.begin(), model.lobes.end(), is_path);
+  if (eta == all.end() || sigma_a == all.end() || (!paths_only && !carries_all_orders(model))) return {};
+  if (!std::holds_alternative<double>(eta->second) || !std::holds_alternative<glm::dvec3>(sigma_a->second)) return {};
+  return Cylinder{std::get<double>(eta->second), std::get<glm::dvec3>(sigma_a->second),
+                  carries_all_orders(model) ? 0 : int(model.lobes.size())};
+}
+
+Batch batch_of(const bsdf::Model& model, const ParameterValues& values, bsdf::Precision precision,
+               bsdf::Quantity quantity) {
+  return [&model, values, precision, quantity](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+    if (const auto done = bsdf::evaluate(model, values, precision, {quantity, -1, points}, out); !done)
+      std::fill(out.begin(), out.end(), glm::dvec3(std::nan("")));
+  };
+}
+
+Scatterer scatterer_of(const bsdf::Model& model, const ParameterValues& values, bsdf::Precision precision) {
+  using bsdf::Quantity;
+  const auto batch = [&](Quantity quantity) { return batch_of(model, values, precision, quantity); };
+  Scatterer scatterer;
+  scatterer.scattering = batch(Quantity::S);
+  scatterer.albedo = batch(Quantity::albedo);
+  scatterer.others = {{"M", batch(Quantity::M)},
+                      {"N", batch(Quantity::N)},
+                      {"A", batch(Quantity::A)},
+                      {"error", batch(Quantity::error)}};
+  scatterer.cylinder = cylinder_of(model, values);
+  if (!model.sample_f64) return scatterer;
+  scatterer.pdf = batch(Quantity::pdf);
+  scatterer.sample = [&model, values, precision](std::span<const bsdf::SampleQuery> queries,
+                                                 std::span<bsdf::Sample> out) {
+    if (const auto done = bsdf::sample(model, values, precision, queries, out); !done)
+      std::fill(out.begin(), out.end(), bsdf::Sample{.theta_i = std::nan("")});
+  };
+  return scatterer;
+}
+
+/// A number of a range: an end of it, or anything between, by ratio where the range spans decades.
+double pick(RandomStream& random, double low, double high) {
+  const double kind = random.next_unit(), place = random.next_unit();
+  if (kind < 0.2) return low;
+  if (kind < 0.4) return high;
+  if (low > 0 && high > 100 * low) return low * std::pow(high / low, place);
+  return kind < 0.7 ? low + (high - low) * place : low + (high - low) * place * place * place;
+}
+
+registry::Value pick_value(RandomStream& random, const Parameter& p) {
+  switch (p.type) {
+    case ParameterType::integer:
+      return std::int64_t(std::floor(pick(random, p.minimum, p.maximum) + 0.5));
+    case ParameterType::boolean:
+      return random.next_unit() < 0.5;
+    case ParameterType::choice:
+      return std::string(p.choices[std::size_t(random.next_unit() * double(p.choices.size()))]);
+    case ParameterType::rgb:
+      return glm::dvec3(pick(random, p.minimum, p.maximum), pick(random, p.minimum, p.maximum),
+                        pick(random, p.minimum, p.maximum));
+    case ParameterType::real:
+      break;
+  }
+  return pick(random, p.minimum, p.maximum);
+}
+
+Scatterer varied(const bsdf::Model& model, bsdf::Precision precision, std::uint64_t number) {
+  RandomStream random(number, 17);
+  ParameterValues values = registry::default_values(model.entry.parameters);
+  std::string label;
+  for (const Parameter& p : model.entry.parameters) {
+    const registry::Value value = pick_value(random, p);
+    label += fmt::format("{}{}={}", label.empty() ? "" : ",", p.name, registry::to_text(value));
+    values.set(p.name, value);
+  }
+  Scatterer scatterer = scatterer_of(model, values, precision);
+  scatterer.label = label;
+  return scatterer;
+}
+
+}  // namespace
+
+Subject subject_of(const bsdf::Model& model, const registry::ParameterValues& values, bsdf::Precision precision) {
+  Subject subject;
+  subject.name = model.entry.name;
+  subject.near_field = model.near_field && model.near_field(values);
+  subject.complete = carries_all_orders(model);
+  subject.lobes = std::max<std::size_t>(model.lobes.size(), 1);
+  subject.rounding = precision == bsdf::Precision::f32 ? 1e-6 : 1e-12;
+  subject.make = [&model, values, precision](const Situation& situation) -> std::optional<Scatterer> {
+    Scatterer scatterer = scatterer_of(model, in_situation(model, values, situation), precision);
+    scatterer.label = label_of(situation);
+    return scatterer;
+  };
+  subject.vary = [&model, precision](std::uint64_t number) { return varied(model, precision, number); };
+  return subject;
+}
+
+}  // namespace cuticle::study::model_check

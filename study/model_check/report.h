@@ -1,0 +1,32 @@
+#pragma once
+// The verdicts on one model with its stated exceptions, as text and as JSON: what the program and Python print.
+#include <cuticle/study/model_check/diagnose.h>
+
+namespace cuticle::study::model_check {
+
+struct Report {
+  std::string name;
+  std::vector<Verdict> verdicts;
+  std::span<const bsdf::Exception> exceptions;  ///< checks that the model does not meet by its nature
+  Diagnosis diagnosis;                          ///< where a check failed that is no exception
+
+  /// The exception that excuses a check; null: none.
+  const bsdf::Exception* stated(const Verdict& verdict) const;
+  /// Whether every check passed, was skipped, or failed as stated.
+  bool sound() const;
+};
+
+/// All checks of a subject, and a diagnosis where one fails that is not excused.
+Report check_subject(const Subject& subject, std::span<const bsdf::Exception> exceptions, const Options& options,
+                     Progress& progress);
+
+/// One line a check: its name, "pass", "FAIL", "stated" or "-", measured and allowed, words.
+std::string to_text(const Report& report);
+/// An array of objects: model, sound, cause, cause_words, checks (check, verdict, measured, allowed, at_least, words,
+/// exception).
+std::string to_json(std::span<const Report> reports);
+
+/// A subject without parameters, from its callbacks; `white`: it absorbs nothing.
+Subject fixed_subject(const Scatterer& scatterer, bool near_field, bool white, bool complete);
+
+}  // namespace cuticle::study::model_check

@@ -1,0 +1,214 @@
+#include <cuticle/study/model_check/sphere_quadrature.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <cuticle/core/quadrature.h>
+#include <cuticle/study/model_check/checks/checks.h>
+
+namespace cuticle::study::model_check {
+namespace {
+
+constexpr int order = 6;
+constexpr std::size_t points_per_cell = order * order;
+
+/// Points and weights on [0, 1], and the weights that give the last two Legendre coefficients of a function.
+struct CellRule {
+  std::array<double, order> node{}, weight{};
+  std::array<std::array<double, order>, 2> coefficient{};
+};
+
+CellRule make_rule() {
+  const QuadratureRule gauss = gauss_legendre(order);
+  CellRule rule;
+  for (std::size_t k = 0; k < order; ++k) {
+    rule.node[k] = 0.5 * (1 + gauss.nodes[k]);
+    rule.weight[k] = 0.5 * gauss.weights[k];
+    for (unsigned c = 0; c < 2; ++c) {
+      const unsigned degree = order - 1 - c;
+      rule.coefficient[c][k] = (2 * degree + 1) * rule.weight[k] * std::legendre(degree, gauss.nodes[k]);
+    }
+  }
+  return rule;
+}
+
+const CellRule& cell_rule() {
+  static const CellRule rule = make_rule();
+  return rule;
+}
+
+using CellValues = std::array<glm::dvec3, points_per_cell>;
+
+/// How much of the integrand the last coefficients along one direction still hold, averaged over the other.
+double unresolved(const CellValues& values, bool along_phi) {
+  const CellRule& rule = cell_rule();
+  double sum = 0;
+  for (std::size_t row = 0; row < order; ++row)
+    for (const auto& coefficient : rule.coefficient) {
+      double last = 0;
+      for (std::size_t k = 0; k < order; ++k)
+        last += coefficient[k] * brightness(values[along_phi ? row * order + k : k * order + row]);
+      sum += rule.weight[row] * std::abs(last);
+    }
+  return sum;
+}
+
+/// Fills value, error and direction of a cell from the integrand at its points (theta outer, phi inner).
+void assess(Cell& cell, const CellValues& values) {
+  const CellRule& rule = cell_rule();
+  const double area = (cell.theta_high - cell.theta_low) * (cell.phi_high - cell.phi_low);
+  glm::dvec3 mean(0);
+  double size = 0;
+  for (std::size_t i = 0; i < points_per_cell; ++i) {
+    const double weight = rule.weight[i / order] * rule.weight[i % order];
+    mean += weight * values[i];
+    size += weight * std::abs(brightness(values[i]));
+  }
+  const double theta = unresolved(values, false), phi = unresolved(values, true), worst = std::max(theta, phi);
+  cell.value = area * mean;
+  cell.along_phi = phi > theta;
+  // A coefficient of degree n bounds one of degree 2 n, the first that the rule misses, by its square.
+  cell.error = size > 0 ? area * worst * std::min(1.0, worst / size) : 0;
+}
+
+void append_points(const Cell& cell, const bsdf::Point& view, std::vector<bsdf::Point>& points) {
+  for (double t : cell_rule().node)
+    for (double p : cell_rule().node) {
+      bsdf::Point point = view;
+      point.theta_i = cell.theta_low + t * (cell.theta_high - cell.theta_low);
+      point.phi = cell.phi_low + p * (cell.phi_high - cell.phi_low);
+      point.theta_d = 0.5 * (point.theta_o - point.theta_i);
+      points.push_back(point);
+    }
+}
+
+void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& view) {
+  std::vector<bsdf::Point> points;
+  points.reserve(cells.size() * points_per_cell);
+  for (const Cell& cell : cells) append_points(cell, view, points);
+  std::vector<glm::dvec3> values(points.size());
+  integrand(points, values);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    CellValues own;
+    for (std::size_t i = 0; i < points_per_cell; ++i)
+      own[i] = values[c * points_per_cell + i] * std::cos(points[c * points_per_cell + i].theta_i);
+    assess(cells[c], own);
+  }
+}
+
+std::pair<Cell, Cell> halves(const Cell& cell) {
+  Cell low = cell, high = cell;
+  if (cell.along_phi) {
+    low.phi_high = high.phi_low = 0.5 * (cell.phi_low + cell.phi_high);
+  } else {
+    low.theta_high = high.theta_low = 0.5 * (cell.theta_low + cell.theta_high);
+  }
+  return {low, high};
+}
+
+using Seeds = std::vector<Seed>;
+constexpr double most_scales = 6;     // of a seed that a cell around it may be wide
+constexpr double least_width = 1e-6;  // of a cell [rad]
+
+Seeds inside(const Cell& cell, const Seeds& seeds) {
+  Seeds held;
+  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(held), [&](const Seed& seed) {
+    return seed.theta >= cell.theta_low && seed.theta <= cell.theta_high && seed.phi >= cell.phi_low &&
+           seed.phi <= cell.phi_high;
+  });
+  return held;
+}
+
+/// How much more than chance explains the fullest eighth of the range holds; above 1 the values do not fill it.
+double crowding(const std::vector<double>& values, double low, double high) {
+  std::array<double, 8> counts{};
+  for (double value : values) counts[std::min<std::size_t>(7, std::size_t(8 * (value - low) / (high - low)))] += 1;
+  const double even = double(values.size()) / 8;
+  return *std::max_element(counts.begin(), counts.end()) / (2.2 * even + 3 * std::sqrt(even));
+}
+
+/// How urgently a range asks to be halved, above 1: it is many times wider than a seed's own scale, or its seeds crowd.
+double urgency(const Seeds& seeds, double Seed::*place, double Seed::*scale, double low, double high) {
+  if (seeds.empty() || high - low < least_width) return 0;
+  std::vector<double> values;
+  double least = 1;
+  for (const Seed& seed : seeds) {
+    values.push_back(seed.*place);
+    least = std::min(least, seed.*scale);
+  }
+  return std::max(crowding(values, low, high), (high - low) / (most_scales * std::max(least, least_width)));
+}
+
+/// Halves a cell until the seeds in each part fill it.
+void divide_around(const Cell& cell, const Seeds& seeds, std::vector<Cell>& cells) {
+  const Seeds held = inside(cell, seeds);
+  const double theta = urgency(held, &Seed::theta, &Seed::theta_scale, cell.theta_low, cell.theta_high);
+  const double phi = urgency(held, &Seed::phi, &Seed::phi_scale, cell.phi_low, cell.phi_high);
+  if (std::max(theta, phi) <= 1) {
+    cells.push_back(cell);
+    return;
+  }
+  Cell divided = cell;
+  divided.along_phi = phi > theta;
+  const auto [low, high] = halves(divided);
+  divide_around(low, held, cells);
+  divide_around(high, held, cells);
+}
+
+std::vector<Cell> first_cells(const Partition& partition) {
+  std::vector<Cell> cells;
+  for (std::size_t t = 0; t + 1 < partition.theta.size(); ++t)
+    for (std::size_t p = 0; p + 1 < partition.phi.size(); ++p)
+      divide_around({partition.theta[t], partition.theta[t + 1], partition.phi[p], partition.phi[p + 1]},
+                    partition.seeds, cells);
+  return cells;
+}
+
+double total_error(const std::vector<Cell>& cells) {
+  double sum = 0;
+  for (const Cell& cell : cells) sum += cell.error;
+  return sum;
+}
+
+/// Takes the cells that hold most of the error out of the list, worst first, and gives their halves.
+std::vector<Cell> take_worst(std::vector<Cell>& cells, double total) {
+  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.error < b.error; });
+  std::vector<Cell> divided;
+  for (double taken = 0; taken < 0.8 * total && !cells.empty() && cells.back().error > 0; cells.pop_back()) {
+    taken += cells.back().error;
+    const auto [low, high] = halves(cells.back());
+    divided.push_back(low);
+    divided.push_back(high);
+  }
+  return divided;
+}
+
+}  // namespace
+
+SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view, const Partition& partition,
+                                const SphereTolerance& tolerance) {
+  SphereIntegral integral;
+  integral.cells = first_cells(partition);
+  measure(integral.cells, integrand, view);
+  integral.evaluations = integral.cells.size() * points_per_cell;
+  integral.error = total_error(integral.cells);
+  while (integral.error > tolerance.absolute && integral.evaluations < tolerance.evaluations) {
+    std::vector<Cell> divided = take_worst(integral.cells, integral.error);
+    if (divided.empty()) break;
+    measure(divided, integrand, view);
+    integral.evaluations += divided.size() * points_per_cell;
+    integral.cells.insert(integral.cells.end(), divided.begin(), divided.end());
+    integral.error = total_error(integral.cells);
+  }
+  integral.converged = integral.error <= tolerance.absolute;
+  for (const Cell& cell : integral.cells) integral.value += cell.value;
+  return integral;
+}
+
+SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute) {
+  return integrate_sphere(scatterer.scattering, view, partition_for(scatterer, view), {.absolute = absolute});
+}
+
+}  // namespace cuticle::study::model_check
