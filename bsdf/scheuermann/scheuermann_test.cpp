@@ -1,4 +1,5 @@
 // The features of Scheuermann's shader, by vectors of its own. Labels: A4 A5 A6.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,15 +45,18 @@ TEST(Scheuermann, DirectionalAttenuation_FadesTheHighlightAgainstTheTangentOnly)
   }
 }
 
+/// Which of the points has the largest value.
+std::size_t brightest(const std::string& settings, std::string_view lobe, const std::vector<Point>& points) {
+  const auto values = tests::model_values("scheuermann", settings, Quantity::S, lobe, points);
+  const auto largest = std::max_element(values.begin(), values.end(), [](auto a, auto b) { return a.x < b.x; });
+  return std::size_t(largest - values.begin());
+}
+
 /// The inclination of light at which a lobe peaks for a viewer at normal incidence, by a fine scan.
 double peak(const std::string& settings, std::string_view lobe) {
-  double best = -1, at = 0;
-  for (double theta_i = -1; theta_i < 1; theta_i += 1e-4)
-    if (const double v = value(settings, lobe, {.theta_i = theta_i}); v > best) {
-      best = v;
-      at = theta_i;
-    }
-  return at;
+  std::vector<Point> points;
+  for (double theta_i = -1; theta_i < 1; theta_i += 1e-4) points.push_back({.theta_i = theta_i});
+  return points[brightest(settings, lobe, points)].theta_i;
 }
 
 // A5
@@ -66,16 +70,10 @@ TEST(Scheuermann, PositiveShift_ReflectsTowardTheRootAndNegativeTowardTheTip) {
 /// Where along a strand that runs over a round head, from the crown (0) downwards [rad], a lobe is brightest; light and
 /// viewer stand together at the inclination `above` from the crown.
 double highlight_on_head(const std::string& settings, std::string_view lobe, double above) {
-  double best = -1, at = 0;
-  for (double place = 0; place < pi / 2; place += 1e-3) {
-    const double theta = above - place;  // of both against the strand, whose normal stands at `place` from the crown
-    const double v = value(settings, lobe, {.theta_i = theta, .theta_o = theta});
-    if (v > best) {
-      best = v;
-      at = place;
-    }
-  }
-  return at;
+  std::vector<Point> points;
+  for (double place = 0; place < pi / 2; place += 1e-3)  // both against the strand, whose normal stands at `place`
+    points.push_back({.theta_i = above - place, .theta_o = above - place});
+  return above - points[brightest(settings, lobe, points)].theta_i;
 }
 
 // A5: what is reflected toward the root is seen nearer to the tip.
