@@ -86,6 +86,44 @@ TEST(MarschnerGpu, EdgesOfTheDomain_AreFinite) {
       compare(settings, quantity, -1, points);
 }
 
+TEST(MarschnerGpu, Variants_AgreeWithDouble) {
+  std::vector<Point> points;
+  for (int i = 0; i <= 150; ++i)
+    if (i < 6 || i > 40) points.push_back({.theta_d = 20 * degree, .phi = i * 0.5 * degree, .phi_o = 0.4});
+  for (const char* settings : {"variant=literal", "caustic=smoothed", "variant=literal,caustic=smoothed,eta=2.1"}) {
+    const Difference difference = compare(settings, Quantity::N, 2, points);
+    EXPECT_LE(difference.worst, 1e-5 * difference.largest) << settings;
+  }
+  const Difference smooth_ellipse = compare("aspect=0.85,caustic=smoothed", Quantity::N, 2, points);
+  EXPECT_LE(smooth_ellipse.worst, 1e-4 * smooth_ellipse.largest);
+  const Difference literal = compare("variant=literal", Quantity::M, 1, {{.theta_i = 0.1, .theta_o = 0.2}});
+  EXPECT_LE(literal.worst, 1e-5 * literal.largest);
+}
+
+// The density where the device drew, against that of the same directions on the CPU.
+TEST(MarschnerGpu, Sampler_DrawsWhatTheCpuDraws) {
+  OnDevice& on = on_device();
+  for (const char* settings : {"", "caustic=smoothed,aspect=0.9"}) {
+    const registry::ParameterValues values = *parse_settings(on.model, "", settings);
+    std::vector<SampleQuery> queries(500);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      queries[i].theta_o = std::sin(double(i)) * 1.5;
+      for (std::size_t k = 0; k < 8; ++k) {
+        const double turns = double(i + 1) * std::sqrt(double(2 + k * k + k));
+        queries[i].u[k] = turns - std::floor(turns);
+      }
+    }
+    std::vector<Sample> device(queries.size()), host(queries.size());
+    ASSERT_TRUE(on.evaluator.sample(values, queries, device).ok());
+    ASSERT_TRUE(sample(on.model, values, Precision::f32, queries, host).ok());
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      EXPECT_EQ(device[i].lobe, host[i].lobe);
+      EXPECT_NEAR(device[i].theta_i, host[i].theta_i, 1e-4);
+      EXPECT_NEAR(std::cos(device[i].phi), std::cos(host[i].phi), 1e-4);
+    }
+  }
+}
+
 TEST(MarschnerGpu, SameBatchTwice_GivesTheSameBits) {
   OnDevice& on = on_device();
   const registry::ParameterValues values = registry::default_values(on.model.entry.parameters);
