@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cuticle/bsdf/batch/detail/one_by_one.h>
+#include <cuticle/bsdf/batch/detail/padding.h>
 #include <cuticle/bsdf/batch/detail/rows.h>
 #include <cuticle/bsdf/batch/kernel.h>
 
@@ -68,8 +69,26 @@ batch::DirectionPointers pointers(const BatchPoints& points, std::size_t first) 
           points.to_viewer.z.data() + first,
           points.h.data() + first};
 }
-batch::ColorPointers pointers(const OutputSpans& out, std::size_t first) {
+std::array<float*, 3> pointers(const OutputSpans& out, std::size_t first) {
   return {out.x.data() + first, out.y.data() + first, out.z.data() + first};
+}
+
+batch::QueryPointers pointers(const BatchQueries& queries, std::size_t first) {
+  const VectorSpans& viewer = queries.to_viewer;
+  const auto u = [&](std::size_t k) { return queries.u[k].data() + first; };
+  return {viewer.x.data() + first,
+          viewer.y.data() + first,
+          viewer.z.data() + first,
+          queries.h.data() + first,
+          {u(0), u(1), u(2), u(3)}};
+}
+Result<void> check_queries(const BatchQueries& queries, bool vectorised) {
+  const std::size_t count = queries.to_viewer.x.size();
+  CUTICLE_TRY(
+      check_sizes(count, {{"to_viewer.y", queries.to_viewer.y.size()}, {"to_viewer.z", queries.to_viewer.z.size()}}));
+  if (vectorised || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
+  for (std::size_t k = 0; k < (vectorised ? 4 : 5); ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
+  return {};
 }
 
 /// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks.
@@ -112,8 +131,11 @@ Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpa
   CUTICLE_TRY(check_points(points, kernels_ != nullptr));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
   in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
-    if (kernels_) return kernels_->evaluate(packed_, count, pointers(points, first), pointers(color, first));
-    batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
+    if (!kernels_) return batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
+    batch::in_whole_vectors(count, pointers(points, first), pointers(color, first),
+                            [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
+                              kernels_->evaluate(packed_, size, in, {out[0], out[1], out[2]});
+                            });
   });
   return {};
 }
@@ -122,8 +144,13 @@ Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> den
   CUTICLE_TRY(check_points(points, kernels_ != nullptr));
   CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{"density", density.size()}}));
   in_blocks(density.size(), [&](std::size_t first, int count) {
-    if (kernels_) return kernels_->pdf(packed_, count, pointers(points, first), density.data() + first);
-    batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
+    if (!kernels_)
+      return batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
+    float* const to = density.data() + first;
+    batch::in_whole_vectors(count, pointers(points, first), {to, to, to},
+                            [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
+                              kernels_->pdf(packed_, size, in, out[2]);
+                            });
   });
   return {};
 }
@@ -131,23 +158,15 @@ Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> den
 Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpans& to_light) const {
   if (!model_->sample_f32) return usage_error(fmt::format("model {} has no sampler", model_->entry.name));
   const std::size_t count = queries.to_viewer.x.size();
-  CUTICLE_TRY(
-      check_sizes(count, {{"to_viewer.y", queries.to_viewer.y.size()}, {"to_viewer.z", queries.to_viewer.z.size()}}));
   const bool vectorised = kernels_ && kernels_->sample;
-  if (vectorised || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
-  for (std::size_t k = 0; k < (vectorised ? 4 : 5); ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
+  CUTICLE_TRY(check_queries(queries, vectorised));
   CUTICLE_TRY(check_output(count, to_light));
   in_blocks(count, [&](std::size_t first, int size) {
     if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
-    const VectorSpans& viewer = queries.to_viewer;
-    const batch::QueryPointers from{viewer.x.data() + first,
-                                    viewer.y.data() + first,
-                                    viewer.z.data() + first,
-                                    queries.h.data() + first,
-                                    {queries.u[0].data() + first, queries.u[1].data() + first,
-                                     queries.u[2].data() + first, queries.u[3].data() + first}};
-    kernels_->sample(packed_, size, from,
-                     {to_light.x.data() + first, to_light.y.data() + first, to_light.z.data() + first});
+    batch::in_whole_vectors(size, pointers(queries, first), pointers(to_light, first),
+                            [&](int whole, const batch::QueryPointers& in, const std::array<float*, 3>& out) {
+                              kernels_->sample(packed_, whole, in, {out[0], out[1], out[2]});
+                            });
   });
   return {};
 }
@@ -164,7 +183,11 @@ Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::sp
   CUTICLE_ASSIGN(const batch::RowColumns columns, batch::RowColumns::make(*model_, values_, varying));
   in_blocks(points.h.size(), [&](std::size_t first, int count) {
     const batch::RowBlock rows = columns.block(first, std::size_t(count));
-    kernels_->evaluate_rows(count, rows.pointers, pointers(points, first), pointers(color, first));
+    const batch::VaryingPointers from{rows.pointers, pointers(points, first)};
+    batch::in_whole_vectors(count, from, pointers(color, first),
+                            [&](int size, const batch::VaryingPointers& in, const std::array<float*, 3>& out) {
+                              kernels_->evaluate_rows(size, in.rows, in.directions, {out[0], out[1], out[2]});
+                            });
   });
   return {};
 }

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <cuticle/core/random.h>
 
@@ -205,7 +205,7 @@ TEST(Batch, LargeBatch_IsTheSameAsItsParts) {
                            {cut(data.viewer.x), cut(data.viewer.y), cut(data.viewer.z)},
                            cut(data.h)};
   ASSERT_TRUE(batch.evaluate(points, part.out()).ok());
-  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.x[i], whole.x[12288 + i]);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.x[i], whole.x[12288 + i]) << i;
 }
 
 TEST(Batch, FarField_GoesPointByPoint) {

@@ -25,6 +25,11 @@ struct RowPointers {
   const float* value[CUTICLE_ROW_COUNT];
 };
 
+struct VaryingPointers {
+  RowPointers rows;
+  DirectionPointers directions;
+};
+
 struct Kernels {
   void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
   void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density);

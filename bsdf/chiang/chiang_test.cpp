@@ -69,7 +69,7 @@ TEST_P(ChiangIntegral, OfS_IsTheAlbedo) {
   const auto [settings, theta_o, h] = GetParam();
   for (int lobe = -1; lobe < 4; ++lobe) {
     const std::string_view name = lobe < 0 ? "sum" : model().lobes[std::size_t(lobe)];
-    EXPECT_NEAR(sphere_integral(settings, Quantity::S, lobe, theta_o, h, 600, 500),
+    EXPECT_NEAR(sphere_integral(settings, Quantity::S, lobe, theta_o, h, 400, 300),
                 value(settings, Quantity::albedo, name, {.theta_o = theta_o, .h = h}), 1e-5)
         << name;
   }
@@ -77,14 +77,14 @@ TEST_P(ChiangIntegral, OfS_IsTheAlbedo) {
 TEST_P(ChiangIntegral, OfThePdfOfEachLobe_IsOne) {
   const auto [settings, theta_o, h] = GetParam();
   for (int lobe = -1; lobe < 4; ++lobe)
-    EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, lobe, theta_o, h, 600, 500), 1, 2e-5) << lobe;
+    EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, lobe, theta_o, h, 400, 300), 1, 2e-5) << lobe;
 }
 TEST(ChiangFarField, IntegralsOfSAndPdf_AreAlbedoAndOne) {
   const std::string settings = "beta_m=0.5,beta_n=0.5,alpha=0.1,tolerance=1e-4";
-  EXPECT_NEAR(sphere_integral(settings, Quantity::S, -1, 0.5, 0, 60, 48),
+  EXPECT_NEAR(sphere_integral(settings, Quantity::S, -1, 0.5, 0, 40, 36),
               value(settings, Quantity::albedo, "sum", {.theta_o = 0.5}), 3e-4);
-  EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, -1, 0.5, 0, 60, 48), 1, 3e-4);
-  EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, 1, 0.5, 0, 60, 48), 1, 3e-4);
+  EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, -1, 0.5, 0, 40, 36), 1, 3e-4);
+  EXPECT_NEAR(sphere_integral(settings, Quantity::pdf, 1, 0.5, 0, 40, 36), 1, 3e-4);
 }
 
 TEST(Chiang, AzimuthalTerm_IntegratesToTheAttenuation) {
@@ -160,8 +160,8 @@ TEST(ChiangFarField, EmptyInterval_IsZeroAndReversedOneTheSame) {
 TEST(ChiangFarField, NarrowestRoughness_LosesNoPeak) {
   double sum = 0;
   std::vector<Point> points;
-  for (int k = 0; k < 3000; ++k) points.push_back({.theta_d = 0.3, .phi = ((k + 0.37) / 3000 * 2 - 1) * pi});
-  for (const glm::dvec3& n : values_at("beta_n=0.001", Quantity::N, 0, points)) sum += n.x * 2 * pi / 3000;
+  for (int k = 0; k < 1200; ++k) points.push_back({.theta_d = 0.3, .phi = ((k + 0.37) / 1200 * 2 - 1) * pi});
+  for (const glm::dvec3& n : values_at("beta_n=0.001", Quantity::N, 0, points)) sum += n.x * 2 * pi / 1200;
   EXPECT_NEAR(sum, value("", Quantity::albedo, "R", {.theta_o = 0.3}), 1e-4);
 }
 
@@ -198,7 +198,7 @@ void expect_finite(int sets, int points_each, const char* field, Precision preci
 class ChiangDomain : public testing::TestWithParam<Precision> {};
 INSTANTIATE_TEST_SUITE_P(Precisions, ChiangDomain, testing::Values(Precision::f32, Precision::f64));
 TEST_P(ChiangDomain, EveryNearValue_IsFiniteAndNotNegative) { expect_finite(100, 200, "near", GetParam()); }
-TEST_P(ChiangDomain, EveryFarValue_IsFiniteAndNotNegative) { expect_finite(20, 6, "far", GetParam()); }
+TEST_P(ChiangDomain, EveryFarValue_IsFiniteAndNotNegative) { expect_finite(12, 4, "far", GetParam()); }
 
 TEST(ChiangConversions, Roughness_GoesThereAndBack) {
   for (double beta : {0.001, 0.05, 0.3, 0.9, 1.0}) {

@@ -29,7 +29,9 @@ Packed<Real> narrow(const Packed<double>& packed) {
 }
 
 /// An azimuth brought to [-pi, pi] in double, so that no digit is lost to turns when it is narrowed.
-inline double wrapped(double phi) { return std::remainder(phi, 6.283185307179586); }
+inline double wrapped(double phi) {
+  return std::abs(phi) <= 3.141592653589793 ? phi : std::remainder(phi, 6.283185307179586);
+}
 
 template <class Real>
 EvaluationPoint<Real> narrow(const Point& point) {

@@ -55,18 +55,26 @@ def energies(eta, sigma_a, theta_o, h):
     return (f, tt, tt * f * t, rest), mp.asin(h / bent)
 
 
-def near(eta, sigma_a, beta_m, beta_n, alpha, theta_i, theta_o, phi, h):
-    """Each lobe's part of S, and the sum of A times the peaks of M and N."""
-    variance, scale = widths(beta_m, beta_n)
+def along(beta_m, beta_n, alpha, theta_i, theta_o):
+    """M of each lobe, and its peak over theta_i."""
+    variance, _ = widths(beta_m, beta_n)
+    lobes = [(variance, -2 * alpha), (variance / 4, alpha), (4 * variance, 4 * alpha), (4 * variance, mpf(0))]
+    return [(longitudinal(v, shift, theta_i, theta_o), longitudinal(v, shift, shift - theta_o, theta_o)) for v, shift in lobes]
+
+
+def around(eta, sigma_a, scale, theta_o, phi, h):
+    """A D of each lobe, and A with the peak of D over phi."""
     a, gamma_t = energies(eta, sigma_a, theta_o, h)
     gamma_i = mp.asin(h)
-    parts, peak = [], mpf(0)
-    for p, (v, shift) in enumerate([(variance, -2 * alpha), (variance / 4, alpha), (4 * variance, 4 * alpha), (4 * variance, mpf(0))]):
-        n = azimuthal(scale, phi - (2 * p * gamma_t - 2 * gamma_i + p * mp.pi)) if p < 3 else 1 / (2 * mp.pi)
-        parts.append(a[p] * longitudinal(v, shift, theta_i, theta_o) * n)
-        top = azimuthal(scale, mpf(0)) if p < 3 else n
-        peak += a[p] * longitudinal(v, shift, shift - theta_o, theta_o) * top
-    return parts, peak
+    peaks = [phi - (2 * p * gamma_t - 2 * gamma_i + p * mp.pi) for p in range(3)]
+    top = azimuthal(scale, mpf(0))
+    return [(a[p] * azimuthal(scale, peaks[p]), a[p] * top) for p in range(3)] + [(a[3] / (2 * mp.pi),) * 2]
+
+
+def near(eta, sigma_a, beta_m, beta_n, alpha, theta_i, theta_o, phi, h):
+    """Each lobe's part of S, and the sum of A times the peaks of M and N."""
+    pairs = list(zip(along(beta_m, beta_n, alpha, theta_i, theta_o), around(eta, sigma_a, widths(beta_m, beta_n)[1], theta_o, phi, h)))
+    return [m[0] * n[0] for m, n in pairs], sum(m[1] * n[1] for m, n in pairs)
 
 
 def kappa(values):
@@ -107,7 +115,7 @@ def hard_rows():
     for theta_o in (0.0, -1.2, 1.5707):
         for h in (0.0, 0.999999, -1.0):
             for beta in (0.1, 0.3, 1.0):
-                for eta, sigma_a in ((1.55, 0.2), (1.05, 100.0), (3.0, 0.0)):
+                for eta, sigma_a in ((1.55, 0.2), (1.0625, 100.0), (3.0, 0.0)):
                     yield [eta, sigma_a, beta, beta, 0.0349, -theta_o + 0.1 if theta_o < 1.5 else -1.5706, theta_o, 3.0, h]
 
 
@@ -129,17 +137,21 @@ def scattering_rows():
 
 
 def breaks(values, lower, upper):
-    """Offsets at which D_p peaks, found on a fine grid, with points a few scales beside them: mpmath's quadrature is split there."""
+    """Where D_p peaks, with points a few scales beside, and where it has its kink half a turn away: mpmath's quadrature is split there."""
     eta, sigma_a, beta_m, beta_n, alpha, theta_i, theta_o, phi = values
     scale = widths(beta_m, beta_n)[1]
     bent = mp.sqrt(eta**2 - mp.sin(theta_o) ** 2) / mp.cos(theta_o)
     points = {lower, upper}
     grid = [lower + (upper - lower) * k / 400 for k in range(401)]
     for p in range(3):
-        turns = [mp.sin((phi - (2 * p * mp.asin(mp.sin(g) / bent) - 2 * g + p * mp.pi)) / 2) for g in grid]
-        for k in range(400):
-            if turns[k] * turns[k + 1] <= 0:
-                points.update(x for x in (grid[k] + scale * j for j in (-20, -8, -3, 0, 3, 8, 20)) if lower < x < upper)
+        angles = [(phi - (2 * p * mp.asin(mp.sin(g) / bent) - 2 * g + p * mp.pi)) / 2 for g in grid]
+        for crossing, beside in ((mp.sin, (-20, -8, -3, 0, 3, 8, 20)), (mp.cos, (0,))):
+            turns = [crossing(angle) for angle in angles]
+            for k in range(400):
+                if turns[k] * turns[k + 1] <= 0:
+                    root = mp.findroot(lambda g: crossing((phi - (2 * p * mp.asin(mp.sin(g) / bent) - 2 * g + p * mp.pi)) / 2),
+                                       (grid[k], grid[k + 1]), solver="anderson", verify=False)
+                    points.update(x for x in (root + scale * j for j in beside) if lower < x < upper)
     return sorted(points)
 
 
@@ -153,9 +165,17 @@ def far_rows():
             values = [mpf(single(x)) for x in row]
             ends = [mp.asin(mpf(single(x))) for x in (h_from, h_to)]
             width = mpf(single(h_to)) - mpf(single(h_from))
-            s = mp.quad(lambda g: sum(near(*values, mp.sin(g))[0]) * mp.cos(g), breaks(values, *ends)) / width
+            m = [pair[0] for pair in along(*values[2:7])]
+            size = max(m)  # taken out, since mpmath's quadrature stops at an absolute error
+            scale = widths(values[2], values[3])[1]
+
+            def integrand(g):
+                n = around(values[0], values[1], scale, values[6], values[7], mp.sin(g))
+                return sum(m[p] / size * n[p][0] for p in range(4)) * mp.cos(g)
+
+            s = mp.quad(integrand, breaks(values, *ends)) * size / width
             albedo = mp.quad(lambda g: sum(energies(values[0], values[1], values[6], mp.sin(g))[0]) * mp.cos(g), ends) / width
-            yield [*[f"{single(x):.9g}" for x in [*row, h_from, h_to]], mp.nstr(s, 14), mp.nstr(albedo, 14)]
+            yield [*[f"{single(x):.9g}" for x in [*row, h_from, h_to]], mp.nstr(s, 17), mp.nstr(albedo, 17)]
 
 
 if __name__ == "__main__":

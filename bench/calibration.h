@@ -1,0 +1,36 @@
+#pragma once
+// A fixed exp loop and a fixed copy: what this machine is worth beside the reference machine of bench/reference.json.
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace cuticle::bench {
+
+/// The shortest of `runs` runs [ms].
+template <class Work>
+double best_ms(int runs, const Work& work) {
+  double best = 1e30;
+  for (int run = 0; run < runs; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+inline double exp_ms() {
+  volatile double sink = 0;
+  return best_ms(7, [&] {
+    double sum = 0;
+    for (int i = 0; i < 2'000'000; ++i) sum += std::exp(-1e-6 * i);
+    sink = sum;
+  });
+}
+
+inline double copy_ms() {
+  std::vector<char> from(64 << 20, 1), to(64 << 20);
+  return best_ms(7, [&] { std::memcpy(to.data(), from.data(), from.size()); });
+}
+
+}  // namespace cuticle::bench
