@@ -142,6 +142,10 @@ void add_subject_options(CLI::App& command, SubjectRequest& request) {
   command.add_option("--hair", request.hair,
                      "a fibre by name, mapped onto each model's parameters: blond, brown, black, ...");
   command.add_option("--material", request.material, "a MaterialX file (.mtlx) with a chiang_hair_bsdf");
+  command.add_option("--pigments", request.absorption.pigments,
+                     "sigma_a by TABLE:EUMELANIN/PHEOMELANIN; tables deon_pbrt, blender");
+  command.add_option("--color", request.absorption.color,
+                     "sigma_a by a colour r/g/b: assembly:r/g/b of dense hair, fibre:r/g/b of one fibre");
 }
 
 void add_coordinate_options(CLI::App& command, CoordinateRequest& request) {

@@ -56,18 +56,29 @@ Result<void> check_sources(const SubjectRequest& request) {
   return {};
 }
 
-}  // namespace
-
-Result<std::vector<Subject>> choose_subjects(const SubjectRequest& request) {
-  CUTICLE_TRY(check_sources(request));
-  CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, named_models(request.models));
-  if (!request.hair.empty()) return subjects_of_hair(models, request);
-  if (!request.material.empty()) return subjects_of_material(models, request);
+Result<std::vector<Subject>> plain_subjects(const std::vector<const bsdf::Model*>& models,
+                                            const SubjectRequest& request) {
   std::vector<Subject> subjects;
   for (const bsdf::Model* model : models) {
     CUTICLE_ASSIGN(registry::ParameterValues values, bsdf::parse_settings(*model, request.preset, request.settings));
     subjects.push_back({model, std::move(values), std::nullopt});
   }
+  return subjects;
+}
+
+Result<std::vector<Subject>> subjects_before_absorption(const SubjectRequest& request) {
+  CUTICLE_TRY(check_sources(request));
+  CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, named_models(request.models));
+  if (!request.hair.empty()) return subjects_of_hair(models, request);
+  if (!request.material.empty()) return subjects_of_material(models, request);
+  return plain_subjects(models, request);
+}
+
+}  // namespace
+
+Result<std::vector<Subject>> choose_subjects(const SubjectRequest& request) {
+  CUTICLE_ASSIGN(std::vector<Subject> subjects, subjects_before_absorption(request));
+  for (Subject& subject : subjects) CUTICLE_TRY(apply_absorption(request.absorption, *subject.model, subject.values));
   return subjects;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <cuticle/bsdf/model.h>
+#include <cuticle/cli/eval/absorption.h>
 
 namespace cuticle::cli {
 
@@ -19,6 +20,7 @@ struct Subject {
 /// (empty: none).
 struct SubjectRequest {
   std::string models, settings, preset, hair, material;
+  AbsorptionRequest absorption;  ///< over all of these
 };
 
 /// The models asked for. With a hair, "all" leaves out models that map no fibre. Errors: usage, naming the model, hair,

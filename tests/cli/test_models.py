@@ -78,6 +78,37 @@ def test_Eval_BadSource_IsRefused(arguments, words):
         assert word in message
 
 
+def test_Eval_PigmentsByTable_AreTheirAbsorption():
+    for table, sigma in (("deon_pbrt", "0.838/1.394/2.74"), ("blender", "1.012/1.682/3.306")):
+        by_table = rows("eval", "--pigments", f"{table}:2/0", *PLACE)
+        direct = rows("eval", "--set", f"sigma_a={sigma}", *PLACE)
+        for one, other in zip(by_table, direct):
+            assert [float(one[c]) for c in "rgb"] == pytest.approx([float(other[c]) for c in "rgb"], rel=1e-12)
+
+
+def test_Eval_ColourOfAFibre_IsItsAlbedo():
+    row = rows("eval", "--color", "fibre:0.7/0.5/0.3", "--quantity", "albedo", "--theta-o", "0")[0]
+    assert [float(row[c]) for c in "rgb"] == pytest.approx([0.7, 0.5, 0.3], abs=1e-9)
+    assembly = rows("eval", "--color", "assembly:0.7/0.5/0.3", "--quantity", "albedo", "--theta-o", "0")[0]
+    assert float(assembly["b"]) > 0.5
+
+
+@pytest.mark.parametrize("code, arguments, words", [
+    (2, ["--pigments", "pbrt:1/0"], ["pbrt", "deon_pbrt"]),
+    (2, ["--pigments", "blender:1"], ["blender:1", "2 numbers"]),
+    (3, ["--pigments", "blender:-1/0"], ["eumelanin", "-1"]),
+    (3, ["--pigments", "blender:100/0"], ["sigma_a", "100"]),
+    (2, ["--color", "tint:1/1/1"], ["tint", "assembly, fibre"]),
+    (3, ["--color", "fibre:0.9/2/0.5"], ["color.g", "2", "albedos"]),
+    (2, ["--color", "fibre:1/1/1", "--model", "kajiya_kay"], ["kajiya_kay", "sigma_a"]),
+    (2, ["--color", "assembly:1/1/1", "--pigments", "blender:1/0"], ["--pigments", "--color"]),
+])
+def test_Eval_BadAbsorption_IsRefusedByName(code, arguments, words):
+    message = refused(code, "eval", *arguments, *PLACE)
+    for word in words:
+        assert word in message
+
+
 def test_MaterialX_Exported_EvaluatesAsTheModel(tmp_path):
     settings, path = "eta=1.5,sigma_a=0.1/0.4/1,beta_m=0.25,beta_n=0.4,alpha_deg=2", tmp_path / "hair.mtlx"
     done = run("models", "--export", "chiang", "--set", settings, "--out", path)
