@@ -98,9 +98,8 @@ constexpr std::array<registry::StudyCase, 3> presets = {{
      "root_color=0.000186/3.56e-6/0,tip_color=0.000186/3.56e-6/0,specular_color=0.0245,exponent=25,secondary_scale=0"},
 }};
 
-constexpr std::array<Exception, 3> exceptions = {{
+constexpr std::array<Exception, 2> exceptions = {{
     {"white_furnace", "the colours are no shares of energy: white hair scatters pi^2 times the light"},
-    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the hair's colour"},
     {"reciprocity", "the diffuse lobe is a function of the light's direction only"},
 }};
 

@@ -34,10 +34,9 @@ constexpr std::array<registry::StudyCase, 3> presets = {{
     {"black", "diffuse=0.000186/3.56e-6/0,specular=0.0245,exponent=25"},
 }};
 
-constexpr std::array<Exception, 3> exceptions = {{
+constexpr std::array<Exception, 2> exceptions = {{
     {"white_furnace",
      "the coefficients are colours, not shares of energy: diffuse 1 alone scatters pi^2 times the light"},
-    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the diffuse colour"},
     {"reciprocity", "the diffuse lobe is a function of the light's inclination only"},
 }};
 

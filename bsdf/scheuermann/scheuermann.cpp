@@ -54,9 +54,8 @@ constexpr std::array<registry::StudyCase, 3> presets = {{
     {"black", "diffuse=0.00044/8.4e-6/0,primary=0.024,primary_shift=0.052,secondary=9e-8/0/0,secondary_shift=-0.079"},
 }};
 
-constexpr std::array<Exception, 3> exceptions = {{
+constexpr std::array<Exception, 2> exceptions = {{
     {"white_furnace", "the colours are no shares of energy: diffuse 1 alone scatters 4 pi / 3 times the light"},
-    {"absorbing_furnace", "there is no absorption, and light that crosses the fibre is part of the diffuse colour"},
     {"reciprocity", "the normal faces the viewer, and the diffuse lobe is a function of the light's direction only"},
 }};
 
