@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -7,6 +8,7 @@
 #include <cuticle/bsdf/fibre/fibres.h>
 #include <cuticle/bsdf/listing/listing.h>
 #include <cuticle/bsdf/model.h>
+#include <cuticle/bsdf/pigment/pigment.h>
 
 #include "arrays.h"
 
@@ -91,6 +93,25 @@ std::vector<std::string> hairs() {
   return names;
 }
 
+using Color = std::array<double, 3>;
+
+Color as_color(const glm::dvec3& rgb) { return {rgb.x, rgb.y, rgb.z}; }
+
+Color absorption_of_pigments(const std::string& table, double eumelanin, double pheomelanin) {
+  const bsdf::PigmentTable found = value_or_raise(bsdf::find_pigment_table(table));
+  return as_color(value_or_raise(bsdf::absorption_of_pigments(found, eumelanin, pheomelanin)));
+}
+
+Color absorption_of_assembly(const Color& color, double beta_n) {
+  return as_color(value_or_raise(bsdf::absorption_of_assembly({color[0], color[1], color[2]}, beta_n)));
+}
+
+Color absorption_of_fibre(const std::string& model_name, const Color& color, const std::string& settings) {
+  const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
+  const registry::ParameterValues values = value_or_raise(bsdf::parse_settings(*model, "", settings));
+  return as_color(value_or_raise(bsdf::absorption_of_fibre(*model, values, {color[0], color[1], color[2]})));
+}
+
 std::vector<std::string> lobes(const std::string& model_name) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
   return {model->lobes.begin(), model->lobes.end()};
@@ -100,6 +121,9 @@ std::vector<std::string> lobes(const std::string& model_name) {
 
 void add_evaluate(nb::module_& module) {
   module.def("evaluate", &evaluate);
+  module.def("absorption_of_pigments", &absorption_of_pigments);
+  module.def("absorption_of_assembly", &absorption_of_assembly);
+  module.def("absorption_of_fibre", &absorption_of_fibre);
   module.def("hair_mapping", &hair_mapping);
   module.def("hairs", &hairs);
   module.def("models_json", &bsdf::models_json);

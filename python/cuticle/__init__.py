@@ -9,7 +9,7 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom, load_groom
 
-__all__ = ["Groom", "bake", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
+__all__ = ["Groom", "absorption_of_assembly", "absorption_of_fibre", "absorption_of_pigments", "bake", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
 
 
 def _text(value):
@@ -50,6 +50,21 @@ def hairs():
 def hair_mapping(model, hair):
     """(settings, words): a named fibre in a model's own parameters, and how they came about."""
     return _cuticle.hair_mapping(model, hair)
+
+
+def absorption_of_pigments(table, eumelanin, pheomelanin=0.0):
+    """sigma_a (r, g, b) of two concentrations by a named table, "deon_pbrt" or "blender"."""
+    return _cuticle.absorption_of_pigments(table, eumelanin, pheomelanin)
+
+
+def absorption_of_assembly(color, beta_n=0.3):
+    """sigma_a with which a dense head of hair shows the colour (Chiang et al. 2016), for the azimuthal roughness beta_n."""
+    return _cuticle.absorption_of_assembly(tuple(color), beta_n)
+
+
+def absorption_of_fibre(model, color, set=None):
+    """sigma_a with which one fibre of the model scatters these shares of the light, for a viewer at theta_o = 0."""
+    return _cuticle.absorption_of_fibre(model, tuple(color), _settings(set))
 
 
 def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta_i_deg=0.0, theta_o_deg=0.0, theta_d_deg=0.0, phi_deg=0.0,

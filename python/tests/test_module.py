@@ -62,6 +62,19 @@ def test_Eval_Hair_IsTheMappingsSettings():
     assert not numpy.array_equal(other, cuticle.eval("kajiya_kay", "S", hair="blond", **angles))
 
 
+def test_Absorption_OfAFibresColour_GivesItsAlbedo():
+    sigma_a = cuticle.absorption_of_fibre("marschner", (0.8, 0.5, 0.2), {"eta": 1.5})
+    assert cuticle.eval("marschner", "albedo", set={"eta": 1.5, "sigma_a": sigma_a}) == pytest.approx([0.8, 0.5, 0.2], abs=1e-9)
+    assert max(cuticle.absorption_of_assembly((0.8, 0.5, 0.2))) < max(sigma_a)
+
+
+def test_Absorption_OfPigments_DependsOnTheTable():
+    assert cuticle.absorption_of_pigments("deon_pbrt", 2) == pytest.approx((0.838, 1.394, 2.74))
+    assert cuticle.absorption_of_pigments("blender", 0, 1) == pytest.approx((0.343, 0.733, 1.924))
+    with pytest.raises(ValueError, match="deon_pbrt"):
+        cuticle.absorption_of_pigments("pbrt", 1)
+
+
 def test_Eval_PdfErrorAndPhiO_AreTaken():
     phi_o = numpy.array([0.0, 45.0, 90.0])
     assert cuticle.eval("kajiya_kay", "pdf", phi_o_deg=phi_o).shape == (3, 3)
