@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/rough_packing.h>
 #include <cuticle/core/real.h>
 #include <cuticle/bsdf/deon/deon.glslh>
 
@@ -80,31 +81,13 @@ constexpr std::array<Exception, 1> exceptions = {{
      "attenuation belongs to theta_o, which keeps energy; with attenuation_angle=theta_d and alpha=0 it is reciprocal"},
 }};
 
-void pack_lobe(double width, double shift, double* out) {
-  const LongitudinalLobe<double> lobe = make_longitudinal_lobe(width, shift);
-  out[0] = lobe.inverse_variance;
-  out[1] = lobe.norm;
-  out[2] = lobe.sin_shift;
-  out[3] = lobe.cos_shift;
-}
-void pack_detector(double sigma, double* out) {
-  const Detector<double> detector = make_detector(sigma);
-  out[0] = detector.sigma;
-  out[1] = detector.inverse;
-  out[2] = detector.height;
-  out[3] = detector.decay;
-}
-
-/// How far from its centre, in deviations, the detector counts: where it has fallen to a millionth of the tolerance.
-double detector_reach(double tolerance) { return std::sqrt(-2 * std::log(tolerance * 1e-6)); }
-
 Packed<double> pack_double(const registry::ParameterValues& values) {
   const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
   const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
   Packed<double> packed{};
-  pack_lobe(beta_m, 2 * alpha, packed.value);
-  pack_lobe(beta_m / 2, -alpha, packed.value + 4);
-  pack_lobe(beta_m * 2, -3 * alpha, packed.value + 8);
+  pack_longitudinal(beta_m, 2 * alpha, packed.value);
+  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
+  pack_longitudinal(beta_m * 2, -3 * alpha, packed.value + 8);
   pack_detector(beta_n, packed.value + 12);
   pack_detector(beta_n / 2, packed.value + 16);
   pack_detector(beta_n * 2, packed.value + 20);

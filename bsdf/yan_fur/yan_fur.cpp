@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/rough_packing.h>
+#include <cuticle/core/quadrature.h>
+#include <cuticle/core/real.h>
+#include <cuticle/bsdf/yan_fur/yan_fur.glslh>
+
+namespace cuticle::bsdf::yan_fur {
+namespace {
+
+constexpr std::array<std::string_view, 6> lobe_names = {"R", "TT", "TRT", "TTs", "TRTs", "residual"};
+constexpr std::array<std::string_view, 2> fields = {"far", "near"};
+constexpr std::array<std::string_view, 1> system_rows = {"G7"};
+constexpr double largest_anisotropy = 0.9;
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 12> parameters = {{
+    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of cortex and medulla"},
+    {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption of the cortex per fibre radius"},
+    {"kappa", ParameterType::real, "1", 0, 0.99, "0.7", {}, "radius of the medulla over that of the fibre"},
+    {"sigma_ms", ParameterType::real, "1/radius", 0, 100, "2", {}, "scattering of the medulla per fibre radius"},
+    {"sigma_ma", ParameterType::real, "1/radius", 0, 100, "0.1", {}, "absorption of the medulla per fibre radius"},
+    {"g",
+     ParameterType::real,
+     "1",
+     -largest_anisotropy,
+     largest_anisotropy,
+     "0.4",
+     {},
+     "mean cosine of the medulla's phase function"},
+    {"layers", ParameterType::real, "1", 0.1, 10, "1", {}, "layers of the cuticle, which reflect together"},
+    {"beta_m",
+     ParameterType::real,
+     "rad",
+     1e-3,
+     1,
+     "0.2",
+     {},
+     "standard deviation of the R lobe in theta_i; TT has half of it, TRT 3/2"},
+    {"beta_n",
+     ParameterType::real,
+     "rad",
+     1e-3,
+     1,
+     "0.2",
+     {},
+     "standard deviation of the azimuthal blur of the R lobe; TT has sqrt(2), TRT sqrt(3) of it"},
+    {"alpha",
+     ParameterType::real,
+     "rad",
+     -0.17453292519943295,
+     0.17453292519943295,
+     "-0.05235987755982988",
+     {},
+     "shift of the R lobe in theta_h by the cuticle's scales (half the paper's, which is in theta_i)"},
+    {"azimuthal_tolerance",
+     ParameterType::real,
+     "1",
+     1e-12,
+     0.1,
+     "1e-6",
+     {},
+     "relative error of the far field's azimuthal quadrature"},
+    {"field", ParameterType::choice, "1", 0, 0, "far", fields, "far: averaged over the fibre; near: at an offset h"},
+}};
+
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "sigma_a=0.1257/0.2091/0.411"},
+    {"brown", "sigma_a=0.5447/0.9061/1.781"},
+    {"black", "sigma_a=3.352/5.576/10.96"},
+}};
+constexpr std::array<registry::StudyCase, 4> tiers = {{
+    {"near field", "field=near"},
+    {"tolerance 1e-2", "azimuthal_tolerance=1e-2"},
+    {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
+    {"tolerance 1e-8", "azimuthal_tolerance=1e-8"},
+}};
+constexpr std::array<Exception, 1> exceptions = {
+    {{"reciprocity", "attenuation belongs to theta_o, which keeps energy; scattered light leaves by Lambert's law"}}};
+
+/// Width of the von Mises-Fisher lobe whose mean cosine is `mean`, in (0, 1): 1/tanh(1/v) - v = mean, bisected in v.
+double width_of_mean(double mean) {
+  double low = 1e-3, high = 1e3;
+  for (int k = 0; k < 200; ++k) {
+    const double variance = std::sqrt(low * high);
+    // Below a mean of 1/3 the difference cancels, and 1/(3 v) is as good.
+    const double at = variance > 30 ? 1 / (3 * variance) : 1 / std::tanh(1 / variance) - variance;
+    (at > mean ? low : high) = variance;
+  }
+  return std::sqrt(low);
+}
+
+/// The medulla's light, fitted to walks (README.md): the lobe thrown forward has the phase function's mean, and the
+/// share that keeps to it falls with the mean depth of the medulla, sigma_ms kappa pi / 2.
+void pack_thrown(double g, double mean_depth, double* lobe, double& directed) {
+  const double forward = std::max(g, 0.0);
+  pack_longitudinal(width_of_mean(std::max(forward, 0.01)), 0, lobe);
+  directed = forward * std::exp(-0.3 * mean_depth);
+}
+/// Transmittance of the cuticle for even light from inside: that from outside over eta^2, in the mean over the cosine.
+double mean_escape(double eta, double layers) {
+  Glass<double> glass{eta * eta, (eta - 1) * (eta + 1), glm::dvec3(0)};
+  const FurPaths<double> paths = make_paths(glass, Medulla<double>{}, layers, 0.0, 1.0);
+  const auto transmitted = [&](double cosine) {
+    const double refracted = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+    return 2 * cosine * cuticle_reflectance(paths, cosine, refracted).y;
+  };
+  return integrate(gauss_legendre(32), 0, 1, transmitted) / (eta * eta);
+}
+void pack_medulla(const registry::ParameterValues& values, double* out) {
+  const double g = values.real("g");
+  out[0] = values.real("kappa");
+  out[1] = values.real("sigma_ms");
+  out[2] = values.real("sigma_ma");
+  out[3] = g * (0.65 + 0.25 * g);
+  out[4] = -3.4 + 2.6 * g - 1.1 * g * g;
+  out[5] = 1.37 - 0.85 * g + 0.25 * g * g;
+  out[6] = mean_escape(values.real("eta"), values.real("layers"));
+}
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
+  const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
+  Packed<double> packed{};
+  pack_longitudinal(beta_m, 2 * alpha, packed.value);
+  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
+  pack_longitudinal(beta_m * 1.5, -3 * alpha, packed.value + 8);
+  const double mean_depth = values.real("sigma_ms") * values.real("kappa") * 1.5707963267948966;
+  pack_thrown(values.real("g"), mean_depth, packed.value + 12, packed.value[43]);
+  pack_detector(beta_n, packed.value + 16);
+  pack_detector(beta_n * std::sqrt(2.0), packed.value + 20);
+  pack_detector(beta_n * std::sqrt(3.0), packed.value + 24);
+  packed.value[28] = eta * eta;
+  packed.value[29] = (eta - 1) * (eta + 1);
+  for (int c = 0; c < 3; ++c) packed.value[30 + c] = values.rgb("sigma_a")[c];
+  pack_medulla(values, packed.value + 33);
+  packed.value[40] = tolerance;
+  packed.value[41] = detector_reach(tolerance);
+  packed.value[42] = values.real("layers");
+  packed.value[44] = values.choice("field") == "near";
+  return packed;
+}
+
+bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+
+FibreMapping from_fibre(const Fibre& fibre) {
+  return {
+      fmt::format("eta={},sigma_a={}/{}/{},kappa={},sigma_ms={},sigma_ma={},g={},layers=1,beta_m={},beta_n={},alpha={}",
+                  fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, std::min(fibre.medulla_ratio, 0.99),
+                  fibre.medulla_scattering, fibre.medulla_absorption,
+                  std::clamp(fibre.medulla_anisotropy, -largest_anisotropy, largest_anisotropy),
+                  fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
+      "deviations, tilt and medulla as they are, with one layer of cuticle; the cross-section is a circle"};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "yan_fur",
+                .summary = "fur: rough cortex around a scattering medulla, near and far field",
+                .source = "Yan et al. 2017; M of d'Eon et al. 2011",
+                .parameters = parameters,
+                .systems = system_rows,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions =
+          {.field = "far or near, by the parameter field",
+           .cosine = "not included",
+           .tilt_sign =
+               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
+           .roughness = "standard deviation in theta_i and in phi",
+           .absorption = "per fibre radius"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .near_field = is_near,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::yan_fur
