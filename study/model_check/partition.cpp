@@ -10,6 +10,7 @@ namespace cuticle::study::model_check {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double tails[] = {-8, -4, -2, 0, 2, 4, 8};  // in ranges of a lobe's middle half
 constexpr double distances[] = {0, 1e-3, 3e-3, 1e-2, 3e-2, 0.1};
 
 std::vector<double> even(double low, double high, int parts) {
@@ -18,24 +19,32 @@ std::vector<double> even(double low, double high, int parts) {
   return breaks;
 }
 
-/// The range of the middle half of the values.
-double middle_half(std::vector<double> values) {
+/// Middle and range of the middle half of the values.
+struct Extent {
+  double middle = 0, range = 0;
+};
+Extent extent_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[values.size() * 3 / 4] - values[values.size() / 4];
+  return {values[values.size() / 2], values[values.size() * 3 / 4] - values[values.size() / 4]};
 }
 
+/// A lobe's samples, and places around it where too few of them fall to show its tails. Few samples may come from a
+/// narrow ring, of which they show little: they stand at many azimuths.
 void add_lobe(const std::vector<Seed>& lobe, std::vector<Seed>& seeds) {
   std::vector<double> theta, phi;
   for (const Seed& seed : lobe) {
     theta.push_back(seed.theta);
     phi.push_back(seed.phi);
   }
-  const bool few = lobe.size() < 24;  // it may be a narrow ring, of which they show little
-  const double theta_scale = middle_half(theta), phi_scale = few ? pi : middle_half(phi);
+  const bool few = lobe.size() < 24;
+  const Extent along = extent_of(theta), around = few ? Extent{0, pi} : extent_of(phi);
   for (const Seed& seed : lobe) {
-    seeds.push_back({seed.theta, seed.phi, theta_scale, phi_scale});
-    for (int k = 0; few && k < 12; ++k) seeds.push_back({seed.theta, pi * ((k + 0.5) / 6 - 1), theta_scale, pi});
+    seeds.push_back({seed.theta, seed.phi, along.range, around.range});
+    for (int k = 0; few && k < 12; ++k) seeds.push_back({seed.theta, pi * ((k + 0.5) / 6 - 1), along.range, pi});
   }
+  for (double t : tails)
+    for (double p : tails)
+      seeds.push_back({along.middle + t * along.range, around.middle + p * around.range, along.range, around.range});
 }
 
 std::vector<Seed> samples(const Scatterer& scatterer, const bsdf::Point& view) {

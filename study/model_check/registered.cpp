@@ -22,9 +22,10 @@ bool is_roughness(const Parameter& p) {
   return p.type == ParameterType::real && (p.name.starts_with("beta") || contains(p.name, "roughness"));
 }
 bool is_tilt(const Parameter& p) {
-  return p.type == ParameterType::real && (p.name.starts_with("alpha") || contains(p.name, "tilt"));
+  const bool named = p.name.starts_with("alpha") || contains(p.name, "tilt") || contains(p.name, "shift");
+  return p.type == ParameterType::real && p.unit == "rad" && named;
 }
-bool is_absorption(const Parameter& p) { return p.name.starts_with("sigma_a") || contains(p.name, "absorption"); }
+bool is_absorption(const Parameter& p) { return p.name == "sigma_a" || p.name == "sigma_ma"; }
 
 double roughness_of(const Parameter& p, Roughness roughness) {
   constexpr std::array<double, 5> widths = {0, 0, 0.1, 0.25, 0.6};
@@ -66,20 +67,21 @@ std::string label_of(const Situation& situation) {
 
 bool is_path(std::string_view lobe) { return lobe == "R" || lobe == "TT" || lobe == "TRT" || lobe == "TRRT"; }
 
+bool is_rest(std::string_view lobe) { return lobe == "residual" || lobe.ends_with("+"); }
+
 bool carries_all_orders(const bsdf::Model& model) {
-  const auto paths = std::count_if(model.lobes.begin(), model.lobes.end(), is_path);
-  return paths >= 3 && std::size_t(paths) < model.lobes.size() && contains(model.lobes.back(), "esidual");
+  return std::any_of(model.lobes.begin(), model.lobes.end(), is_rest);
 }
 
 /// The dielectric cylinder that the values describe, where the model follows the paths of one and nothing else.
 std::optional<Cylinder> cylinder_of(const bsdf::Model& model, const ParameterValues& values) {
   const auto& all = values.all();
-  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a");
-  const bool paths_only = std::all_of(model.lobes.begin(), model.lobes.end(), is_path);
-  if (eta == all.end() || sigma_a == all.end() || (!paths_only && !carries_all_orders(model))) return {};
-  if (!std::holds_alternative<double>(eta->second) || !std::holds_alternative<glm::dvec3>(sigma_a->second)) return {};
-  return Cylinder{std::get<double>(eta->second), std::get<glm::dvec3>(sigma_a->second),
-                  carries_all_orders(model) ? 0 : int(model.lobes.size())};
+  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a"), aspect = all.find("aspect");
+  const bool paths_only = std::all_of(model.lobes.begin(), model.lobes.end(),
+                                      [](std::string_view lobe) { return is_path(lobe) || is_rest(lobe); });
+  if (eta == all.end() || sigma_a == all.end() || !paths_only) return {};
+  if (aspect != all.end() && aspect->second != registry::Value(1.0)) return {};
+  return Cylinder{values.real("eta"), values.rgb("sigma_a"), carries_all_orders(model) ? 0 : int(model.lobes.size())};
 }
 
 Batch batch_of(const bsdf::Model& model, const ParameterValues& values, bsdf::Precision precision,

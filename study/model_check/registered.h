@@ -4,9 +4,9 @@
 
 namespace cuticle::study::model_check {
 
-/// The model with these values as its own setting, on the CPU in float or double. Roughness, absorption and tilt are
-/// recognised by the names of its parameters (beta.., ..roughness..; sigma_a; alpha.., ..tilt..). A lobe beside R, TT,
-/// TRT and TRRT claims all orders.
+/// The model with these values as its own setting, on the CPU in float or double. Parameters are recognised by their names: roughness
+/// (beta.., ..roughness..), absorption (sigma_a, sigma_ma), tilt in radians (alpha.., ..tilt.., ..shift..). A model with a lobe
+/// `residual`, or one whose name ends in +, claims to carry all orders.
 Subject subject_of(const bsdf::Model& model, const registry::ParameterValues& values, bsdf::Precision precision);
 
 }  // namespace cuticle::study::model_check

@@ -37,7 +37,7 @@ struct SphereTolerance {
 
 /// The integral over theta_i and phi of `integrand` cos(theta_i), by cells of Gauss-Legendre points that are halved
 /// along the direction in which their Legendre coefficients fall slowest until the errors sum to the tolerance. `view`
-/// gives theta_o, h and phi_o. Within 4e-4 of 1 for a fibre with lobes of 1e-3 rad, up to grazing
+/// gives theta_o, h and phi_o. Within 2e-4 of 1 for a fibre with lobes of 1e-3 rad up to grazing, 1e-8 elsewhere
 /// (model_check_test.cpp).
 SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view, const Partition& partition,
                                 const SphereTolerance& tolerance = {});

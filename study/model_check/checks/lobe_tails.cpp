@@ -26,22 +26,25 @@ std::vector<double> profile(const Scatterer& scatterer, bsdf::Point point, doubl
   return values;
 }
 
-/// Local maxima that stand at least a hundredth above the valleys beside them; what lies below 1e-9 of the peak is
-/// rounding.
-std::size_t humps(const std::vector<double>& values, double floor) {
+/// Local maxima below `ceiling` that stand at least a hundredth above the valleys beside them; what lies below `floor`
+/// is rounding.
+std::size_t humps(const std::vector<double>& values, double floor, double ceiling) {
   std::size_t count = 0;
   bool rising = true;
   double turn = values.front();
   for (double value : values) {
     if (rising) {
       turn = std::max(turn, value);
-      if (value < 0.99 * turn && turn > floor) rising = false, turn = value, ++count;
+      if (value >= 0.99 * turn || turn <= floor) continue;
+      count += turn < ceiling ? 1 : 0;
     } else {
       turn = std::min(turn, value);
-      if (value > 1.01 * turn + floor) rising = true, turn = value;
+      if (value <= 1.01 * turn + floor) continue;
     }
+    rising = !rising;
+    turn = value;
   }
-  return rising && turn > floor ? count + 1 : count;
+  return count;
 }
 
 /// The largest value that stands beside a 0.
@@ -65,11 +68,11 @@ Verdict lobe_tails(const Subject& subject, const Options& options) {
       const std::string place = fmt::format("phi = {:.3g} deg, {}", phi * 180 / pi, where(subject, *scatterer, view));
       if (!(peak > 0)) continue;
       cuts.note(cut(values) / peak, place);
-      ripples.note(double(humps(values, 1e-9 * peak)), place);
+      ripples.note(double(humps(values, 1e-9 * peak, 1e-3 * peak)), place);
     }
   Verdict verdict = judged(cuts.value, 1e-6,
-                           fmt::format("cut at {:.1e} of the peak ({}); {:.0f} humps for {} lobes at {}", cuts.value,
-                                       cuts.where, ripples.value, subject.lobes, ripples.where));
+                           fmt::format("cut at {:.1e} of the peak ({}); {:.0f} humps in the tails of {} lobes at {}",
+                                       cuts.value, cuts.where, ripples.value, subject.lobes, ripples.where));
   if (ripples.value > double(subject.lobes)) verdict.state = State::failed;
   return verdict;
 }
