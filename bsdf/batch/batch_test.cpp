@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <cuticle/core/random.h>
+#include <cuticle/core/registry/parameter.h>
 
 namespace cuticle::bsdf {
 namespace {
@@ -222,6 +223,24 @@ TEST(Batch, FarField_GoesPointByPoint) {
     const double exact = truth(settings, Quantity::S, data.point(i)).x;
     EXPECT_NEAR(color.x[i], exact, 3e-4 * exact + 1e-9);
     EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 1e-6);
+  }
+}
+
+// Models with kernels of their own and models without, with their default settings.
+TEST(Batch, EveryRegisteredModel_AgreesWithItsScalarFormulas) {
+  const Data data(64);
+  for (const Model* model : models()) {
+    const registry::ParameterValues values = registry::default_values(model->entry.parameters);
+    Arrays color(64);
+    ASSERT_TRUE((*BatchEvaluator::make(*model, values)).evaluate(data.points(), color.out()).ok()) << model->entry.name;
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 64; ++i) points.push_back(data.point(i));
+    std::vector<glm::dvec3> exact(64);
+    model->evaluate_f32(values, {Quantity::S, -1, points}, exact);
+    double largest = 0;
+    for (const glm::dvec3& value : exact) largest = std::max(largest, value.x);
+    for (std::size_t i = 0; i < 64; ++i)
+      EXPECT_NEAR(color.x[i], exact[i].x, 1e-4 * exact[i].x + 1e-6 * largest) << model->entry.name << " point " << i;
   }
 }
 
