@@ -1,0 +1,18 @@
+# Fails where a unit of one instruction set leaves code that the linker could take for that of another: weak or global functions.
+# cmake -DNM=nm -DOBJECTS="a.o|b.o" -P check_units.cmake
+string(REPLACE "|" ";" objects "${OBJECTS}")
+list(LENGTH objects count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "no unit given")
+endif()
+foreach(object ${objects})
+  execute_process(COMMAND ${NM} ${object} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "${object} cannot be read")
+  endif()
+  string(REGEX MATCHALL "[0-9a-f]+ [WTui] [^\n]+" leaks "${symbols}")
+  if(leaks)
+    message(FATAL_ERROR "${object} leaves ${leaks}")
+  endif()
+endforeach()
+message(STATUS "${count} units leave no code")
