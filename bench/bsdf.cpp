@@ -187,6 +187,7 @@ class Subject {
 
   /// S where the first parameter has a value for each point (the same one, so that the errors are those of S).
   void batch_varying(const BatchEvaluator& evaluator, std::string_view path, std::vector<Row>& rows) {
+    if (model_.entry.parameters[0].type != registry::ParameterType::real) return;
     const std::string_view name = model_.entry.parameters[0].name;
     const std::vector<float> values(most_points, float(values_.real(name)));
     const auto run = [&](std::size_t n) {
