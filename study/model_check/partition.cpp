@@ -29,7 +29,7 @@ Extent extent_of(std::vector<double> values) {
 }
 
 /// A lobe's samples, and places around it where too few of them fall to show its tails. Few samples may come from a
-/// narrow ring, of which they show little: they stand at many azimuths.
+/// narrow ring: they stand for all of it.
 void add_lobe(const std::vector<Seed>& lobe, std::vector<Seed>& seeds) {
   std::vector<double> theta, phi;
   for (const Seed& seed : lobe) {
@@ -38,10 +38,11 @@ void add_lobe(const std::vector<Seed>& lobe, std::vector<Seed>& seeds) {
   }
   const bool few = lobe.size() < 24;
   const Extent along = extent_of(theta), around = few ? Extent{0, pi} : extent_of(phi);
-  for (const Seed& seed : lobe) {
-    seeds.push_back({seed.theta, seed.phi, along.range, around.range});
-    for (int k = 0; few && k < 12; ++k) seeds.push_back({seed.theta, pi * ((k + 0.5) / 6 - 1), along.range, pi});
-  }
+  // What reaches everywhere is shown by a few.
+  const bool broad = std::max(along.range, around.range) > wide_lobe;
+  const std::size_t stride = broad ? std::max<std::size_t>(1, lobe.size() / 64) : 1;
+  for (std::size_t i = 0; i < lobe.size(); i += stride)
+    seeds.push_back({lobe[i].theta, lobe[i].phi, along.range, around.range});
   for (double t : tails)
     for (double p : tails)
       seeds.push_back({along.middle + t * along.range, around.middle + p * around.range, along.range, around.range});

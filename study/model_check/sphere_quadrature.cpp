@@ -112,11 +112,16 @@ using Seeds = std::vector<Seed>;
 constexpr double most_scales = 6;     // of a seed that a cell around it may be wide
 constexpr double least_width = 1e-6;  // of a cell [rad]
 
+bool within(double place, double scale, double low, double high) {
+  return scale > wide_lobe || (place >= low && place <= high);
+}
+
+/// The seeds of lobes that reach into a cell: by place, or along a ring or an arc.
 Seeds inside(const Cell& cell, const Seeds& seeds) {
   Seeds held;
   std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(held), [&](const Seed& seed) {
-    return seed.theta >= cell.theta_low && seed.theta <= cell.theta_high && seed.phi >= cell.phi_low &&
-           seed.phi <= cell.phi_high;
+    return within(seed.theta, seed.theta_scale, cell.theta_low, cell.theta_high) &&
+           within(seed.phi, seed.phi_scale, cell.phi_low, cell.phi_high);
   });
   return held;
 }
@@ -124,8 +129,8 @@ Seeds inside(const Cell& cell, const Seeds& seeds) {
 /// How much more than chance explains the fullest eighth of the range holds; above 1 the values do not fill it.
 double crowding(const std::vector<double>& values, double low, double high) {
   std::array<double, 8> counts{};
-  for (double value : values) counts[std::min<std::size_t>(7, std::size_t(8 * (value - low) / (high - low)))] += 1;
-  const double even = double(values.size()) / 8;
+  for (double value : values) counts[std::size_t(std::clamp(8 * (value - low) / (high - low), 0.0, 7.0))] += 1;
+  const double even = double(std::max<std::size_t>(values.size(), 1)) / 8;
   return *std::max_element(counts.begin(), counts.end()) / (2.2 * even + 3 * std::sqrt(even));
 }
 
@@ -135,7 +140,7 @@ double urgency(const Seeds& seeds, double Seed::*place, double Seed::*scale, dou
   std::vector<double> values;
   double least = 1;
   for (const Seed& seed : seeds) {
-    values.push_back(seed.*place);
+    if (seed.*scale <= wide_lobe) values.push_back(seed.*place);
     least = std::min(least, seed.*scale);
   }
   return std::max(crowding(values, low, high), (high - low) / (most_scales * std::max(least, least_width)));

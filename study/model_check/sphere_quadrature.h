@@ -10,6 +10,8 @@ namespace cuticle::study::model_check {
 struct Seed {
   double theta = 0, phi = 0, theta_scale = 1, phi_scale = 1;
 };
+/// A scale from which on a lobe is taken to reach cells in which none of its seeds lies [rad].
+constexpr double wide_lobe = 0.7;
 /// How the sphere is divided to begin with: by values of theta_i and of phi, rising, and then around seeds.
 struct Partition {
   std::vector<double> theta, phi;

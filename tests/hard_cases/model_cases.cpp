@@ -1,4 +1,5 @@
-// Fibre models: {"model", "set", "quantity", "lobe"} at every combination of the angles (degrees) and h given.
+// Fibre models: {"model", "set", "quantity", "lobe"} at every combination of the angles (degrees) and h given. The quantity "sample" draws a
+// direction for each by every number of "u", used for all eight: density and weight.
 #include <numbers>
 
 #include <nlohmann/json.hpp>
@@ -43,14 +44,29 @@ std::vector<bsdf::Point> points_from(const json& inputs) {
   spread(points, inputs, "theta_d_deg", &bsdf::Point::theta_d, degree);
   spread(points, inputs, "phi_deg", &bsdf::Point::phi, degree);
   spread(points, inputs, "h", &bsdf::Point::h, 1);
+  spread(points, inputs, "phi_o_deg", &bsdf::Point::phi_o, degree);
   return points;
+}
+
+bool is_sample(const json& inputs) { return inputs.at("quantity") == "sample"; }
+
+std::vector<bsdf::SampleQuery> queries_from(const json& inputs) {
+  std::vector<bsdf::SampleQuery> queries;
+  for (const bsdf::Point& point : points_from(inputs))
+    for (double u : numbers(inputs.at("u"))) {
+      queries.push_back({.theta_o = point.theta_o, .phi_o = point.phi_o, .h = point.h});
+      queries.back().u.fill(u);
+    }
+  return queries;
 }
 
 Result<Batch> batch_from(const json& inputs) {
   Batch batch;
   CUTICLE_ASSIGN(batch.model, bsdf::find_model(inputs.at("model").get<std::string>()));
   CUTICLE_ASSIGN(batch.values, registry::parse_assignments(batch.model->entry.parameters, inputs.value("set", std::string())));
-  CUTICLE_ASSIGN(batch.quantity, bsdf::find_quantity(inputs.at("quantity").get<std::string>()));
+  if (!is_sample(inputs)) {
+    CUTICLE_ASSIGN(batch.quantity, bsdf::find_quantity(inputs.at("quantity").get<std::string>()));
+  }
   CUTICLE_ASSIGN(batch.lobe, bsdf::find_lobe(*batch.model, inputs.value("lobe", std::string("sum"))));
   batch.points = points_from(inputs);
   return batch;
@@ -62,8 +78,21 @@ Values flat(std::span<const glm::dvec3> colors) {
   return values;
 }
 
+Values flat(std::span<const bsdf::Sample> samples) {
+  Values values;
+  for (const bsdf::Sample& sample : samples)
+    values.insert(values.end(), {sample.pdf, sample.weight.x, sample.weight.y, sample.weight.z});
+  return values;
+}
+
 Result<Values> run(const json& inputs, bsdf::Precision precision) {
   CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
+  if (is_sample(inputs)) {
+    const std::vector<bsdf::SampleQuery> queries = queries_from(inputs);
+    std::vector<bsdf::Sample> samples(queries.size());
+    CUTICLE_TRY(bsdf::sample(*batch.model, batch.values, precision, queries, samples));
+    return flat(samples);
+  }
   std::vector<glm::dvec3> out(batch.points.size());
   CUTICLE_TRY(bsdf::evaluate(*batch.model, batch.values, precision, batch.request(), out));
   return flat(out);
@@ -92,6 +121,12 @@ Result<Values> run_model_gpu(const json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
   std::vector<glm::dvec3> out(batch.points.size());
   CUTICLE_ASSIGN(bsdf::GpuEvaluator* evaluator, evaluator_of(*batch.model, *session));
+  if (is_sample(inputs)) {
+    const std::vector<bsdf::SampleQuery> queries = queries_from(inputs);
+    std::vector<bsdf::Sample> samples(queries.size());
+    CUTICLE_TRY(evaluator->sample(batch.values, queries, samples));
+    return flat(samples);
+  }
   CUTICLE_TRY(evaluator->evaluate(batch.values, batch.request(), out));
   return flat(out);
 }
