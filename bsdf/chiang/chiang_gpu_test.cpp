@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/core/random.h>
 
 namespace cuticle::bsdf {
 namespace {
@@ -59,6 +60,28 @@ TEST(ChiangGpu, FarField_AgreesWithDoubleWithinItsTolerance) {
   for (Quantity quantity : {Quantity::S, Quantity::pdf, Quantity::albedo})
     EXPECT_LE(worst_difference("sigma_a=0.1/0.5/3,tolerance=1e-4", quantity, spread_points(60), 1e-6), 4e-4)
         << int(quantity);
+}
+
+// A random number at the border of two lobes may fall on either side.
+TEST(ChiangGpu, Samples_AreThoseOfTheCpu) {
+  OnDevice& on = on_device();
+  RandomStream random(3);
+  std::vector<SampleQuery> queries(1000);
+  for (SampleQuery& query : queries) {
+    query = {.theta_o = 3 * random.next_unit() - 1.5, .h = 1.98 * random.next_unit() - 0.99};
+    for (double& u : query.u) u = random.next_unit();
+  }
+  std::vector<Sample> truth(1000), result(1000);
+  const registry::ParameterValues values = *parse_settings(on.model, "", "field=near,beta_m=0.4,beta_n=0.4");
+  ASSERT_TRUE(sample(on.model, values, Precision::f64, queries, truth).ok());
+  ASSERT_TRUE(on.evaluator.sample(values, queries, result).ok());
+  int apart = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    if (std::abs(result[i].theta_i - truth[i].theta_i) > 1e-4 ||
+        std::abs(std::remainder(result[i].phi - truth[i].phi, 360 * degree)) > 1e-4 ||
+        std::abs(result[i].weight.x - truth[i].weight.x) > 1e-3)
+      ++apart;
+  EXPECT_LE(apart, 2);
 }
 
 TEST(ChiangGpu, EdgesOfTheDomain_AreFinite) {
