@@ -1,0 +1,126 @@
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/core/real.h>
+#include <cuticle/bsdf/huang/huang.glslh>
+
+namespace cuticle::bsdf::huang {
+namespace {
+
+constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
+constexpr std::array<std::string_view, 2> fields = {"far", "near"};
+constexpr std::array<std::string_view, 1> system_rows = {"G7"};
+
+using registry::ParameterType;
+constexpr std::array<registry::Parameter, 7> parameters = {{
+    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
+    {"sigma_a",
+     ParameterType::rgb,
+     "1/radius",
+     0,
+     100,
+     "0.2",
+     {},
+     "absorption per semi-major axis of the cross-section, for red, green and blue"},
+    {"roughness", ParameterType::real, "1", 1e-3, 1, "0.2", {}, "alpha of the GGX facets on the scales"},
+    {"tilt",
+     ParameterType::real,
+     "rad",
+     -0.17453292519943295,
+     0.17453292519943295,
+     "0.05235987755982988",
+     {},
+     "of the scales against the axis; positive: they lean to the tip, and R goes to theta_i + theta_o = -2 tilt"},
+    {"aspect", ParameterType::real, "1", 0.2, 1, "1", {}, "minor over major axis of the cross-section"},
+    {"field", ParameterType::choice, "1", 0, 0, "far", fields,
+     "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer"},
+    {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature of TT and of TRT"},
+}};
+
+constexpr std::array<registry::StudyCase, 3> presets = {{
+    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
+    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
+    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
+}};
+
+constexpr std::array<registry::StudyCase, 4> tiers = {{
+    {"64 paths", "samples=64"},
+    {"512 paths", "samples=512"},
+    {"4096 paths", "samples=4096"},
+    {"32768 paths", "samples=32768"},
+}};
+
+constexpr std::array<Exception, 2> exceptions = {{
+    {"white_furnace",
+     "light that other facets or scales stop is lost, and paths after TRT are left out: the wider, the more"},
+    {"reciprocity",
+     "S cos(theta_o) times the width seen from the viewer is what is symmetric, and with tilted scales not even that"},
+}};
+
+bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  const glm::dvec3 sigma_a = values.rgb("sigma_a");
+  const double eta = values.real("eta"), tilt = values.real("tilt");
+  return {{eta, 1 / eta, values.real("roughness"), std::sin(tilt), std::cos(tilt), values.real("aspect"), sigma_a.x,
+           sigma_a.y, sigma_a.z, is_near(values) ? 1.0 : 0.0, double(values.integer("samples"))}};
+}
+
+/// A deviation of theta_i is that of twice the facets' slope, which for the Gaussian slopes of the same alpha is
+/// sqrt(2) alpha.
+FibreMapping map_fibre(const Fibre& fibre) {
+  const double roughness = std::clamp(fibre.longitudinal_deviation / std::sqrt(2.0), 1e-3, 1.0);
+  return {fmt::format("eta={},sigma_a={}/{}/{},roughness={},tilt={},aspect={}", fibre.eta, fibre.sigma_a.x,
+                      fibre.sigma_a.y, fibre.sigma_a.z, roughness, fibre.scale_tilt, std::max(fibre.aspect, 0.2)),
+          fmt::format(
+              "roughness {:.4g} is the longitudinal deviation over sqrt 2, that of R from Gaussian slopes of this "
+              "alpha; the same "
+              "facets blur azimuths, so the azimuthal deviation is not used; tilt and aspect as they are; no medulla",
+              roughness)};
+}
+
+struct Formulas {
+  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return evaluate_packed(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return sample_packed(packed, at);
+  }
+};
+
+}  // namespace
+
+const Model& entry() {
+  static const Model model{
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "huang",
+                .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
+                .source = "Huang, Hullin and Hanika 2022",
+                .parameters = parameters,
+                .systems = system_rows,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions = {.field = "far",
+                      .cosine = "not included",
+                      .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
+                      .roughness = "alpha of GGX's slopes",
+                      .absorption = "per semi-major axis"},
+      .evaluate_f32 = evaluate_points<Formulas, Single>,
+      .evaluate_f64 = evaluate_points<Formulas, double>,
+      .sample_f32 = sample_points<Formulas, Single>,
+      .sample_f64 = sample_points<Formulas, double>,
+      .pack = pack_floats<Formulas>,
+      .presets = presets,
+      .near_field = is_near,
+      .from_fibre = map_fibre,
+      .exceptions = exceptions};
+  return model;
+}
+
+}  // namespace cuticle::bsdf::huang

@@ -1,0 +1,104 @@
+// The microfacet model against light walked through a rough fibre facet by facet.
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cuticle/bsdf/model.h>
+#include <cuticle/study/oracle/rough_fibre.h>
+
+namespace cuticle {
+namespace {
+
+using std::numbers::pi;
+
+struct Case {
+  double roughness, tilt, aspect, theta_o, phi_o;
+  std::optional<double> h;
+};
+class HuangOracle : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Fibres, HuangOracle,
+                         testing::Values(Case{0.4, 0.1, 1, 0.5, 0, {}}, Case{0.35, -0.1, 0.6, -0.4, 0.8, {}},
+                                         Case{0.35, 0.1, 0.7, 0.3, 2.0, 0.5}));
+
+study::oracle::RoughFibre fibre_of(const Case& c) {
+  study::oracle::RoughFibre fibre;
+  fibre.surface.roughness = c.roughness;
+  fibre.tilt = c.tilt;
+  fibre.aspect = c.aspect;
+  fibre.sigma_a = glm::dvec3(0.1, 0.3, 1);
+  return fibre;
+}
+
+std::vector<glm::dvec3> model_values(const Case& c, bsdf::Quantity quantity, int lobe,
+                                     const std::vector<bsdf::Point>& points) {
+  const bsdf::Model* model = *bsdf::find_model("huang");
+  const std::string settings = fmt::format("sigma_a=0.1/0.3/1,roughness={},tilt={},aspect={},field={},samples={}",
+                                           c.roughness, c.tilt, c.aspect, c.h ? "near" : "far", lobe == 2 ? 4096 : 256);
+  std::vector<glm::dvec3> out(points.size());
+  EXPECT_TRUE(bsdf::evaluate(*model, *bsdf::parse_settings(*model, "", settings), bsdf::Precision::f64,
+                             {quantity, lobe, points}, out)
+                  .ok());
+  return out;
+}
+
+constexpr study::oracle::DirectionBins bins{8, 12};
+constexpr int inner = 2;  // points along each side of a bin
+
+/// Means of S over the bins.
+std::vector<glm::dvec3> binned(const Case& c, int lobe) {
+  std::vector<bsdf::Point> points;
+  for (int i = 0; i < bins.thetas * inner; ++i)
+    for (int k = 0; k < bins.phis * inner; ++k)
+      points.push_back({.theta_i = ((i + 0.5) / (bins.thetas * inner) - 0.5) * pi,
+                        .theta_o = c.theta_o,
+                        .phi = ((k + 0.5) / (bins.phis * inner) - 0.5) * 2 * pi,
+                        .h = c.h.value_or(0),
+                        .phi_o = c.phi_o});
+  const auto values = model_values(c, bsdf::Quantity::S, lobe, points);
+  std::vector<glm::dvec3> means(std::size_t(bins.thetas * bins.phis));
+  std::vector<double> weights(means.size());
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const std::size_t row = n / (bins.phis * inner) / inner, column = n % (bins.phis * inner) / inner;
+    means[row * bins.phis + column] += values[n] * std::cos(points[n].theta_i);
+    weights[row * bins.phis + column] += std::cos(points[n].theta_i);
+  }
+  for (std::size_t n = 0; n < means.size(); ++n) means[n] /= weights[n];
+  return means;
+}
+
+TEST_P(HuangOracle, BinAverages_AgreeWithTheWalks) {
+  const Case c = GetParam();
+  const auto walks = study::oracle::scattering_of(fibre_of(c), {c.theta_o, c.phi_o, c.h}, bins, 3, 100000, 5);
+  for (int lobe = 0; lobe < 3; ++lobe) {
+    const auto means = binned(c, lobe);
+    double largest = 0;
+    for (const auto& mean : means) largest = std::max(largest, mean.x);
+    for (std::size_t n = 0; n < means.size(); ++n) {
+      const study::oracle::Estimate& truth = walks[std::size_t(lobe)].density[n];
+      for (int colour = 0; colour < 3; ++colour)
+        EXPECT_NEAR(means[n][colour], truth.mean[colour],
+                    4.5 * truth.standard_error[colour] + 0.06 * truth.mean[colour] + 0.01 * largest)
+            << "lobe " << lobe << " bin " << n;
+    }
+  }
+}
+
+TEST_P(HuangOracle, Albedo_IsTheEnergyOfTheWalks) {
+  const Case c = GetParam();
+  const auto walks = study::oracle::scattering_of(fibre_of(c), {c.theta_o, c.phi_o, c.h}, {1, 1}, 3, 200000, 6);
+  for (int lobe = 0; lobe < 3; ++lobe) {
+    const auto albedo = model_values(c, bsdf::Quantity::albedo, lobe,
+                                     {{.theta_o = c.theta_o, .h = c.h.value_or(0), .phi_o = c.phi_o}})[0];
+    const study::oracle::Estimate energy = walks[std::size_t(lobe)].energy;
+    for (int colour = 0; colour < 3; ++colour)
+      EXPECT_NEAR(albedo[colour], energy.mean[colour],
+                  4 * energy.standard_error[colour] + (lobe == 2 ? 0.04 : 0.01) * energy.mean[colour])
+          << lobe;
+  }
+}
+
+}  // namespace
+}  // namespace cuticle
