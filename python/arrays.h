@@ -38,6 +38,7 @@ nb::ndarray<nb::numpy, T> take(std::vector<T> values, const std::vector<std::siz
   return nb::ndarray<nb::numpy, T>(kept->data(), shape.size(), shape.data(), owner);
 }
 
+void add_check(nb::module_& module);
 void add_evaluate(nb::module_& module);
 void add_tables(nb::module_& module);
 void add_groom(nb::module_& module);

@@ -9,7 +9,7 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom, load_groom
 
-__all__ = ["Groom", "absorption_of_assembly", "absorption_of_fibre", "absorption_of_pigments", "bake", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
+__all__ = ["Groom", "absorption_of_assembly", "absorption_of_fibre", "absorption_of_pigments", "bake", "check_model", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
 
 
 def _text(value):
@@ -79,6 +79,22 @@ def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta
     """
     coordinates = [_numbers(value) for value in (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)]
     return _cuticle.evaluate(model, quantity, lobe, preset or "", _settings(set), hair or "", coordinates, precision)
+
+
+def check_model(model, *, pdf=None, sample=None, albedo=None, near_field=False, white=False, complete=False, set=None, preset=None,
+                precision="f64", quick=False):
+    """The checks of `cuticle check model`: a dictionary with model, sound, cause, cause_words and checks.
+
+    `model` is the name of a registered model (with `set`, `preset`, `precision`), or a function S(theta_i, theta_o, phi, h) of arrays in
+    radians; then `pdf` is a function of the same arguments, `sample` one of theta_o, h and u (rows of eight numbers) that returns
+    theta_i, phi, pdf and weight, `albedo` one of theta_o and h. `white`: the functions absorb nothing; `complete`: all orders of
+    scattering are in them; `quick`: fewer directions and samples.
+    """
+    if isinstance(model, str):
+        text = _cuticle.check_registered(model, preset or "", _settings(set), precision, quick)
+    else:
+        text = _cuticle.check_functions(model, pdf, sample, albedo, near_field, white, complete, quick)
+    return json.loads(text)[0]
 
 
 def bake(model, layout="nalu", size=128, set=None, preset=None):

@@ -189,3 +189,36 @@ def test_LoadGroom_RealPonytail_HasItsStrands():
     path = pathlib.Path(os.environ["CUTICLE_TEST_DATA"]) / "strands/tressfx/ponytail/side.tfx"
     groom = cuticle.load_groom(str(path))
     assert len(groom) == 3066 and numpy.isfinite(groom.positions).all()
+
+
+def verdicts(report):
+    return {check["check"]: check["verdict"] for check in report["checks"]}
+
+
+def test_CheckModel_EvenSphereOfAFunction_KeepsItsEnergy():
+    even = lambda theta_i, theta_o, phi, h: numpy.full_like(phi, 1 / (4 * numpy.pi))
+    report = cuticle.check_model(even, white=True, complete=True, quick=True)
+    assert verdicts(report)["white_furnace"] == "pass" and verdicts(report)["chi_square"] == "-"
+
+
+def test_CheckModel_AFunctionWithAFactorOfPiTooFew_IsNamed():
+    dim = lambda theta_i, theta_o, phi, h: numpy.full_like(phi, 1 / (4 * numpy.pi**2))
+    report = cuticle.check_model(dim, white=True, complete=True, quick=True)
+    assert report["cause"] == "spurious_one_over_pi" and not report["sound"]
+
+
+def test_CheckModel_ASamplerOfTheEvenSphere_FollowsItsDensity():
+    even = lambda theta_i, theta_o, phi, h: numpy.full_like(phi, 1 / (4 * numpy.pi))
+
+    def sample(theta_o, h, u):
+        one = numpy.ones_like(h)
+        return numpy.arcsin(2 * u[:, 0] - 1), 2 * numpy.pi * u[:, 1] - numpy.pi, one / (4 * numpy.pi), one
+
+    report = cuticle.check_model(even, pdf=even, sample=sample, white=True, complete=True, quick=True)
+    assert report["sound"], report
+    assert verdicts(report)["chi_square"] == "pass" and verdicts(report)["sample_weights"] == "pass"
+
+
+def test_CheckModel_WithAFunctionOfTheWrongLength_IsAValueError():
+    with pytest.raises(ValueError, match="points"):
+        cuticle.check_model(lambda theta_i, theta_o, phi, h: numpy.ones(2), quick=True)
