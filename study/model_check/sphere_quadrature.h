@@ -34,7 +34,7 @@ struct SphereIntegral {
 };
 struct SphereTolerance {
   double absolute = 1e-4;
-  std::size_t evaluations = 2000000;
+  std::size_t evaluations = 400000;
 };
 
 /// The integral over theta_i and phi of `integrand` cos(theta_i), by cells of Gauss-Legendre points that are halved
