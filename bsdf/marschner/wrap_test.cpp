@@ -65,7 +65,9 @@ TEST(SolidScattering, OverASphere_IsFiniteAndEndsWhereTheWrapDoes) {
       const double value = solid_scattering(hair, make_solid_frame(normal, Vector(0, 0, 1)), light, viewer, 0.5).x;
       const double facing = inner_product(normal, light);
       ASSERT_TRUE(std::isfinite(value) && value >= 0);
-      if (facing < -0.5 - 1e-12) EXPECT_EQ(value, 0);
+      if (facing < -0.5 - 1e-12) {
+        EXPECT_EQ(value, 0);
+      }
       lit_from_behind += facing < 0 && value > 0;
     }
   EXPECT_GT(lit_from_behind, 100);
