@@ -9,7 +9,7 @@
 #include <cuticle/study/model_check/checks/chi_square.h>
 #include <cuticle/study/model_check/gallery/gallery.h>
 #include <cuticle/study/model_check/mean_attenuation.h>
-#include <cuticle/study/model_check/registered.h>
+#include <cuticle/study/model_check/report.h>
 #include <cuticle/study/model_check/sphere_quadrature.h>
 
 namespace cuticle::study::model_check {
@@ -102,6 +102,61 @@ TEST(Checks, WithoutASampler_AreSkippedWithAReason) {
     EXPECT_EQ(verdict.state, State::skipped) << checks()[k].name;
     EXPECT_FALSE(verdict.words.empty());
   }
+}
+
+/// A far-field fibre of one wide lobe around the mirror direction, times a factor of one's own.
+Subject lobe_times(double (*factor)(const bsdf::Point&)) {
+  Scatterer scatterer;
+  scatterer.label = "function";
+  scatterer.scattering = [factor](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = glm::dvec3(0.1 * std::exp(-8 * std::pow(points[i].theta_i + points[i].theta_o, 2)) * factor(points[i]));
+  };
+  return fixed_subject(scatterer, false, true, false);
+}
+
+State state_of(std::string_view name, double (*factor)(const bsdf::Point&)) {
+  for (const Check& check : checks())
+    if (check.name == name) return check.run(lobe_times(factor), {.quick = true}).state;
+  return State::skipped;
+}
+
+TEST(EachCheck, OfASoundLobe_Passes) {
+  for (const char* name : {"white_furnace", "reciprocity", "lobe_tails", "caustic_continuity", "finite"})
+    EXPECT_EQ(state_of(name, [](const bsdf::Point&) { return 1.0; }), State::passed) << name;
+}
+
+TEST(EachCheck, WhiteFurnaceOfTooMuchEnergy_Fails) {
+  EXPECT_EQ(state_of("white_furnace", [](const bsdf::Point&) { return 5.0; }), State::failed);
+}
+
+TEST(EachCheck, ReciprocityOfAFactorOfOneDirection_Fails) {
+  EXPECT_EQ(state_of("reciprocity", [](const bsdf::Point& at) { return std::cos(at.theta_o); }), State::failed);
+}
+
+TEST(EachCheck, TailsThatAreCut_Fail) {
+  const auto cut = [](const bsdf::Point& at) { return std::abs(at.theta_i + at.theta_o) < 0.8 ? 1.0 : 0.0; };
+  EXPECT_EQ(state_of("lobe_tails", cut), State::failed);
+}
+
+TEST(EachCheck, TailsWithRipples_Fail) {
+  EXPECT_EQ(state_of("lobe_tails", [](const bsdf::Point& at) { return 1 + 0.9 * std::sin(40 * at.theta_i); }),
+            State::failed);
+}
+
+TEST(EachCheck, EnergyThatJumpsWithInclination_Fails) {
+  EXPECT_EQ(state_of("caustic_continuity", [](const bsdf::Point& at) { return at.theta_o > 0.51 ? 1.01 : 1.0; }),
+            State::failed);
+}
+
+TEST(EachCheck, ValueThatIsNotANumberAtAPole_IsFound) {
+  EXPECT_EQ(state_of("finite", [](const bsdf::Point& at) { return at.theta_i > 1.5707 ? std::nan("") : 1.0; }),
+            State::failed);
+}
+
+TEST(EachCheck, NegativeValueNextToAPole_IsFound) {
+  EXPECT_EQ(state_of("finite", [](const bsdf::Point& at) { return at.theta_i < -1.570796 ? -1.0 : 1.0; }),
+            State::failed);
 }
 
 }  // namespace

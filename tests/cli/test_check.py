@@ -40,5 +40,23 @@ def test_Scene_WithAnUnknownKey_IsExitCodeThree(tmp_path):
     assert "ligths" in message and "lights" in message
 
 
+def test_Model_WhoseExceptionsAreStated_IsSound():
+    report, = json.loads(run("check", "model", "kajiya_kay", "--quick", "--json").stdout)
+    verdicts = {check["check"]: check for check in report["checks"]}
+    assert report["model"] == "kajiya_kay" and report["sound"] and report["cause"] == "none"
+    assert verdicts["reciprocity"]["verdict"] == "stated" and verdicts["reciprocity"]["exception"]
+    assert verdicts["chi_square"]["verdict"] == "pass" and verdicts["chi_square"]["at_least"]
+
+
+def test_Model_InFloat_HasAVerdictForEveryCheck():
+    done = run("check", "model", "scheuermann", "--quick", "--precision", "f32")
+    assert done.returncode == 0
+    assert all(name in done.stdout for name in ("white_furnace", "pdf_normalised", "sample_weights", "finite"))
+
+
+def test_Model_ThatIsNotThere_IsAUsageError():
+    assert "kajiya_kay" in refused(2, "check", "model", "kajiya_kaj", "--quick")
+
+
 def test_Check_WithoutATarget_IsAUsageError():
     assert "subcommand" in refused(2, "check")
