@@ -180,6 +180,7 @@ class Subject {
     static_cast<void>(evaluator.pdf(on_.batch_points(checked_), std::span(on_.density).first(checked_)));
     for (std::size_t i = 0; i < checked_; ++i) results_[i] = glm::dvec3(double(on_.density[i]));
     set_errors(rows.back(), std::span(results_).first(checked_), truth_pdf_);
+    if (!evaluator.draws_vectorised()) return;
     rows.push_back(row(path, "sample"));
     rows.back().ns =
         best_ns([&](std::size_t n) { return evaluator.sample(on_.batch_queries(n), on_.out.out(n)).ok(); });

@@ -155,10 +155,12 @@ Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> den
   return {};
 }
 
+bool BatchEvaluator::draws_vectorised() const { return kernels_ && kernels_->sample; }
+
 Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpans& to_light) const {
   if (!model_->sample_f32) return usage_error(fmt::format("model {} has no sampler", model_->entry.name));
   const std::size_t count = queries.to_viewer.x.size();
-  const bool vectorised = kernels_ && kernels_->sample;
+  const bool vectorised = draws_vectorised();
   CUTICLE_TRY(check_queries(queries, vectorised));
   CUTICLE_TRY(check_output(count, to_light));
   in_blocks(count, [&](std::size_t first, int size) {

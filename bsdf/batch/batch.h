@@ -80,6 +80,8 @@ class BatchEvaluator {
   /// Whether the loops are vectorised; else points go one by one through the model's scalar formulas (far fields,
   /// models without kernels).
   bool is_vectorised() const { return kernels_ != nullptr; }
+  /// The same for `sample`.
+  bool draws_vectorised() const;
 
  private:
   BatchEvaluator(const Model& model, registry::ParameterValues values) : model_(&model), values_(std::move(values)) {}

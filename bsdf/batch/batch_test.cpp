@@ -94,7 +94,7 @@ TEST_P(BatchSet, Values_AgreeWithDouble) {
   const Data data(5000);
   Arrays color(5000);
   std::vector<float> density(5000);
-  ASSERT_TRUE(evaluator(usual).is_vectorised());
+  ASSERT_TRUE(evaluator(usual).is_vectorised() && evaluator(usual).draws_vectorised());
   ASSERT_TRUE(evaluator(usual).evaluate(data.points(), color.out()).ok());
   ASSERT_TRUE(evaluator(usual).pdf(data.points(), density).ok());
   Errors value_errors, density_errors;
@@ -215,7 +215,7 @@ TEST(Batch, FarField_GoesPointByPoint) {
   std::vector<float> density(20);
   const std::string settings = "field=far,tolerance=1e-4";
   const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(settings));
-  EXPECT_FALSE(batch.is_vectorised());
+  EXPECT_FALSE(batch.is_vectorised() || batch.draws_vectorised());
   ASSERT_TRUE(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).ok());
   ASSERT_TRUE(batch.pdf(data.points(), density).ok());
   ASSERT_TRUE(batch.sample(data.queries(), light.out()).ok());
