@@ -55,7 +55,8 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
 
 constexpr std::array<Exception, 2> exceptions = {{
     {"white_furnace",
-     "light that other facets or scales stop is lost, and paths after TRT are left out: the wider, the more"},
+     "light that other facets or scales stop is lost, and paths after TRT are left out; below a roughness of 0.02 the "
+     "error of 512 paths may exceed what is lost"},
     {"reciprocity",
      "S cos(theta_o) times the width seen from the viewer is what is symmetric, and with tilted scales not even that"},
 }};
