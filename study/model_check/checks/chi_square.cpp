@@ -74,13 +74,8 @@ std::size_t bin_index(const Partition& bins, double theta, double phi) {
 
 /// The share of the density in each bin.
 std::vector<double> expected_shares(const Scatterer& scatterer, const bsdf::Point& view, const Partition& bins) {
-  Partition fine = partition_for(scatterer, view);
-  fine.theta.insert(fine.theta.end(), bins.theta.begin(), bins.theta.end());
-  fine.phi.insert(fine.phi.end(), bins.phi.begin(), bins.phi.end());
-  std::sort(fine.theta.begin(), fine.theta.end());
-  std::sort(fine.phi.begin(), fine.phi.end());
   std::vector<double> shares((bins.theta.size() - 1) * (bins.phi.size() - 1));
-  for (const Cell& cell : integrate_sphere(scatterer.pdf, view, fine).cells)
+  for (const Cell& cell : integrate_sphere(scatterer.pdf, view, bins).cells)
     shares[bin_index(bins, 0.5 * (cell.theta_low + cell.theta_high), 0.5 * (cell.phi_low + cell.phi_high))] +=
         cell.value.x;
   return shares;
