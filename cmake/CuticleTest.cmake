@@ -4,7 +4,10 @@
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
 add_custom_target(all_fuzz_targets)
-set(CUTICLE_TEST_OPTIMISATION $<IF:$<BOOL:${CUTICLE_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
+set(CUTICLE_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
+if(CUTICLE_SANITIZE)
+  set(CUTICLE_TEST_OPTIMISATION -O0)
+endif()
 if(CUTICLE_TESTS)
   enable_testing()
   find_package(GTest REQUIRED)
