@@ -1,6 +1,7 @@
-# cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [TIMEOUT s]): one ctest entry per test file.
+# cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [SWEEP] [TIMEOUT s]): one ctest entry per test file.
 # LABELS carry the ids of the rows of systems.md that the file covers. DATA: registered only when the environment
 # variable CUTICLE_TEST_DATA names the folder of real grooms at configure time.
+# SWEEP: many repetitions of what other tests run too; under sanitizers only with CUTICLE_SWEEPS in the environment (test.sh --full).
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
 add_custom_target(all_fuzz_targets)
@@ -14,8 +15,8 @@ if(CUTICLE_TESTS)
   include(GoogleTest)
 endif()
 function(cuticle_test FILE)
-  cmake_parse_arguments(ARG "DATA" "TIMEOUT" "LIBS;LABELS" ${ARGN})
-  if(NOT CUTICLE_TESTS)
+  cmake_parse_arguments(ARG "DATA;SWEEP" "TIMEOUT" "LIBS;LABELS" ${ARGN})
+  if(NOT CUTICLE_TESTS OR (ARG_SWEEP AND CUTICLE_SANITIZE AND "$ENV{CUTICLE_SWEEPS}" STREQUAL ""))
     return()
   endif()
   if(ARG_DATA AND "$ENV{CUTICLE_TEST_DATA}" STREQUAL "")

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # All tests: scripts/test.sh [--full]. Builds `release` and runs its tests, runs the CPU tests under ASan + UBSan, and
-# fuzzes every reader (120 s in total; ten times that with --full). --full adds the presets `minimal`, `double` and `dev`.
+# fuzzes every reader (120 s in total; ten times that with --full). --full adds the sweeps under sanitizers and the presets
+# `minimal`, `double` and `dev`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 full=no
-[ "${1:-}" = --full ] && full=yes
+[ "${1:-}" = --full ] && full=yes && export CUTICLE_SWEEPS=ON
 started=$SECONDS
 say() { printf '\n== %s (%d s)\n' "$1" $((SECONDS - started)); }
 

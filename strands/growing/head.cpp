@@ -49,7 +49,7 @@ DirectionMesh halved(const DirectionMesh& coarse) {
 }
 
 Mesh make_head_mesh() {
-  constexpr int levels = 6;
+  constexpr int levels = 5;
   DirectionMesh sphere = icosahedron();
   for (int level = 0; level < levels; ++level) sphere = halved(sphere);
   const glm::dvec3 center(k_head_center[0], k_head_center[1], k_head_center[2]);
