@@ -94,6 +94,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(YanFurOracle, Light_GoesWhereWalksGo) {
   const Case& c = GetParam();
   const Shares truth = walked(c.fur, 20000), result = sampled(c.fur, 20000);
+  RecordProperty("misplaced_in_phi", std::to_string(misplaced(truth.phi, result.phi)));
+  RecordProperty("misplaced_in_sine", std::to_string(misplaced(truth.sine, result.sine)));
+  RecordProperty("energy_and_walks", std::to_string(result.energy) + ", " + std::to_string(truth.energy));
   EXPECT_LT(misplaced(truth.phi, result.phi), c.azimuth);
   EXPECT_LT(misplaced(truth.sine, result.sine), c.inclination);
   EXPECT_NEAR(result.energy, truth.energy, c.energy);
