@@ -108,17 +108,8 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   return packed;
 }
 
-struct Formulas {
-  static Packed<double> pack(const registry::ParameterValues& values) { return pack_double(values); }
-  template <class Real>
-  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
-    return evaluate_packed(packed, quantity, lobe, at);
-  }
-  template <class Real>
-  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
-    return sample_packed(packed, at);
-  }
-};
+using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
+                            decltype([](const auto&... a) { return sample_packed(a...); })>;
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta_m = beta_m_from_deviation(fibre.longitudinal_deviation);

@@ -1,24 +1,34 @@
 #pragma once
 // What every model's CPU batch loops need: numbers narrowed to the precision asked for, points made ready for the
 // formulas, and the loops themselves. A model says how to pack and which formulas to call:
-//
-//   struct Formulas {
-//     static Packed<double> pack(const registry::ParameterValues& values);
-//     template <class Real> static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe,
-//                                                     const EvaluationPoint<Real>& at);
-//     template <class Real> static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at);
-//   };
+//   using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
+//                               decltype([](const auto&... a) { return sample_packed(a...); })>;
 #include <cmath>
 
 #include <cuticle/bsdf/model.h>
+#include <cuticle/core/real.h>
 #include <cuticle/bsdf/shared/evaluation.glslh>
 #include <cuticle/bsdf/shared/packing.glslh>
-#include <cuticle/core/real.h>
 
 namespace cuticle::bsdf {
 
 template <class Real>
 using Rgb = glm::vec<3, Real>;
+
+/// A model's functions under the names that the loops below use: `Pack` gives Packed<double> of parameter values,
+/// `Evaluate` and `Draw` are stateless calls of evaluate_packed and sample_packed.
+template <auto Pack, class Evaluate, class Draw>
+struct FormulasOf {
+  static Packed<double> pack(const registry::ParameterValues& values) { return Pack(values); }
+  template <class Real>
+  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return Evaluate{}(packed, quantity, lobe, at);
+  }
+  template <class Real>
+  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
+    return Draw{}(packed, at);
+  }
+};
 
 /// The numbers of a model, prepared in double, in the precision of a batch.
 template <class Real>
@@ -57,8 +67,8 @@ template <class Formulas, class Real>
 void evaluate_points(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out) {
   const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = glm::dvec3(
-        Formulas::evaluate(packed, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
+    out[i] =
+        glm::dvec3(Formulas::evaluate(packed, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
 }
 
 /// S / pdf; 0 where the density is 0.
@@ -68,7 +78,8 @@ glm::dvec3 sample_weight(const Rgb<Real>& scattering, Real pdf) {
 }
 
 template <class Formulas, class Real>
-void sample_points(const registry::ParameterValues& values, std::span<const SampleQuery> queries, std::span<Sample> out) {
+void sample_points(const registry::ParameterValues& values, std::span<const SampleQuery> queries,
+                   std::span<Sample> out) {
   const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
   for (std::size_t i = 0; i < out.size(); ++i) {
     const SamplePoint<Real> query = narrow<Real>(queries[i]);
