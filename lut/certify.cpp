@@ -5,40 +5,28 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <cuticle/lut/cell_average.h>
+#include <cuticle/lut/comparison.h>
 
 namespace cuticle::lut {
 namespace {
 
 constexpr int k_most_points = 509;  ///< per axis; a prime, so that a large table is not met at its texels
 
-/// The grid on which a table is compared: bins of texture coordinates; points are their middles.
-struct Grid {
-  int columns = 0, rows = 0;
-  double begin(int column) const { return double(column) / columns; }
-  double middle(int column) const { return (column + 0.5) / columns; }
-  double row(int row) const { return (row + 0.5) / rows; }
-  std::size_t size() const { return std::size_t(columns) * rows; }
-};
 /// Four points a texel each way, or bins half a texel wide on one row less than the table has, which sweeps the rows'
 /// offsets.
-Grid grid_for(const Channel& channel, int size) {
+ComparisonGrid grid_for(const Channel& channel, int size) {
   if (channel.texel == Texel::point) return {std::min(4 * size, k_most_points), std::min(4 * size, k_most_points)};
   return {2 * size, std::min(size - 1, k_most_points)};
 }
 
-struct Exact {
-  std::vector<glm::dvec3> values;
-  std::vector<std::uint8_t> left_out;  ///< empty: nothing
-};
-
-Exact cosines(const std::vector<bsdf::Point>& points) {
-  Exact exact;
+ExactValues cosines(const std::vector<bsdf::Point>& points) {
+  ExactValues exact;
   for (const bsdf::Point& point : points) exact.values.emplace_back(std::cos(point.theta_d));
   return exact;
 }
 
-Result<Exact> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size,
-                           const Grid& grid) {
+Result<ExactValues> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size,
+                                 const ComparisonGrid& grid) {
   std::vector<bsdf::Point> points;
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x)
@@ -46,7 +34,7 @@ Result<Exact> exact_points(const Source& source, const Channel& channel, const T
           make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
   if (channel.lobe.empty()) return cosines(points);
   CUTICLE_ASSIGN(std::vector<glm::dvec3> values, evaluate_points(*source.model, source.evaluate, channel, points));
-  return Exact{std::move(values), {}};
+  return ExactValues{std::move(values), {}};
 }
 
 /// Whether any texel that filters into the bin is singular.
@@ -62,9 +50,10 @@ bool touches_singular(const Table& table, double u_begin, double u_end, double v
 }
 
 /// Bins that lie beyond the outermost texel centres of a corner-aligned axis have no width; they are left out too.
-Result<Exact> exact_bins(const Source& source, const Channel& channel, const Table& table, const Grid& grid) {
+Result<ExactValues> exact_bins(const Source& source, const Channel& channel, const Table& table,
+                               const ComparisonGrid& grid) {
   const int size = table.image.width;
-  Exact exact{{}, std::vector<std::uint8_t>(grid.size(), 0)};
+  ExactValues exact{{}, std::vector<std::uint8_t>(grid.size(), 0)};
   std::vector<PhiInterval> bins;
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x) {
@@ -93,7 +82,7 @@ double table_bin_mean(const Table& table, int channel, double u_begin, double u_
   return (Rule::weights()[0] * at(0) + Rule::weights()[1] * (at(Rule::abscissa()[1]) + at(-Rule::abscissa()[1]))) / 2;
 }
 
-double table_value(const Table& table, int channel, const Grid& grid, std::size_t i) {
+double table_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t i) {
   const int x = int(i % grid.columns), y = int(i / grid.columns);
   if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.row(y));
   return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
@@ -118,7 +107,7 @@ ChannelError summarise(const Channel& channel, std::vector<double>& errors, cons
   return result;
 }
 
-ChannelError compare(const Table& table, int c, const Grid& grid, const Exact& exact) {
+ChannelError compare(const Table& table, int c, const ComparisonGrid& grid, const ExactValues& exact) {
   const Channel& channel = table.layout->channels[c];
   std::vector<double> difference(grid.size());
   tbb::parallel_for(std::size_t(0), grid.size(), [&](std::size_t i) {
@@ -134,18 +123,23 @@ ChannelError compare(const Table& table, int c, const Grid& grid, const Exact& e
   return summarise(channel, errors, signal, grid.size());
 }
 
-Result<Exact> exact_values(const Source& source, const Channel& channel, const Table& table, const Grid& grid) {
+}  // namespace
+
+Result<ExactValues> exact_values(const Source& source, const Channel& channel, const Table& table,
+                                 const ComparisonGrid& grid) {
   if (channel.texel == Texel::cell_average) return exact_bins(source, channel, table, grid);
   return exact_points(source, channel, *table.layout, table.image.width, grid);
 }
 
+namespace {
+
 Result<void> certify_table(const Source& source, Table& table) {
   table.errors.clear();
   const Channel* evaluated = nullptr;
-  Exact exact;
+  ExactValues exact;
   for (int c = 0; c < int(table.layout->channels.size()); ++c) {
     const Channel& channel = table.layout->channels[c];
-    const Grid grid = grid_for(channel, table.image.width);
+    const ComparisonGrid grid = grid_for(channel, table.image.width);
     if (!evaluated || !same_lobes(*evaluated, channel)) {
       CUTICLE_ASSIGN(exact, exact_values(source, channel, table, grid));
       evaluated = &channel;
