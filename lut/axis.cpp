@@ -1,11 +1,63 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numbers>
 
 #include <cuticle/lut/evaluate.h>
 
 namespace cuticle::lut {
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+double itself(double x) { return x; }
+double sine(double x) { return std::sin(x); }
+double cosine(double x) { return std::cos(x); }
+double arc_sine(double x) { return std::asin(x); }
+double arc_cosine(double x) { return std::acos(x); }
+
+/// In the order of AxisQuantity.
+constexpr AxisInfo k_quantities[] = {
+    {AxisQuantity::sin_theta_i, "sin_theta_i", "sin theta_i = dot(light direction, fibre tangent)",
+     &bsdf::Point::theta_i, arc_sine, sine, -1, 1},
+    {AxisQuantity::sin_theta_o, "sin_theta_o", "sin theta_o = dot(eye direction, fibre tangent)", &bsdf::Point::theta_o,
+     arc_sine, sine, -1, 1},
+    {AxisQuantity::cos_phi, "cos_phi",
+     "cos phi = cosine between the two directions projected on the normal plane; N is even in phi", &bsdf::Point::phi,
+     arc_cosine, cosine, -1, 1},
+    {AxisQuantity::cos_theta_d, "cos_theta_d", "cos theta_d, theta_d = (theta_o - theta_i) / 2, from the table M",
+     &bsdf::Point::theta_d, arc_cosine, cosine, 0, 1},
+    {AxisQuantity::theta_i, "theta_i", "theta_i = asin(dot(light direction, fibre tangent)), radians",
+     &bsdf::Point::theta_i, itself, itself, -k_pi / 2, k_pi / 2},
+    {AxisQuantity::theta_o, "theta_o", "theta_o = asin(dot(eye direction, fibre tangent)), radians",
+     &bsdf::Point::theta_o, itself, itself, -k_pi / 2, k_pi / 2},
+    {AxisQuantity::phi, "phi",
+     "phi = acos(cosine between the two directions projected on the normal plane), radians; N is even in phi",
+     &bsdf::Point::phi, itself, itself, 0, k_pi},
+    {AxisQuantity::theta_d, "theta_d", "abs(theta_d), theta_d = (theta_o - theta_i) / 2, radians; N is even in theta_d",
+     &bsdf::Point::theta_d, itself, itself, 0, k_pi / 2},
+    {AxisQuantity::none, "none", "nothing: the table has one row", nullptr, itself, itself, 0, 1},
+};
+
+void set_quantity(bsdf::Point& point, AxisQuantity quantity, double value) {
+  const AxisInfo& info = axis_info(quantity);
+  if (info.angle) point.*info.angle = info.to_angle(std::clamp(value, info.lower, info.upper));
+}
+
+bool carries(const TableLayout& table, double bsdf::Point::*angle) {
+  return axis_info(table.u.quantity).angle == angle || axis_info(table.v.quantity).angle == angle;
+}
+
+}  // namespace
+
+const AxisInfo& axis_info(AxisQuantity quantity) { return k_quantities[std::size_t(quantity)]; }
+
+glm::ivec2 table_size(const TableLayout& table, int size) {
+  return {size, table.v.quantity == AxisQuantity::none ? 1 : size};
+}
 
 AxisMap axis_map(const Axis& axis, int size) {
+  if (axis.quantity == AxisQuantity::none) return {0, 0.5};
   const double range = axis.upper - axis.lower;
   if (!axis.corner_aligned) return {1 / range, -axis.lower / range};
   const double scale = (size - 1) / (size * range);
@@ -13,37 +65,29 @@ AxisMap axis_map(const Axis& axis, int size) {
 }
 
 double axis_value(const Axis& axis, int size, double coordinate) {
+  if (axis.quantity == AxisQuantity::none) return 0;
   const AxisMap map = axis_map(axis, size);
   return std::clamp((coordinate - map.bias) / map.scale, axis.lower, axis.upper);
 }
-
-namespace {
-
-void set_quantity(bsdf::Point& point, AxisQuantity quantity, double value) {
-  switch (quantity) {
-    case AxisQuantity::sin_theta_i:
-      point.theta_i = std::asin(value);
-      break;
-    case AxisQuantity::sin_theta_o:
-      point.theta_o = std::asin(value);
-      break;
-    case AxisQuantity::cos_phi:
-      point.phi = std::acos(value);
-      break;
-    case AxisQuantity::cos_theta_d:
-      point.theta_d = std::acos(value);
-      break;
-  }
-}
-
-}  // namespace
 
 bsdf::Point make_point(const TableLayout& table, double u_value, double v_value) {
   bsdf::Point point;
   set_quantity(point, table.u.quantity, u_value);
   set_quantity(point, table.v.quantity, v_value);
-  if (table.u.quantity == AxisQuantity::sin_theta_i) point.theta_d = (point.theta_o - point.theta_i) / 2;
+  if (carries(table, &bsdf::Point::theta_i) && carries(table, &bsdf::Point::theta_o))
+    point.theta_d = (point.theta_o - point.theta_i) / 2;
   return point;
+}
+
+double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point) {
+  const AxisInfo& info = axis_info(axis.quantity);
+  const AxisMap map = axis_map(axis, size);
+  return info.angle ? info.from_angle(point.*info.angle) * map.scale + map.bias : map.bias;
+}
+
+double axis_angle(const Axis& axis, int size, double coordinate) {
+  const AxisInfo& info = axis_info(axis.quantity);
+  return info.to_angle(std::clamp(axis_value(axis, size, coordinate), info.lower, info.upper));
 }
 
 }  // namespace cuticle::lut

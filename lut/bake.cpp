@@ -20,11 +20,12 @@ struct LobeGrid {
 
 std::vector<bsdf::Point> texel_points(const TableLayout& table, int size) {
   std::vector<bsdf::Point> points;
-  points.reserve(std::size_t(size) * size);
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x)
-      points.push_back(
-          make_point(table, axis_value(table.u, size, (x + 0.5) / size), axis_value(table.v, size, (y + 0.5) / size)));
+  const glm::ivec2 texels = table_size(table, size);
+  points.reserve(std::size_t(texels.x) * texels.y);
+  for (int y = 0; y < texels.y; ++y)
+    for (int x = 0; x < texels.x; ++x)
+      points.push_back(make_point(table, axis_value(table.u, texels.x, (x + 0.5) / texels.x),
+                                  axis_value(table.v, texels.y, (y + 0.5) / texels.y)));
   return points;
 }
 
@@ -37,22 +38,14 @@ std::vector<PhiInterval> texel_cells(const TableLayout& table, int size) {
   return cells;
 }
 
-std::vector<glm::dvec3> cosines_of_theta_d(std::span<const bsdf::Point> points) {
-  std::vector<glm::dvec3> values;
-  for (const bsdf::Point& point : points) values.emplace_back(std::cos(point.theta_d));
-  return values;
-}
-
 Result<LobeGrid> evaluate_grid(const Source& source, const Channel& channel, const TableLayout& table, int size) {
   LobeGrid grid{&channel, {}, {}};
   if (channel.texel == Texel::cell_average) {
     CUTICLE_ASSIGN(PhiAverages averages, average_over_phi(source, channel, texel_cells(table, size)));
     grid.values = std::move(averages.values);
     grid.singular = std::move(averages.singular);
-  } else if (channel.lobe.empty()) {
-    grid.values = cosines_of_theta_d(texel_points(table, size));
   } else {
-    CUTICLE_ASSIGN(grid.values, evaluate_points(*source.model, source.evaluate, channel, texel_points(table, size)));
+    CUTICLE_ASSIGN(grid.values, channel_values(source, channel, texel_points(table, size)));
   }
   return grid;
 }
@@ -72,8 +65,9 @@ Table empty_table(const TableLayout& layout, int size) {
   std::vector<std::string> names;
   for (const Channel& channel : layout.channels) names.emplace_back(channel.name);
   table.scale.assign(names.size(), 1.0);
-  table.singular.assign(std::size_t(size) * size, 0);
-  table.image = make_image(size, size, std::move(names));
+  const glm::ivec2 texels = table_size(layout, size);
+  table.singular.assign(std::size_t(texels.x) * texels.y, 0);
+  table.image = make_image(texels.x, texels.y, std::move(names));
   return table;
 }
 
@@ -82,6 +76,7 @@ Result<Table> bake_table(const Source& source, const TableLayout& layout, int si
   LobeGrid grid;
   for (int c = 0; c < int(layout.channels.size()); ++c) {
     const Channel& channel = layout.channels[c];
+    if (channel.source == ChannelSource::solver) continue;
     if (!grid.channel || !same_lobes(*grid.channel, channel)) {
       CUTICLE_ASSIGN(grid, evaluate_grid(source, channel, layout, size));
     }
@@ -101,11 +96,12 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
   const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
     return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
   };
-  return {&model, evaluate, evaluate};
+  return {&model, evaluate, evaluate, average_fibre(model, values)};
 }
 
 bool same_lobes(const Channel& a, const Channel& b) {
-  return a.quantity == b.quantity && a.lobe == b.lobe && a.texel == b.texel;
+  return a.source == b.source && a.quantity == b.quantity && a.lobe == b.lobe && a.texel == b.texel &&
+         a.average == b.average;
 }
 
 Result<std::vector<int>> find_lobes(const bsdf::Model& model, std::string_view names) {
@@ -129,6 +125,22 @@ Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const 
   return sum;
 }
 
+Result<std::vector<glm::dvec3>> channel_values(const Source& source, const Channel& channel,
+                                               std::span<const bsdf::Point> points) {
+  CUTICLE_EXPECT(channel.source != ChannelSource::solver, "a solved channel has no exact value");
+  if (channel.source == ChannelSource::model) return evaluate_points(*source.model, source.evaluate, channel, points);
+  std::vector<glm::dvec3> values;
+  for (const bsdf::Point& point : points) {
+    if (channel.source == ChannelSource::cos_theta_d) {
+      values.emplace_back(std::cos(point.theta_d));
+      continue;
+    }
+    CUTICLE_ASSIGN(const bsdf::DualScatteringRow row, source.average(point.theta_o));
+    values.push_back(channel.average(row));
+  }
+  return values;
+}
+
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
                            int size, Progress& progress) {
   CUTICLE_TRY(check_size(size));
@@ -137,6 +149,7 @@ Result<TableSet> bake_from(const Source& source, const registry::ParameterValues
     progress.update("bake", set.tables.size(), layout.tables.size());
     CUTICLE_ASSIGN(set.tables.emplace_back(), bake_table(source, table, size));
   }
+  if (layout.solve) CUTICLE_TRY(layout.solve(source, set, progress));
   progress.update("bake", set.tables.size(), layout.tables.size());
   return set;
 }
@@ -154,8 +167,7 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
                    const Channel& channel, double u, double v) {
   const bsdf::Point point = make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
                                        table.v.lower + v * (table.v.upper - table.v.lower));
-  if (channel.lobe.empty()) return std::cos(point.theta_d);
-  const auto result = evaluate_points(model, cpu_source(model, values).evaluate, channel, std::span(&point, 1));
+  const auto result = channel_values(cpu_source(model, values), channel, std::span(&point, 1));
   CUTICLE_EXPECT(result.ok(), "the model has the layout's lobes");
   return (*result)[0][channel.component];
 }

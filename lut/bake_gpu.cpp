@@ -15,7 +15,7 @@ Result<Source> device_source(gpu::Device& device, const bsdf::Model& model, cons
                 [evaluator, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
                   return evaluator->evaluate(values, request, out);
                 },
-                cpu_source(model, values).evaluate};
+                cpu_source(model, values).evaluate, average_fibre(model, values)};
 }
 
 /// Four floats a texel, values with their scale applied, missing channels 0.

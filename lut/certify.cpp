@@ -19,12 +19,6 @@ ComparisonGrid grid_for(const Channel& channel, int size) {
   return {2 * size, std::min(size - 1, k_most_points)};
 }
 
-ExactValues cosines(const std::vector<bsdf::Point>& points) {
-  ExactValues exact;
-  for (const bsdf::Point& point : points) exact.values.emplace_back(std::cos(point.theta_d));
-  return exact;
-}
-
 Result<ExactValues> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size,
                                  const ComparisonGrid& grid) {
   std::vector<bsdf::Point> points;
@@ -32,8 +26,7 @@ Result<ExactValues> exact_points(const Source& source, const Channel& channel, c
     for (int x = 0; x < grid.columns; ++x)
       points.push_back(
           make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
-  if (channel.lobe.empty()) return cosines(points);
-  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, evaluate_points(*source.model, source.evaluate, channel, points));
+  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source, channel, points));
   return ExactValues{std::move(values), {}};
 }
 

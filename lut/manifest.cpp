@@ -8,23 +8,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string formula(AxisQuantity quantity) {
-  switch (quantity) {
-    case AxisQuantity::sin_theta_i:
-      return "sin theta_i = dot(light direction, fibre tangent)";
-    case AxisQuantity::sin_theta_o:
-      return "sin theta_o = dot(eye direction, fibre tangent)";
-    case AxisQuantity::cos_phi:
-      return "cos phi = cosine between the two directions projected on the normal plane; N is even in phi";
-    case AxisQuantity::cos_theta_d:
-      return "cos theta_d, theta_d = (theta_o - theta_i) / 2, from the table M";
-  }
-  return {};
-}
-
 Json axis_json(const Axis& axis, int size) {
   const AxisMap map = axis_map(axis, size);
-  return {{"formula", formula(axis.quantity)},
+  return {{"quantity", axis_info(axis.quantity).name},
+          {"formula", axis_info(axis.quantity).formula},
           {"range", {axis.lower, axis.upper}},
           {"sample_positions", axis.corner_aligned ? "end points on texel centres" : "end points on texel borders"},
           {"coordinate", "value * scale + bias"},
@@ -80,6 +67,7 @@ Json table_json(const Table& table, Format format, int size) {
   for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, c));
   return {{"name", table.layout->name},
           {"file", file_name(table, format)},
+          {"size", {table.image.width, table.image.height}},
           {"u", axis_json(table.layout->u, size)},
           {"v", axis_json(table.layout->v, size)},
           {"channels", channels},

@@ -6,15 +6,16 @@
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
-namespace {
-
-constexpr double k_largest_half = 65504;
 
 double round_to(Format format, double stored) {
   if (format == Format::exr) return round_to_half(float(stored));
   const double steps = format == Format::png8 ? 255 : 65535;
   return std::round(stored * steps) / steps;
 }
+
+namespace {
+
+constexpr double k_largest_half = 65504;
 
 /// The scale that lets the format hold values up to `peak`.
 double format_scale(Format format, double peak) {
@@ -52,15 +53,20 @@ Result<void> store_as(TableSet& set, Format format) {
   return {};
 }
 
-double sample(const Table& table, int channel, double u, double v) {
-  const int width = table.image.width, height = table.image.height;
+double sample(const Image& image, int channel, double u, double v) {
+  const int width = image.width, height = image.height;
   const double x = std::clamp(u * width - 0.5, 0.0, width - 1.0), y = std::clamp(v * height - 0.5, 0.0, height - 1.0);
-  const int x0 = std::min(int(x), width - 2), y0 = std::min(int(y), height - 2);
-  const double fx = x - x0, fy = y - y0;
-  const auto texel = [&](int i, int j) { return double(table.image.at(x0 + i, y0 + j, channel)); };
-  const double top = texel(0, 0) + fx * (texel(1, 0) - texel(0, 0)),
-               bottom = texel(0, 1) + fx * (texel(1, 1) - texel(0, 1));
-  return (top + fy * (bottom - top)) * table.scale[channel];
+  const int x0 = int(x), y0 = int(y), x1 = std::min(x0 + 1, width - 1), y1 = std::min(y0 + 1, height - 1);
+  const auto row = [&](int j) {
+    const double left = double(image.at(x0, j, channel));
+    return left + (x - x0) * (double(image.at(x1, j, channel)) - left);
+  };
+  const double top = row(y0);
+  return top + (y - y0) * (row(y1) - top);
+}
+
+double sample(const Table& table, int channel, double u, double v) {
+  return sample(table.image, channel, u, v) * table.scale[channel];
 }
 
 }  // namespace cuticle::lut

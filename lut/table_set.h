@@ -1,11 +1,15 @@
 #pragma once
 // Lookup textures of scattering terms: layouts as data, tables, their measured error.
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
+#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
 #include <cuticle/bsdf/model.h>
 #include <cuticle/core/image/image.h>
 #include <cuticle/core/progress.h>
@@ -13,46 +17,85 @@
 
 namespace cuticle::lut {
 
-/// What an axis of a table carries, and how a texture coordinate in [0, 1] maps to it.
-enum class AxisQuantity { sin_theta_i, sin_theta_o, cos_phi, cos_theta_d };
+/// What an axis of a table carries; `none`: the table has one row.
+enum class AxisQuantity { sin_theta_i, sin_theta_o, cos_phi, cos_theta_d, theta_i, theta_o, phi, theta_d, none };
+/// One row of the table of quantities.
+struct AxisInfo {
+  AxisQuantity quantity;
+  std::string_view name;             ///< "sin_theta_i"
+  std::string_view formula;          ///< what a shader computes, in words
+  double bsdf::Point::*angle;        ///< which angle of a point it fixes; null for none
+  double (*to_angle)(double value);  ///< radians
+  double (*from_angle)(double angle);
+  double lower, upper;  ///< where it has a meaning; beyond, texels repeat the value at the end
+};
+const AxisInfo& axis_info(AxisQuantity quantity);
+/// An axis, and how a texture coordinate in [0, 1] maps to its value.
 struct Axis {
   AxisQuantity quantity;
   double lower, upper;  ///< value at the first and at the last texel centre (corner aligned), or at the borders
   bool corner_aligned;  ///< true: end points lie on texel centres; false: on texel borders
 };
+inline constexpr Axis k_no_axis{AxisQuantity::none, 0, 1, false};
 /// What a texel holds: the value at its centre, or, where the lobe has an infinite peak (the caustic of TRT), its mean
 /// over the azimuths that the texel covers: the integral of N over phi divided by the width in phi, at the row's cos
 /// theta_d.
 enum class Texel { point, cell_average };
-/// A channel: a quantity of the model for a lobe and a colour component; `cos_theta_d` stores the auxiliary angle.
+/// Where a channel's texels come from: the model's quantity for a lobe; the auxiliary angle; the average fibre of dual
+/// scattering; or the layout's own solver.
+enum class ChannelSource { model, cos_theta_d, average_fibre, solver };
 struct Channel {
   std::string_view name;  ///< "M_R", "N_TT.r", "cos_theta_d"
   bsdf::Quantity quantity;
-  std::string_view lobe;  ///< "R", "TT", "TRT", or "TT+TRT" for summed, or "" for cos_theta_d
+  std::string_view lobe;  ///< "R", "TT", "TRT", or "TT+TRT" for summed, or "" where the source is not the model
   int component;          ///< 0, 1, 2 of the rgb
   Texel texel = Texel::point;
+  ChannelSource source = ChannelSource::model;
+  glm::dvec3 (*average)(const bsdf::DualScatteringRow&) = nullptr;  ///< of the average fibre
 };
 struct TableLayout {
   std::string_view name;  ///< file stem, "M", "N_TT_R"
   Axis u, v;
   std::span<const Channel> channels;
 };
+/// A product in a layout's composition: names of channels, or of rgb channels without their suffix: "N_TT" is N_TT.r
+/// for red. S is the sum of a layout's terms.
+struct Term {
+  std::array<std::string_view, 3> factors;  ///< "" where there are fewer
+};
 struct Layout {
   registry::Entry entry;
   std::span<const TableLayout> tables;
-  std::string_view composition;  ///< how a shader puts S together from the channels
+  std::string_view composition;      ///< how a shader puts S together from the channels, in words
+  std::span<const Term> terms = {};  ///< the same as data; empty: the tables do not make S
+  bool over_cos2_theta_d = false;    ///< the shader divides the sum by cos^2 theta_d
+  std::string_view family = {};      ///< layouts of one family hold the same terms along other axes
+  /// Fills the texels of the channels whose source is `solver`; null: none has it.
+  Result<void> (*solve)(const struct Source& source, struct TableSet& set, Progress& progress) = nullptr;
 };
 std::span<const Layout* const> layouts();
 Result<const Layout*> find_layout(std::string_view name);
 
-/// Error of one channel after the engine's bilinear filter in the stored format, on a dense grid off the texels. A
-/// channel of cell averages is compared with averages over bins half a texel wide; bins that filter a texel on the
-/// caustic are left out.
+/// Errors with every direction alike: weighted by the angles that a texture coordinate covers, so that what the axes
+/// squeeze together counts for less.
+struct AngleError {
+  double rms = 0, percentile_99 = 0, signal_rms = 0;
+};
+/// Error of one channel after the engine's bilinear filter in the stored format, on a dense grid off the texels,
+/// uniform in texture coordinates. A channel of cell averages is compared with averages over bins half a texel wide;
+/// bins that filter a texel on the caustic are left out.
 struct ChannelError {
   std::string channel;
   double maximum = 0, rms = 0, percentile_99 = 0;  ///< absolute
   double peak = 0, signal_rms = 0;  ///< of the exact values: relative errors are maximum/peak, rms/signal_rms
   double excluded = 0;              ///< share of the grid left out, 0 .. 1
+  AngleError in_angle;
+};
+/// A level below the first: half as many texels each way, and what it costs against the exact channel averaged over the
+/// level's footprint (a texel of that level around any texture coordinate).
+struct MipLevel {
+  Image image;
+  std::vector<ChannelError> errors;
 };
 struct Table {
   const TableLayout* layout = nullptr;
@@ -60,6 +103,7 @@ struct Table {
   std::vector<double> scale;           ///< per channel, 1 unless the format needs it: value = stored * scale
   std::vector<std::uint8_t> singular;  ///< per texel: 1 where a cell average covers a caustic
   std::vector<ChannelError> errors;    ///< filled by `certify`
+  std::vector<MipLevel> levels;        ///< filled by `certify`; level 1 first; same scale
 };
 struct TableSet {
   const Layout* layout = nullptr;
@@ -69,6 +113,10 @@ struct TableSet {
   std::vector<Table> tables;
   double bake_ms = 0;
   std::string baked_on;  ///< "cpu" or the device's name
+  /// Of S for red, green and blue, filled by `certify` where the layout has terms. `assumption`: put together from
+  /// exact channels, so what the layout itself leaves out. `scattering`: from the stored tables, as a shader reads
+  /// them.
+  std::vector<ChannelError> assumption = {}, scattering = {};
 };
 
 /// Texture coordinate = value * scale + bias: what a shader multiplies and adds before it samples.
@@ -76,6 +124,8 @@ struct AxisMap {
   double scale = 1, bias = 0;
 };
 AxisMap axis_map(const Axis& axis, int size);
+/// Texels each way: size x size, or size x 1 where v carries nothing.
+glm::ivec2 table_size(const TableLayout& table, int size);
 /// The value of the axis at a texture coordinate, clamped to its range.
 double axis_value(const Axis& axis, int size, double coordinate);
 
@@ -90,8 +140,12 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
 enum class Format { exr, png8, png16 };
 /// "exr", "png8", "png16". Error: usage, listing them.
 Result<Format> find_format(std::string_view name);
+/// A stored number as the format holds it.
+double round_to(Format format, double stored);
 /// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
 double sample(const Table& table, int channel, double u, double v);
+/// The same for a level's stored numbers, without the scale.
+double sample(const Image& image, int channel, double u, double v);
 /// Rounds the stored numbers to the format and sets the scales (PNG: the channel's largest value; EXR: 1 while half can
 /// hold the values). Error: internal when a value is negative or not finite.
 Result<void> store_as(TableSet& set, Format format);

@@ -17,7 +17,7 @@ inline constexpr Channel k_nalu_m[] = {
     {"M_R", bsdf::Quantity::M, "R", 0},
     {"M_TT", bsdf::Quantity::M, "TT", 0},
     {"M_TRT", bsdf::Quantity::M, "TRT", 0},
-    {"cos_theta_d", bsdf::Quantity::M, "", 0},
+    {"cos_theta_d", bsdf::Quantity::M, "", 0, Texel::point, ChannelSource::cos_theta_d},
 };
 inline constexpr Channel k_nalu_n_tt_r[] = {
     {"N_TT.r", bsdf::Quantity::N, "TT", 0},
