@@ -30,7 +30,8 @@ void add_demo(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("demo", "the main job on a small scene: bake, grow, simulate, shadow, render, study");
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
-  command->add_option("--groom", options->groom_file, "a groom file in place of the grown hair (.hair, .tfx)");
+  command->add_option("--groom", options->groom_file, "a groom file in place of the grown hair (.hair, .tfx, .tfxproj)");
+  command->add_flag("!--part-only", options->whole_project, "of a .tfx that a .tfxproj beside it names, draw this part only");
   add_groom_options(*command, options->metres_per_unit, options->radius);
   command->add_option("--out", options->out, "folder to write (default: demo)");
   command->add_option("--frames", options->frames, "frames to simulate and render")->check(CLI::Range(2, 2000));

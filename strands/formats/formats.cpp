@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/strands/formats/project.h>
 
 namespace cuticle::strands {
 
@@ -23,14 +24,23 @@ std::string extension_of(const std::string& path) {
 }
 
 Error unknown_extension(const std::string& path) {
-  return bad_input(fmt::format("{}: extension '{}', allowed .hair, .tfx", path, extension_of(path)),
-                   "give the file the ending of its format");
+  return bad_input(
+      fmt::format("{}: extension '{}', allowed .hair, .tfx (and .tfxproj to read)", path, extension_of(path)),
+      "give the file the ending of its format");
 }
 
 Result<Groom> parse_by_extension(std::span<const std::byte> bytes, const std::string& path) {
   if (extension_of(path) == "hair") return parse_hair(bytes, path);
   if (extension_of(path) == "tfx") return parse_tfx(bytes, path);
   return unknown_extension(path);
+}
+
+Result<GroomFile> read_in_file_units(const std::string& path) {
+  if (extension_of(path) == "tfxproj") return read_project(path);
+  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+  GroomFile file;
+  CUTICLE_ASSIGN(file.groom, parse_by_extension(bytes, path));
+  return file;
 }
 
 Result<void> check_options(const ReadOptions& options) {
@@ -98,9 +108,7 @@ Result<std::vector<std::byte>> format_by_extension(const std::string& path, cons
 
 Result<GroomFile> read_groom(const std::string& path, const ReadOptions& options) {
   CUTICLE_TRY(check_options(options));
-  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  GroomFile file;
-  CUTICLE_ASSIGN(file.groom, parse_by_extension(bytes, path));
+  CUTICLE_ASSIGN(GroomFile file, read_in_file_units(path));
   apply_units(file, options);
   apply_radius(file, options);
   if (const Result<void> valid = validate(file.groom); !valid)

@@ -1,5 +1,5 @@
 #pragma once
-// Strand files in and out: Cem Yuksel .hair, TressFX .tfx (versions 3 and 4), OBJ meshes.
+// Strand files in and out: Cem Yuksel .hair, TressFX .tfx (versions 3 and 4) and projects of them, OBJ meshes.
 #include <cstddef>
 #include <span>
 #include <string>
@@ -23,7 +23,7 @@ struct GroomFile {
   std::vector<std::string> notes;
 };
 
-/// By extension. Errors are bad_input and name file, field, offset and the allowed range.
+/// By extension (.hair, .tfx, .tfxproj). Errors are bad_input and name file, field, offset and the allowed range.
 Result<GroomFile> read_groom(const std::string& path, const ReadOptions& options = {});
 /// By extension (.hair, .tfx); what the format cannot hold is in `notes`.
 Result<std::vector<std::string>> write_groom(const std::string& path, const Groom& groom, double metres_per_unit = 1);

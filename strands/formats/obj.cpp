@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/strands/formats/words.h>
 
 namespace cuticle::strands {
 
@@ -16,14 +17,6 @@ namespace {
 
 /// position / texture coordinate / normal of a face corner, 0-based; -1 where the corner has none.
 using Corner = std::array<std::int64_t, 3>;
-
-std::string_view next_word(std::string_view& line) {
-  const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
-  const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
 
 template <class T>
 bool parse_whole(std::string_view text, T& value) {

@@ -56,6 +56,13 @@ TEST_P(RealGrooms, WrittenAsHairAndRead_SamePositions) {
   EXPECT_EQ(again->offsets, file->groom.offsets);
 }
 
+TEST(RealProjects, Ponytail_FourPartsInOneGroom) {
+  const auto file = read_groom(data("strands/tressfx/ponytail/ponytail.tfxproj"));
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file->groom.strand_count(), 876u + 3066 + 517 + 255);
+  EXPECT_EQ(file->metres_per_unit, 0.01);
+}
+
 TEST(RealMeshes, LeePerrySmith_TrianglesAndNormals) {
   const auto mesh = read_obj(data("heads/lee_perry_smith/LeePerrySmith.obj"), 1);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;

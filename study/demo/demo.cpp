@@ -9,7 +9,7 @@
 #include <cuticle/core/file.h>
 #include <cuticle/core/image/image.h>
 #include <cuticle/plan/frame_runner_gpu.h>
-#include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/formats/project.h>
 #include <cuticle/study/demo/demo_page.h>
 #include <cuticle/study/demo/demo_study.h>
 
@@ -49,12 +49,21 @@ class DemoJob {
   Result<void> load() {
     CUTICLE_ASSIGN(scene_, scene::load_scene(options_.scene_file, plan::catalogue()));
     if (!options_.groom_file.empty()) {
-      scene_.groom.file = options_.groom_file;
+      scene_.groom.file = groom_or_project();
       scene_.groom.metres_per_unit = options_.metres_per_unit;
       scene_.groom.radius = options_.radius;
     }
     CUTICLE_ASSIGN(runner_, plan::FrameRunner::create(device_, scene_, progress_, trace_));
     return write_text_file(options_.out + "/plan.json", plan::to_json(runner_->plan()));
+  }
+
+  /// A part of a hairdo is rarely what one wants to see: the project that names the file, where there is one.
+  std::string groom_or_project() const {
+    const std::string project = options_.whole_project ? strands::project_of(options_.groom_file) : "";
+    if (project.empty()) return options_.groom_file;
+    progress_.message(fmt::format("{} is a part of {}: the whole of it is drawn (--part-only draws the part)",
+                                  options_.groom_file, project));
+    return project;
   }
 
   Result<void> write_tables() {

@@ -13,6 +13,7 @@ namespace cuticle::study {
 struct DemoOptions {
   std::string scene_file;          ///< scenes/demo.json or scenes/demo_groom.json
   std::string groom_file;          ///< a real groom in place of the grown hair; empty: grow
+  bool whole_project = true;       ///< a groom file that a .tfxproj beside it names: load the whole project
   double metres_per_unit = 0;      ///< of the groom file; 0 = guess and say so
   double radius = 0;               ///< metres; 0 = the file's own or the default
   std::string out;                 ///< folder to write

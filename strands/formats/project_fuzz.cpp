@@ -1,0 +1,14 @@
+// Any text: an error, or parts that lie in the project's folder.
+#include <cstdlib>
+
+#include <cuticle/strands/formats/project.h>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto parts =
+      cuticle::strands::parse_project(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz");
+  if (!parts) return 0;
+  if (parts->files.empty()) std::abort();
+  for (const std::string& file : parts->files)
+    if (file.front() == '/' || file.find("../") != std::string::npos) std::abort();
+  return 0;
+}
