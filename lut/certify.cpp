@@ -144,7 +144,7 @@ Result<void> certify_table(const Source& source, Table& table) {
 
 }  // namespace
 
-Result<void> certify(TableSet& set, Format format, Progress& progress) {
+Result<void> certify(TableSet& set, const Format& format, Progress& progress) {
   CUTICLE_TRY(store_as(set, format));
   const Source source = cpu_source(*set.model, set.values);
   for (std::size_t i = 0; i < set.tables.size(); ++i) {

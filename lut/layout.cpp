@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -22,10 +23,12 @@ Result<const Layout*> find_layout(std::string_view name) {
   return unknown("layout", name, known);
 }
 
-Result<Format> find_format(std::string_view name) {
-  static constexpr std::string_view known[] = {"exr", "png8", "png16"};
-  for (int i = 0; i < 3; ++i)
-    if (known[i] == name) return Format(i);
+Result<const Format*> find_format(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Format* format : formats()) {
+    if (format->name == name) return format;
+    known.push_back(format->name);
+  }
   return unknown("format", name, known);
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -15,7 +16,7 @@ TableSet bake_set(const char* settings, int size) {
   const auto values = registry::parse_assignments(marschner().entry.parameters, settings).value();
   return bake(marschner(), values, *find_layout("nalu").value(), size, silent_progress()).value();
 }
-TableSet certified(const char* settings, int size, Format format) {
+TableSet certified(const char* settings, int size, const Format& format) {
   TableSet set = bake_set(settings, size);
   EXPECT_TRUE(certify(set, format, silent_progress()).ok());
   return set;
@@ -25,7 +26,7 @@ double relative_rms(const ChannelError& error) { return error.rms / error.signal
 TEST(StoreAs, EightBit_HoldsTheUnitRangeAndAScaleThatGivesTheValuesBack) {
   const TableSet before = bake_set("sigma_a=0.2", 32);
   TableSet set = before;
-  ASSERT_TRUE(store_as(set, Format::png8).ok());
+  ASSERT_TRUE(store_as(set, *find_format("png8").value()).ok());
   for (std::size_t t = 0; t < set.tables.size(); ++t) {
     const Table& table = set.tables[t];
     for (std::size_t i = 0; i < table.image.pixels.size(); ++i) {
@@ -39,7 +40,7 @@ TEST(StoreAs, EightBit_HoldsTheUnitRangeAndAScaleThatGivesTheValuesBack) {
 
 TEST(StoreAs, Half_RoundsToHalf) {
   TableSet set = bake_set("sigma_a=0.2", 32);
-  ASSERT_TRUE(store_as(set, Format::exr).ok());
+  ASSERT_TRUE(store_as(set, half_exr()).ok());
   for (float value : set.tables[0].image.pixels) ASSERT_EQ(value, round_to_half(value));
   EXPECT_THAT(set.tables[0].scale, testing::Each(1.0));
 }
@@ -47,7 +48,7 @@ TEST(StoreAs, Half_RoundsToHalf) {
 TEST(StoreAs, ValuesBeyondHalf_AreScaledDown) {
   TableSet set = bake_set("sigma_a=0.2", 16);
   set.tables[0].image.at(3, 3, 0) = 1e6F;
-  ASSERT_TRUE(store_as(set, Format::exr).ok());
+  ASSERT_TRUE(store_as(set, half_exr()).ok());
   EXPECT_NEAR(double(set.tables[0].image.at(3, 3, 0)) * set.tables[0].scale[0], 1e6, 1e3);
 }
 
@@ -55,7 +56,7 @@ TEST(StoreAs, NegativeOrNotFinite_IsAnErrorThatNamesTheChannel) {
   for (float bad : {-1.0F, std::nanf(""), INFINITY}) {
     TableSet set = bake_set("sigma_a=0.2", 16);
     set.tables[0].image.at(3, 3, 1) = bad;
-    const auto result = store_as(set, Format::exr);
+    const auto result = store_as(set, half_exr());
     ASSERT_FALSE(result.ok());
     EXPECT_THAT(result.error().message, testing::HasSubstr("M_TT"));
   }
@@ -77,8 +78,8 @@ TEST(Certify, PerturbedTexel_RaisesTheMeasuredErrorToThePerturbation) {
   TableSet set = bake_set("sigma_a=0.2", 64);
   TableSet broken = set;
   broken.tables[1].image.at(30, 30, 0) += 0.25F;
-  ASSERT_TRUE(certify(set, Format::exr, silent_progress()).ok());
-  ASSERT_TRUE(certify(broken, Format::exr, silent_progress()).ok());
+  ASSERT_TRUE(certify(set, half_exr(), silent_progress()).ok());
+  ASSERT_TRUE(certify(broken, half_exr(), silent_progress()).ok());
   EXPECT_LT(set.tables[1].errors[0].maximum, 0.05);
   EXPECT_NEAR(broken.tables[1].errors[0].maximum, 0.25, 0.07);
   EXPECT_EQ(broken.tables[1].errors[3].maximum, set.tables[1].errors[3].maximum);
@@ -88,8 +89,8 @@ TEST(Certify, PerturbedCellAverage_RaisesTheMeasuredError) {
   TableSet set = bake_set("sigma_a=0.2", 64);
   TableSet broken = set;
   broken.tables[2].image.at(10, 30, 1) += 0.5F;
-  ASSERT_TRUE(certify(set, Format::exr, silent_progress()).ok());
-  ASSERT_TRUE(certify(broken, Format::exr, silent_progress()).ok());
+  ASSERT_TRUE(certify(set, half_exr(), silent_progress()).ok());
+  ASSERT_TRUE(certify(broken, half_exr(), silent_progress()).ok());
   EXPECT_GT(broken.tables[2].errors[1].rms, 1.02 * set.tables[2].errors[1].rms);
 }
 
@@ -101,17 +102,18 @@ TEST(Certify, FlippedTable_ShowsAnErrorOfTheSignalsOrder) {
     for (int x = 0; x < 64; ++x)
       for (int c = 0; c < 4; ++c) flipped.at(x, y, c) = m.image.at(x, 63 - y, c);
   m.image = flipped;
-  ASSERT_TRUE(certify(set, Format::exr, silent_progress()).ok());
+  ASSERT_TRUE(certify(set, half_exr(), silent_progress()).ok());
   EXPECT_GT(relative_rms(m.errors[0]), 0.8);
 }
 
 TEST(Certify, EightBit_IsWorseThanHalf) {
-  const TableSet half = certified("sigma_a=0.2", 64, Format::exr), eight = certified("sigma_a=0.2", 64, Format::png8);
+  const TableSet half = certified("sigma_a=0.2", 64, half_exr()),
+                 eight = certified("sigma_a=0.2", 64, *find_format("png8").value());
   for (int c : {0, 1, 2}) EXPECT_GT(eight.tables[1].errors[c].rms, 2 * half.tables[1].errors[c].rms);
 }
 
 TEST(Certify, MoreTexels_LessError) {
-  const TableSet coarse = certified("sigma_a=0.2", 32, Format::exr), fine = certified("sigma_a=0.2", 64, Format::exr);
+  const TableSet coarse = certified("sigma_a=0.2", 32, half_exr()), fine = certified("sigma_a=0.2", 64, half_exr());
   EXPECT_LT(fine.tables[0].errors[0].rms, 0.5 * coarse.tables[0].errors[0].rms);
   EXPECT_LT(fine.tables[1].errors[1].rms, 0.5 * coarse.tables[1].errors[1].rms);
   EXPECT_LT(fine.tables[2].errors[1].rms, coarse.tables[2].errors[1].rms);
@@ -138,7 +140,7 @@ double error_within_80_degrees(const Table& table, const TableSet& set, int c) {
 /// stay below.
 TEST(Certify, LongitudinalErrorsAt128_AreOfTheKnownOrder) {
   TableSet set = bake_set("beta=0.174533,alpha=0", 128);
-  ASSERT_TRUE(store_as(set, Format::exr).ok());
+  ASSERT_TRUE(store_as(set, half_exr()).ok());
   const double known[] = {1.2e-2, 2.3e-2, 7.6e-3};
   for (int c = 0; c < 3; ++c) {
     const double error = error_within_80_degrees(set.tables[0], set, c);
@@ -148,7 +150,7 @@ TEST(Certify, LongitudinalErrorsAt128_AreOfTheKnownOrder) {
 }
 
 TEST(Certify, CausticLobeAt128_IsWithinItsMeasuredBounds) {
-  const TableSet set = certified("sigma_a=0.2", 128, Format::exr);
+  const TableSet set = certified("sigma_a=0.2", 128, half_exr());
   const ChannelError& error = set.tables[2].errors[1];
   EXPECT_LT(relative_rms(error), 0.05);
   EXPECT_LT(error.maximum, 0.25 * error.peak);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/lut/format.h>
 
 namespace cuticle::lut {
 namespace {
@@ -51,7 +52,7 @@ TEST(BakeGpu, SizeOutOfRange_IsRefused) {
 
 TEST(Upload, Textures_HoldTheValuesInHalfWithMissingChannelsZero) {
   TableSet set = bake(marschner(), parameters(), *find_layout("nalu").value(), 16, silent_progress()).value();
-  ASSERT_TRUE(store_as(set, Format::png16).ok());
+  ASSERT_TRUE(store_as(set, *find_format("png16").value()).ok());
   const std::vector<gpu::Texture> textures = upload(*device(), set).value();
   ASSERT_EQ(textures.size(), 3u);
   const std::vector<float> texels = device()->download(textures[2]).value();

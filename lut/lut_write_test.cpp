@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -22,7 +23,7 @@ class Written : public testing::Test {
   }
   ~Written() override { fs::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  TableSet bake_and_write(Format format) {
+  TableSet bake_and_write(const Format& format) {
     const bsdf::Model& model = *bsdf::find_model("marschner").value();
     const auto values = registry::parse_assignments(model.entry.parameters, "eta=1.5,sigma_a=0.1/0.2/0.3").value();
     TableSet set = bake(model, values, *find_layout("nalu").value(), 16, silent_progress()).value();
@@ -40,9 +41,9 @@ class Written : public testing::Test {
 };
 
 TEST_F(Written, Exr_HoldsTheTablesTexelForTexel) {
-  const TableSet set = bake_and_write(Format::exr);
+  const TableSet set = bake_and_write(half_exr());
   for (const Table& table : set.tables) {
-    const Image image = read_exr(path(file_name(table, Format::exr))).value();
+    const Image image = read_exr(path(file_name(table, half_exr()))).value();
     ASSERT_EQ(image.channels(), table.image.channels());
     for (int c = 0; c < image.channels(); ++c) {
       const auto position =
@@ -56,14 +57,14 @@ TEST_F(Written, Exr_HoldsTheTablesTexelForTexel) {
 }
 
 TEST_F(Written, ExrAttribute_IsTheManifest) {
-  bake_and_write(Format::exr);
+  bake_and_write(half_exr());
   const auto attributes = read_exr_attributes(path("N_TRT.exr")).value();
   ASSERT_TRUE(attributes.contains("cuticle:manifest"));
   EXPECT_EQ(nlohmann::json::parse(attributes.at("cuticle:manifest")), manifest());
 }
 
 TEST_F(Written, Manifest_SaysWhatTheTablesAre) {
-  const TableSet set = bake_and_write(Format::exr);
+  const TableSet set = bake_and_write(half_exr());
   const nlohmann::json json = manifest();
   EXPECT_EQ(json["model"], "marschner");
   EXPECT_EQ(json["layout"], "nalu");
@@ -78,14 +79,14 @@ TEST_F(Written, Manifest_SaysWhatTheTablesAre) {
 }
 
 TEST_F(Written, ManifestsScaleAndBias_AddressTheTexels) {
-  bake_and_write(Format::exr);
+  bake_and_write(half_exr());
   const nlohmann::json axis = manifest()["tables"][1]["v"];
   EXPECT_DOUBLE_EQ(0 * axis["scale"].get<double>() + axis["bias"].get<double>(), 0.5 / 16);
   EXPECT_DOUBLE_EQ(1 * axis["scale"].get<double>() + axis["bias"].get<double>(), 15.5 / 16);
 }
 
 TEST_F(Written, Probes_AreTheFilteredFilesValues) {
-  const TableSet set = bake_and_write(Format::exr);
+  const TableSet set = bake_and_write(half_exr());
   const nlohmann::json probes = manifest()["tables"][1]["probes"];
   ASSERT_EQ(probes.size(), 5u);
   EXPECT_EQ(probes[1]["values"][3].get<double>(), double(set.tables[1].image.at(15, 0, 3)));
@@ -93,7 +94,7 @@ TEST_F(Written, Probes_AreTheFilteredFilesValues) {
 }
 
 TEST_F(Written, Png16WithScale_GivesTheValuesBack) {
-  const TableSet set = bake_and_write(Format::png16);
+  const TableSet set = bake_and_write(*find_format("png16").value());
   const Image image = read_image(path("N_TT_R.png")).value();
   const double scale = manifest()["tables"][1]["channels"][0]["scale"];
   for (int x = 0; x < 16; ++x)
@@ -102,7 +103,7 @@ TEST_F(Written, Png16WithScale_GivesTheValuesBack) {
 }
 
 TEST_F(Written, Png8WithScale_GivesTheValuesBack) {
-  const TableSet set = bake_and_write(Format::png8);
+  const TableSet set = bake_and_write(*find_format("png8").value());
   const Image image = read_image(path("M.png")).value();
   const double scale = manifest()["tables"][0]["channels"][0]["scale"];
   for (int x = 0; x < 16; ++x)
@@ -111,7 +112,7 @@ TEST_F(Written, Png8WithScale_GivesTheValuesBack) {
 }
 
 TEST_F(Written, Folder_HoldsTheFilesAndNothingElse) {
-  bake_and_write(Format::exr);
+  bake_and_write(half_exr());
   EXPECT_THAT(names(),
               testing::UnorderedElementsAre("M.exr", "N_TT_R.exr", "N_TRT.exr", "manifest.json", "preview.png"));
 }
@@ -123,7 +124,7 @@ TEST_F(Written, FolderThatCannotBe_IsAnErrorAndLeavesNothing) {
                             registry::default_values(bsdf::find_model("marschner").value()->entry.parameters),
                             *find_layout("nalu").value(), 16, silent_progress())
                            .value();
-  const auto result = write(set, Format::exr, path("file/tables"));
+  const auto result = write(set, half_exr(), path("file/tables"));
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, ErrorKind::bad_input);
   EXPECT_THAT(result.error().message, testing::HasSubstr("file"));
@@ -136,7 +137,7 @@ TEST_F(Written, FileThatCannotBeReplaced_LeavesNoPartOfTheSetBehind) {
   const TableSet set =
       bake(model, registry::default_values(model.entry.parameters), *find_layout("nalu").value(), 16, silent_progress())
           .value();
-  ASSERT_FALSE(write(set, Format::exr, folder_.string()).ok());
+  ASSERT_FALSE(write(set, half_exr(), folder_.string()).ok());
   EXPECT_THAT(names(), testing::ElementsAre("M.exr"));
 }
 

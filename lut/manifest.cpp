@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -62,7 +63,7 @@ Json probes_json(const Table& table) {
   return probes;
 }
 
-Json table_json(const Table& table, Format format, int size) {
+Json table_json(const Table& table, const Format& format, int size) {
   Json channels = Json::array();
   for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, c));
   return {{"name", table.layout->name},
@@ -82,25 +83,13 @@ Json conventions_json(const bsdf::Conventions& conventions) {
           {"absorption", conventions.absorption}};
 }
 
-std::string_view format_words(Format format) {
-  switch (format) {
-    case Format::exr:
-      return "OpenEXR, half, ZIP";
-    case Format::png8:
-      return "PNG, 8 bit, no transfer curve";
-    case Format::png16:
-      return "PNG, 16 bit, no transfer curve";
-  }
-  return {};
-}
-
 }  // namespace
 
-std::string file_name(const Table& table, Format format) {
-  return fmt::format("{}.{}", table.layout->name, format == Format::exr ? "exr" : "png");
+std::string file_name(const Table& table, const Format& format) {
+  return fmt::format("{}.{}", table.layout->name, format.extension);
 }
 
-std::string manifest_json(const TableSet& set, Format format) {
+std::string manifest_json(const TableSet& set, const Format& format) {
   Json json{{"schema_version", 1},
             {"tool", "cuticle"},
             {"tool_version", CUTICLE_VERSION},
@@ -111,7 +100,7 @@ std::string manifest_json(const TableSet& set, Format format) {
             {"layout", set.layout->entry.name},
             {"composition", set.layout->composition},
             {"size", set.size},
-            {"format", format_words(format)},
+            {"format", format.summary},
             {"color_space", "data"},
             {"origin", "top_left"},
             {"baked_on", set.baked_on},

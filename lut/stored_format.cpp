@@ -3,24 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
-
-double round_to(Format format, double stored) {
-  if (format == Format::exr) return round_to_half(float(stored));
-  const double steps = format == Format::png8 ? 255 : 65535;
-  return std::round(stored * steps) / steps;
-}
-
 namespace {
 
-constexpr double k_largest_half = 65504;
-
 /// The scale that lets the format hold values up to `peak`.
-double format_scale(Format format, double peak) {
-  if (format == Format::exr) return peak > k_largest_half ? peak / k_largest_half : 1;
-  return peak > 0 ? peak : 1;
+double format_scale(const Format& format, double peak) {
+  if (format.scaled_to_peak) return peak > 0 ? peak / format.largest : 1;
+  return peak > format.largest ? peak / format.largest : 1;
 }
 
 Result<double> channel_peak(const Table& table, int channel) {
@@ -36,18 +28,18 @@ Result<double> channel_peak(const Table& table, int channel) {
   return peak;
 }
 
-Result<void> store_channel(Table& table, int channel, Format format) {
+Result<void> store_channel(Table& table, int channel, const Format& format) {
   CUTICLE_ASSIGN(const double peak, channel_peak(table, channel));
   const double old_scale = table.scale[channel], scale = format_scale(format, peak);
   for (std::size_t i = channel; i < table.image.pixels.size(); i += table.scale.size())
-    table.image.pixels[i] = float(round_to(format, double(table.image.pixels[i]) * old_scale / scale));
+    table.image.pixels[i] = float(format.round(double(table.image.pixels[i]) * old_scale / scale));
   table.scale[channel] = scale;
   return {};
 }
 
 }  // namespace
 
-Result<void> store_as(TableSet& set, Format format) {
+Result<void> store_as(TableSet& set, const Format& format) {
   for (Table& table : set.tables)
     for (int c = 0; c < int(table.scale.size()); ++c) CUTICLE_TRY(store_channel(table, c, format));
   return {};

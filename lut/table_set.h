@@ -137,28 +137,24 @@ Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues&
 /// perfect table of points would return.
 double exact_value(const bsdf::Model& model, const registry::ParameterValues& values, const TableLayout& table,
                    const Channel& channel, double u, double v);
-enum class Format { exr, png8, png16 };
-/// "exr", "png8", "png16". Error: usage, listing them.
-Result<Format> find_format(std::string_view name);
-/// A stored number as the format holds it.
-double round_to(Format format, double stored);
+struct Format;  ///< how a file holds the numbers, <cuticle/lut/format.h>
 /// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
 double sample(const Table& table, int channel, double u, double v);
 /// The same for a level's stored numbers, without the scale.
 double sample(const Image& image, int channel, double u, double v);
-/// Rounds the stored numbers to the format and sets the scales (PNG: the channel's largest value; EXR: 1 while half can
+/// Rounds the stored numbers to the format and sets the scales (PNG: the channel's largest value; half: 1 while it can
 /// hold the values). Error: internal when a value is negative or not finite.
-Result<void> store_as(TableSet& set, Format format);
+Result<void> store_as(TableSet& set, const Format& format);
 /// `store_as`, then measures the errors of every channel against the model in double.
-Result<void> certify(TableSet& set, Format format, Progress& progress);
-/// Writes EXR/PNG tables, manifest.json and preview.png into the folder, first into a hidden folder inside it, so that
-/// a failure leaves nothing. The set must hold the format's numbers (`store_as` or `certify`). EXR files carry the
-/// manifest as the attribute "cuticle:manifest". Error: bad_input naming the file.
-Result<void> write(const TableSet& set, Format format, const std::string& folder);
+Result<void> certify(TableSet& set, const Format& format, Progress& progress);
+/// Writes the tables in the format, manifest.json and preview.png into the folder, first into a hidden folder inside it,
+/// so that a failure leaves nothing. The set must hold the format's numbers (`store_as` or `certify`). EXR and KTX2
+/// files carry the manifest as "cuticle:manifest". Error: bad_input naming the file.
+Result<void> write(const TableSet& set, const Format& format, const std::string& folder);
 /// File name of a table, "M.exr".
-std::string file_name(const Table& table, Format format);
+std::string file_name(const Table& table, const Format& format);
 /// The manifest as JSON text: tool version, model, conventions, parameters, axes with scale and bias, channels with
 /// scale, texel rule and errors, unit, colour space, origin, and five probe values (corners and centre) for each table.
-std::string manifest_json(const TableSet& set, Format format);
+std::string manifest_json(const TableSet& set, const Format& format);
 
 }  // namespace cuticle::lut

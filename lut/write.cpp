@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -92,23 +93,17 @@ Image engine_image(const Table& table) {
   return image;
 }
 
-Result<void> write_table(const Table& table, Format format, const std::string& path, const std::string& manifest) {
-  const Image image = engine_image(table);
-  if (format == Format::exr) return write_exr(path, image, ExrType::half, {{"cuticle:manifest", manifest}});
-  return write_png(path, image, format == Format::png8 ? 8 : 16);
-}
-
-Result<void> write_all(const TableSet& set, Format format, const Staging& staging) {
+Result<void> write_all(const TableSet& set, const Format& format, const Staging& staging) {
   const std::string manifest = manifest_json(set, format);
   for (const Table& table : set.tables)
-    CUTICLE_TRY(write_table(table, format, staging.file(file_name(table, format)), manifest));
+    CUTICLE_TRY(format.write(staging.file(file_name(table, format)), engine_image(table), manifest));
   CUTICLE_TRY(write_text_file(staging.file("manifest.json"), manifest));
   return write_png(staging.file("preview.png"), preview(set));
 }
 
 }  // namespace
 
-Result<void> write(const TableSet& set, Format format, const std::string& folder) {
+Result<void> write(const TableSet& set, const Format& format, const std::string& folder) {
   Staging staging(folder);
   CUTICLE_TRY(staging.make());
   CUTICLE_TRY(write_all(set, format, staging));

@@ -1,6 +1,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
 #include "arrays.h"
@@ -15,7 +16,7 @@ Result<lut::TableSet> make_tables(const std::string& model_name, const std::stri
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, preset, settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(layout_name));
   CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, size, silent_progress()));
-  CUTICLE_TRY(lut::certify(set, lut::Format::exr, silent_progress()));
+  CUTICLE_TRY(lut::certify(set, lut::half_exr(), silent_progress()));
   return set;
 }
 
@@ -29,7 +30,7 @@ nb::tuple bake(const std::string& model, const std::string& layout, int size, co
                const std::string& settings) {
   lut::TableSet set = value_or_raise(make_without_lock(model, layout, size, preset, settings));
   nb::dict tables;
-  const std::string manifest = lut::manifest_json(set, lut::Format::exr);
+  const std::string manifest = lut::manifest_json(set, lut::half_exr());
   for (lut::Table& table : set.tables) {
     const std::vector<std::size_t> shape = {std::size_t(set.size), std::size_t(set.size), table.scale.size()};
     tables[nb::str(table.layout->name.data(), table.layout->name.size())] = take(std::move(table.image.pixels), shape);

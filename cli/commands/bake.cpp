@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/lut/bake_gpu.h>
@@ -29,7 +30,7 @@ Result<lut::TableSet> bake_on(const BakeOptions& options, const Context& context
 #endif
 }
 
-Result<lut::TableSet> make_tables(const BakeOptions& options, lut::Format format, const Context& context) {
+Result<lut::TableSet> make_tables(const BakeOptions& options, const lut::Format& format, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  bsdf::parse_settings(*model, options.preset, options.settings));
@@ -57,10 +58,10 @@ void print_errors(const lut::TableSet& set, const std::string& out) {
 int bake(const BakeOptions& options, const Context& context) {
   const auto format = lut::find_format(options.format);
   if (!format) return report(format.error());
-  const auto set = make_tables(options, *format, context);
+  const auto set = make_tables(options, **format, context);
   if (!set) return report(set.error());
   if (context.json)
-    fmt::print("{}", lut::manifest_json(*set, *format));
+    fmt::print("{}", lut::manifest_json(*set, **format));
   else
     print_errors(*set, options.out);
   return Exit::ok;
@@ -76,7 +77,7 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
   command->add_option("--layout", options->layout, "nalu, nalu2 or nalu_borders")->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
-  command->add_option("--format", options->format, "exr (half), png8 or png16")->capture_default_str();
+  command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
       ->capture_default_str();

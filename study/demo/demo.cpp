@@ -8,6 +8,7 @@
 
 #include <cuticle/core/file.h>
 #include <cuticle/core/image/image.h>
+#include <cuticle/lut/format.h>
 #include <cuticle/plan/frame_runner_gpu.h>
 #include <cuticle/strands/formats/project.h>
 #include <cuticle/study/demo/demo_page.h>
@@ -70,8 +71,8 @@ class DemoJob {
     const lut::TableSet& set = runner_->tables();
     CUTICLE_TRY(make_folder(options_.out + "/lut"));
     lut::TableSet certified = set;
-    CUTICLE_TRY(lut::certify(certified, lut::Format::exr, progress_));
-    CUTICLE_TRY(lut::write(certified, lut::Format::exr, options_.out + "/lut"));
+    CUTICLE_TRY(lut::certify(certified, lut::half_exr(), progress_));
+    CUTICLE_TRY(lut::write(certified, lut::half_exr(), options_.out + "/lut"));
     DemoSection section{"Lookup textures", fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, in half floats.",
                                                        set.layout->entry.name, set.size, set.size, set.model->entry.name, set.baked_on, set.bake_ms),
                         {{"lut/preview.png", "the tables, tone mapped"}},

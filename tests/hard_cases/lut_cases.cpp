@@ -1,6 +1,7 @@
 // Tables: {"model", "set", "layout", "size", "table", "channel"} sampled at every combination of "u" and "v".
 #include <nlohmann/json.hpp>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
@@ -57,7 +58,7 @@ Result<lut::TableSet> baked(const json& inputs) {
 /// As written to EXR: rounded to half.
 Result<Values> run_lut_stored(const json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(lut::TableSet set, baked(inputs));
-  CUTICLE_TRY(lut::certify(set, lut::Format::exr, silent_progress()));
+  CUTICLE_TRY(lut::certify(set, lut::half_exr(), silent_progress()));
   return sampled(set, inputs);
 }
 
