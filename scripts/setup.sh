@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing: Debian packages (scripts/packages.txt) and Python packages (scripts/requirements.txt) into .venv.
+# Installs what is missing: Debian packages (scripts/packages.txt), Python packages (scripts/requirements.txt) into .venv,
+# and the browser tests' npm packages (tests/browser/package-lock.json).
 # Safe to run again: it does nothing when everything is there.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,6 +10,8 @@ missing=""
 for package in $wanted; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
 done
+# Other packagings of Node.js bring npm along and conflict with Debian's npm.
+command -v npm >/dev/null || missing="$missing nodejs npm"
 if [ -n "$missing" ]; then
   echo "setup: installing$missing" >&2
   as_root=""
@@ -23,4 +26,11 @@ if ! cmp -s scripts/requirements.txt "$stamp"; then
   [ -x .venv/bin/python ] || /usr/bin/python3 -m venv .venv
   .venv/bin/python -m pip install --quiet --disable-pip-version-check -r scripts/requirements.txt
   cp scripts/requirements.txt "$stamp"
+fi
+
+packages=tests/browser/node_modules
+if ! cmp -s tests/browser/package-lock.json "$packages/installed.lock"; then
+  echo "setup: npm packages into $packages" >&2
+  npm ci --prefix tests/browser --silent --no-audit --no-fund
+  cp tests/browser/package-lock.json "$packages/installed.lock"
 fi
