@@ -104,6 +104,14 @@ Result<void> check_queries(const BatchQueries& queries, bool vectorised) {
   return {};
 }
 
+batch::OnePoint one_point(const glm::vec3& light, const glm::vec3& viewer, float h) {
+  return {{light.x, light.y, light.z}, {viewer.x, viewer.y, viewer.z}, h};
+}
+VectorSpans one_vector(const glm::vec3& vector) { return {{&vector.x, 1}, {&vector.y, 1}, {&vector.z, 1}}; }
+BatchPoints arrays_of_one(const glm::vec3& light, const glm::vec3& viewer, const float& h) {
+  return {one_vector(light), one_vector(viewer), {&h, 1}};
+}
+
 /// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks.
 template <class Body>
 void in_blocks(std::size_t total, const Body& body) {
@@ -166,6 +174,36 @@ Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> den
                             });
   });
   return {};
+}
+
+glm::vec3 BatchEvaluator::evaluate(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
+  glm::vec3 color(0);
+  if (kernels_) kernels_->evaluate_one(packed_, one_point(to_light, to_viewer, h), &color.x);
+  if (!kernels_)
+    batch::evaluate_one_by_one(*model_, values_, Quantity::S, arrays_of_one(to_light, to_viewer, h), 0, 1,
+                               {{&color.x, 1}, {&color.y, 1}, {&color.z, 1}});
+  return color;
+}
+
+float BatchEvaluator::pdf(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
+  if (kernels_) return kernels_->pdf_of_one(packed_, one_point(to_light, to_viewer, h));
+  float density = 0;
+  batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, arrays_of_one(to_light, to_viewer, h), 0, 1,
+                             {{&density, 1}, {}, {}});
+  return density;
+}
+
+glm::vec3 BatchEvaluator::sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const {
+  glm::vec3 light(0);
+  if (draws_vectorised()) {
+    const batch::OneQuery query{{to_viewer.x, to_viewer.y, to_viewer.z}, h, {u[0], u[1], u[2], u[3]}};
+    kernels_->sample_one(packed_, query, &light.x);
+  } else if (model_->sample_f32) {
+    BatchQueries queries{one_vector(to_viewer), {&h, 1}, {}};
+    for (std::size_t k = 0; k < u.size(); ++k) queries.u[k] = {&u[k], 1};
+    batch::sample_one_by_one(*model_, values_, queries, 0, 1, {{&light.x, 1}, {&light.y, 1}, {&light.z, 1}});
+  }
+  return light;
 }
 
 bool BatchEvaluator::draws_vectorised() const { return kernels_ && kernels_->sample; }

@@ -77,6 +77,14 @@ class BatchEvaluator {
   Result<void> evaluate_varying(const BatchPoints& points, std::span<const VaryingParameter> varying,
                                 const OutputSpans& color) const;
 
+  /// One point by itself: S, the density, and a unit vector toward the light drawn by `u` (as of BatchQueries), for
+  /// loops that cannot wait for a batch. The formulas of the batch without its flush of denormals: values within a few
+  /// ulp of its own. The same meaning and range of arguments; `h` is unused in far fields.
+  glm::vec3 evaluate(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const;
+  float pdf(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const;
+  /// 0 where the model has no sampler.
+  glm::vec3 sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const;
+
   /// Whether the loops are vectorised; else points go one by one through the model's scalar formulas (far fields,
   /// models without kernels).
   bool is_vectorised() const { return kernels_ != nullptr; }

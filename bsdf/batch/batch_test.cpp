@@ -58,6 +58,8 @@ struct Data {
   }
 };
 
+glm::vec3 vector_at(const Arrays& v, std::size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+
 const Model& chiang() { return **find_model("chiang"); }
 registry::ParameterValues values_of(const std::string& settings) { return *parse_settings(chiang(), "", settings); }
 constexpr const char* usual = "field=near,sigma_a=0.2/0.5/1.2,beta_m=0.3,beta_n=0.3";
@@ -125,6 +127,28 @@ TEST_P(BatchSet, Values_AreThoseOfTheBaselineWithinAFewUlp) {
   for (std::size_t i = 0; i < mine.x.size(); ++i) errors.add(mine.x[i], plain.x[i]);
   EXPECT_LT(errors.at(0.5), 4 * 1.2e-7);
   EXPECT_LT(errors.at(1), 2e-5);
+}
+
+TEST_P(BatchSet, PointsOneByOne_AgreeWithTheirBatch) {
+  const Data data(500);
+  Arrays color(500), drawn(500);
+  std::vector<float> density(500);
+  const BatchEvaluator batch = evaluator(usual);
+  ASSERT_TRUE(batch.evaluate(data.points(), color.out()).ok() && batch.pdf(data.points(), density).ok() &&
+              batch.sample(data.queries(), drawn.out()).ok());
+  Errors errors;
+  for (std::size_t i = 0; i < 500; ++i) {
+    const glm::vec3 light = vector_at(data.light, i), viewer = vector_at(data.viewer, i);
+    const glm::vec3 value = batch.evaluate(light, viewer, data.h[i]);
+    errors.add(value.x, color.x[i]);
+    errors.add(value.z, color.z[i]);
+    errors.add(batch.pdf(light, viewer, data.h[i]), density[i]);
+    const glm::vec3 sample =
+        batch.sample(viewer, data.h[i], {data.u[0][i], data.u[1][i], data.u[2][i], data.u[3][i], data.u[4][i]});
+    EXPECT_LT(glm::length(sample - vector_at(drawn, i)), 2e-6f) << i;
+  }
+  EXPECT_LT(errors.at(0.5), 2 * 1.2e-7);
+  EXPECT_LT(errors.at(1), 1e-5);
 }
 
 TEST_P(BatchSet, Samples_AreThoseOfTheScalarSampler) {
@@ -222,6 +246,11 @@ TEST(Batch, FarField_GoesPointByPoint) {
   for (std::size_t i = 0; i < 20; ++i) {
     const double exact = truth(settings, Quantity::S, data.point(i)).x;
     EXPECT_NEAR(color.x[i], exact, 3e-4 * exact + 1e-9);
+    const glm::vec3 to_light = vector_at(data.light, i), viewer = vector_at(data.viewer, i);
+    EXPECT_EQ(batch.evaluate(to_light, viewer, 0).x, color.x[i]);
+    EXPECT_EQ(batch.pdf(to_light, viewer, data.h[i]), density[i]);
+    EXPECT_EQ(batch.sample(viewer, data.h[i], {data.u[0][i], data.u[1][i], data.u[2][i], data.u[3][i], data.u[4][i]}).x,
+              light.x[i]);
     EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 1e-6);
   }
 }

@@ -30,11 +30,22 @@ struct VaryingPointers {
   DirectionPointers directions;
 };
 
+/// One point, and one query, of the same meaning.
+struct OnePoint {
+  float light[3], viewer[3], h;
+};
+struct OneQuery {
+  float viewer[3], h, u[4];
+};
+
 struct Kernels {
   void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
   void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density);
   void (*sample)(const Packed<float>&, int count, const QueryPointers&, const VectorPointers&);  ///< null: no sampler
   void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&, const ColorPointers&);  ///< null: none
+  void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]);
+  float (*pdf_of_one)(const Packed<float>&, const OnePoint&);
+  void (*sample_one)(const Packed<float>&, const OneQuery&, float light[3]);  ///< null: no sampler
 };
 
 /// A model's kernels, from the plainest instruction set to the widest; null where the build has none.

@@ -2,9 +2,9 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include <cuticle/tests/support/csv_table.h>
 #include <cuticle/core/shared/bessel.glslh>
 #include <cuticle/core/shared/trigonometry.glslh>
-#include <cuticle/tests/support/csv_table.h>
 
 namespace cuticle {
 namespace {
@@ -46,7 +46,8 @@ template <class Real>
 double largest_error(const std::string& name) {
   double largest = 0;
   for (const tests::CsvRow& row : rows_of(name))
-    largest = std::max(largest, error(name, double(evaluate(name, Real(row.number("x")), Real(row.number("second")))), row.number("value")));
+    largest = std::max(largest, error(name, double(evaluate(name, Real(row.number("x")), Real(row.number("second")))),
+                                      row.number("value")));
   record(name + (sizeof(Real) == 4 ? "_float" : "_double"), largest);
   return largest;
 }
@@ -67,13 +68,22 @@ TEST(SafeAsin, InFloat_StaysWithinBound) { EXPECT_LT(largest_error<float>("asin"
 TEST(SafeAcos, InFloat_StaysWithinBound) { EXPECT_LT(largest_error<float>("acos"), 2.0e-7); }
 TEST(PreciseAtan2, InFloatAllAround_StaysWithinBound) { EXPECT_LT(largest_error<float>("atan2"), 2.0e-7); }
 TEST(PreciseExp, InFloat_StaysWithinBound) { EXPECT_LT(largest_error<float>("exp"), 1.6e-7); }
+TEST(PreciseDecay, InFloat_IsTheExponentialOfTheOppositeNumber) {
+  for (const tests::CsvRow& row : rows_of("exp")) {
+    const float depth = std::max(-float(row.number("x")), 0.0f);
+    EXPECT_EQ(precise_decay(depth), precise_exp(-depth)) << depth;
+  }
+  EXPECT_EQ(precise_decay(std::numeric_limits<float>::quiet_NaN()), 0.0f);
+  EXPECT_EQ(precise_decay(std::numeric_limits<float>::infinity()), 0.0f);
+}
 TEST(OneMinusExp, InFloat_StaysWithinBound) { EXPECT_LT(largest_error<float>("one_minus_exp"), 1.6e-7); }
 TEST(BesselI0Scaled, InFloat_StaysWithinBound) { EXPECT_LT(largest_error<float>("bessel_i0_scaled"), 3.0e-7); }
 
 TEST(OneMinusExp, InDouble_StaysWithinBound) { EXPECT_LT(largest_error<double>("one_minus_exp"), 4e-16); }
 TEST(BesselI0Scaled, InDouble_StaysWithinBound) { EXPECT_LT(largest_error<double>("bessel_i0_scaled"), 7e-16); }
 TEST(Trigonometry, InDouble_IsTheStandardOne) {
-  for (const char* name : {"sin", "cos", "asin", "acos", "atan2", "exp"}) EXPECT_LT(largest_error<double>(name), 3e-16) << name;
+  for (const char* name : {"sin", "cos", "asin", "acos", "atan2", "exp"})
+    EXPECT_LT(largest_error<double>(name), 3e-16) << name;
 }
 
 TEST(BesselI0Scaled, SlopeByJet_MatchesI1MinusI0) { EXPECT_LT(largest_slope_error("bessel_i0_scaled"), 3e-13); }
