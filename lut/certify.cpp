@@ -75,12 +75,6 @@ double table_bin_mean(const Table& table, int channel, double u_begin, double u_
   return (Rule::weights()[0] * at(0) + Rule::weights()[1] * (at(Rule::abscissa()[1]) + at(-Rule::abscissa()[1]))) / 2;
 }
 
-double table_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t i) {
-  const int x = int(i % grid.columns), y = int(i / grid.columns);
-  if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.row(y));
-  return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
-}
-
 ChannelError summarise(const Channel& channel, std::vector<double>& errors, const std::vector<double>& signal,
                        std::size_t all) {
   ChannelError result;
@@ -105,7 +99,7 @@ ChannelError compare(const Table& table, int c, const ComparisonGrid& grid, cons
   std::vector<double> difference(grid.size());
   tbb::parallel_for(std::size_t(0), grid.size(), [&](std::size_t i) {
     if (exact.left_out.empty() || !exact.left_out[i])
-      difference[i] = std::abs(table_value(table, c, grid, i) - exact.values[i][channel.component]);
+      difference[i] = std::abs(filtered_value(table, c, grid, i) - exact.values[i][channel.component]);
   });
   std::vector<double> errors, signal;
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -117,6 +111,12 @@ ChannelError compare(const Table& table, int c, const ComparisonGrid& grid, cons
 }
 
 }  // namespace
+
+double filtered_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t i) {
+  const int x = int(i % grid.columns), y = int(i / grid.columns);
+  if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.row(y));
+  return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
+}
 
 Result<ExactValues> exact_values(const Source& source, const Channel& channel, const Table& table,
                                  const ComparisonGrid& grid) {

@@ -24,4 +24,7 @@ struct ExactValues {
 Result<ExactValues> exact_values(const Source& source, const Channel& channel, const Table& table,
                                  const ComparisonGrid& grid);
 
+/// What the engine's filter makes of the table at that point, or of the bin's mean: exact_values' counterpart.
+double filtered_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t index);
+
 }  // namespace cuticle::lut

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 #ifdef CUTICLE_HAS_GPU
@@ -15,7 +16,8 @@ namespace cuticle::cli {
 namespace {
 
 struct BakeOptions {
-  std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", out;
+  std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", fit = "none",
+              out;
   int size = 128;
 };
 
@@ -30,15 +32,32 @@ Result<lut::TableSet> bake_on(const BakeOptions& options, const Context& context
 #endif
 }
 
-Result<lut::TableSet> make_tables(const BakeOptions& options, const lut::Format& format, const Context& context) {
+/// A certified set, with what fitting its texels changed.
+struct Baked {
+  lut::TableSet set;
+  std::vector<lut::ChannelFit> fits;
+  double fit_ms = 0;
+};
+
+Result<Baked> certify_or_fit(const BakeOptions& options, const lut::Format& format, const Context& context,
+                             lut::TableSet set) {
+  if (options.fit == "texels") {
+    CUTICLE_ASSIGN(lut::TexelFit fit, lut::fit_texels(set, format, *context.progress));
+    return Baked{std::move(fit.set), std::move(fit.channels), fit.fit_ms};
+  }
+  CUTICLE_TRY(lut::certify(set, format, *context.progress));
+  return Baked{std::move(set), {}, 0};
+}
+
+Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  bsdf::parse_settings(*model, options.preset, options.settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
   CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
-  CUTICLE_TRY(lut::certify(set, format, *context.progress));
-  CUTICLE_TRY(lut::write(set, format, options.out));
-  return set;
+  CUTICLE_ASSIGN(Baked baked, certify_or_fit(options, format, context, std::move(set)));
+  CUTICLE_TRY(lut::write(baked.set, format, options.out));
+  return baked;
 }
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
@@ -55,15 +74,27 @@ void print_errors(const lut::TableSet& set, const std::string& out) {
              set.size, set.size, set.baked_on, set.bake_ms, out);
 }
 
+/// Relative errors of the samples and of the fitted texels side by side.
+void print_gains(const Baked& baked) {
+  fmt::print("\n{:<14}{:>20}{:>11}{:>11}{:>20}{:>11}\n", "fitted texels", "samples rms/rms", "fitted", "gain",
+             "samples max/peak", "fitted");
+  for (const auto& [name, samples, fitted, kept] : baked.fits)
+    fmt::print("{:<14}{:>20.2e}{:>11.2e}{:>11.2f}{:>20.2e}{:>11.2e}{}\n", name, ratio(samples.rms, samples.signal_rms),
+               ratio(fitted.rms, fitted.signal_rms), ratio(samples.rms, fitted.rms),
+               ratio(samples.maximum, samples.peak), ratio(fitted.maximum, fitted.peak), kept ? "" : "  samples kept");
+  fmt::print("fitted in {:.0f} ms\n", baked.fit_ms);
+}
+
 int bake(const BakeOptions& options, const Context& context) {
   const auto format = lut::find_format(options.format);
   if (!format) return report(format.error());
-  const auto set = make_tables(options, **format, context);
-  if (!set) return report(set.error());
+  const auto baked = make_tables(options, **format, context);
+  if (!baked) return report(baked.error());
   if (context.json)
-    fmt::print("{}", lut::manifest_json(*set, **format));
+    fmt::print("{}", lut::manifest_json(baked->set, **format));
   else
-    print_errors(*set, options.out);
+    print_errors(baked->set, options.out);
+  if (!context.json && !baked->fits.empty()) print_gains(*baked);
   return Exit::ok;
 }
 
@@ -80,6 +111,9 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
+      ->capture_default_str();
+  command->add_option("--fit", options->fit, "none: samples of the model; texels: least squares after the filter")
+      ->check(CLI::IsMember({"none", "texels"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder to write")->required();
   command->callback([&context, options] { context.action = [&context, options] { return bake(*options, context); }; });
