@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numbers>
 
 #include <cuticle/lut/evaluate.h>
 

@@ -141,10 +141,27 @@ Result<std::vector<glm::dvec3>> channel_values(const Source& source, const Chann
   return values;
 }
 
+namespace {
+
+/// Tables have no axis for the offset h.
+Result<void> check_far_field(const bsdf::Model& model, const registry::ParameterValues& values, const Layout& layout) {
+  if (layout.terms.empty() || !model.near_field || !model.near_field(values)) return {};
+  return usage_error(fmt::format("{}: a near-field model depends on the offset h, for which '{}' has no axis",
+                                 model.entry.name, layout.entry.name),
+                     "choose a far-field model or setting (cuticle models)");
+}
+
+}  // namespace
+
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
                            int size, Progress& progress) {
   CUTICLE_TRY(check_size(size));
-  TableSet set{&layout, source.model, values, size, {}, 0, {}};
+  CUTICLE_TRY(check_far_field(*source.model, values, layout));
+  TableSet set;
+  set.layout = &layout;
+  set.model = source.model;
+  set.values = values;
+  set.size = size;
   for (const TableLayout& table : layout.tables) {
     progress.update("bake", set.tables.size(), layout.tables.size());
     CUTICLE_ASSIGN(set.tables.emplace_back(), bake_table(source, table, size));

@@ -130,9 +130,9 @@ class Averager {
 }  // namespace
 
 PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, double u_end, double v) {
-  CUTICLE_EXPECT(table.u.quantity == AxisQuantity::cos_phi, "cell averages need cos_phi along u");
-  const double lower = axis_value(table.u, size, u_begin), upper = axis_value(table.u, size, u_end);
-  return {std::acos(axis_value(table.v, size, v)), std::acos(upper), std::acos(lower)};
+  CUTICLE_EXPECT(axis_info(table.u.quantity).angle == &bsdf::Point::phi, "cell averages need phi along u");
+  const double first = axis_angle(table.u, size, u_begin), last = axis_angle(table.u, size, u_end);
+  return {axis_angle(table.v, size, v), std::min(first, last), std::max(first, last)};
 }
 
 Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel,

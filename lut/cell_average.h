@@ -14,7 +14,7 @@ struct PhiAverages {
       singular;  ///< 1 where a peak kept the quadrature from converging early: a caustic lies inside
 };
 
-/// The interval of phi that texture coordinates [u_begin, u_end] of a cos_phi axis cover.
+/// The interval of phi that texture coordinates [u_begin, u_end] of an axis of phi or cos phi cover.
 PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, double u_end, double v);
 
 /// Means of N for the channel's lobes. Gauss-Kronrod 7/15, every piece halved until its error estimate is below 5e-6 of

@@ -21,14 +21,26 @@ Json axis_json(const Axis& axis, int size) {
           {"address_mode", "clamp"}};
 }
 
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+Json measures_json(const ChannelError& error) {
+  return {{"maximum", error.maximum},
+          {"rms", error.rms},
+          {"percentile_99", error.percentile_99},
+          {"exact_peak", error.peak},
+          {"exact_rms", error.signal_rms},
+          {"maximum_over_peak", ratio(error.maximum, error.peak)},
+          {"percentile_99_over_peak", ratio(error.percentile_99, error.peak)},
+          {"rms_over_rms", ratio(error.rms, error.signal_rms)},
+          {"uniform_in_angle",
+           {{"rms", error.in_angle.rms},
+            {"percentile_99", error.in_angle.percentile_99},
+            {"exact_rms", error.in_angle.signal_rms},
+            {"rms_over_rms", ratio(error.in_angle.rms, error.in_angle.signal_rms)}}}};
+}
+
 Json error_json(const ChannelError& error, Texel texel) {
-  Json json{{"maximum", error.maximum},
-            {"rms", error.rms},
-            {"percentile_99", error.percentile_99},
-            {"exact_peak", error.peak},
-            {"exact_rms", error.signal_rms},
-            {"maximum_over_peak", error.peak > 0 ? error.maximum / error.peak : 0},
-            {"rms_over_rms", error.signal_rms > 0 ? error.rms / error.signal_rms : 0}};
+  Json json = measures_json(error);
   if (texel == Texel::cell_average) {
     json["compared_with"] = "the model's averages over bins half a texel wide in phi";
     json["excluded"] = error.excluded;
@@ -39,13 +51,34 @@ Json error_json(const ChannelError& error, Texel texel) {
   return json;
 }
 
+Json level_json(const MipLevel& level) {
+  Json channels = Json::array();
+  for (const ChannelError& error : level.errors) {
+    Json json = measures_json(error);
+    json["name"] = error.channel;
+    channels.push_back(std::move(json));
+  }
+  return {{"size", {level.image.width, level.image.height}},
+          {"compared_with", "the model averaged over one texel of this level around each sample"},
+          {"errors", channels}};
+}
+
+Json scattering_json(const std::vector<ChannelError>& errors, std::string_view words) {
+  Json json{{"compared_with", words}};
+  for (const ChannelError& error : errors) {
+    json[error.channel] = measures_json(error);
+    json[error.channel]["excluded"] = error.excluded;
+  }
+  return json;
+}
+
 Json channel_json(const Table& table, int c) {
   const Channel& channel = table.layout->channels[c];
   Json json{{"name", channel.name},
             {"stored_in", std::string(1, "RGBA"[c])},
             {"value", "stored * scale"},
             {"scale", table.scale[c]},
-            {"unit", channel.lobe.empty() ? "1" : "1/rad"},
+            {"unit", channel.source == ChannelSource::model ? "1/rad" : "1"},
             {"texel", channel.texel == Texel::point ? "point" : "cell average"}};
   if (c < int(table.errors.size())) json["error"] = error_json(table.errors[c], channel.texel);
   return json;
@@ -66,12 +99,15 @@ Json probes_json(const Table& table) {
 Json table_json(const Table& table, const Format& format, int size) {
   Json channels = Json::array();
   for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, c));
+  Json levels = Json::array();
+  for (const MipLevel& level : table.levels) levels.push_back(level_json(level));
   return {{"name", table.layout->name},
           {"file", file_name(table, format)},
           {"size", {table.image.width, table.image.height}},
           {"u", axis_json(table.layout->u, size)},
           {"v", axis_json(table.layout->v, size)},
           {"channels", channels},
+          {"levels", levels},
           {"probes", probes_json(table)}};
 }
 
@@ -105,6 +141,10 @@ std::string manifest_json(const TableSet& set, const Format& format) {
             {"origin", "top_left"},
             {"baked_on", set.baked_on},
             {"bake_ms", set.bake_ms}};
+  if (!set.assumption.empty())
+    json["assumption"] = scattering_json(set.assumption, "S composed of exact channels, with the model's S");
+  if (!set.scattering.empty())
+    json["scattering"] = scattering_json(set.scattering, "S read from the stored tables, with the model's S");
   for (const Table& table : set.tables) json["tables"].push_back(table_json(table, format, set.size));
   return json.dump(2) + "\n";
 }

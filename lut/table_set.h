@@ -113,9 +113,9 @@ struct TableSet {
   std::vector<Table> tables;
   double bake_ms = 0;
   std::string baked_on;  ///< "cpu" or the device's name
-  /// Of S for red, green and blue, filled by `certify` where the layout has terms. `assumption`: put together from
-  /// exact channels, so what the layout itself leaves out. `scattering`: from the stored tables, as a shader reads
-  /// them.
+  /// Of S for red, green and blue, light and eye evenly over the sphere; filled by `certify` where the layout has
+  /// terms. `assumption`: put together from exact channels, so what the layout itself leaves out. `scattering`: from
+  /// the stored tables, as a shader reads them.
   std::vector<ChannelError> assumption = {}, scattering = {};
 };
 
@@ -147,8 +147,8 @@ double sample(const Image& image, int channel, double u, double v);
 Result<void> store_as(TableSet& set, const Format& format);
 /// `store_as`, then measures the errors of every channel against the model in double.
 Result<void> certify(TableSet& set, const Format& format, Progress& progress);
-/// Writes the tables in the format, manifest.json and preview.png into the folder, first into a hidden folder inside it,
-/// so that a failure leaves nothing. The set must hold the format's numbers (`store_as` or `certify`). EXR and KTX2
+/// Writes the tables in the format, manifest.json and preview.png into the folder, first into a hidden folder inside
+/// it, so that a failure leaves nothing. The set must hold the format's numbers (`store_as` or `certify`). EXR and KTX2
 /// files carry the manifest as "cuticle:manifest". Error: bad_input naming the file.
 Result<void> write(const TableSet& set, const Format& format, const std::string& folder);
 /// File name of a table, "M.exr".

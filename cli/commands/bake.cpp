@@ -62,14 +62,19 @@ Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format,
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
+void print_error(const lut::ChannelError& e, std::string_view words) {
+  fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>11.2e}{:>10.1f}%{}\n", e.channel,
+             e.maximum, e.rms, e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms),
+             ratio(e.in_angle.rms, e.in_angle.signal_rms), 100 * e.excluded, words);
+}
+
 void print_errors(const lut::TableSet& set, const std::string& out) {
-  fmt::print("{:<14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "channel", "max", "rms", "p99", "peak", "max/peak",
-             "rms/rms", "left out");
+  fmt::print("{:<14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "channel", "max", "rms", "p99", "peak",
+             "max/peak", "rms/rms", "in angle", "left out");
   for (const lut::Table& table : set.tables)
-    for (const lut::ChannelError& e : table.errors)
-      fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>10.1f}%\n", e.channel, e.maximum,
-                 e.rms, e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms),
-                 100 * e.excluded);
+    for (const lut::ChannelError& e : table.errors) print_error(e, "");
+  for (const lut::ChannelError& e : set.assumption) print_error(e, "  from exact channels");
+  for (const lut::ChannelError& e : set.scattering) print_error(e, "  from the tables");
   fmt::print("{} of {}, {}x{}, baked on {} in {:.0f} ms, in {}\n", set.layout->entry.name, set.model->entry.name,
              set.size, set.size, set.baked_on, set.bake_ms, out);
 }
@@ -83,6 +88,12 @@ void print_gains(const Baked& baked) {
                ratio(fitted.rms, fitted.signal_rms), ratio(samples.rms, fitted.rms),
                ratio(samples.maximum, samples.peak), ratio(fitted.maximum, fitted.peak), kept ? "" : "  samples kept");
   fmt::print("fitted in {:.0f} ms\n", baked.fit_ms);
+}
+
+std::string layout_names() {
+  std::vector<std::string_view> names;
+  for (const lut::Layout* layout : lut::layouts()) names.push_back(layout->entry.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 int bake(const BakeOptions& options, const Context& context) {
@@ -106,7 +117,7 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
   command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
   command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
-  command->add_option("--layout", options->layout, "nalu, nalu2 or nalu_borders")->capture_default_str();
+  command->add_option("--layout", options->layout, layout_names())->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
   command->add_option("--on", options->processor, "cpu or gpu")

@@ -1,24 +1,36 @@
 #pragma once
-// What the Nalu layouts share: the axes and the texture of M (GPU Gems 2, chapter 23).
+// What the Nalu layouts share: axes, channels, textures and terms (GPU Gems 2, chapter 23).
+#include <numbers>
+
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
 
-/// The four axes, with their end points on texel centres or on texel borders.
+/// The four axes over sines and cosines, with their end points on texel centres or on texel borders.
 template <bool k_corner_aligned>
-struct NaluAxes {
-  static constexpr Axis sin_theta_i{AxisQuantity::sin_theta_i, -1, 1, k_corner_aligned};
-  static constexpr Axis sin_theta_o{AxisQuantity::sin_theta_o, -1, 1, k_corner_aligned};
-  static constexpr Axis cos_phi{AxisQuantity::cos_phi, -1, 1, k_corner_aligned};
-  static constexpr Axis cos_theta_d{AxisQuantity::cos_theta_d, 0, 1, k_corner_aligned};
+struct SineAxes {
+  static constexpr Axis u_m{AxisQuantity::sin_theta_i, -1, 1, k_corner_aligned};
+  static constexpr Axis v_m{AxisQuantity::sin_theta_o, -1, 1, k_corner_aligned};
+  static constexpr Axis u_n{AxisQuantity::cos_phi, -1, 1, k_corner_aligned};
+  static constexpr Axis v_n{AxisQuantity::cos_theta_d, 0, 1, k_corner_aligned};
+};
+/// The four axes over the angles themselves, end points on texel centres.
+struct AngleAxes {
+  static constexpr double right = std::numbers::pi / 2;
+  static constexpr Axis u_m{AxisQuantity::theta_i, -right, right, true};
+  static constexpr Axis v_m{AxisQuantity::theta_o, -right, right, true};
+  static constexpr Axis u_n{AxisQuantity::phi, 0, 2 * right, true};
+  static constexpr Axis v_n{AxisQuantity::theta_d, 0, right, true};
 };
 
+/// The fourth channel is for the axes that need it: the first three stand alone, too.
 inline constexpr Channel k_nalu_m[] = {
     {"M_R", bsdf::Quantity::M, "R", 0},
     {"M_TT", bsdf::Quantity::M, "TT", 0},
     {"M_TRT", bsdf::Quantity::M, "TRT", 0},
     {"cos_theta_d", bsdf::Quantity::M, "", 0, Texel::point, ChannelSource::cos_theta_d},
 };
+inline constexpr std::span<const Channel> k_nalu_m_lobes = std::span(k_nalu_m).first<3>();
 inline constexpr Channel k_nalu_n_tt_r[] = {
     {"N_TT.r", bsdf::Quantity::N, "TT", 0},
     {"N_TT.g", bsdf::Quantity::N, "TT", 1},
@@ -30,13 +42,22 @@ inline constexpr Channel k_nalu_n_trt[] = {
     {"N_TRT.g", bsdf::Quantity::N, "TRT", 1, Texel::cell_average},
     {"N_TRT.b", bsdf::Quantity::N, "TRT", 2, Texel::cell_average},
 };
-/// The three textures.
-template <bool k_corner_aligned>
-inline constexpr TableLayout k_nalu_tables[] = {
-    {"M", NaluAxes<k_corner_aligned>::sin_theta_i, NaluAxes<k_corner_aligned>::sin_theta_o, k_nalu_m},
-    {"N_TT_R", NaluAxes<k_corner_aligned>::cos_phi, NaluAxes<k_corner_aligned>::cos_theta_d, k_nalu_n_tt_r},
-    {"N_TRT", NaluAxes<k_corner_aligned>::cos_phi, NaluAxes<k_corner_aligned>::cos_theta_d, k_nalu_n_trt},
+/// N of the three lobes in one texture, for fibres without colour: that of green.
+inline constexpr Channel k_grey_n[] = {
+    {"N_R", bsdf::Quantity::N, "R", 1},
+    {"N_TT", bsdf::Quantity::N, "TT", 1},
+    {"N_TRT", bsdf::Quantity::N, "TRT", 1, Texel::cell_average},
 };
+/// The three textures.
+template <class Axes>
+inline constexpr TableLayout k_nalu_tables[] = {
+    {"M", Axes::u_m, Axes::v_m, k_nalu_m},
+    {"N_TT_R", Axes::u_n, Axes::v_n, k_nalu_n_tt_r},
+    {"N_TRT", Axes::u_n, Axes::v_n, k_nalu_n_trt},
+};
+
+inline constexpr Term k_nalu_terms[] = {{{"M_R", "N_R"}}, {{"M_TT", "N_TT"}}, {{"M_TRT", "N_TRT"}}};
+inline constexpr std::string_view k_three_textures = "S = M_R N_R + M_TT N_TT + M_TRT N_TRT";
 
 /// The registry's entry of a Nalu layout.
 inline registry::Entry nalu_entry(std::string_view name, std::string_view summary) {
@@ -47,6 +68,5 @@ inline registry::Entry nalu_entry(std::string_view name, std::string_view summar
           .source = "GPU Gems 2, chapter 23 (Nguyen and Donnelly 2005)",
           .systems = systems};
 }
-inline constexpr std::string_view k_three_textures = "S = M_R N_R + M_TT N_TT + M_TRT N_TRT";
 
 }  // namespace cuticle::lut

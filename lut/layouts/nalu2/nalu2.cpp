@@ -10,15 +10,20 @@ constexpr Channel k_n[] = {
     {"N_R", bsdf::Quantity::N, "R", 0},
 };
 constexpr TableLayout k_tables[] = {
-    {"M", NaluAxes<true>::sin_theta_i, NaluAxes<true>::sin_theta_o, k_nalu_m},
-    {"N", NaluAxes<true>::cos_phi, NaluAxes<true>::cos_theta_d, k_n},
+    {"M", SineAxes<true>::u_m, SineAxes<true>::v_m, k_nalu_m},
+    {"N", SineAxes<true>::u_n, SineAxes<true>::v_n, k_n},
 };
+constexpr Term k_terms[] = {{{"M_R", "N_R"}}, {{"M_TT", "N_TT+N_TRT"}}};
 
 }  // namespace
 
 const Layout& entry() {
-  static const Layout layout{nalu_entry("nalu2", "two textures: M_TRT taken as M_TT, N_TT + N_TRT summed beside N_R"),
-                             k_tables, "S = M_R N_R + M_TT (N_TT + N_TRT)"};
+  static const Layout layout{
+      .entry = nalu_entry("nalu2", "two textures: M_TRT taken as M_TT, N_TT + N_TRT summed beside N_R"),
+      .tables = k_tables,
+      .composition = "S = M_R N_R + M_TT (N_TT + N_TRT)",
+      .terms = k_terms,
+      .family = "nalu2"};
   return layout;
 }
 

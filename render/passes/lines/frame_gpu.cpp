@@ -11,12 +11,22 @@ namespace cuticle::render::lines {
 
 namespace {
 
-constexpr std::string_view k_tables[] = {"M", "N_TT_R", "N_TRT"};
+using lut::AxisQuantity;
+struct ReadTable {
+  std::string_view name;
+  AxisQuantity u, v;
+};
+constexpr ReadTable k_tables[] = {{"M", AxisQuantity::sin_theta_i, AxisQuantity::sin_theta_o},
+                                  {"N_TT_R", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d},
+                                  {"N_TRT", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d}};
 
 bool is_readable(const lut::TableSet& set) {
   if (set.tables.size() != std::size(k_tables)) return false;
-  for (std::size_t k = 0; k < std::size(k_tables); ++k)
-    if (set.tables[k].layout->name != k_tables[k]) return false;
+  for (std::size_t k = 0; k < std::size(k_tables); ++k) {
+    const lut::TableLayout& table = *set.tables[k].layout;
+    const ReadTable& read = k_tables[k];
+    if (table.name != read.name || table.u.quantity != read.u || table.v.quantity != read.v) return false;
+  }
   return true;
 }
 
@@ -59,9 +69,11 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   if (!resources.table_set) return frame;
   const lut::TableSet& set = *resources.table_set;
   if (!is_readable(set))
-    return bad_input(fmt::format("material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT",
-                                 set.layout->entry.name),
-                     "use the layout 'nalu'");
+    return bad_input(
+        fmt::format(
+            "material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT over sines and cosines",
+            set.layout->entry.name),
+        "use the layout 'nalu'");
   frame.m_scale_bias = scale_bias(set.tables[0], set.size);
   frame.n_scale_bias = scale_bias(set.tables[1], set.size);
   frame.m_scale = channel_scale(set.tables[0]);

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include <cuticle/lut/comparison.h>
+
+namespace cuticle::lut {
+namespace {
+
+constexpr int k_directions = 16384;
+constexpr std::string_view k_colours = "rgb";
+
+/// A factor of a term for one colour: the channel of that name, or of that name with the colour's suffix.
+struct Place {
+  const Table* table = nullptr;
+  int channel = 0;
+  const Channel& layout() const { return table->layout->channels[channel]; }
+};
+Place find_place(const TableSet& set, std::string_view factor, int colour) {
+  for (const Table& table : set.tables)
+    for (int c = 0; c < int(table.layout->channels.size()); ++c) {
+      const std::string_view name = table.layout->channels[c].name;
+      if (name == factor || name == fmt::format("{}.{}", factor, k_colours[colour])) return {&table, c};
+    }
+  CUTICLE_EXPECT(false, "a layout's terms name its channels");
+  return {};
+}
+Place find_source(const TableSet& set, ChannelSource source) {
+  for (const Table& table : set.tables)
+    for (int c = 0; c < int(table.layout->channels.size()); ++c)
+      if (table.layout->channels[c].source == source) return {&table, c};
+  return {};
+}
+
+/// Factors of all terms, those of one term after another, an empty place after each.
+std::vector<Place> places_of(const TableSet& set, int colour) {
+  std::vector<Place> places;
+  for (const Term& term : set.layout->terms) {
+    for (std::string_view factor : term.factors)
+      if (!factor.empty()) places.push_back(find_place(set, factor, colour));
+    places.emplace_back();
+  }
+  return places;
+}
+/// The sum of the terms' products of what `value` gives for a place.
+template <class Value>
+double composed(const std::vector<Place>& places, const Value& value) {
+  double sum = 0, product = 1;
+  for (const Place& place : places) {
+    if (place.table) {
+      product *= value(place);
+    } else {
+      sum += product;
+      product = 1;
+    }
+  }
+  return sum;
+}
+
+/// Reads the tables as a shader does: theta_d through the table that stores its cosine, where one does.
+class Reader {
+ public:
+  explicit Reader(const TableSet& set) : set_(set), cosine_(find_source(set, ChannelSource::cos_theta_d)) {
+    for (int colour = 0; colour < 3; ++colour) places_[std::size_t(colour)] = places_of(set, colour);
+  }
+  double scattering(bsdf::Point at, int colour) const {
+    at = as_stored(at);
+    const double sum = composed(places_[std::size_t(colour)], [&](const Place& place) {
+      const glm::dvec2 coordinate = coordinates(*place.table, at);
+      return sample(*place.table, place.channel, coordinate.x, coordinate.y);
+    });
+    return sum / divisor(at);
+  }
+  double divisor(const bsdf::Point& at) const {
+    const double cosine = std::cos(at.theta_d);
+    return set_.layout->over_cos2_theta_d ? std::max(cosine * cosine, 1e-6) : 1;
+  }
+  bool filters_singular(const bsdf::Point& at) const {
+    return std::any_of(set_.tables.begin(), set_.tables.end(), [&](const Table& table) {
+      const glm::dvec2 place = coordinates(table, at);
+      return touches_singular(table, place.x, place.x, place.y);
+    });
+  }
+
+ private:
+  bsdf::Point as_stored(bsdf::Point at) const {
+    if (!cosine_.table) return at;
+    const glm::dvec2 place = coordinates(*cosine_.table, at);
+    at.theta_d = std::acos(std::clamp(sample(*cosine_.table, cosine_.channel, place.x, place.y), 0.0, 1.0));
+    return at;
+  }
+  glm::dvec2 coordinates(const Table& table, const bsdf::Point& at) const {
+    return {axis_coordinate(table.layout->u, set_.size, at), axis_coordinate(table.layout->v, set_.size, at)};
+  }
+  const TableSet& set_;
+  Place cosine_;
+  std::array<std::vector<Place>, 3> places_;
+};
+
+/// Light and eye evenly over the sphere, by an additive sequence in three dimensions (its ratio solves x^4 = x + 1).
+std::vector<bsdf::Point> directions() {
+  constexpr double ratio = 1.2207440846057596;
+  std::vector<bsdf::Point> points(k_directions);
+  for (int k = 0; k < k_directions; ++k) {
+    const auto part = [k](double step) { return std::fmod(0.5 + (k + 1) * step, 1.0); };
+    bsdf::Point& at = points[std::size_t(k)];
+    at.theta_i = std::asin(2 * part(1 / ratio) - 1);
+    at.theta_o = std::asin(2 * part(1 / (ratio * ratio)) - 1);
+    at.theta_d = std::abs(at.theta_o - at.theta_i) / 2;
+    at.phi = part(1 / (ratio * ratio * ratio)) * std::numbers::pi;
+  }
+  return points;
+}
+
+/// S of the model and of the two ways to put it together.
+struct Scattering {
+  std::vector<glm::dvec3> exact, assumed, stored;
+};
+
+/// Exact values of channels at the directions; those that differ in the colour only are evaluated once.
+class ExactChannels {
+ public:
+  ExactChannels(const Source& source, std::span<const bsdf::Point> points) : source_(source), points_(points) {}
+  Result<void> need(const Channel& channel) {
+    if (find(channel) != known_.end()) return {};
+    CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source_, channel, points_));
+    known_.emplace_back(&channel, std::move(values));
+    return {};
+  }
+  double value(const Channel& channel, std::size_t i) const { return find(channel)->second[i][channel.component]; }
+
+ private:
+  using Known = std::vector<std::pair<const Channel*, std::vector<glm::dvec3>>>;
+  Known::const_iterator find(const Channel& channel) const {
+    return std::find_if(known_.begin(), known_.end(),
+                        [&](const auto& each) { return same_lobes(*each.first, channel); });
+  }
+  const Source& source_;
+  std::span<const bsdf::Point> points_;
+  Known known_;
+};
+
+Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const TableSet& set, const Reader& reader,
+                                                   std::span<const bsdf::Point> points) {
+  ExactChannels exact(source, points);
+  std::vector<glm::dvec3> result(points.size());
+  for (int colour = 0; colour < 3; ++colour) {
+    const std::vector<Place> places = places_of(set, colour);
+    for (const Place& place : places)
+      if (place.table) CUTICLE_TRY(exact.need(place.layout()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result[i][colour] = composed(places, [&](const Place& place) { return exact.value(place.layout(), i); }) /
+                          reader.divisor(points[i]);
+  }
+  return result;
+}
+
+Result<Scattering> scattering_at(const Source& source, const TableSet& set, std::span<const bsdf::Point> points) {
+  const Reader reader(set);
+  Scattering result;
+  result.exact.resize(points.size());
+  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, result.exact));
+  if (!find_source(set, ChannelSource::solver).table) {
+    CUTICLE_ASSIGN(result.assumed, assumed_scattering(source, set, reader, points));
+  }
+  for (const bsdf::Point& at : points)
+    result.stored.emplace_back(reader.scattering(at, 0), reader.scattering(at, 1), reader.scattering(at, 2));
+  return result;
+}
+
+std::vector<ChannelError> compare(const std::vector<glm::dvec3>& made, const std::vector<glm::dvec3>& exact) {
+  std::vector<ChannelError> errors;
+  for (int colour = 0; colour < 3 && !made.empty(); ++colour) {
+    Comparison comparison;
+    for (std::size_t i = 0; i < made.size(); ++i)
+      comparison.add(made[i][colour] - exact[i][colour], exact[i][colour], 1);
+    errors.push_back(summarise(fmt::format("S.{}", k_colours[colour]), comparison, k_directions));
+  }
+  return errors;
+}
+
+}  // namespace
+
+Result<void> certify_scattering(const Source& source, TableSet& set) {
+  if (set.layout->terms.empty()) return {};
+  std::vector<bsdf::Point> points = directions();
+  std::erase_if(points, [reader = Reader(set)](const bsdf::Point& at) { return reader.filters_singular(at); });
+  CUTICLE_ASSIGN(const Scattering scattering, scattering_at(source, set, points));
+  set.assumption = compare(scattering.assumed, scattering.exact);
+  set.scattering = compare(scattering.stored, scattering.exact);
+  return {};
+}
+
+}  // namespace cuticle::lut
