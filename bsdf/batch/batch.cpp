@@ -80,7 +80,7 @@ batch::DirectionPointers pointers(const BatchPoints& points, std::size_t first) 
           points.to_viewer.x.data() + first,
           points.to_viewer.y.data() + first,
           points.to_viewer.z.data() + first,
-          points.h.data() + first};
+          (points.h.empty() ? points.to_light.x : points.h).data() + first};
 }
 std::array<float*, 3> pointers(const OutputSpans& out, std::size_t first) {
   return {out.x.data() + first, out.y.data() + first, out.z.data() + first};
@@ -92,14 +92,14 @@ batch::QueryPointers pointers(const BatchQueries& queries, std::size_t first) {
   return {viewer.x.data() + first,
           viewer.y.data() + first,
           viewer.z.data() + first,
-          queries.h.data() + first,
+          (queries.h.empty() ? viewer.x : queries.h).data() + first,
           {u(0), u(1), u(2), u(3)}};
 }
-Result<void> check_queries(const BatchQueries& queries, bool vectorised) {
+Result<void> check_queries(const BatchQueries& queries, bool vectorised, bool needs_offset) {
   const std::size_t count = queries.to_viewer.x.size();
   CUTICLE_TRY(
       check_sizes(count, {{"to_viewer.y", queries.to_viewer.y.size()}, {"to_viewer.z", queries.to_viewer.z.size()}}));
-  if (vectorised || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
+  if (needs_offset || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
   for (std::size_t k = 0; k < (vectorised ? 4 : 5); ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
   return {};
 }
@@ -142,14 +142,15 @@ Result<BatchEvaluator> BatchEvaluator::make(const Model& model, const registry::
   BatchEvaluator evaluator(model, values);
   const std::vector<float> packed = model.pack(values);
   std::copy(packed.begin(), packed.end(), evaluator.packed_.value);
+  evaluator.needs_offset_ = model.near_field && model.near_field(values);
   const batch::Entry* entry = find_entry(model.entry.name);
-  const bool near = model.near_field && model.near_field(values);
-  if (entry && (near || !entry->near_only)) evaluator.kernels_ = entry->kernels[std::size_t(set)];
+  const batch::Kernels* kernels = entry ? entry->kernels[std::size_t(set)] : nullptr;
+  if (kernels && kernels->holds(evaluator.packed_)) evaluator.kernels_ = kernels;
   return evaluator;
 }
 
 Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpans& color) const {
-  CUTICLE_TRY(check_points(points, kernels_ != nullptr));
+  CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
   in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
     if (!kernels_) return batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
@@ -162,7 +163,7 @@ Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpa
 }
 
 Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> density) const {
-  CUTICLE_TRY(check_points(points, kernels_ != nullptr));
+  CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{"density", density.size()}}));
   in_blocks(density.size(), [&](std::size_t first, int count) {
     if (!kernels_)
@@ -212,7 +213,7 @@ Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpa
   if (!model_->sample_f32) return usage_error(fmt::format("model {} has no sampler", model_->entry.name));
   const std::size_t count = queries.to_viewer.x.size();
   const bool vectorised = draws_vectorised();
-  CUTICLE_TRY(check_queries(queries, vectorised));
+  CUTICLE_TRY(check_queries(queries, vectorised, needs_offset_));
   CUTICLE_TRY(check_output(count, to_light));
   in_blocks(count, [&](std::size_t first, int size) {
     if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
@@ -226,15 +227,15 @@ Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpa
 
 Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::span<const VaryingParameter> varying,
                                               const OutputSpans& color) const {
-  CUTICLE_TRY(check_points(points, true));
+  CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
   if (!kernels_ || !kernels_->evaluate_rows)
     return usage_error(fmt::format("model {} has no parameters that vary from point to point with these settings",
                                    model_->entry.name));
   for (const VaryingParameter& parameter : varying)
-    CUTICLE_TRY(check_sizes(points.h.size(), {{parameter.name, parameter.values.size()}}));
+    CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{parameter.name, parameter.values.size()}}));
   CUTICLE_ASSIGN(const batch::RowColumns columns, batch::RowColumns::make(*model_, values_, varying));
-  in_blocks(points.h.size(), [&](std::size_t first, int count) {
+  in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
     const batch::RowBlock rows = columns.block(first, std::size_t(count));
     const batch::VaryingPointers from{rows.pointers, pointers(points, first)};
     batch::in_whole_vectors(count, from, pointers(color, first),

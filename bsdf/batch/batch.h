@@ -85,8 +85,8 @@ class BatchEvaluator {
   /// 0 where the model has no sampler.
   glm::vec3 sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const;
 
-  /// Whether the loops are vectorised; else points go one by one through the model's scalar formulas (far fields,
-  /// models without kernels).
+  /// Whether the loops are vectorised; else points go one by one through the model's scalar formulas (parameters for
+  /// which the model's `holds_in_batch` says no, such as chiang's far field; models without kernels).
   bool is_vectorised() const { return kernels_ != nullptr; }
   /// The same for `sample`.
   bool draws_vectorised() const;
@@ -98,6 +98,7 @@ class BatchEvaluator {
   registry::ParameterValues values_;
   Packed<float> packed_{};
   const batch::Kernels* kernels_ = nullptr;
+  bool needs_offset_ = false;
 };
 
 }  // namespace cuticle::bsdf

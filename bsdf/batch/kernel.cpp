@@ -139,9 +139,17 @@ void sample_one(const Packed<Real>& packed, const OneQuery& query, float light[3
   for (int c = 0; c < 3; ++c) light[c] = drawn[c];
 }
 
+FN bool holds_for(const Packed<Real>& packed) {
+  if constexpr (requires { holds_in_batch(packed); })
+    return holds_in_batch(packed);
+  else
+    return true;
+}
+bool holds(const Packed<float>& packed) { return holds_for(packed); }
+
 template <class Real>
 constexpr Kernels make_kernels() {
-  Kernels kernels{evaluate, pdf, nullptr, nullptr, evaluate_one, pdf_of_one, nullptr};
+  Kernels kernels{holds, evaluate, pdf, nullptr, nullptr, evaluate_one, pdf_of_one, nullptr};
   if constexpr (draws_directions<Real>) kernels.sample = sample<Real>;
   if constexpr (draws_directions<Real>) kernels.sample_one = sample_one<Real>;
   if constexpr (takes_rows<Real>) kernels.evaluate_rows = evaluate_rows<Real>;

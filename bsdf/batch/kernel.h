@@ -39,6 +39,7 @@ struct OneQuery {
 };
 
 struct Kernels {
+  bool (*holds)(const Packed<float>&);  ///< whether the loops hold for these parameters
   void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
   void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density);
   void (*sample)(const Packed<float>&, int count, const QueryPointers&, const VectorPointers&);  ///< null: no sampler
@@ -52,7 +53,6 @@ struct Kernels {
 struct Entry {
   const char* model;
   const Kernels* kernels[3];
-  bool near_only;  ///< the loops hold for the near field alone
 };
 
 }  // namespace cuticle::bsdf::batch
