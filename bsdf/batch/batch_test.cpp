@@ -151,6 +151,19 @@ TEST_P(BatchSet, PointsOneByOne_AgreeWithTheirBatch) {
   EXPECT_LT(errors.at(1), 1e-5);
 }
 
+/// How many unit vectors are not those of the samples: a random number at the border of two lobes falls on either side.
+int samples_apart(const Data& data, const std::vector<Sample>& samples, const Arrays& light) {
+  int apart = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double phi_o = std::atan2(double(data.viewer.z[i]), double(data.viewer.y[i])), phi = phi_o - samples[i].phi;
+    const glm::dvec3 exact(std::sin(samples[i].theta_i), std::cos(samples[i].theta_i) * std::cos(phi),
+                           std::cos(samples[i].theta_i) * std::sin(phi));
+    EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 4e-6);
+    if (glm::length(exact - glm::dvec3(light.x[i], light.y[i], light.z[i])) > 1e-4) ++apart;
+  }
+  return apart;
+}
+
 TEST_P(BatchSet, Samples_AreThoseOfTheScalarSampler) {
   const Data data(2000);
   Arrays light(2000);
@@ -162,15 +175,7 @@ TEST_P(BatchSet, Samples_AreThoseOfTheScalarSampler) {
     for (std::size_t k = 0; k < 4; ++k) queries[i].u[k] = double(data.u[k][i]);
   }
   ASSERT_TRUE(sample(chiang(), values_of(usual), Precision::f64, queries, samples).ok());
-  int apart = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double phi_o = std::atan2(double(data.viewer.z[i]), double(data.viewer.y[i])), phi = phi_o - samples[i].phi;
-    const glm::dvec3 exact(std::sin(samples[i].theta_i), std::cos(samples[i].theta_i) * std::cos(phi),
-                           std::cos(samples[i].theta_i) * std::sin(phi));
-    EXPECT_NEAR(light.x[i] * light.x[i] + light.y[i] * light.y[i] + light.z[i] * light.z[i], 1, 2e-6);
-    if (glm::length(exact - glm::dvec3(light.x[i], light.y[i], light.z[i])) > 1e-4) ++apart;
-  }
-  EXPECT_LE(apart, 2);  // a random number at the border of two lobes falls on either side
+  EXPECT_LE(samples_apart(data, samples, light), 2);
 }
 
 TEST_P(BatchSet, ParametersThatVary_GiveTheValuesOfEach) {
@@ -270,6 +275,78 @@ TEST(Batch, EveryRegisteredModel_AgreesWithItsScalarFormulas) {
     for (const glm::dvec3& value : exact) largest = std::max(largest, value.x);
     for (std::size_t i = 0; i < 64; ++i)
       EXPECT_NEAR(color.x[i], exact[i].x, 1e-4 * exact[i].x + 1e-6 * largest) << model->entry.name << " point " << i;
+  }
+}
+
+/// The settings that kernels of far fields are tried with beside the defaults: narrow and wide, pale and dark, no
+/// caustic.
+std::vector<std::string> settings_to_try(std::string_view model) {
+  if (model == "marschner")
+    return {"", "eta=1.15,beta=0.1", "eta=1.95,sigma_a=0", "eta=2.9,beta=0.5,alpha=0.1", "sigma_a=20,beta=0.05"};
+  if (model == "karis") return {"", "roughness=0.2,shift=0.1,color=0.9/0.5/0.01"};
+  return {""};
+}
+
+struct Subject {
+  const Model* model;
+  std::string settings;
+};
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  for (const char* name : {"karis", "kajiya_kay", "hairworks", "scheuermann", "marschner"})
+    for (const std::string& settings : settings_to_try(name)) all.push_back({*find_model(name), settings});
+  return all;
+}
+
+TEST_P(BatchSet, FarModels_AgreeWithDouble) {
+  const Data data(2000);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < 2000; ++i) points.push_back(data.point(i));
+  for (const Subject& subject : subjects()) {
+    const registry::ParameterValues values = *parse_settings(*subject.model, "", subject.settings);
+    const BatchEvaluator batch = *BatchEvaluator::make(*subject.model, values, GetParam());
+    ASSERT_TRUE(batch.is_vectorised() && batch.draws_vectorised()) << subject.model->entry.name;
+    Arrays color(2000);
+    std::vector<float> density(2000);
+    ASSERT_TRUE(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).ok());
+    ASSERT_TRUE(batch.pdf({data.light.in(), data.viewer.in(), {}}, density).ok());
+    std::vector<glm::dvec3> exact(2000), exact_density(2000);
+    subject.model->evaluate_f64(values, {Quantity::S, -1, points}, exact);
+    subject.model->evaluate_f64(values, {Quantity::pdf, -1, points}, exact_density);
+    double largest = 0;
+    for (const glm::dvec3& value : exact) largest = std::max(largest, value.x);
+    Errors errors, density_errors;
+    for (std::size_t i = 0; i < 2000; ++i) {
+      errors.relative.push_back(std::abs(double(color.x[i]) - exact[i].x) / std::max(exact[i].x, 1e-6 * largest));
+      density_errors.add(density[i], exact_density[i].x);
+    }
+    fmt::print("{} {} {}: S median {:.2g} 99 % {:.2g} largest {:.2g}; pdf 99 % {:.2g} largest {:.2g}\n",
+               name_of(GetParam()), subject.model->entry.name, subject.settings, errors.at(0.5), errors.at(0.99),
+               errors.at(1), density_errors.at(0.99), density_errors.at(1));
+    EXPECT_LT(errors.at(0.5), 3e-7);
+    EXPECT_LT(errors.at(0.99), 5e-6);
+    EXPECT_LT(errors.at(1), 1.5e-4);
+    EXPECT_LT(density_errors.at(0.99), 9e-6);
+    EXPECT_LT(density_errors.at(1), 1.5e-4);
+  }
+}
+
+TEST_P(BatchSet, SamplesOfFarModels_AreThoseOfTheScalarSampler) {
+  const Data data(500);
+  std::vector<SampleQuery> queries(500);
+  for (std::size_t i = 0; i < 500; ++i) {
+    queries[i] = {.theta_o = data.point(i).theta_o};
+    for (std::size_t k = 0; k < 4; ++k) queries[i].u[k] = double(data.u[k][i]);
+  }
+  for (const Subject& subject : subjects()) {
+    const registry::ParameterValues values = *parse_settings(*subject.model, "", subject.settings);
+    Arrays light(500);
+    BatchQueries from = data.queries();
+    from.h = {};
+    ASSERT_TRUE((*BatchEvaluator::make(*subject.model, values, GetParam())).sample(from, light.out()).ok());
+    std::vector<Sample> samples(500);
+    subject.model->sample_f64(values, queries, samples);
+    EXPECT_LE(samples_apart(data, samples, light), 2) << subject.model->entry.name << " " << subject.settings;
   }
 }
 

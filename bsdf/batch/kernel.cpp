@@ -34,8 +34,8 @@ class FlushToZero {};
 #endif
 
 FN glm::vec<3, Real> value_at(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
-  if constexpr (requires { evaluate_directions(packed, quantity, -1, d); })
-    return evaluate_directions(packed, quantity, -1, d);
+  if constexpr (requires { evaluate_directions(packed, quantity, d); })
+    return evaluate_directions(packed, quantity, d);
   else
     return evaluate_packed(packed, quantity, -1, point_of(d));
 }
@@ -67,15 +67,23 @@ void pdf(const Packed<float>& packed, int count, const DirectionPointers& in, fl
   for (int i = 0; i < count; ++i) density[i] = value_at(numbers, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
 }
 
+/// A near field draws for an offset too.
 template <class Real>
-constexpr bool draws_directions = requires(const Packed<Real>& packed, Real u) {
+constexpr bool draws_for_offset = requires(const Packed<Real>& packed, Real u) {
   sample_directions(packed, u, u, u, u, u, u, u);
+};
+template <class Real>
+constexpr bool draws_directions = draws_for_offset<Real> || requires(const Packed<Real>& packed, Real u) {
+  sample_directions(packed, u, u, u, u, u, u);
 };
 
 FN glm::vec<3, Real> light_drawn(const Packed<Real>& packed, glm::vec<3, Real> viewer, Real h, Real u0, Real u1,
                                  Real u2, Real u3) {
   const Real cos_o = sqrt(viewer.y * viewer.y + viewer.z * viewer.z);
-  return light_of(sample_directions(packed, viewer.x, cos_o, h, u0, u1, u2, u3), viewer);
+  if constexpr (draws_for_offset<Real>)
+    return light_of(sample_directions(packed, viewer.x, cos_o, h, u0, u1, u2, u3), viewer);
+  else
+    return light_of(sample_directions(packed, viewer.x, cos_o, u0, u1, u2, u3), viewer);
 }
 
 template <class Real>
@@ -97,7 +105,7 @@ void sample(const Packed<Real>& packed, int count, const QueryPointers& in, cons
 
 template <class Real>
 constexpr bool takes_rows = requires(const ParameterRow<Real>& row, const Directions<Real>& d) {
-  evaluate_row(row, 0, -1, d);
+  evaluate_row(row, 0, d);
 };
 
 template <class Real>
@@ -110,7 +118,7 @@ void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& 
   for (int i = 0; i < count; ++i) {
     ParameterRow<Real> row;
     for (int k = 0; k < CUTICLE_ROW_COUNT; ++k) row.value[k] = parameters.value[k][i];
-    const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, -1, directions_at(from, i));
+    const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, directions_at(from, i));
     to.red[i] = value.x;
     to.green[i] = value.y;
     to.blue[i] = value.z;
