@@ -20,6 +20,8 @@ struct Format {
   Result<void> (*write)(const std::string& path, const Image& image, const std::string& manifest);
   /// Stored numbers, row 0 = v 0, at least the channels written. Error: bad_input with file, field and offset.
   Result<Image> (*read)(const std::string& path);
+  /// Mip levels in the file. Error: bad_input naming the file.
+  Result<int> (*levels)(const std::string& path);
 };
 std::span<const Format* const> formats();
 /// The format of that name. Error: usage, listing them.

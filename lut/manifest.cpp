@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cuticle/lut/format.h>
+#include <cuticle/lut/probes.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
@@ -74,10 +75,13 @@ Json scattering_json(const std::vector<ChannelError>& errors, std::string_view w
 
 Json channel_json(const Table& table, int c) {
   const Channel& channel = table.layout->channels[c];
+  const double maximum = channel_maximum(table, c);
   Json json{{"name", channel.name},
             {"stored_in", std::string(1, "RGBA"[c])},
             {"value", "stored * scale"},
             {"scale", table.scale[c]},
+            {"maximum", maximum},
+            {"probe_tolerance", probe_tolerance(maximum)},
             {"unit", channel.source == ChannelSource::model ? "1/rad" : "1"},
             {"texel", channel.texel == Texel::point ? "point" : "cell average"}};
   if (c < int(table.errors.size())) json["error"] = error_json(table.errors[c], channel.texel);
@@ -85,15 +89,24 @@ Json channel_json(const Table& table, int c) {
 }
 
 Json probes_json(const Table& table) {
-  const double low = 0.5 / table.image.width, high = 1 - low;
-  const double at[5][2] = {{low, low}, {high, low}, {low, high}, {high, high}, {0.5, 0.5}};
   Json probes = Json::array();
-  for (const auto& [u, v] : at) {
-    Json values = Json::array();
-    for (int c = 0; c < table.image.channels(); ++c) values.push_back(sample(table, c, u, v));
-    probes.push_back({{"u", u}, {"v", v}, {"values", values}});
-  }
+  for (const Probe& probe : probes_of(table))
+    probes.push_back({{"u", probe.u},
+                      {"v", probe.v},
+                      {"at", probe.interpolated ? "between texels" : "texel centre"},
+                      {"values", probe.values}});
   return probes;
+}
+
+Json terms_json(const Layout& layout) {
+  Json terms = Json::array();
+  for (const Term& term : layout.terms) {
+    Json factors = Json::array();
+    for (const std::string_view factor : term.factors)
+      if (!factor.empty()) factors.push_back(factor);
+    terms.push_back(factors);
+  }
+  return terms;
 }
 
 Json table_json(const Table& table, const Format& format, int size) {
@@ -106,6 +119,8 @@ Json table_json(const Table& table, const Format& format, int size) {
           {"size", {table.image.width, table.image.height}},
           {"u", axis_json(table.layout->u, size)},
           {"v", axis_json(table.layout->v, size)},
+          {"mip_maps", "none"},
+          {"compression", "none"},
           {"channels", channels},
           {"levels", levels},
           {"probes", probes_json(table)}};
@@ -126,7 +141,7 @@ std::string file_name(const Table& table, const Format& format) {
 }
 
 std::string manifest_json(const TableSet& set, const Format& format) {
-  Json json{{"schema_version", 1},
+  Json json{{"schema_version", 2},
             {"tool", "cuticle"},
             {"tool_version", CUTICLE_VERSION},
             {"model", set.model->entry.name},
@@ -135,10 +150,14 @@ std::string manifest_json(const TableSet& set, const Format& format) {
             {"parameters", Json::parse(registry::to_json(set.values))},
             {"layout", set.layout->entry.name},
             {"composition", set.layout->composition},
+            {"terms", terms_json(*set.layout)},
+            {"over_cos2_theta_d", set.layout->over_cos2_theta_d},
             {"size", set.size},
-            {"format", format.summary},
+            {"format", format.name},
+            {"format_summary", format.summary},
             {"color_space", "data"},
             {"origin", "top_left"},
+            {"licence", "the tables are the output of a program and belong to whoever ran it"},
             {"baked_on", set.baked_on},
             {"bake_ms", set.bake_ms}};
   if (!set.assumption.empty())
@@ -146,6 +165,14 @@ std::string manifest_json(const TableSet& set, const Format& format) {
   if (!set.scattering.empty())
     json["scattering"] = scattering_json(set.scattering, "S read from the stored tables, with the model's S");
   for (const Table& table : set.tables) json["tables"].push_back(table_json(table, format, set.size));
+  return json.dump(2) + "\n";
+}
+
+Result<std::string> with_digests(const std::string& manifest, const std::string& folder) {
+  Json json = Json::parse(manifest);
+  for (Json& table : json["tables"]) {
+    CUTICLE_ASSIGN(table["sha256"], sha256_of_file(folder + "/" + table["file"].get<std::string>()));
+  }
   return json.dump(2) + "\n";
 }
 

@@ -138,6 +138,8 @@ Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues&
 double exact_value(const bsdf::Model& model, const registry::ParameterValues& values, const TableLayout& table,
                    const Channel& channel, double u, double v);
 struct Format;  ///< how a file holds the numbers, <cuticle/lut/format.h>
+struct Target;  ///< an engine's own files, <cuticle/lut/target.h>
+struct Target;  ///< an engine's own files, <cuticle/lut/target.h>
 /// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
 double sample(const Table& table, int channel, double u, double v);
 /// The same for a level's stored numbers, without the scale.
@@ -147,14 +149,16 @@ double sample(const Image& image, int channel, double u, double v);
 Result<void> store_as(TableSet& set, const Format& format);
 /// `store_as`, then measures the errors of every channel against the model in double.
 Result<void> certify(TableSet& set, const Format& format, Progress& progress);
-/// Writes the tables in the format, manifest.json and preview.png into the folder, first into a hidden folder inside
-/// it, so that a failure leaves nothing. The set must hold the format's numbers (`store_as` or `certify`). EXR and KTX2
-/// files carry the manifest as "cuticle:manifest". Error: bad_input naming the file.
-Result<void> write(const TableSet& set, const Format& format, const std::string& folder);
+/// Writes the tables in the format, manifest.json, preview.png, the snippets (cuticle_hair.glsl, .hlsl, .wgsl) and the
+/// files of the targets into the folder, first into a hidden folder inside it, so that a failure leaves nothing. The
+/// set must hold the format's numbers (`store_as` or `certify`). EXR and KTX2 files carry the manifest as
+/// "cuticle:manifest". Error: bad_input naming the file; usage when a target cannot read the format.
+Result<void> write(const TableSet& set, const Format& format, const std::string& folder,
+                   std::span<const Target* const> targets = {});
 /// File name of a table, "M.exr".
 std::string file_name(const Table& table, const Format& format);
 /// The manifest as JSON text: tool version, model, conventions, parameters, axes with scale and bias, channels with
-/// scale, texel rule and errors, unit, colour space, origin, and five probe values (corners and centre) for each table.
+/// scale, texel rule and errors, unit, colour space, origin, terms, and ten probe values for each table (`probes_of`).
 std::string manifest_json(const TableSet& set, const Format& format);
 
 }  // namespace cuticle::lut

@@ -9,7 +9,10 @@
 
 #include <cuticle/core/file.h>
 #include <cuticle/lut/format.h>
+#include <cuticle/lut/probes.h>
+#include <cuticle/lut/snippets/snippet.h>
 #include <cuticle/lut/table_set.h>
+#include <cuticle/lut/target.h>
 
 namespace cuticle::lut {
 namespace {
@@ -30,6 +33,7 @@ class Staging {
     if (!existed_ && !moved_) fs::remove(target_, code);  // only if empty
   }
   Result<void> make() { return make_folder(path_.string()); }
+  std::string folder() const { return path_.string(); }
   std::string file(std::string_view name) const { return (path_ / name).string(); }
   /// Renames every file to its place; takes back what was moved when one cannot be.
   Result<void> move_out() {
@@ -93,20 +97,44 @@ Image engine_image(const Table& table) {
   return image;
 }
 
-Result<void> write_all(const TableSet& set, const Format& format, const Staging& staging) {
+Result<void> write_texts(const std::vector<TextFile>& files, const Staging& staging) {
+  for (const TextFile& file : files) CUTICLE_TRY(write_text_file(staging.file(file.name), file.text));
+  return {};
+}
+
+/// The shader functions, and what each engine needs beside the tables.
+Result<void> write_for_engines(const Manifest& manifest, std::span<const Target* const> targets,
+                               const Staging& staging) {
+  for (const snippets::Dialect& dialect : snippets::dialects()) {
+    CUTICLE_ASSIGN(const std::string text, snippets::snippet(manifest, dialect));
+    CUTICLE_TRY(write_text_file(staging.file(fmt::format("cuticle_hair.{}", dialect.extension)), text));
+  }
+  for (const Target* target : targets) {
+    CUTICLE_ASSIGN(const std::vector<TextFile> files, target->files(manifest));
+    CUTICLE_TRY(write_texts(files, staging));
+  }
+  return {};
+}
+
+Result<void> write_all(const TableSet& set, const Format& format, std::span<const Target* const> targets,
+                       const Staging& staging) {
   const std::string manifest = manifest_json(set, format);
   for (const Table& table : set.tables)
     CUTICLE_TRY(format.write(staging.file(file_name(table, format)), engine_image(table), manifest));
-  CUTICLE_TRY(write_text_file(staging.file("manifest.json"), manifest));
+  CUTICLE_ASSIGN(const std::string complete, with_digests(manifest, staging.folder()));
+  CUTICLE_TRY(write_text_file(staging.file("manifest.json"), complete));
+  CUTICLE_ASSIGN(const Manifest parsed, parse_manifest(complete, "manifest.json"));
+  CUTICLE_TRY(write_for_engines(parsed, targets, staging));
   return write_png(staging.file("preview.png"), preview(set));
 }
 
 }  // namespace
 
-Result<void> write(const TableSet& set, const Format& format, const std::string& folder) {
+Result<void> write(const TableSet& set, const Format& format, const std::string& folder,
+                   std::span<const Target* const> targets) {
   Staging staging(folder);
   CUTICLE_TRY(staging.make());
-  CUTICLE_TRY(write_all(set, format, staging));
+  CUTICLE_TRY(write_all(set, format, targets, staging));
   return staging.move_out();
 }
 

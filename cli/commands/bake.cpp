@@ -8,6 +8,7 @@
 #include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
+#include <cuticle/lut/target.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/lut/bake_gpu.h>
 #endif
@@ -17,7 +18,7 @@ namespace {
 
 struct BakeOptions {
   std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", fit = "none",
-              out;
+              targets, out;
   int size = 128;
 };
 
@@ -54,9 +55,10 @@ Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format,
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  bsdf::parse_settings(*model, options.preset, options.settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
+  CUTICLE_ASSIGN(const std::vector<const lut::Target*> targets, lut::find_targets(options.targets));
   CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
   CUTICLE_ASSIGN(Baked baked, certify_or_fit(options, format, context, std::move(set)));
-  CUTICLE_TRY(lut::write(baked.set, format, options.out));
+  CUTICLE_TRY(lut::write(baked.set, format, options.out, targets));
   return baked;
 }
 
@@ -120,6 +122,7 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--layout", options->layout, layout_names())->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
+  command->add_option("--target", options->targets, "engines to write import settings for: unity,godot,unreal,three");
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
       ->capture_default_str();

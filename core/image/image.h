@@ -33,6 +33,8 @@ Result<std::map<std::string, std::string>> read_exr_attributes(const std::string
 Result<void> write_png(const std::string& path, const Image& image, int bits = 8);
 /// Any picture that OpenImageIO reads, as float.
 Result<Image> read_image(const std::string& path);
+/// Mip levels of any picture that OpenImageIO reads; 1 where the format has none.
+Result<int> mip_levels(const std::string& path);
 
 /// Linear radiance to sRGB display values: exposure (stops), a filmic shoulder above 0.8, sRGB transfer. Alpha kept.
 Image tone_map(const Image& linear, double exposure_stops = 0);

@@ -55,4 +55,12 @@ Result<Image> read_image(const std::string& path) {
   return image;
 }
 
+Result<int> mip_levels(const std::string& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+  if (!input) return bad_input(fmt::format("{}: not a readable picture ({})", path, OIIO::geterror()));
+  int levels = 1;
+  while (input->seek_subimage(0, levels)) ++levels;
+  return levels;
+}
+
 }  // namespace cuticle

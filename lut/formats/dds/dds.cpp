@@ -1,5 +1,7 @@
 #include <cuticle/lut/formats/dds/dds.h>
 
+#include <algorithm>
+
 #include <cuticle/core/file.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/formats/half.h>
@@ -48,7 +50,6 @@ void put_dx10_header(ByteWriter& out) {
 Result<void> check_header(const FieldReader& fields) {
   CUTICLE_TRY(fields.expect("magic", 0, 4, k_magic, "'DDS '"));
   CUTICLE_TRY(fields.expect("dwSize", 4, 4, k_header_bytes, "bytes of the header"));
-  CUTICLE_TRY(fields.within("dwMipMapCount", 28, 4, 0, 1));
   CUTICLE_TRY(fields.expect("ddspf.dwSize", 76, 4, k_pixel_format_bytes, "bytes of the pixel format"));
   CUTICLE_TRY(fields.expect("ddspf.dwFourCC", 84, 4, k_dx10, "'DX10'"));
   CUTICLE_TRY(fields.expect("dxgiFormat", 128, 4, k_rgba16_float, "DXGI_FORMAT_R16G16B16A16_FLOAT"));
@@ -62,6 +63,12 @@ Result<void> write(const std::string& path, const Image& image, const std::strin
   put_dx10_header(out);
   put_half_texels(out, image);
   return write_file(path, out.bytes());
+}
+
+Result<int> levels(const std::string& path) {
+  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("dwMipMapCount", 28, 4, 0, k_most_levels));
+  return std::max(int(count), 1);  // 0: the field is not used
 }
 
 Result<Image> read(const std::string& path) {
@@ -81,8 +88,8 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 const Format& entry() {
-  static const Format format{"dds", "dds", "DDS, DX10 header, R16G16B16A16_FLOAT", k_largest_half, false, nearest_half,
-                             write, read};
+  static const Format format{
+      "dds", "dds", "DDS, DX10 header, R16G16B16A16_FLOAT", k_largest_half, false, nearest_half, write, read, levels};
   return format;
 }
 

@@ -1,5 +1,7 @@
 #include <cuticle/lut/formats/ktx2/ktx2.h>
 
+#include <algorithm>
+
 #include <cuticle/core/file.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/formats/half.h>
@@ -102,8 +104,13 @@ Result<void> check_header(const FieldReader& fields) {
   CUTICLE_TRY(fields.expect("pixelDepth", 28, 4, 0, "a 2D texture"));
   CUTICLE_TRY(fields.expect("layerCount", 32, 4, 0, "no array"));
   CUTICLE_TRY(fields.expect("faceCount", 36, 4, 1, "no cube map"));
-  CUTICLE_TRY(fields.expect("levelCount", 40, 4, 1, "no mip maps"));
   return fields.expect("supercompressionScheme", 44, 4, 0, "none");
+}
+
+Result<int> levels(const std::string& path) {
+  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("levelCount", 40, 4, 0, k_most_levels));
+  return std::max(int(count), 1);  // 0: the loader is asked to make them
 }
 
 Result<Image> read(const std::string& path) {
@@ -126,8 +133,9 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 const Format& entry() {
-  static const Format format{
-      "ktx2", "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level", k_largest_half, false, nearest_half, write, read};
+  static const Format format{"ktx2",         "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level",
+                             k_largest_half, false,  nearest_half,
+                             write,          read,   levels};
   return format;
 }
 

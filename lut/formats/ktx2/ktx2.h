@@ -7,7 +7,7 @@
 
 namespace cuticle::lut::ktx2 {
 
-/// An RGBA image of halves from a KTX 2.0 file (Khronos specification: VK_FORMAT_R16G16B16A16_SFLOAT, one level, one
+/// Level 0 as an RGBA image of halves, from a KTX 2.0 file (Khronos specification: VK_FORMAT_R16G16B16A16_SFLOAT, one
 /// face, no supercompression). Sides 1 .. 16384. Error: bad_input with file, field, offset.
 Result<Image> parse(std::span<const std::byte> bytes, const std::string& file);
 
