@@ -1,7 +1,8 @@
 // What an evaluation of each fibre model costs on one core and how exact it is: S, pdf and sample of every registered
-// model through its scalar float formulas, and through arrays for every instruction set that this processor has. Random
-// directions over the sphere and random offsets; the error is that of float against double on the same directions,
-// relative to the value or to a millionth of the largest.
+// model through its scalar float formulas from angles, and for every instruction set that this processor has through
+// arrays and point by point. Random directions over the sphere and random offsets; the error is that of float against
+// double on the same directions, relative to the value or to a millionth of the largest. Beside them the operations of
+// the formulas, counted, and the time for each of them relative to chiang's near field.
 #include <algorithm>
 #include <fstream>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include <cuticle/bsdf/batch/batch.h>
 #include <cuticle/core/random.h>
 #include "calibration.h"
+#include "operations.h"
 
 namespace {
 
@@ -30,6 +32,7 @@ struct Options {
 struct Row {
   std::string model, settings, path, task;
   double ns = 0, median_error = 0, tail_error = 0, largest_error = 0;
+  double operations = 0, ratio = 0;  ///< of one point; of the time for each to that of chiang
 };
 
 struct Arrays {
@@ -77,6 +80,12 @@ struct Directions {
     return {theta_i, theta_o, (theta_o - theta_i) / 2, phi(viewer) - phi(light), double(h[i]), phi(viewer)};
   }
   BatchPoints batch_points(std::size_t n) const { return {light.in(n), viewer.in(n), std::span(h).first(n)}; }
+  std::vector<bench::Place> places() const {
+    std::vector<bench::Place> all;
+    for (std::size_t i = 0; i < 500; ++i)
+      all.push_back({{light.x[i], light.y[i], light.z[i]}, {viewer.x[i], viewer.y[i], viewer.z[i]}, h[i]});
+    return all;
+  }
   BatchQueries batch_queries(std::size_t n) const {
     BatchQueries result{viewer.in(n), std::span(h).first(n), {}};
     for (std::size_t k = 0; k < u.size(); ++k) result.u[k] = std::span(u[k]).first(n);
@@ -164,17 +173,27 @@ class Subject {
     set_errors(to, results, quantity == Quantity::pdf ? truth_pdf_ : truth_);
   }
 
+  /// By the batch's formulas; 0 where these settings have none.
+  double operations(bool density) const {
+    Packed<float> packed;
+    std::ranges::copy(model_.pack(values_), packed.value);
+    return bench::operations_of(model_.entry.name, packed, density, on_.places());
+  }
+
   void batch(const BatchEvaluator& evaluator, std::string_view path, std::vector<Row>& rows) {
     if (!evaluator.is_vectorised()) return;
     rows.push_back(row(path, "S"));
+    rows.back().operations = operations(false);
     rows.back().ns =
         best_ns([&](std::size_t n) { return evaluator.evaluate(on_.batch_points(n), on_.out.out(n)).ok(); });
     static_cast<void>(evaluator.evaluate(on_.batch_points(checked_), on_.out.out(checked_)));
     for (std::size_t i = 0; i < checked_; ++i) results_[i] = glm::dvec3(on_.out.x[i], on_.out.y[i], on_.out.z[i]);
     set_errors(rows.back(), std::span(results_).first(checked_), truth_);
     batch_varying(evaluator, path, rows);
+    points(evaluator, fmt::format("{}, point", path), rows);
     if (!model_.sample_f32) return;
     rows.push_back(row(path, "pdf"));
+    rows.back().operations = operations(true);
     rows.back().ns = best_ns(
         [&](std::size_t n) { return evaluator.pdf(on_.batch_points(n), std::span(on_.density).first(n)).ok(); });
     static_cast<void>(evaluator.pdf(on_.batch_points(checked_), std::span(on_.density).first(checked_)));
@@ -184,6 +203,39 @@ class Subject {
     rows.push_back(row(path, "sample"));
     rows.back().ns =
         best_ns([&](std::size_t n) { return evaluator.sample(on_.batch_queries(n), on_.out.out(n)).ok(); });
+  }
+
+  static glm::vec3 vector_at(const Arrays& v, std::size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+
+  /// One call for each point, with parameters prepared before.
+  void points(const BatchEvaluator& evaluator, const std::string& path, std::vector<Row>& rows) {
+    rows.push_back(row(path, "S"));
+    const auto color = [&](std::size_t i) {
+      return evaluator.evaluate(vector_at(on_.light, i), vector_at(on_.viewer, i), on_.h[i]);
+    };
+    rows.back().ns = best_ns([&](std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) on_.out.x[i] = color(i).x;
+    });
+    for (std::size_t i = 0; i < checked_; ++i) results_[i] = glm::dvec3(color(i));
+    set_errors(rows.back(), std::span(results_).first(checked_), truth_);
+    if (!model_.sample_f32) return;
+    rows.push_back(row(path, "pdf"));
+    const auto density = [&](std::size_t i) {
+      return evaluator.pdf(vector_at(on_.light, i), vector_at(on_.viewer, i), on_.h[i]);
+    };
+    rows.back().ns = best_ns([&](std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) on_.density[i] = density(i);
+    });
+    for (std::size_t i = 0; i < checked_; ++i) results_[i] = glm::dvec3(double(density(i)));
+    set_errors(rows.back(), std::span(results_).first(checked_), truth_pdf_);
+    rows.push_back(row(path, "sample"));
+    rows.back().ns = best_ns([&](std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i)
+        on_.out.x[i] = evaluator
+                           .sample(vector_at(on_.viewer, i), on_.h[i],
+                                   {on_.u[0][i], on_.u[1][i], on_.u[2][i], on_.u[3][i], on_.u[4][i]})
+                           .x;
+    });
   }
 
   /// S where the first parameter has a value for each point (the same one, so that the errors are those of S).
@@ -213,21 +265,36 @@ double ns_per_digit(const Row& row) {
   return row.tail_error > 0 ? row.ns / std::max(-std::log10(row.tail_error), 0.1) : row.ns / 16;
 }
 
+/// Fills the ratios: the time for each operation over that of chiang's near field on the same path, where it was
+/// measured.
+void set_ratios(std::vector<Row>& rows) {
+  for (Row& r : rows) {
+    const auto chiang = std::ranges::find_if(rows, [&](const Row& other) {
+      return other.model == "chiang" && other.path == r.path && other.task == r.task && other.operations > 0;
+    });
+    if (chiang != rows.end() && r.operations > 0) r.ratio = (r.ns / r.operations) / (chiang->ns / chiang->operations);
+  }
+}
+
 void print_text(const std::vector<Row>& rows, double scale) {
-  fmt::print("{:14} {:28} {:9} {:18} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "model", "settings", "path", "task", "ns",
-             "ns scaled", "median", "99 %", "largest", "ns/digit");
+  fmt::print("{:14} {:18} {:15} {:18} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8}\n", "model", "settings", "path",
+             "task", "ns", "ns scaled", "median", "99 %", "largest", "ns/digit", "ops", "x chiang");
   for (const Row& r : rows) {
-    fmt::print("{:14} {:28} {:9} {:18} {:9.2f} {:9.2f}", r.model, r.settings, r.path, r.task, r.ns, r.ns / scale);
+    fmt::print("{:14} {:18} {:15} {:18} {:9.2f} {:9.2f}", r.model, r.settings, r.path, r.task, r.ns, r.ns / scale);
     if (r.largest_error > 0)
-      fmt::print(" {:9.1e} {:9.1e} {:9.1e} {:9.2f}", r.median_error, r.tail_error, r.largest_error, ns_per_digit(r));
+      fmt::print(" {:8.1e} {:8.1e} {:8.1e} {:8.2f}", r.median_error, r.tail_error, r.largest_error, ns_per_digit(r));
+    if (r.operations > 0) fmt::print(" {:6.0f} {:8.2f}", r.operations, r.ratio);
     fmt::print("\n");
   }
 }
 void print_csv(const std::vector<Row>& rows, double scale) {
-  fmt::print("model,settings,path,task,ns,ns_scaled,median_error,error_99,largest_error,ns_per_digit\n");
+  fmt::print(
+      "model,settings,path,task,ns,ns_scaled,median_error,error_99,largest_error,ns_per_digit,operations,ratio_to_"
+      "chiang\n");
   for (const Row& r : rows)
-    fmt::print("{},\"{}\",{},\"{}\",{},{},{},{},{},{}\n", r.model, r.settings, r.path, r.task, r.ns, r.ns / scale,
-               r.median_error, r.tail_error, r.largest_error, ns_per_digit(r));
+    fmt::print("{},\"{}\",\"{}\",\"{}\",{:.5g},{:.5g},{:.3g},{:.3g},{:.3g},{:.4g},{:.4g},{:.3g}\n", r.model, r.settings,
+               r.path, r.task, r.ns, r.ns / scale, r.median_error, r.tail_error, r.largest_error, ns_per_digit(r),
+               r.operations, r.ratio);
 }
 void print_json(const std::vector<Row>& rows, double scale) {
   nlohmann::json all = {{"scale", scale}, {"rows", nlohmann::json::array()}};
@@ -241,13 +308,20 @@ void print_json(const std::vector<Row>& rows, double scale) {
                            {"median_error", r.median_error},
                            {"error_99", r.tail_error},
                            {"largest_error", r.largest_error},
-                           {"ns_per_digit", ns_per_digit(r)}});
+                           {"ns_per_digit", ns_per_digit(r)},
+                           {"operations", r.operations},
+                           {"ratio_to_chiang", r.ratio}});
   fmt::print("{}\n", all.dump(1));
 }
 
-/// The settings to measure a model with: what was asked for, or its defaults, and its tiers.
+/// The settings to measure a model with: what was asked for, or its defaults and a near field, and its tiers.
 std::vector<std::string> settings_of(const Model& model, const Options& options) {
   std::vector<std::string> all = {options.set};
+  const auto is_near = [&](const registry::StudyCase& tier) {
+    return model.near_field && model.near_field(*parse_settings(model, "", tier.settings));
+  };
+  const auto near = std::ranges::find_if(model.entry.study_cases, is_near);
+  if (options.set.empty() && !options.tiers && near != model.entry.study_cases.end()) all.emplace_back(near->settings);
   if (options.tiers)
     for (const registry::StudyCase& tier : model.entry.study_cases) all.emplace_back(tier.settings);
   return all;
@@ -265,6 +339,7 @@ Result<std::vector<Row>> measure_all(const Options& options) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
   }
+  set_ratios(rows);
   return rows;
 }
 
