@@ -57,7 +57,15 @@ Result<std::vector<std::size_t>> parse_header(std::string_view line, std::string
   return columns;
 }
 
+Result<double> parse_word(const PointColumn& column, std::string_view text, std::string_view where) {
+  const auto found = std::ranges::find(column.words, text);
+  if (found != column.words.end()) return double(found - column.words.begin());
+  return bad_input(
+      fmt::format("{}, column {}: '{}' is not one of {}", where, column.name, text, fmt::join(column.words, ", ")));
+}
+
 Result<double> parse_cell(const PointColumn& column, std::string_view text, std::string_view where) {
+  if (!column.words.empty()) return parse_word(column, text, where);
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size())

@@ -9,11 +9,13 @@
 
 namespace cuticle::cli {
 
-/// A column that may occur, with the inclusive range of its numbers.
+/// A column that may occur, with the inclusive range of its numbers; or with its words, each standing for its place
+/// among them.
 struct PointColumn {
   std::string_view name;
   double minimum, maximum;
   std::string_view unit;  ///< "deg", "1", ...
+  std::span<const std::string_view> words = {};
 };
 
 /// Rows in the order of the file; columns as indices into the table of PointColumn.
@@ -27,7 +29,7 @@ Result<void> check_range(const PointColumn& column, double value, std::string_vi
 
 /// Parses CSV text; `file` names it in errors. Blank lines and spaces around cells are skipped. Error: bad_input,
 /// naming file, line and column, for an unknown column (with the nearest known), a column given twice, a row of the
-/// wrong length, and a cell that is no number, not finite or out of range.
+/// wrong length, and a cell that is no number, not finite or out of range, or none of the words.
 Result<PointsTable> parse_points(std::string_view text, std::string_view file, std::span<const PointColumn> known);
 
 /// The same from a file. Error: also bad_input where it cannot be read.

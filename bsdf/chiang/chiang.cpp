@@ -125,6 +125,8 @@ bool near_field(const registry::ParameterValues& values) { return values.choice(
 
 }  // namespace
 
+Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
+
 const Model& entry() {
   static const Model model{
       .entry = {.kind = registry::EntryKind::model,

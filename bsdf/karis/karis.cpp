@@ -74,6 +74,8 @@ FibreMapping from_fibre(const Fibre& fibre) {
 
 }  // namespace
 
+Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
+
 const Model& entry() {
   static const Model model{
       .entry = {.kind = registry::EntryKind::model,

@@ -146,6 +146,8 @@ constexpr std::array<Exception, 4> exceptions = {{
 
 }  // namespace
 
+Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
+
 const Model& entry() {
   static const Model model{
       .entry = {.kind = registry::EntryKind::model,

@@ -163,6 +163,8 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 
 }  // namespace
 
+Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
+
 const Model& entry() {
   static const Model model{
       .entry = {.kind = registry::EntryKind::model,

@@ -1,0 +1,20 @@
+#pragma once
+// A model's formulas with derivatives. Private to lut/fit: each model's formulas are compiled with ceres::Jet in a unit
+// of their own (jet_unit.cpp), behind plain arrays.
+#include <span>
+
+#include <cuticle/bsdf/model.h>
+#include <cuticle/lut/fit/detail/jet_tangents.h>
+
+namespace cuticle::lut {
+
+struct JetModel {
+  const char* name;
+  bsdf::Packed<double> (*pack)(const registry::ParameterValues&);
+  /// `at`: the members of EvaluationPoint.
+  void (*evaluate)(const PackedTangents& packed, int quantity, int lobe, const double at[6], RgbTangents& out);
+};
+/// All registered models; written by CMakeLists.txt.
+std::span<const JetModel> jet_models();
+
+}  // namespace cuticle::lut

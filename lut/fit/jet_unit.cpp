@@ -1,0 +1,32 @@
+// One model's formulas with ceres::Jet, compiled once for each model: CUTICLE_JET_MODEL names it, model_of_jet.h
+// includes it.
+// glm keeps components in unions, which cannot hold a Jet, unless it is told to name them x, y, z, w only.
+#define GLM_FORCE_XYZW_ONLY
+#include <ceres/jet.h>
+
+#include <cuticle/lut/fit/detail/jet_tangents.h>
+#include <model_of_jet.h>
+
+namespace cuticle::lut {
+
+#define CUTICLE_JET_PASTE(a, b) a##b
+#define CUTICLE_JET_FUNCTION(model) CUTICLE_JET_PASTE(jet_of_, model)
+
+void CUTICLE_JET_FUNCTION(CUTICLE_JET_MODEL)(const PackedTangents& packed, int quantity, int lobe, const double at[6],
+                                             RgbTangents& out) {
+  using Jet = ceres::Jet<double, k_jet_width>;
+  using Gradient = Eigen::Matrix<double, k_jet_width, 1>;
+  bsdf::Packed<Jet> numbers;
+  for (int i = 0; i < CUTICLE_PACKED_COUNT; ++i) {
+    numbers.value[i].a = packed.value[i];
+    numbers.value[i].v = Eigen::Map<const Gradient>(packed.tangents + k_jet_width * i);
+  }
+  const bsdf::EvaluationPoint<Jet> point{Jet(at[0]), Jet(at[1]), Jet(at[2]), Jet(at[3]), Jet(at[4]), Jet(at[5])};
+  const auto rgb = bsdf::CUTICLE_JET_MODEL::evaluate_packed(numbers, quantity, lobe, point);
+  for (int c = 0; c < 3; ++c) {
+    out.value[c] = rgb[c].a;
+    Eigen::Map<Gradient>(out.gradients + k_jet_width * c) = rgb[c].v;
+  }
+}
+
+}  // namespace cuticle::lut
