@@ -9,36 +9,41 @@ namespace {
 
 using registry::ParameterType;
 constexpr std::string_view k_spacings[] = {"last_plane", "printed"};
-constexpr std::string_view k_accumulations[] = {"optical_depth", "poisson"};
 constexpr registry::Parameter k_parameters[] = {
-    {"slices", ParameterType::integer, "1", 2, 256, "16", {}, "evenly spaced planes; the first holds nothing and is not stored"},
-    {"resolution", ParameterType::integer, "1", 16, 4096, "256", {}, "texels along each side of the map"},
-    {"k", ParameterType::real, "1", 0.1, 100, "5.5", {}, "sigma = optical depth / k, T = exp(-k sigma)"},
-    {"filter_texels", ParameterType::real, "1", 0, 64, "1", {}, "radius of the disc that a lookup averages; below 0.5 one texel"},
-    {"filter_radius_mm", ParameterType::real, "mm", 0, 1000, "0", {}, "the same in millimetres, at least half a texel; used instead where it is not 0"},
-    {"accumulate", ParameterType::choice, "1", 0, 0, "optical_depth", k_accumulations,
-     "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma"},
+    {"slices",
+     ParameterType::integer,
+     "1",
+     2,
+     256,
+     "16",
+     {},
+     "evenly spaced planes; the first holds nothing and is not stored"},
+    k_resolution,
+    k_optical_k,
+    k_filter_texels,
+    k_filter_radius,
+    k_accumulate,
     {"spacing", ParameterType::choice, "1", 0, 0, "last_plane", k_spacings,
      "last_plane: range / (slices - 1); printed: range / slices, which stops short of the last plane"},
 };
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr std::string_view k_systems[] = {"N17"};
-constexpr registry::StudyCase k_cases[] = {{"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
+constexpr registry::StudyCase k_cases[] = {
+    {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers, const registry::ParameterValues& values) {
+Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
+                               const registry::ParameterValues& values) {
   CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const Settings settings, settings_from(values));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
   Transmittance result;
   const auto start = std::chrono::steady_clock::now();
-  const LightAxes axes = light_axes(to_light);
-  const Geometry geometry = map_geometry(axes, light_box(axes, casters.groom->positions), settings);
-  CUTICLE_ASSIGN(const float filter, filter_texels(geometry, settings));
-  const Map map = build_map(*casters.groom, casters.alpha, geometry, settings);
+  const Map map = build_map(*casters.groom, casters.alpha, light_axes(to_light), settings);
+  CUTICLE_ASSIGN(const float filter, filter_in_texels("opacity_map", settings.map, double(map.view.scale.x)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
   result.values = look_up(map, settings, filter, receivers.points);
@@ -49,16 +54,18 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
 }
 
 /// Fit, splat, scan, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return 4 * shape.lights; }
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
+  return 4 * shape.lights;
+}
 
 }  // namespace
 
 const Method& entry() {
-  static const Method method{
-      {registry::EntryKind::method, "opacity_map", "opacity at evenly spaced slices of the light's view (opacity shadow map)",
-       "Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23 (the Nalu demo)", k_parameters, k_demands,
-       registry::Stage::shadow, k_systems, k_cases, dispatches, 0},
-      evaluate};
+  static const Method method{{registry::EntryKind::method, "opacity_map",
+                              "opacity at evenly spaced slices of the light's view (opacity shadow map)",
+                              "Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23 (the Nalu demo)",
+                              k_parameters, k_demands, registry::Stage::shadow, k_systems, k_cases, dispatches, 0},
+                             evaluate};
   return method;
 }
 

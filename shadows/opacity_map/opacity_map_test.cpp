@@ -27,9 +27,8 @@ float one(const strands::Groom& groom, glm::vec3 point, const std::string& set =
   return result ? result->values[0] : -1;
 }
 double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
-opacity_map::Geometry geometry_of(const strands::Groom& groom, glm::dvec3 to_light) {
-  const LightAxes axes = light_axes(to_light);
-  return opacity_map::map_geometry(axes, light_box(axes, groom.positions), {});
+opacity_map::Map map_of(const strands::Groom& groom, glm::dvec3 to_light) {
+  return opacity_map::build_map(groom, 0.4, light_axes(to_light), {});
 }
 strands::Groom upright() {
   strands::Groom groom;
@@ -109,8 +108,8 @@ TEST(OpacityMap, PrintedSpacing_LastPlaneStopsShort) {
 
 TEST(OpacityMap, DoubledFilter_MillimetresAndTexelsAgree) {
   const strands::Groom groom = tests::coat(500, 6, 0.03, 1e-4f, 3);
-  const auto geometry = geometry_of(groom, {0, 1, 0});
-  const std::string set = "filter_radius_mm=" + std::to_string(3000.0 / double(geometry.scale.x));
+  const auto map = map_of(groom, {0, 1, 0});
+  const std::string set = "filter_radius_mm=" + std::to_string(3000.0 / double(map.view.scale.x));
   EXPECT_NEAR(one(groom, {0, 0, 0}, set), one(groom, {0, 0, 0}, "filter_texels=3"), 1e-4);
 }
 
@@ -121,17 +120,16 @@ TEST(OpacityMap, FilterFinerThanATexel_StaysHalfATexel) {
 
 TEST(OpacityMap, AnyThreadCount_SameIntegers) {
   const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
-  const auto geometry = geometry_of(groom, {0.6, 0.8, 0});
-  const auto all = opacity_map::build_map(groom, 0.4, geometry, {});
+  const auto all = map_of(groom, {0.6, 0.8, 0});
   tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(opacity_map::build_map(groom, 0.4, geometry, {}).sums, all.sums);
+  EXPECT_EQ(map_of(groom, {0.6, 0.8, 0}).sums, all.sums);
 }
 
 TEST(OpacityMap, FixedPointScale_LeavesRoomForEverySegment) {
   for (const std::size_t segments : {1u, 5000u, 400000u})
     for (const double alpha : {0.01, 0.4, 1.0}) {
-      const double scale = opacity_map::fixed_point_scale(alpha, {}, segments);
-      const double most = double(opacity_map::deposit_table(alpha, {}, scale).back()) * double(segments);
+      const double scale = fixed_point_scale(alpha, {}, segments);
+      const double most = double(deposit_table(alpha, {}, scale).back()) * double(segments);
       EXPECT_LT(most, 4294967296.0);
       EXPECT_TRUE(most > 4294967296.0 / 4 || scale == 0x1p20) << "room is not wasted";
     }

@@ -1,16 +1,17 @@
-// Push constants of the opacity map's kernels (Push of opacity_map_gpu.cpp, word for word), and the light's view.
+// Push constants of the kernels of maps (MapPush of map_gpu.h, word for word), and the light's view.
 #include "cuticle/shadows/light_frame.glslh"
 
 layout(push_constant) uniform Push {
   vec4 right, up, forward;   // xyz
-  float intervals;           // slice spacings from the near to the far plane
+  float intervals;           // depth steps from the near to the far plane
   float filter_texels;       // radius of the lookup's disc
   float filter_radius;       // the same in metres, used where it is not 0
   float per_unit;            // -k / scale
   uint resolution, layers;
   uint count;                // of segments, texels or vertices
-  uint poisson;
+  uint flags;                // k_poisson and the method's own
 } push;
+const uint k_poisson = 1u;
 
 /// Invocation number of a dispatch that is split over two axes.
 uint invocation() {

@@ -1,0 +1,111 @@
+#pragma once
+// The CPU's walk over a map of the light's view: the texels under a strand, and the texels that a lookup averages.
+#include <cmath>
+#include <cstdint>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cuticle/shadows/light_frame.h>
+#include <cuticle/strands/groom.h>
+#include <cuticle/shadows/filter.glslh>
+#include <cuticle/shadows/light_frame.glslh>
+#include <cuticle/shadows/splat.glslh>
+
+namespace cuticle::shadows {
+
+/// World to map: x, y in texels, z in depth steps (light_frame.glslh, splat.glslh).
+struct MapView {
+  LightAxes axes;
+  glm::vec3 scale{1}, offset{0};  ///< MapPlacement
+  std::uint32_t resolution = 16;
+};
+/// The view that holds the box, `intervals` depth steps deep.
+inline MapView map_view(const LightAxes& axes, const LightBox& box, std::uint32_t resolution, float intervals) {
+  const MapPlacement<float> placement = map_placement(box.lower, box.upper, resolution, intervals);
+  return {axes, placement.scale, placement.offset, resolution};
+}
+/// A world point, metres, in the map.
+inline glm::vec3 to_map(const MapView& view, const glm::vec3& p) {
+  const glm::vec3 light = light_point(view.axes.right, view.axes.up, view.axes.forward, p);
+  return place_in_map(MapPlacement<float>{view.scale, view.offset}, light);
+}
+
+/// body(i) for i = 0 .. count - 1, on all threads.
+void for_each_index(std::size_t count, const auto& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+  });
+}
+
+/// deposit(i, j) for every texel that the footprint may cover.
+void for_each_texel(const Footprint<float>& footprint, std::uint32_t resolution, const auto& deposit) {
+  const Reach<float> reach = footprint_reach(footprint);
+  const int end = int(resolution) - 1;
+  for (int m = std::max(0, reach.first); m <= std::min(end, reach.last); ++m) {
+    const int last = std::min(end, minor_bound(footprint, reach, m, 1.0f));
+    for (int n = std::max(0, minor_bound(footprint, reach, m, -1.0f)); n <= last; ++n)
+      reach.steep ? deposit(n, m) : deposit(m, n);
+  }
+}
+
+/// piece(footprint) for every piece of a segment of a strand, each at most 1 / steps_to_pieces depth steps deep.
+void for_each_piece(const MapView& view, const strands::Groom& groom, std::uint32_t v, bool is_first, bool is_last,
+                    float steps_to_pieces, const auto& piece) {
+  const auto place = [&](const glm::vec3& p) {
+    const glm::vec3 point = to_map(view, p);
+    return glm::vec3(snap(point.x), snap(point.y), point.z);
+  };
+  const glm::vec3 a = place(groom.positions[v]), b = place(groom.positions[v + 1]);
+  const float half_width = 0.5f * (groom.radii[v] + groom.radii[v + 1]) * view.scale.x;
+  const float size = segment_footprint(a, b, half_width, 0.0f, 0.0f).size;
+  const std::uint32_t pieces = piece_count(a.z * steps_to_pieces, b.z * steps_to_pieces, size);
+  for (std::uint32_t i = 0; i < pieces; ++i)
+    piece(segment_footprint(piece_point(a, b, i, pieces), piece_point(a, b, i + 1, pieces), half_width,
+                            is_first && i == 0 ? 1.0f : 0.0f, is_last && i + 1 == pieces ? 1.0f : 0.0f));
+}
+
+/// piece(footprint) for every piece of every strand, on all threads; the order is not defined.
+void for_each_piece(const MapView& view, const strands::Groom& groom, float steps_to_pieces, const auto& piece) {
+  for_each_index(groom.strand_count(), [&](std::size_t s) {
+    const std::uint32_t first = groom.offsets[s], last = groom.offsets[s + 1] - 1;
+    for (std::uint32_t v = first; v < last; ++v)
+      for_each_piece(view, groom, v, v == first, v + 1 == last, steps_to_pieces, piece);
+  });
+}
+
+/// How a lookup averages.
+struct MapFilter {
+  float radius = 1;      ///< texels; under 0.5: the one texel that holds the point
+  bool poisson = false;  ///< average the optical depth; else T
+};
+/// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel)), texels outside the map counting
+/// as free; `exponent` takes the index of a texel.
+float mean_transmittance(const MapView& view, const MapFilter& filter, float x, float y, const auto& exponent) {
+  const int i0 = int(std::floor(x)), j0 = int(std::floor(y)), reach = disc_reach(filter.radius);
+  const int end = int(view.resolution);
+  float sum = 0, weights = 0;
+  for (int j = j0 - reach; j <= j0 + reach; ++j)
+    for (int i = i0 - reach; i <= i0 + reach; ++i) {
+      const float weight = disc_weight(std::hypot(float(i) + 0.5f - x, float(j) + 0.5f - y), filter.radius);
+      weights += weight;
+      if (!(weight > 0)) continue;
+      const bool outside = i < 0 || j < 0 || i >= end || j >= end;
+      const float value = outside ? 0.0f : exponent(std::size_t(j) * view.resolution + std::size_t(i));
+      sum += weight * (filter.poisson ? value : std::exp(value));
+    }
+  return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
+}
+
+/// The transmittance at a world point: 1 far outside the map. `exponent` takes a texel and the depth, in steps, limited
+/// to 0 .. intervals.
+float transmittance_at(const MapView& view, const MapFilter& filter, float intervals, const glm::vec3& p,
+                       const auto& exponent) {
+  const glm::vec3 point = to_map(view, p);
+  const float limit = float(view.resolution) + 130.0f;
+  if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
+  const float z = std::clamp(point.z, 0.0f, intervals);
+  return mean_transmittance(view, filter, point.x, point.y, [&](std::size_t texel) { return exponent(texel, z); });
+}
+
+}  // namespace cuticle::shadows

@@ -1,0 +1,35 @@
+// The mean over a lookup's disc of T, or of the optical depth. The shader that includes this defines exponent_at().
+#include "cuticle/shadows/filter.glslh"
+#include "cuticle/shadows/map_geometry.glsl"
+
+/// -k sigma before depth z (in steps) at a texel of the map.
+float exponent_at(uint texel, float z);
+
+float averaged(int i, int j, float z) {
+  const int end = int(push.resolution);
+  const bool outside = i < 0 || j < 0 || i >= end || j >= end;
+  const float exponent = outside ? 0.0 : exponent_at(uint(j) * push.resolution + uint(i), z);
+  return (push.flags & k_poisson) != 0u ? exponent : exp(exponent);
+}
+
+float mean_transmittance(vec2 p, float z, float radius) {
+  const int i0 = int(floor(p.x)), j0 = int(floor(p.y)), reach = disc_reach(radius);
+  float sum = 0.0, weights = 0.0;
+  for (int j = j0 - reach; j <= j0 + reach; ++j)
+    for (int i = i0 - reach; i <= i0 + reach; ++i) {
+      const float weight = disc_weight(length(vec2(i, j) + 0.5 - p), radius);
+      if (weight > 0.0) sum += weight * averaged(i, j, z);
+      weights += weight;
+    }
+  return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
+}
+
+/// The transmittance at a point, metres: 1 far outside the map; depths are limited to it.
+float transmittance_at(MapPlacement placement, vec3 position) {
+  const vec3 point = place_in_map(placement, in_light_axes(position));
+  const float radius =
+      push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, 64.0) : push.filter_texels;
+  const float limit = float(push.resolution) + 130.0;
+  const bool inside = abs(point.x) < limit && abs(point.y) < limit;
+  return inside ? mean_transmittance(point.xy, clamp(point.z, 0.0, push.intervals), radius) : 1.0;
+}

@@ -1,0 +1,59 @@
+#pragma once
+// What the methods that look up a map of the light's view have in common: parameters and their SI values.
+#include <cstdint>
+#include <string_view>
+
+#include <cuticle/core/registry/parameter.h>
+#include <cuticle/core/result.h>
+#include <cuticle/shadows/deposit.h>
+
+namespace cuticle::shadows {
+
+inline constexpr std::string_view k_accumulations[] = {"optical_depth", "poisson"};
+inline constexpr registry::Parameter k_resolution{
+    "resolution", registry::ParameterType::integer, "1", 16, 4096, "256", {}, "texels along each side of the map"};
+inline constexpr registry::Parameter k_optical_k{
+    "k", registry::ParameterType::real, "1", 0.1, 100, "5.5", {}, "sigma = optical depth / k, T = exp(-k sigma)"};
+inline constexpr registry::Parameter k_filter_texels{"filter_texels",
+                                                     registry::ParameterType::real,
+                                                     "1",
+                                                     0,
+                                                     64,
+                                                     "1",
+                                                     {},
+                                                     "radius of the disc that a lookup averages; below 0.5 one texel"};
+inline constexpr registry::Parameter k_filter_radius{
+    "filter_radius_mm",
+    registry::ParameterType::real,
+    "mm",
+    0,
+    1000,
+    "0",
+    {},
+    "the same in millimetres, at least half a texel; used instead where it is not 0"};
+inline constexpr registry::Parameter k_accumulate{
+    "accumulate",
+    registry::ParameterType::choice,
+    "1",
+    0,
+    0,
+    "optical_depth",
+    k_accumulations,
+    "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma"};
+
+/// Values of the parameters above, in SI units.
+struct MapSettings {
+  std::uint32_t resolution = 256;  ///< texels along each side
+  Accumulation accumulation;
+  double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
+  double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
+};
+MapSettings map_settings(const registry::ParameterValues& values);
+
+/// The lookup's disc in texels. Error: usage, naming the method's filter, for more than 64.
+Result<float> filter_in_texels(std::string_view method, const MapSettings& settings, double texels_per_metre);
+
+/// Error: usage, naming the method, when `numbers` of 4 bytes a texel pass 2 GiB.
+Result<void> check_map_bytes(std::string_view method, std::uint64_t numbers, std::uint32_t resolution);
+
+}  // namespace cuticle::shadows
