@@ -24,12 +24,12 @@ float mean_transmittance(vec2 p, float z, float radius) {
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
 }
 
-/// The transmittance at a point, metres: 1 far outside the map; depths are limited to it.
-float transmittance_at(MapPlacement placement, vec3 position) {
+/// The transmittance at a point, metres: 1 far outside the map. Depths are limited to 0 .. deepest, in steps.
+float transmittance_at(MapPlacement placement, vec3 position, float deepest) {
   const vec3 point = place_in_map(placement, in_light_axes(position));
   const float radius =
       push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, 64.0) : push.filter_texels;
   const float limit = float(push.resolution) + 130.0;
   const bool inside = abs(point.x) < limit && abs(point.y) < limit;
-  return inside ? mean_transmittance(point.xy, clamp(point.z, 0.0, push.intervals), radius) : 1.0;
+  return inside ? mean_transmittance(point.xy, clamp(point.z, 0.0, deepest), radius) : 1.0;
 }

@@ -5,6 +5,7 @@
 #include <cuticle/shadows/splat.glslh>
 
 #include <map_fit_comp.spv.h>
+#include <map_scan_comp.spv.h>
 
 namespace cuticle::shadows {
 
@@ -28,6 +29,8 @@ Result<gpu::Kernel> make_map_kernel(gpu::Device& device, std::span<const std::ui
 }
 
 Result<gpu::Kernel> make_fit_kernel(gpu::Device& device) { return make_map_kernel(device, map_fit_comp, 2); }
+
+Result<gpu::Kernel> make_scan_kernel(gpu::Device& device) { return make_map_kernel(device, map_scan_comp, 1); }
 
 void dispatch_map(gpu::Commands& commands, std::string_view pass, const gpu::Kernel& kernel,
                   std::initializer_list<const gpu::Buffer*> buffers, MapPush push, std::uint32_t count) {

@@ -27,6 +27,8 @@ MapPush map_push(const LightAxes& axes, const MapSettings& settings, float inter
 Result<gpu::Kernel> make_map_kernel(gpu::Device& device, std::span<const std::uint32_t> code, std::uint32_t buffers);
 /// The kernel that finds the box of the vertices: buffers vertices, box (6 words, filled with ones before).
 Result<gpu::Kernel> make_fit_kernel(gpu::Device& device);
+/// The kernel that sums each texel's layers along the depth: buffer sums; one invocation per texel.
+Result<gpu::Kernel> make_scan_kernel(gpu::Device& device);
 
 /// A pass of one dispatch with `count` invocations in groups of 64.
 void dispatch_map(gpu::Commands& commands, std::string_view pass, const gpu::Kernel& kernel,

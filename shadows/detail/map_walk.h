@@ -2,6 +2,7 @@
 // The CPU's walk over a map of the light's view: the texels under a strand, and the texels that a lookup averages.
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -14,27 +15,17 @@
 
 namespace cuticle::shadows {
 
-/// World to map: x, y in texels, z in depth steps (light_frame.glslh, splat.glslh).
-struct MapView {
-  LightAxes axes;
-  glm::vec3 scale{1}, offset{0};  ///< MapPlacement
-  std::uint32_t resolution = 16;
-};
-/// The view that holds the box, `intervals` depth steps deep.
-inline MapView map_view(const LightAxes& axes, const LightBox& box, std::uint32_t resolution, float intervals) {
-  const MapPlacement<float> placement = map_placement(box.lower, box.upper, resolution, intervals);
-  return {axes, placement.scale, placement.offset, resolution};
-}
-/// A world point, metres, in the map.
-inline glm::vec3 to_map(const MapView& view, const glm::vec3& p) {
-  const glm::vec3 light = light_point(view.axes.right, view.axes.up, view.axes.forward, p);
-  return place_in_map(MapPlacement<float>{view.scale, view.offset}, light);
-}
-
 /// body(i) for i = 0 .. count - 1, on all threads.
 void for_each_index(std::size_t count, const auto& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+  });
+}
+
+/// What lies in each of a texel's layers becomes what lies before its end.
+inline void sum_along_depth(std::vector<std::uint32_t>& sums, std::size_t layers) {
+  for_each_index(sums.size() / layers, [&](std::size_t texel) {
+    for (std::size_t i = 1; i < layers; ++i) sums[texel * layers + i] += sums[texel * layers + i - 1];
   });
 }
 
@@ -98,13 +89,13 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
 }
 
 /// The transmittance at a world point: 1 far outside the map. `exponent` takes a texel and the depth, in steps, limited
-/// to 0 .. intervals.
-float transmittance_at(const MapView& view, const MapFilter& filter, float intervals, const glm::vec3& p,
+/// to 0 .. deepest.
+float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
                        const auto& exponent) {
   const glm::vec3 point = to_map(view, p);
   const float limit = float(view.resolution) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
-  const float z = std::clamp(point.z, 0.0f, intervals);
+  const float z = std::clamp(point.z, 0.0f, deepest);
   return mean_transmittance(view, filter, point.x, point.y, [&](std::size_t texel) { return exponent(texel, z); });
 }
 

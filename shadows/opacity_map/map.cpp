@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include <cuticle/shadows/detail/map_walk.h>
+
 namespace cuticle::shadows::opacity_map {
 namespace {
 
@@ -13,13 +15,6 @@ void deposit(Map& map, std::span<const std::uint32_t> table, const Footprint<flo
   if (amount == 0 || bin >= int(map.layers)) return;
   const std::size_t t = std::size_t(j) * map.view.resolution + std::size_t(i);
   std::atomic_ref(map.sums[t * map.layers + std::size_t(bin)]).fetch_add(amount, std::memory_order_relaxed);
-}
-
-void sum_along_depth(Map& map) {
-  const std::size_t layers = map.layers;
-  for_each_index(map.sums.size() / layers, [&](std::size_t t) {
-    for (std::size_t i = 1; i < layers; ++i) map.sums[t * layers + i] += map.sums[t * layers + i - 1];
-  });
 }
 
 /// The sum at depth z of a texel, linear between its two nearest slices.
@@ -52,7 +47,7 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   for_each_piece(map.view, groom, 1.0f, [&](const Footprint<float>& footprint) {
     for_each_texel(footprint, map.view.resolution, [&](int i, int j) { deposit(map, table, footprint, i, j); });
   });
-  sum_along_depth(map);
+  sum_along_depth(map.sums, map.layers);
   return map;
 }
 

@@ -7,8 +7,9 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/detail/map_walk.h>
 #include <cuticle/shadows/map_settings.h>
+#include <cuticle/shadows/map_view.h>
+#include <cuticle/strands/groom.h>
 
 namespace cuticle::shadows::opacity_map {
 

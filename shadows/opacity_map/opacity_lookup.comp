@@ -19,5 +19,5 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz);
+  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, push.intervals);
 }

@@ -3,7 +3,6 @@
 #include <bit>
 
 #include <opacity_lookup_comp.spv.h>
-#include <opacity_scan_comp.spv.h>
 #include <opacity_splat_comp.spv.h>
 
 namespace cuticle::shadows::opacity_map {
@@ -15,7 +14,7 @@ Result<void> OpacityMapGpu::make() {
   CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
   CUTICLE_ASSIGN(fit_, make_fit_kernel(*device_));
   CUTICLE_ASSIGN(splat_, make_map_kernel(*device_, opacity_splat_comp, 5));
-  CUTICLE_ASSIGN(scan_, make_map_kernel(*device_, opacity_scan_comp, 1));
+  CUTICLE_ASSIGN(scan_, make_scan_kernel(*device_));
   CUTICLE_ASSIGN(lookup_, make_map_kernel(*device_, opacity_lookup_comp, 4));
   return {};
 }

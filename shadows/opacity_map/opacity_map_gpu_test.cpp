@@ -1,10 +1,10 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
 #include <cuticle/shadows/opacity_map/opacity_map_gpu.h>
+#include <cuticle/tests/support/groom_on_device.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
 using namespace cuticle;
@@ -16,32 +16,12 @@ registry::ParameterValues values_of(const std::string& set) {
   return registry::parse_assignments((*find_method("opacity_map"))->entry.parameters, set).value();
 }
 
-/// A device with one groom on it.
-struct Scene {
-  std::shared_ptr<gpu::Device> device;
-  gpu::Buffer vertices, segments, transmittance;
-  GpuStrands strands;
-  strands::Groom groom;
-
-  explicit Scene(strands::Groom hair) : device(gpu::Device::open().value()), groom(std::move(hair)) {
-    std::vector<glm::vec4> packed;
-    std::vector<std::uint32_t> first;
-    for (std::size_t v = 0; v < groom.vertex_count(); ++v) packed.emplace_back(groom.positions[v], groom.radii[v]);
-    for (std::size_t s = 0; s < groom.strand_count(); ++s)
-      for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) first.push_back(v);
-    vertices = gpu::make_buffer_from<glm::vec4>(*device, packed).value();
-    segments = gpu::make_buffer_from<std::uint32_t>(*device, first).value();
-    transmittance = device->make_buffer(4 * packed.size()).value();
-    strands = {&vertices, &segments, std::uint32_t(packed.size()), std::uint32_t(first.size()), strands::bounds(groom)};
-  }
-};
-
 struct Frame {
   std::vector<std::uint32_t> sums;
   std::vector<float> transmittance;
   std::uint32_t planned = 0, recorded = 0;
 };
-Frame run(Scene& scene, const std::string& set, glm::dvec3 light, double alpha = 0.4) {
+Frame run(tests::GroomOnDevice& scene, const std::string& set, glm::dvec3 light, double alpha = 0.4) {
   auto shadow = opacity_map::OpacityMapGpu::create(scene.device, values_of(set)).value();
   gpu::Commands commands = scene.device->record();
   EXPECT_TRUE(shadow->record(commands, scene.strands, alpha, light, scene.transmittance));
@@ -55,13 +35,13 @@ Frame run(Scene& scene, const std::string& set, glm::dvec3 light, double alpha =
   frame.transmittance = gpu::read_buffer<float>(*scene.device, scene.transmittance, scene.groom.vertex_count()).value();
   return frame;
 }
-std::vector<std::uint32_t> cpu_sums(const Scene& scene, const std::string& set, glm::dvec3 light, double alpha = 0.4) {
+std::vector<std::uint32_t> cpu_sums(const tests::GroomOnDevice& scene, const std::string& set, glm::dvec3 light, double alpha = 0.4) {
   const auto settings = opacity_map::settings_from(values_of(set)).value();
   const LightAxes axes = light_axes(unit_to_light(light).value());
   return opacity_map::build_map(scene.groom, alpha, axes, settings).sums;
 }
 void expect_same_integers(strands::Groom groom, const std::string& set, glm::dvec3 light, double alpha = 0.4) {
-  Scene scene(std::move(groom));
+  tests::GroomOnDevice scene(std::move(groom));
   const Frame frame = run(scene, set, light, alpha);
   const std::vector<std::uint32_t> expected = cpu_sums(scene, set, light, alpha);
   std::size_t different = 0, filled = 0;
@@ -94,7 +74,7 @@ TEST(OpacityMapGpu, OpaqueStrandsAndPrintedSpacing_SameIntegers) {
 TEST(OpacityMapGpu, Lookup_AgreesWithTheCpu) {
   for (const std::string set : {"slices=16", "slices=32,accumulate=poisson,filter_texels=3", "slices=4,filter_texels=0", "slices=8,filter_radius_mm=0.1",
                                 "slices=8,filter_radius_mm=5"}) {
-    Scene scene(tests::coat(2000, 8, 0.03, 1e-4f, 5));
+    tests::GroomOnDevice scene(tests::coat(2000, 8, 0.03, 1e-4f, 5));
     const Frame frame = run(scene, set, {1, 1, 0.3});
     const Method& method = **find_method("opacity_map");
     const auto cpu = method.evaluate({&scene.groom, 0.4, {1, 1, 0.3}}, {scene.groom.positions, {}}, values_of(set));
@@ -106,14 +86,14 @@ TEST(OpacityMapGpu, Lookup_AgreesWithTheCpu) {
 }
 
 TEST(OpacityMapGpu, TwoRuns_BitIdentical) {
-  Scene scene(tests::coat(2000, 8, 0.03, 1e-4f, 5));
+  tests::GroomOnDevice scene(tests::coat(2000, 8, 0.03, 1e-4f, 5));
   const Frame first = run(scene, "slices=16", {1, 1, 0.3}), second = run(scene, "slices=16", {1, 1, 0.3});
   EXPECT_EQ(first.sums, second.sums);
   EXPECT_EQ(first.transmittance, second.transmittance);
 }
 
 TEST(OpacityMapGpu, Dispatches_EqualThePlan) {
-  Scene scene(tests::coat(100, 4, 0.03, 1e-4f, 5));
+  tests::GroomOnDevice scene(tests::coat(100, 4, 0.03, 1e-4f, 5));
   const Frame frame = run(scene, "slices=16", {0, 1, 0});
   registry::FrameShape shape;
   shape.lights = 1;
@@ -123,7 +103,7 @@ TEST(OpacityMapGpu, Dispatches_EqualThePlan) {
 }
 
 TEST(OpacityMapGpu, BadLightOrAlpha_IsRefused) {
-  Scene scene(tests::coat(10, 4, 0.03, 1e-4f, 5));
+  tests::GroomOnDevice scene(tests::coat(10, 4, 0.03, 1e-4f, 5));
   auto shadow = opacity_map::OpacityMapGpu::create(scene.device, values_of("slices=4,resolution=32")).value();
   gpu::Commands commands = scene.device->record();
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -17,5 +17,5 @@ void deposit(Footprint footprint, int i, int j) {
 
 void main() {
   const uint s = invocation();
-  if (s < push.count) splat_segment(s, 1.0);
+  if (s < push.count) walk_segment(s, 1.0);
 }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation per texel: intervals to slices, by summing along the depth.
+// One invocation per texel: what lies in each layer becomes what lies before its end, by summing along the depth.
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_geometry.glsl"
 

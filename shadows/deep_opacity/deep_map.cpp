@@ -1,0 +1,161 @@
+#include <cuticle/shadows/deep_opacity/deep_map.h>
+
+#include <atomic>
+
+#include <cuticle/shadows/detail/map_walk.h>
+
+namespace cuticle::shadows::deep_opacity {
+namespace {
+
+using Word = std::uint32_t;
+
+void lower_to(Word& word, Word value) {
+  std::atomic_ref atomic(word);
+  for (Word old = atomic.load(std::memory_order_relaxed);
+       value < old && !atomic.compare_exchange_weak(old, value, std::memory_order_relaxed);) {
+  }
+}
+void add_to(Word& word, Word value) { std::atomic_ref(word).fetch_add(value, std::memory_order_relaxed); }
+
+std::size_t texel_index(const MapView& view, int i, int j) { return std::size_t(j) * view.resolution + std::size_t(i); }
+
+/// Each texel's nearest depth step.
+void find_nearest(const strands::Groom& groom, Map& map) {
+  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
+    for_each_texel(footprint, map.view.resolution, [&](int i, int j) {
+      const glm::vec2 offset = texel_offset(footprint.from, i, j);
+      if (coverage_index(coverage(footprint, offset)) > 0)
+        lower_to(map.nearest[texel_index(map.view, i, j)], Word(std::max(0, depth_bin(footprint, offset))));
+    });
+  });
+}
+
+/// Projected length over the depth behind the nearest fibre, each piece counted at its middle.
+std::vector<Word> depth_histogram(const strands::Groom& groom, const Map& map) {
+  std::vector<Word> histogram(k_depth_steps);
+  const float side = float(map.view.resolution);
+  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
+    const glm::vec3 middle = piece_middle(footprint);
+    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < side && middle.y < side)) return;
+    const Word nearest = map.nearest[texel_index(map.view, int(middle.x), int(middle.y))];
+    const Word step = Word(std::max(0, int(std::floor(middle.z))));
+    if (nearest != k_no_depth && step >= nearest)
+      add_to(histogram[std::min(step - nearest, k_depth_steps - 1)], piece_weight(footprint.size));
+  });
+  return histogram;
+}
+
+Word total_of(std::span<const Word> histogram) {
+  Word total = 0;
+  for (Word weight : histogram) total += weight;
+  return total;
+}
+
+/// One past the deepest step that holds anything.
+Word depth_of(std::span<const Word> histogram) {
+  Word depth = 1;
+  for (Word step = 0; step < k_depth_steps; ++step)
+    if (histogram[step] > 0) depth = step + 1;
+  return depth;
+}
+
+/// One past the first step at which the running sum reaches the target.
+Word quantile(std::span<const Word> histogram, Word target) {
+  Word sum = 0;
+  for (Word step = 0; step < k_depth_steps; ++step)
+    if ((sum += histogram[step]) >= target) return step + 1;
+  return k_depth_steps;
+}
+
+LayerEnds layer_ends(std::span<const Word> histogram, const Settings& settings) {
+  const Word depth = depth_of(histogram), total = total_of(histogram);
+  const std::vector<Word> shares = layer_shares(settings);
+  LayerEnds ends{};
+  ends.count = settings.layers;
+  for (Word i = 0; i < settings.layers; ++i)
+    ends.end[i] = settings.spacing == Spacing::equal_opacity
+                      ? quantile(histogram, part_of(total, i + 1, settings.layers))
+                      : shared_end(depth, shares[i]);
+  return rising(ends, depth);
+}
+
+/// Deposits every piece into the layer that holds it.
+void fill_layers(const strands::Groom& groom, std::span<const Word> table, Map& map) {
+  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
+    for_each_texel(footprint, map.view.resolution, [&](int i, int j) {
+      const glm::vec2 offset = texel_offset(footprint.from, i, j);
+      const Word amount = table[coverage_index(coverage(footprint, offset))];
+      if (amount == 0) return;
+      const std::size_t texel = texel_index(map.view, i, j);
+      const Word step = Word(std::max(0, depth_bin(footprint, offset)));
+      add_to(map.sums[texel * map.ends.count + layer_of(map.ends, step - map.nearest[texel])], amount);
+    });
+  });
+}
+
+/// The sum at depth z of a texel, linear within its layer.
+float sum_at(const Map& map, std::size_t texel, float z) {
+  if (map.nearest[texel] == k_no_depth) return 0;
+  const float depth = z - float(map.nearest[texel]);
+  if (!(depth > 0)) return 0;
+  const Word layer = layer_of(map.ends, Word(depth));
+  const float begin = float(layer_begin(map.ends, layer)), end = float(map.ends.end[layer]);
+  const Word* sums = &map.sums[texel * map.ends.count];
+  const float t = std::min(1.0f, (depth - begin) / (end - begin));
+  return between_planes(layer == 0 ? 0.0f : float(sums[layer - 1]), float(sums[layer]), t);
+}
+
+}  // namespace
+
+Result<Settings> settings_from(const registry::ParameterValues& values) {
+  Settings settings;
+  settings.map = map_settings(values);
+  settings.layers = Word(values.integer("layers"));
+  const std::string& spacing = values.choice("spacing");
+  settings.spacing = spacing == "geometric" ? Spacing::geometric
+                     : spacing == "equal"   ? Spacing::equal
+                                            : Spacing::equal_opacity;
+  settings.first_layer = values.real("first_layer");
+  CUTICLE_TRY(check_map_bytes("deep_opacity", settings.layers + 1, settings.map.resolution));
+  return settings;
+}
+
+std::vector<Word> layer_shares(const Settings& settings) {
+  const double count = settings.layers, given = settings.first_layer;
+  const double first = given > 0 ? given : settings.layers <= 4 ? 1.0 / 32 : 1.0 / 128;
+  std::vector<Word> shares;
+  for (Word i = 0; i < settings.layers; ++i) {
+    const double geometric = std::pow(first, (count - 1 - i) / std::max(1.0, count - 1));
+    const double share = settings.spacing == Spacing::geometric ? geometric : (i + 1) / count;
+    shares.push_back(Word(std::lround(65536 * share)));
+  }
+  return shares;
+}
+
+Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  const Accumulation& accumulation = settings.map.accumulation;
+  const std::size_t texels = std::size_t(settings.map.resolution) * settings.map.resolution;
+  Map map;
+  map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
+  map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
+  map.nearest.assign(texels, k_no_depth);
+  find_nearest(groom, map);
+  map.ends = layer_ends(depth_histogram(groom, map), settings);
+  map.sums.resize(texels * settings.layers);
+  fill_layers(groom, deposit_table(alpha, accumulation, map.scale), map);
+  sum_along_depth(map.sums, settings.layers);
+  return map;
+}
+
+std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
+  std::vector<float> values(points.size());
+  const MapFilter around{filter, settings.map.accumulation.poisson};
+  const float per_unit = float(-settings.map.accumulation.k / map.scale);
+  const auto exponent = [&](std::size_t texel, float z) { return per_unit * sum_at(map, texel, z); };
+  for_each_index(points.size(), [&](std::size_t i) {
+    values[i] = transmittance_at(map.view, around, k_deepest, points[i], exponent);
+  });
+  return values;
+}
+
+}  // namespace cuticle::shadows::deep_opacity

@@ -1,0 +1,48 @@
+#pragma once
+// G3: deep opacity maps (Yuksel and Keyser 2008): sigma in layers that start at the nearest fibre of each texel of the
+// light's view, T = exp(-k sigma).
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <cuticle/shadows/map_settings.h>
+#include <cuticle/shadows/map_view.h>
+#include <cuticle/strands/groom.h>
+#include <cuticle/shadows/deep_opacity/layers.glslh>
+
+namespace cuticle::shadows::deep_opacity {
+
+/// How the ends of the layers are spread over the depth of the hair behind its nearest surface.
+enum class Spacing { equal_opacity, geometric, equal };
+
+/// The method's parameters, in SI units; ranges are those of its parameter table.
+struct Settings {
+  MapSettings map;
+  std::uint32_t layers = 4;
+  Spacing spacing = Spacing::equal_opacity;
+  double first_layer = 0;  ///< of geometric spacing, as a share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond
+};
+/// Error: usage, when the map would pass 2 GiB.
+Result<Settings> settings_from(const registry::ParameterValues& values);
+
+/// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
+std::vector<std::uint32_t> layer_shares(const Settings& settings);
+
+/// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale.
+struct Map {
+  MapView view;
+  double scale = 1;
+  LayerEnds ends{};
+  std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
+  std::vector<std::uint32_t> sums;
+};
+/// Fills a map; the same integers at any thread count, and as the GPU's (DeepOpacityGpu_SameGroom_SameIntegers).
+Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
+
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
+/// its own nearest depth, which is never interpolated. `filter`: radius in texels.
+std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
+
+}  // namespace cuticle::shadows::deep_opacity

@@ -1,0 +1,78 @@
+// The registered method: parameters, demands, and the CPU evaluation.
+#include <chrono>
+
+#include <cuticle/shadows/deep_opacity/deep_map.h>
+#include <cuticle/shadows/method.h>
+
+namespace cuticle::shadows::deep_opacity {
+namespace {
+
+using registry::ParameterType;
+constexpr std::string_view k_spacings[] = {"equal_opacity", "geometric", "equal"};
+constexpr registry::Parameter k_parameters[] = {
+    {"layers", ParameterType::integer, "1", 1, k_most_layers, "4", {}, "layers behind the nearest fibre of a texel"},
+    k_resolution,
+    k_optical_k,
+    k_filter_texels,
+    k_filter_radius,
+    k_accumulate,
+    {"spacing", ParameterType::choice, "1", 0, 0, "equal_opacity", k_spacings,
+     "equal_opacity: layers of equal projected length of hair; geometric: growing by one ratio; equal: equally deep"},
+    {"first_layer",
+     ParameterType::real,
+     "1",
+     0,
+     1,
+     "0",
+     {},
+     "geometric: the first layer's share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond"},
+};
+constexpr std::string_view k_demands[] = {"light", "shadow_method"};
+constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"}, {"4 layers", "layers=4"}, {"8 layers", "layers=8"}};
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
+                               const registry::ParameterValues& values) {
+  CUTICLE_TRY(check(casters, receivers));
+  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
+  Transmittance result;
+  const auto start = std::chrono::steady_clock::now();
+  const Map map = build_map(*casters.groom, casters.alpha, light_axes(to_light), settings);
+  CUTICLE_ASSIGN(const float filter, filter_in_texels("deep_opacity", settings.map, double(map.view.scale.x)));
+  result.cost.build_ms = milliseconds_since(start);
+  const auto built = std::chrono::steady_clock::now();
+  result.values = look_up(map, settings, filter, receivers.points);
+  result.cost.lookup_ms = milliseconds_since(built);
+  result.cost.bytes = (map.sums.size() + map.nearest.size()) * sizeof(map.sums[0]);
+  result.cost.device = cpu_device_name();
+  return result;
+}
+
+/// Fit, nearest, histogram, layers, splat, scan, lookup; the clearing is a fill.
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
+  return 7 * shape.lights;
+}
+
+}  // namespace
+
+const Method& entry() {
+  static const Method method{{registry::EntryKind::method,
+                              "deep_opacity",
+                              "opacity in layers that follow the hair's nearest surface (deep opacity map)",
+                              "Yuksel and Keyser 2008, Deep Opacity Maps",
+                              k_parameters,
+                              k_demands,
+                              registry::Stage::shadow,
+                              {},
+                              k_cases,
+                              dispatches,
+                              0},
+                             evaluate};
+  return method;
+}
+
+}  // namespace cuticle::shadows::deep_opacity

@@ -1,0 +1,157 @@
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cuticle/shadows/deep_opacity/deep_map.h>
+#include <cuticle/shadows/method.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set,
+                          double alpha = 0.4, glm::dvec3 light = {0, 1, 0}, std::string_view name = "deep_opacity") {
+  const Method& method = **find_method(name);
+  auto values = registry::parse_assignments(method.entry.parameters, set);
+  if (!values) return values.error();
+  return method.evaluate({&groom, alpha, light}, {points, {}}, *values);
+}
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4,
+          glm::dvec3 light = {0, 1, 0}) {
+  auto result = run(groom, std::span(&point, 1), set, alpha, light);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? result->values[0] : -1;
+}
+double mean(std::span<const float> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+deep_opacity::Map map_of(const strands::Groom& groom, const std::string& set, glm::dvec3 to_light = {0, 1, 0}) {
+  const auto values = registry::parse_assignments((*find_method("deep_opacity"))->entry.parameters, set).value();
+  return deep_opacity::build_map(groom, 0.4, light_axes(unit_to_light(to_light).value()),
+                                 deep_opacity::settings_from(values).value());
+}
+/// A fibre along x at each height, 0.1 m long.
+strands::Groom pile(std::initializer_list<float> heights) {
+  strands::Groom groom;
+  for (const float y : heights) tests::add_strand(groom, {{-0.05f, y, 0}, {0.05f, y, 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, 0, -0.05f}, {0.05f, 0, -0.05f}}, 0.0001f);
+  return groom;
+}
+
+}  // namespace
+
+TEST(DeepOpacity, RandomSlab_FollowsTheExponentialLaw) {
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7);
+  const double area = 4e-5 * tests::length_per_area(groom, 0.02, -1);
+  for (const double alpha : {0.1, 0.5, 1.0}) {
+    auto result = run(groom, tests::grid_below(-0.06), "layers=8,accumulate=poisson,filter_texels=3", alpha);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(mean(result->values) / std::exp(-alpha * area), 1, 0.01);
+  }
+}
+
+TEST(DeepOpacity, HalfWayThroughASlab_HalfTheDepthCounts) {
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7);
+  const double area = 4e-5 * tests::length_per_area(groom, 0.02, 0.025);
+  for (const char* spacing : {"equal_opacity", "geometric", "equal"}) {
+    auto result = run(groom, tests::grid_below(0.025),
+                      std::string("layers=16,accumulate=poisson,filter_texels=3,spacing=") + spacing);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(mean(result->values) / std::exp(-0.4 * area), 1, 0.015) << spacing;
+  }
+}
+
+TEST(DeepOpacity, NearestFibre_IsLitAndTakesAlphaBehindIt) {
+  const strands::Groom groom = pile({0.05f});
+  EXPECT_EQ(one(groom, {0, 0.05f, 0}), 1.0f);
+  EXPECT_EQ(one(groom, {0, 0.06f, 0}), 1.0f);
+  EXPECT_NEAR(one(groom, {0, 0, 0}), 0.6, 1e-4);
+  EXPECT_EQ(one(groom, {0, 0, 0.02f}), 1.0f) << "beside the fibre";
+}
+
+TEST(DeepOpacity, BehindTheLastLayer_EveryFibreCounts) {
+  EXPECT_NEAR(one(pile({0.05f, 0.04f, 0.001f}), {0, -1, 0}, "layers=2"), 0.216, 2e-4);
+  EXPECT_NEAR(one(pile({0.05f, 0.04f, 0.001f}), {0, -1, 0}, "layers=1"), 0.216, 2e-4);
+}
+
+// What the method is for: a surface that is not square to the light. Evenly spaced slices put the front fibres and
+// those behind them into one interval; layers that start at the front do not.
+TEST(DeepOpacity, SlantedSheet_FrontIsLitWhereSlicesShadowIt) {
+  strands::Groom groom;
+  std::vector<glm::vec3> front;
+  for (int i = 0; i < 400; ++i)
+    for (int layer = 0; layer < 4; ++layer) {
+      const float z = 0.00025f * float(i - 200), y = z - 0.001f * float(layer);
+      tests::add_strand(groom, {{-0.05f, y, z}, {0, y, z}, {0.05f, y, z}}, 0.000125f);
+      if (layer == 0) front.emplace_back(0.001f, y + 0.0001f, z);
+    }
+  const auto deep = run(groom, front, "layers=4"),
+             slices = run(groom, front, "slices=4", 0.4, {0, 1, 0}, "opacity_map");
+  std::printf("front of a slanted sheet: %.3f with 4 layers, %.3f with 4 slices\n", mean(deep->values),
+              mean(slices->values));
+  EXPECT_GT(mean(deep->values), 0.87);
+  EXPECT_LT(mean(slices->values), 0.75);
+}
+
+TEST(DeepOpacity, EqualOpacity_EndsSplitTheHairEvenly) {
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7);
+  const deep_opacity::Map map = map_of(groom, "layers=4,resolution=64");
+  std::vector<double> sums(4);
+  for (std::size_t t = 0; t < map.nearest.size(); ++t)
+    for (std::size_t l = 0; l < 4; ++l) sums[l] += map.sums[4 * t + l];
+  for (std::size_t l = 0; l < 4; ++l) EXPECT_NEAR(sums[l] / sums[3], double(l + 1) / 4, 0.02) << l;
+}
+
+TEST(DeepOpacity, GeometricLayers_GrowByOneRatio) {
+  const deep_opacity::Map map = map_of(pile({0.05f, 0.04f, 0.001f}), "layers=8,spacing=geometric");
+  for (std::uint32_t l = 2; l < 8; ++l) EXPECT_NEAR(double(map.ends.end[l]) / map.ends.end[l - 1], 2, 0.05) << l;
+}
+
+TEST(DeepOpacity, TransparentOrEmpty_LetsAllThrough) {
+  EXPECT_EQ(one({}, {0, 0, 0}), 1.0f);
+  EXPECT_EQ(one(pile({0.05f}), {0, -1, 0}, "", 0), 1.0f);
+}
+
+TEST(DeepOpacity, OpaqueWideFibre_LetsNothingThrough) { EXPECT_LT(one(pile({0.05f}), {0, 0, 0}, "", 1), 1e-4f); }
+
+TEST(DeepOpacity, FlatGroom_FrontFreeAndBackShadowed) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0.05f, 0, 0}}, 0.005f);
+  EXPECT_EQ(one(groom, {0, 0, 0}, "layers=16"), 1.0f);
+  EXPECT_NEAR(one(groom, {0, -0.01f, 0}, "layers=16"), 0.6, 1e-4);
+}
+
+TEST(DeepOpacity, LightAlongTheStrands_TheDepthOfEachPieceCounts) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{0, 0.1f, 0}, {0, 0.05f, 0}, {0, 0, 0}}, 0.01f);
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0.05f, 0, 0}}, 0.0001f);
+  EXPECT_EQ(one(groom, {0, 0.1f, 0}, "layers=16"), 1.0f);
+  EXPECT_LT(one(groom, {0, -0.01f, 0}, "layers=16"), 0.7f);
+}
+
+TEST(DeepOpacity, AnyThreadCount_SameIntegers) {
+  const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  const deep_opacity::Map all = map_of(groom, "", {0.6, 0.8, 0});
+  tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const deep_opacity::Map alone = map_of(groom, "", {0.6, 0.8, 0});
+  EXPECT_EQ(alone.sums, all.sums);
+  EXPECT_EQ(alone.nearest, all.nearest);
+}
+
+TEST(DeepOpacity, BadInput_IsRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  strands::Groom broken = pile({0.05f});
+  broken.positions[1].y = nan;
+  const glm::vec3 good(0), bad(nan, 0, 0);
+  EXPECT_FALSE(run(broken, std::span(&good, 1), ""));
+  EXPECT_FALSE(run(pile({0.05f}), std::span(&bad, 1), ""));
+  EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "", 1.5));
+  EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "", 0.4, {0, 0, 0}));
+  EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "layers=17"));
+  EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "layers=16,resolution=4096,filter_radius_mm=900"));
+}
