@@ -40,7 +40,7 @@ print(f"{len(maps)} settings of the opacity map; baselines {baselines}")
 
 # %%
 resolutions = sorted({int(row["resolution"]) for row in maps})
-curves = {r: sorted((int(row["slices"]), float(row["mean_error"]), float(row["p95_error"])) for row in maps if int(row["resolution"]) == r) for r in resolutions}
+curves = {r: sorted((int(row["layers"]), float(row["mean_error"]), float(row["p95_error"])) for row in maps if int(row["resolution"]) == r) for r in resolutions}
 
 figure, axes = pyplot.subplots(figsize=(8, 4.6), layout="constrained")
 for marker, (r, curve) in zip("osD^v" * 2, curves.items()):
@@ -48,7 +48,7 @@ for marker, (r, curve) in zip("osD^v" * 2, curves.items()):
     axes.plot([p[0] for p in curve], [p[2] for p in curve], ":", color=line.get_color(), label=f"{r} x {r}, 95th percentile")
 for (name, value), style in zip(baselines.items(), ("--", "-.")):
     axes.axhline(value, color="black", linestyle=style, linewidth=1, label=f"{name}: {value:.3f}")
-slices = sorted({int(row["slices"]) for row in maps})
+slices = sorted({int(row["layers"]) for row in maps})
 axes.set(xlabel="slices", ylabel="|error| of transmittance", xscale="log", ylim=(0, None), title="Opacity map against ray-traced truth, 0.05 < T < 0.95")
 axes.set_xticks(slices, [str(s) for s in slices])
 axes.minorticks_off()

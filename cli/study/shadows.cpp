@@ -39,7 +39,7 @@ int study_shadows(const Options& options, Context& context) {
 }  // namespace
 
 void add_study_shadows(CLI::App& study, Context& context) {
-  auto* command = study.add_subcommand("shadows", "opacity-map slices and resolution against ray-traced truth");
+  auto* command = study.add_subcommand("shadows", "opacity maps and deep opacity maps, layers and resolution, against ray-traced truth");
   auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--groom", options->groom, "groom: .hair or .tfx; without it a coat of strands on a half sphere");

@@ -24,7 +24,7 @@ DemoTable table_of(const Comparison& comparison) {
 }
 
 DemoSection section_of(const Comparison& comparison) {
-  return {"Opacity-map slices against ray-traced truth",
+  return {"Opacity maps and deep opacity maps against ray-traced truth",
           fmt::format("Transmittance error over {} of {} strand vertices with 0.05 < T < 0.95; truth: {} rays over a disc of radius {:.2f} mm, noise {:.4f}. "
                       "The study's own page is study/index.html.",
                       comparison.counted, comparison.receivers, comparison.rays, 1e3 * comparison.footprint_radius, comparison.truth_standard_error),
@@ -35,7 +35,7 @@ DemoSection section_of(const Comparison& comparison) {
 }  // namespace
 
 Result<DemoSection> run_demo_study(const strands::Groom& drawn, const scene::Scene& scene, const std::string& folder, Progress& progress) {
-  DemoSection skipped{"Opacity-map slices against ray-traced truth", "", {}, {}};
+  DemoSection skipped{"Opacity maps and deep opacity maps against ray-traced truth", "", {}, {}};
   if (scene.lights.empty()) {
     skipped.text = "Not run: the scene has no light.";
     return skipped;

@@ -23,10 +23,22 @@ Result<void> set_known(Candidate& candidate, std::string_view name, const std::s
 using Numbers = std::vector<std::int64_t>;
 const Numbers k_default_only = {-1};
 
-/// The numbers to sweep, or a single -1 where the method has none of these parameters or nothing is to be swept.
-const Numbers& swept(const shadows::Method& method, const Numbers& numbers, std::initializer_list<std::string_view> names) {
-  const bool known = std::any_of(names.begin(), names.end(), [&](auto name) { return find_parameter(method, name) != nullptr; });
-  return known && !numbers.empty() ? numbers : k_default_only;
+/// The first of these parameters that the method has, or null.
+const registry::Parameter* first_of(const shadows::Method& method, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names)
+    if (const registry::Parameter* parameter = find_parameter(method, name)) return parameter;
+  return nullptr;
+}
+
+/// The numbers to sweep that the method's parameter takes; all of them, to be refused by name, where it takes none; a single
+/// -1 where the method has none of these parameters or nothing is to be swept.
+Numbers swept(const shadows::Method& method, const Numbers& numbers, std::initializer_list<std::string_view> names) {
+  const registry::Parameter* parameter = first_of(method, names);
+  if (parameter == nullptr || numbers.empty()) return k_default_only;
+  Numbers taken;
+  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(taken),
+               [&](std::int64_t n) { return double(n) >= parameter->minimum && double(n) <= parameter->maximum; });
+  return taken.empty() ? numbers : taken;
 }
 
 Result<Candidate> make_candidate(const shadows::Method& method, std::int64_t layers, std::int64_t resolution, double filter_radius) {

@@ -19,6 +19,7 @@ Json row_json(const ComparisonRow& row) {
   Json json = error_json(row.method, row.error);
   json["settings"] = row.settings;
   json.update(Json::parse(registry::to_json(row.values)));
+  if (json.contains("slices")) json["layers"] = json["slices"];
   json["build_ms"] = row.cost.build_ms;
   json["lookup_ms"] = row.cost.lookup_ms;
   json["total_ms"] = row.cost.build_ms + row.cost.lookup_ms;
@@ -44,9 +45,15 @@ std::string cell(const registry::ParameterValues& values, std::string_view name)
   return found == values.all().end() ? "" : registry::to_text(found->second);
 }
 
+/// Slices of an opacity map, layers of a deep one.
+std::string layers_of(const registry::ParameterValues& values) {
+  const std::string slices = cell(values, "slices");
+  return slices.empty() ? cell(values, "layers") : slices;
+}
+
 std::string csv_line(std::string_view method, std::string_view settings, const registry::ParameterValues& values,
                      const ErrorStatistics& error, const shadows::Cost& cost) {
-  return fmt::format("{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\"\n", method, settings, cell(values, "slices"),
+  return fmt::format("{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\"\n", method, settings, layers_of(values),
                      cell(values, "resolution"), error.mean, error.percentile_95, error.maximum, error.bias, cost.build_ms, cost.lookup_ms,
                      cost.build_ms + cost.lookup_ms, cost.bytes, cost.device);
 }
@@ -58,7 +65,7 @@ std::string to_json(const Comparison& comparison) {
   json["x"] = {{"key", "total_ms"}, {"label", "build + lookup, ms"}, {"scale", "log"}};
   json["y"] = {{"key", "mean_error"}, {"label", "mean |error| of transmittance"}, {"scale", "log"}};
   json["series"] = "resolution";
-  json["label"] = "slices";
+  json["label"] = "layers";
   json["groom"] = {{"name", comparison.groom_name}, {"strands", comparison.strands}, {"vertices", comparison.vertices},
                    {"spacing_m", comparison.spacing}};
   json["alpha"] = comparison.alpha;
@@ -73,7 +80,7 @@ std::string to_json(const Comparison& comparison) {
 }
 
 std::string to_csv(const Comparison& comparison) {
-  std::string text = "method,settings,slices,resolution,mean_error,p95_error,max_error,bias,build_ms,lookup_ms,total_ms,bytes,device\n";
+  std::string text = "method,settings,layers,resolution,mean_error,p95_error,max_error,bias,build_ms,lookup_ms,total_ms,bytes,device\n";
   text += csv_line("none", "", {}, comparison.none, {});
   text += csv_line("best constant", "", {}, comparison.best_constant, {});
   for (const ComparisonRow& row : comparison.rows) text += csv_line(row.method, row.settings, row.values, row.error, row.cost);

@@ -12,7 +12,7 @@ namespace cuticle::study {
 
 SlicesStudy quick_slices_study() {
   SlicesStudy study;
-  study.slices = {4, 16, 64};
+  study.layers = {1, 4, 16, 64};
   study.resolutions = {128, 256};
   study.request.receivers = 300;
   study.request.rays = 256;
@@ -21,10 +21,10 @@ SlicesStudy quick_slices_study() {
 
 Result<Comparison> run_slices_study(const SlicesStudy& study, Progress& progress) {
   ComparisonRequest request = study.request;
-  request.title = "Opacity-map slices and resolution against ray-traced truth";
+  request.title = "Opacity maps and deep opacity maps against ray-traced truth";
   if (request.footprint_radius <= 0) request.footprint_radius = shadows::default_footprint_radius(*request.groom);
-  const std::string methods[] = {"opacity_map"};
-  CUTICLE_ASSIGN(request.candidates, candidates_of(methods, {study.slices, study.resolutions, request.footprint_radius}));
+  const std::string methods[] = {"opacity_map", "deep_opacity"};
+  CUTICLE_ASSIGN(request.candidates, candidates_of(methods, {study.layers, study.resolutions, request.footprint_radius}));
   return compare_with_truth(request, progress);
 }
 

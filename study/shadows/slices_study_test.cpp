@@ -16,7 +16,7 @@ const Comparison& coat_comparison() {
   static const strands::Groom groom = study_coat(4000);
   static const Comparison comparison = [] {
     SlicesStudy study = quick_slices_study();
-    study.slices = {4, 16, 64};
+    study.layers = {1, 4, 16, 64};
     study.resolutions = {128};
     study.request.groom = &groom;
     study.request.groom_name = "coat";
@@ -29,9 +29,17 @@ const Comparison& coat_comparison() {
 
 TEST(SlicesStudy, MoreSlices_LessError) {
   const auto& rows = coat_comparison().rows;
-  ASSERT_EQ(rows.size(), 3u);
+  ASSERT_EQ(rows.size(), 6u) << "three of four for each method: 1 is no number of slices, 64 none of layers";
   EXPECT_LT(rows[1].error.mean, 0.5 * rows[0].error.mean);
   EXPECT_LT(rows[2].error.mean, rows[1].error.mean);
+}
+
+TEST(SlicesStudy, DeepLayers_BeatAsManySlicesAndImproveWithTheirNumber) {
+  const auto& rows = coat_comparison().rows;
+  for (int i = 0; i < 6; ++i) std::printf("%s %s: %.4f\n", rows[i].method.c_str(), rows[i].settings.c_str(), rows[i].error.mean);
+  EXPECT_LT(rows[4].error.mean, 0.5 * rows[3].error.mean) << "4 layers against 1";
+  EXPECT_LT(rows[5].error.mean, rows[4].error.mean) << "16 layers against 4";
+  EXPECT_LT(rows[4].error.mean, 0.75 * rows[0].error.mean) << "4 layers against 4 slices";
 }
 
 TEST(SlicesStudy, SixteenSlices_BeatNoneAndTheBestConstant) {
@@ -56,7 +64,7 @@ TEST(SlicesStudy, Files_HoldWhatTheReadmeSays) {
   const auto json = nlohmann::json::parse(read_text_file(folder + "/study.json").value());
   for (const char* key : {"name", "title", "x", "y", "series", "label", "groom", "alpha", "to_light", "footprint_m", "truth", "device", "baselines", "rows"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char* key : {"method", "settings", "slices", "resolution", "mean_error", "p95_error", "max_error", "bias", "total_ms", "bytes", "device"})
+  for (const char* key : {"method", "settings", "layers", "resolution", "mean_error", "p95_error", "max_error", "bias", "total_ms", "bytes", "device"})
     EXPECT_TRUE(json["rows"][0].contains(key)) << key;
   EXPECT_TRUE(std::filesystem::exists(folder + "/study.csv"));
 }
@@ -82,6 +90,9 @@ TEST(Candidates, SweptMethods_TakeWhatTheyKnow) {
   EXPECT_EQ(settings_text((*candidates)[0]), "");
   EXPECT_EQ(settings_text((*candidates)[1]), "filter_radius_mm=1,resolution=64,slices=4");
   EXPECT_FALSE(candidates_of(methods, {{1}, {}, 0}));
+  const auto fewer = candidates_of(methods, {{1, 4}, {}, 0});
+  ASSERT_TRUE(fewer);
+  EXPECT_EQ(fewer->size(), 2u) << "one is no number of slices";
   const std::string unknown[] = {"opacity"};
   EXPECT_FALSE(candidates_of(unknown, {}));
 }
