@@ -1,7 +1,9 @@
 #include <cuticle/bsdf/model.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -68,6 +70,19 @@ Result<void> check_query(const SampleQuery& query, std::size_t index) {
   return {};
 }
 
+Result<void> check_lobe(const Model& model, int lobe) {
+  if (lobe >= -1 && lobe < int(model.lobes.size())) return {};
+  return usage_error(
+      fmt::format("lobe {} of {} is outside -1 .. {}", lobe, model.entry.name, model.lobes.size() - 1));
+}
+
+Result<void> check_interval(const AzimuthInterval& interval, std::size_t index) {
+  CUTICLE_TRY(check_magnitude(coordinates[2], interval.theta_d, "interval", index));
+  if (interval.begin >= 0 && interval.begin < interval.end && interval.end <= std::numbers::pi) return {};
+  return bad_input(
+      fmt::format("interval {}: {} .. {} does not rise within 0 .. pi", index, interval.begin, interval.end));
+}
+
 /// As blocks of consecutive items on all threads.
 template <class Body>
 void in_parallel(std::size_t count, std::size_t grain, const Body& body) {
@@ -125,9 +140,7 @@ std::array<bool, coordinate_count> coordinates_of(const Model& model, const regi
 Result<void> check_request(const Model& model, const Request& request, std::size_t room) {
   CUTICLE_EXPECT(room == request.points.size(), "one result for each point");
   static_cast<void>(room);
-  if (request.lobe < -1 || request.lobe >= int(model.lobes.size()))
-    return usage_error(
-        fmt::format("lobe {} of {} is outside -1 .. {}", request.lobe, model.entry.name, model.lobes.size() - 1));
+  CUTICLE_TRY(check_lobe(model, request.lobe));
   for (std::size_t i = 0; i < request.points.size(); ++i)
     CUTICLE_TRY(check_point(request.quantity, request.points[i], i));
   return {};
@@ -151,6 +164,18 @@ Result<void> evaluate(const Model& model, const registry::ParameterValues& value
     run(values, {request.quantity, request.lobe, request.points.subspan(first, count)}, out.subspan(first, count));
   });
   return {};
+}
+
+Result<bool> azimuthal_means(const Model& model, const registry::ParameterValues& values, int lobe,
+                             std::span<const AzimuthInterval> intervals, std::span<AzimuthMean> out) {
+  if (!model.azimuthal_means) return false;
+  CUTICLE_TRY(check_lobe(model, lobe));
+  for (std::size_t i = 0; i < intervals.size(); ++i) CUTICLE_TRY(check_interval(intervals[i], i));
+  std::atomic<bool> all = true;
+  in_parallel(out.size(), 1024, [&](std::size_t first, std::size_t count) {
+    if (!model.azimuthal_means(values, lobe, intervals.subspan(first, count), out.subspan(first, count))) all = false;
+  });
+  return all.load();
 }
 
 Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,

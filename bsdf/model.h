@@ -53,6 +53,15 @@ struct Sample {
   int lobe = -1;
 };
 
+/// Azimuths from `begin` to `end` (radians, 0 <= begin < end <= pi) at one theta_d, and the mean of N over them.
+struct AzimuthInterval {
+  double theta_d = 0, begin = 0, end = 0;
+};
+struct AzimuthMean {
+  glm::dvec3 value{0};
+  bool singular = false;  ///< N is infinite somewhere between the two
+};
+
 /// A check of `cuticle check model` that this model does not meet by its nature, and why.
 struct Exception {
   std::string_view check, why;
@@ -85,6 +94,10 @@ struct Model {
   /// A physical fibre in this model's parameters, with the mapping in words; null: it has none.
   FibreMapping (*from_fibre)(const Fibre&) = nullptr;
   std::span<const Exception> exceptions = {};
+  /// Means of N of a lobe over intervals without a quadrature through its peaks; false where these values have none
+  /// such; null: never. Neighbours in the list that share an end are found faster.
+  bool (*azimuthal_means)(const registry::ParameterValues&, int lobe, std::span<const AzimuthInterval>,
+                          std::span<AzimuthMean> out) = nullptr;
 };
 
 /// All registered models, and one by name (Error: usage, with the nearest name).
@@ -114,6 +127,11 @@ Result<void> check_queries(std::span<const SampleQuery> queries, std::size_t roo
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.
 Result<void> evaluate(const Model& model, const registry::ParameterValues& values, Precision precision,
                       const Request& request, std::span<glm::dvec3> out);
+
+/// The model's own means of N (Model::azimuthal_means) in double with all threads; false where it has none for these
+/// values. Errors: usage for a lobe that the model lacks; bad_input, naming interval, value and range.
+Result<bool> azimuthal_means(const Model& model, const registry::ParameterValues& values, int lobe,
+                             std::span<const AzimuthInterval> intervals, std::span<AzimuthMean> out);
 
 /// Draws directions on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: usage, where
 /// the model has no sampler; as check_queries.

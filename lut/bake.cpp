@@ -96,7 +96,11 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
   const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
     return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
   };
-  return {&model, evaluate, evaluate, average_fibre(model, values)};
+  const AzimuthalMeans means = [&model, values](int lobe, std::span<const bsdf::AzimuthInterval> intervals,
+                                                std::span<bsdf::AzimuthMean> out) {
+    return bsdf::azimuthal_means(model, values, lobe, intervals, out);
+  };
+  return {&model, evaluate, evaluate, average_fibre(model, values), means};
 }
 
 bool same_lobes(const Channel& a, const Channel& b) {

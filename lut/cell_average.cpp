@@ -127,6 +127,32 @@ class Averager {
   PhiAverages result_;
 };
 
+/// Adds the model's own means of one lobe; false where it has none.
+Result<bool> add_means(const Source& source, int lobe, std::span<const PhiInterval> intervals, PhiAverages& sum) {
+  std::vector<bsdf::AzimuthMean> means(intervals.size());
+  CUTICLE_ASSIGN(const bool exact, source.azimuthal_means(lobe, intervals, means));
+  if (!exact) return false;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    sum.values[i] += means[i].value;
+    sum.singular[i] |= std::uint8_t(means[i].singular);
+  }
+  return true;
+}
+
+/// The model's own means, summed over the channel's lobes; empty where it has none.
+Result<PhiAverages> exact_averages(const Source& source, const Channel& channel,
+                                   std::span<const PhiInterval> intervals) {
+  if (!source.azimuthal_means) return PhiAverages{};
+  CUTICLE_ASSIGN(const std::vector<int> lobes, find_lobes(*source.model, channel.lobe));
+  PhiAverages sum{std::vector<glm::dvec3>(intervals.size(), glm::dvec3(0)),
+                  std::vector<std::uint8_t>(intervals.size(), 0)};
+  for (int lobe : lobes) {
+    CUTICLE_ASSIGN(const bool exact, add_means(source, lobe, intervals, sum));
+    if (!exact) return PhiAverages{};
+  }
+  return sum;
+}
+
 }  // namespace
 
 PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, double u_end, double v) {
@@ -137,6 +163,8 @@ PhiInterval phi_interval(const TableLayout& table, int size, double u_begin, dou
 
 Result<PhiAverages> average_over_phi(const Source& source, const Channel& channel,
                                      std::span<const PhiInterval> intervals) {
+  CUTICLE_ASSIGN(PhiAverages exact, exact_averages(source, channel, intervals));
+  if (exact.values.size() == intervals.size()) return exact;
   return Averager(source, channel, intervals).run();
 }
 

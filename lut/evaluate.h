@@ -14,6 +14,10 @@ using Evaluate = std::function<Result<void>(const bsdf::Request&, std::span<glm:
 using AverageFibre = std::function<Result<bsdf::DualScatteringRow>(double theta_o)>;
 AverageFibre average_fibre(const bsdf::Model& model, const registry::ParameterValues& values);
 
+/// The model's own means of N over azimuths (bsdf::azimuthal_means); false where it has none.
+using AzimuthalMeans =
+    std::function<Result<bool>(int lobe, std::span<const bsdf::AzimuthInterval>, std::span<bsdf::AzimuthMean>)>;
+
 /// A source of values. Float azimuths cannot resolve a caustic, so what is left of it after eight halvings of a cell is
 /// evaluated in double.
 struct Source {
@@ -21,6 +25,7 @@ struct Source {
   Evaluate evaluate;
   Evaluate evaluate_in_double;
   AverageFibre average = {};  ///< for the channels that need it
+  AzimuthalMeans azimuthal_means = {};  ///< empty: none
 };
 /// The CPU in double.
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values);

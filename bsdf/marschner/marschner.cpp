@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/core/real.h>
+#include <cuticle/bsdf/marschner/azimuthal_mean.glslh>
 #include <cuticle/bsdf/marschner/marschner.glslh>
 
 namespace cuticle::bsdf::marschner {
@@ -121,6 +123,55 @@ struct Formulas {
   }
 };
 
+/// Means over intervals of one theta_d after another; what two neighbours share is found once.
+class AzimuthalMeans {
+ public:
+  AzimuthalMeans(const Marschner<double>& m, int lobe) : m_(m), lobe_(lobe) {}
+  AzimuthMean of(const AzimuthInterval& interval) {
+    set_theta_d(interval.theta_d);
+    const bool singular = is_singular_between(caustic_, lobe_, interval.begin, interval.end);
+    if (lobe_ != 2) return {mean_smooth(refraction_, lobe_, interval.begin, interval.end), singular};
+    const TrtRoots<double> begin = roots_at(interval.begin), end = roots_at(interval.end);
+    edges_ = {{{interval.begin, begin}, {interval.end, end}}};
+    return {mean_trt(refraction_, caustic_, begin, end, interval.end - interval.begin), singular};
+  }
+
+ private:
+  struct Edge {
+    double phi = -1;
+    TrtRoots<double> roots{};
+  };
+  void set_theta_d(double theta_d) {
+    if (theta_d == theta_d_) return;
+    theta_d_ = theta_d;
+    refraction_ = refraction_at(m_, theta_d);
+    caustic_ = make_caustic(refraction_);
+    edges_ = {};
+  }
+  TrtRoots<double> roots_at(double phi) const {
+    for (const Edge& edge : edges_)
+      if (edge.phi == phi) return edge.roots;
+    return trt_roots(refraction_, caustic_, phi);
+  }
+
+  const Marschner<double>& m_;
+  int lobe_;
+  double theta_d_ = std::numeric_limits<double>::quiet_NaN();
+  Refraction<double> refraction_{};
+  Caustic<double> caustic_{};
+  std::array<Edge, 2> edges_{};
+};
+
+bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::span<const AzimuthInterval> intervals,
+                     std::span<AzimuthMean> out) {
+  const Marschner<double> m = make(values);
+  if (!has_exact_means(m) || lobe < 0) return false;
+  AzimuthalMeans means(m, lobe);
+  std::transform(intervals.begin(), intervals.end(), out.begin(),
+                 [&](const AzimuthInterval& interval) { return means.of(interval); });
+  return true;
+}
+
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta = std::clamp(fibre.longitudinal_deviation, 1e-3, 1.0);
   const double alpha = std::clamp(-fibre.scale_tilt, -0.17453292519943295, 0.0);
@@ -171,7 +222,8 @@ const Model& entry() {
       .pack = pack_floats<Formulas>,
       .presets = presets,
       .from_fibre = from_fibre,
-      .exceptions = exceptions};
+      .exceptions = exceptions,
+      .azimuthal_means = azimuthal_means};
   return model;
 }
 
