@@ -175,6 +175,10 @@ class Commands {
   void fill(const Buffer& buffer, std::uint32_t value);
   void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0,
             std::size_t to_offset = 0);
+  /// Texels of the texture's own format, in tightly packed rows, from a buffer; the offset a multiple of a texel.
+  void copy(const Buffer& from, const Texture& to, std::size_t from_offset = 0);
+  /// Bytes kept with the commands until they run: at most 65,536, a multiple of 4, as is the offset.
+  void write(const Buffer& to, std::span<const std::byte> data, std::size_t offset = 0);
   /// Rendering to these targets until end_rendering. A multisampled color target resolves into `resolve` (may be null).
   struct Target {
     const Texture* color = nullptr;
@@ -202,6 +206,24 @@ struct SubmitCost {
   std::vector<PassCost> passes;
 };
 
+/// Work that was started and may still run; what it uses stays alive. Move-only; waits when it is destroyed.
+class Running {
+ public:
+  Running(Running&&) noexcept;
+  Running& operator=(Running&&) noexcept;
+  ~Running();
+  /// Whether the work has ended; does not wait.
+  bool is_done() const;
+  /// Waits, then says what the work cost; wall_ms runs until this call. Once only. Errors: as Device::submit.
+  Result<SubmitCost> finish();
+  struct Impl;
+
+ private:
+  friend class Device;
+  explicit Running(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
 class Device : public std::enable_shared_from_this<Device> {
  public:
   /// Error: no_device, saying what was found and what to install or choose.
@@ -226,6 +248,9 @@ class Device : public std::enable_shared_from_this<Device> {
   Commands record();
   /// Runs the work and waits. Error: internal on a validation message, no_device when the device was lost.
   Result<SubmitCost> submit(Commands commands, Trace* trace = nullptr);
+  /// Starts the work and returns at once. What is submitted later runs after it. Error: as submit, but for what only
+  /// the end of the work shows.
+  Result<Running> start(Commands commands);
 
   /// Bytes of buffers and textures alive now, and the most there have been.
   std::size_t allocated_bytes() const;

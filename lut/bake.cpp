@@ -59,6 +59,24 @@ void store(Table& table, int channel, const LobeGrid& grid) {
   }
 }
 
+}  // namespace
+
+Result<void> check_size(int size) {
+  if (size >= k_smallest && size <= k_largest) return {};
+  return usage_error(fmt::format("size: {} is outside {} .. {}", size, k_smallest, k_largest), "--size 128");
+}
+
+Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values) {
+  const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
+    return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
+  };
+  const AzimuthalMeans means = [&model, values](int lobe, std::span<const bsdf::AzimuthInterval> intervals,
+                                                std::span<bsdf::AzimuthMean> out) {
+    return bsdf::azimuthal_means(model, values, lobe, intervals, out);
+  };
+  return {&model, evaluate, evaluate, average_fibre(model, values), means};
+}
+
 Table empty_table(const TableLayout& layout, int size) {
   Table table;
   table.layout = &layout;
@@ -83,24 +101,6 @@ Result<Table> bake_table(const Source& source, const TableLayout& layout, int si
     store(table, c, grid);
   }
   return table;
-}
-
-}  // namespace
-
-Result<void> check_size(int size) {
-  if (size >= k_smallest && size <= k_largest) return {};
-  return usage_error(fmt::format("size: {} is outside {} .. {}", size, k_smallest, k_largest), "--size 128");
-}
-
-Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values) {
-  const Evaluate evaluate = [&model, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
-    return bsdf::evaluate(model, values, bsdf::Precision::f64, request, out);
-  };
-  const AzimuthalMeans means = [&model, values](int lobe, std::span<const bsdf::AzimuthInterval> intervals,
-                                                std::span<bsdf::AzimuthMean> out) {
-    return bsdf::azimuthal_means(model, values, lobe, intervals, out);
-  };
-  return {&model, evaluate, evaluate, average_fibre(model, values), means};
 }
 
 bool same_lobes(const Channel& a, const Channel& b) {

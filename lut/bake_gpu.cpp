@@ -1,21 +1,44 @@
 #include <cuticle/lut/bake_gpu.h>
 
+#include <bit>
 #include <chrono>
 
-#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/lut/bake_kernel_gpu.h>
 #include <cuticle/lut/evaluate.h>
 
 namespace cuticle::lut {
 namespace {
 
-Result<Source> device_source(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(bsdf::GpuEvaluator made, bsdf::GpuEvaluator::make(device, model));
-  const auto evaluator = std::make_shared<bsdf::GpuEvaluator>(std::move(made));
-  return Source{&model,
-                [evaluator, values](const bsdf::Request& request, std::span<glm::dvec3> out) {
-                  return evaluator->evaluate(values, request, out);
-                },
-                cpu_source(model, values).evaluate, average_fibre(model, values)};
+/// The next table's texels: four floats and a flag each.
+void take_texels(Table& table, std::span<const std::uint32_t> words, std::size_t& at) {
+  const std::size_t channels = table.scale.size();
+  for (std::size_t i = 0; i < table.singular.size(); ++i, at += 5) {
+    for (std::size_t c = 0; c < channels; ++c)
+      table.image.pixels[i * channels + c] = std::bit_cast<float>(words[at + c]);
+    table.singular[i] = std::uint8_t(words[at + 4]);
+  }
+}
+
+/// The tables that the device makes, filled from its buffer.
+Result<void> fill_on_device(gpu::Device& device, TableSet& set) {
+  std::vector<const TableLayout*> layouts;
+  for (const Table& table : set.tables)
+    if (is_baked_on_device(*table.layout)) layouts.push_back(table.layout);
+  if (layouts.empty()) return {};
+  CUTICLE_ASSIGN(const BakeKernel kernel,
+                 BakeKernel::make(device, *set.model, layouts, set.size, TexelWords::floats_and_flag));
+  CUTICLE_ASSIGN(const gpu::Buffer texels, device.make_buffer(kernel.bytes()));
+  gpu::Commands commands = device.record();
+  commands.begin_pass("bake tables");
+  kernel.record(commands, set.values, texels);
+  commands.end_pass();
+  CUTICLE_TRY(device.submit(std::move(commands)));
+  CUTICLE_ASSIGN(const std::vector<std::uint32_t> words,
+                 gpu::read_buffer<std::uint32_t>(device, texels, kernel.bytes() / 4));
+  std::size_t at = 0;
+  for (Table& table : set.tables)
+    if (is_baked_on_device(*table.layout)) take_texels(table, words, at);
+  return {};
 }
 
 /// Four floats a texel, values with their scale applied, missing channels 0.
@@ -34,8 +57,21 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
                           const Layout& layout, int size) {
   CUTICLE_TRY(check_size(size));
   const auto start = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(const Source source, device_source(device, model, values));
-  CUTICLE_ASSIGN(TableSet set, bake_from(source, values, layout, size, silent_progress()));
+  const Source source = cpu_source(model, values);
+  TableSet set;
+  set.layout = &layout;
+  set.model = &model;
+  set.values = values;
+  set.size = size;
+  for (const TableLayout& table : layout.tables) {
+    if (is_baked_on_device(table)) {
+      set.tables.push_back(empty_table(table, size));
+    } else {
+      CUTICLE_ASSIGN(set.tables.emplace_back(), bake_table(source, table, size));
+    }
+  }
+  CUTICLE_TRY(fill_on_device(device, set));
+  if (layout.solve) CUTICLE_TRY(layout.solve(source, set, silent_progress()));
   set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   set.baked_on = device.info().name;
   return set;

@@ -5,8 +5,8 @@
 
 namespace cuticle::lut {
 
-/// As `bake`, in float on the device; what the device's azimuths cannot resolve next to a caustic is evaluated in
-/// double. Agrees with `bake` to half precision (lut_gpu_test).
+/// As `bake`, in float on the device; tables with channels of the average fibre or of a solver are made on the CPU.
+/// Agrees with `bake` to half precision (lut_gpu_test).
 Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values,
                           const Layout& layout, int size);
 /// Tables as rgba16f textures (missing channels 0), in the order of the layout, sampled bilinearly and clamped.

@@ -24,7 +24,7 @@ struct Source {
   const bsdf::Model* model = nullptr;
   Evaluate evaluate;
   Evaluate evaluate_in_double;
-  AverageFibre average = {};  ///< for the channels that need it
+  AverageFibre average = {};            ///< for the channels that need it
   AzimuthalMeans azimuthal_means = {};  ///< empty: none
 };
 /// The CPU in double.
@@ -50,6 +50,10 @@ Result<std::vector<glm::dvec3>> channel_values(const Source& source, const Chann
 
 /// Error: usage for a size outside 16 .. 1024.
 Result<void> check_size(int size);
+/// A table of one size before it is baked: all 0, scales of 1.
+Table empty_table(const TableLayout& layout, int size);
+/// One table; solved channels stay 0.
+Result<Table> bake_table(const Source& source, const TableLayout& layout, int size);
 /// `bake` from any source; bake_ms and baked_on are left to the caller.
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
                            int size, Progress& progress);

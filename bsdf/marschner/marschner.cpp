@@ -6,7 +6,6 @@
 
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/core/real.h>
-#include <cuticle/bsdf/marschner/azimuthal_mean.glslh>
 #include <cuticle/bsdf/marschner/marschner.glslh>
 
 namespace cuticle::bsdf::marschner {

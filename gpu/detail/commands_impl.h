@@ -1,5 +1,6 @@
 #pragma once
 // Private to gpu/ (not installed): a submission being recorded.
+#include <chrono>
 #include <optional>
 
 #include <cuticle/gpu/detail/pipeline.h>
@@ -18,6 +19,18 @@ struct Commands::Impl {
   std::optional<Error> error;  ///< the first misuse; submit returns it
 
   Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl();
+};
+
+struct Running::Impl {
+  Commands commands;
+  VkFence fence = VK_NULL_HANDLE;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::vector<std::pair<double, double>> times;  ///< of the passes, once finished
+
+  explicit Impl(Commands work) : commands(std::move(work)) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl();

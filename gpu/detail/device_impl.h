@@ -60,6 +60,8 @@ void release_staging(Device::Impl& device);
 /// Records with `work`, runs and waits.
 using Recording = std::function<void(VkCommandBuffer)>;
 Result<void> run_now(Device::Impl& device, const Recording& work);
+/// Submits a finished command buffer; the fence, which is the caller's, shows its end.
+Result<VkFence> submit_work(Device::Impl& device, VkCommandBuffer commands);
 /// Submits a finished command buffer and waits for it.
 Result<void> submit_and_wait(Device::Impl& device, VkCommandBuffer commands);
 /// Everything before it is done and seen by everything after it, the host included.

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <cuticle/gpu/detail/commands_impl.h>
+#include <cuticle/gpu/detail/texels.h>
 
 namespace cuticle::gpu {
 namespace {
+
+constexpr std::size_t k_most_inline_bytes = 65536;  // of vkCmdUpdateBuffer
 
 // May an operation be recorded now? Keeps an error for submit if not.
 bool open_for_work(Commands::Impl& commands, std::string_view what) {
@@ -140,6 +143,38 @@ void Commands::copy(const Buffer& from, const Buffer& to, std::size_t bytes, std
   full_barrier(device, impl_->buffer);
   const VkBufferCopy region{from_offset, to_offset, bytes};
   device.vk.vkCmdCopyBuffer(impl_->buffer, source->handle, target->handle, 1, &region);
+}
+
+void Commands::copy(const Buffer& from, const Texture& to, std::size_t from_offset) {
+  if (!open_for_work(*impl_, "copy")) return;
+  const auto source = object_of(*impl_, &from);
+  const auto target = object_of(*impl_, &to);
+  if (!source || !target) return;
+  const TextureDescription& description = target->description;
+  const glm::ivec2 size = description.size;
+  const std::size_t texel = bytes_per_texel(description.format);
+  if (!copy_fits(*impl_, source->size, from_offset, texel * std::size_t(size.x) * std::size_t(size.y))) return;
+  if (from_offset % texel != 0 || description.samples > 1)
+    return fail(*impl_, internal_error("gpu: texels copied from between two texels, or to a multisampled texture"));
+  VkBufferImageCopy region{};
+  region.bufferOffset = from_offset;
+  region.imageSubresource = {aspect_of(description.format), 0, 0, 1};
+  region.imageExtent = {std::uint32_t(size.x), std::uint32_t(size.y), 1};
+  Device::Impl& device = *impl_->device->impl();
+  full_barrier(device, impl_->buffer);
+  device.vk.vkCmdCopyBufferToImage(impl_->buffer, source->handle, target->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+}
+
+void Commands::write(const Buffer& to, std::span<const std::byte> data, std::size_t offset) {
+  if (!open_for_work(*impl_, "write") || data.empty()) return;
+  const auto target = object_of(*impl_, &to);
+  if (!target || !copy_fits(*impl_, target->size, offset, data.size())) return;
+  if (data.size() > k_most_inline_bytes || data.size() % 4 != 0 || offset % 4 != 0)
+    return fail(*impl_, internal_error(fmt::format("gpu: {} bytes written at {}: at most {}, in multiples of 4",
+                                                   data.size(), offset, k_most_inline_bytes)));
+  Device::Impl& device = *impl_->device->impl();
+  full_barrier(device, impl_->buffer);
+  device.vk.vkCmdUpdateBuffer(impl_->buffer, target->handle, offset, data.size(), data.data());
 }
 
 }  // namespace cuticle::gpu

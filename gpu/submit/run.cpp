@@ -11,8 +11,7 @@ Result<void> submit_with_fence(Device::Impl& device, VkCommandBuffer commands, V
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
   submit.commandBufferInfoCount = 1;
   submit.pCommandBufferInfos = &buffer;
-  CUTICLE_TRY(checked(device.vk.vkQueueSubmit2(device.queue, 1, &submit, fence), "vkQueueSubmit2"));
-  return checked(device.vk.vkWaitForFences(device.device, 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+  return checked(device.vk.vkQueueSubmit2(device.queue, 1, &submit, fence), "vkQueueSubmit2");
 }
 
 Result<void> record_and_run(Device::Impl& device, VkCommandPool pool, const Recording& work) {
@@ -36,12 +35,21 @@ Result<void> record_and_run(Device::Impl& device, VkCommandPool pool, const Reco
 
 }  // namespace
 
-Result<void> submit_and_wait(Device::Impl& device, VkCommandBuffer commands) {
+Result<VkFence> submit_work(Device::Impl& device, VkCommandBuffer commands) {
   VkFenceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   VkFence fence = VK_NULL_HANDLE;
   CUTICLE_TRY(checked(device.vk.vkCreateFence(device.device, &info, nullptr, &fence), "vkCreateFence"));
-  Result<void> done = submit_with_fence(device, commands, fence);
+  const Result<void> submitted = submit_with_fence(device, commands, fence);
+  if (submitted) return fence;
+  device.vk.vkDestroyFence(device.device, fence, nullptr);
+  return submitted.error();
+}
+
+Result<void> submit_and_wait(Device::Impl& device, VkCommandBuffer commands) {
+  CUTICLE_ASSIGN(const VkFence fence, submit_work(device, commands));
+  Result<void> done =
+      checked(device.vk.vkWaitForFences(device.device, 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
   device.vk.vkDestroyFence(device.device, fence, nullptr);
   return done;
 }

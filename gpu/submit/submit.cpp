@@ -1,5 +1,3 @@
-#include <chrono>
-
 #include <fmt/format.h>
 
 #include <cuticle/gpu/detail/commands_impl.h>
@@ -22,12 +20,9 @@ Result<void> check_validation(Device::Impl& device) {
       fmt::format("Vulkan validation, {} messages, the first: {}", messages.size(), messages.front()));
 }
 
-Result<double> run_timed(Device::Impl& device, Commands::Impl& commands) {
+Result<void> close(Device::Impl& device, Commands::Impl& commands) {
   full_barrier(device, commands.buffer);
-  CUTICLE_TRY(checked(device.vk.vkEndCommandBuffer(commands.buffer), "vkEndCommandBuffer"));
-  const auto begin = std::chrono::steady_clock::now();
-  CUTICLE_TRY(submit_and_wait(device, commands.buffer));
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return checked(device.vk.vkEndCommandBuffer(commands.buffer), "vkEndCommandBuffer");
 }
 
 // The device's clock has its own origin: its first pass is laid at the moment of the submission.
@@ -48,16 +43,49 @@ Commands Device::record() {
   return Commands(std::move(impl));
 }
 
+Result<Running> Device::start(Commands commands) {
+  CUTICLE_TRY(check_closed(this, *commands.impl()));
+  CUTICLE_TRY(close(*impl_, *commands.impl()));
+  auto running = std::make_unique<Running::Impl>(std::move(commands));
+  CUTICLE_ASSIGN(running->fence, submit_work(*impl_, running->commands.impl()->buffer));
+  return Running(std::move(running));
+}
+
 Result<SubmitCost> Device::submit(Commands commands, Trace* trace) {
-  Commands::Impl& work = *commands.impl();
-  CUTICLE_TRY(check_closed(this, work));
   const ScopedSpan span(trace, "submit");
   const double submitted_us = trace ? trace->now_us() : 0;
-  CUTICLE_ASSIGN(const double wall_ms, run_timed(*impl_, work));
-  CUTICLE_TRY(check_validation(*impl_));
-  const auto times = read_timestamps(work);
-  if (trace) trace_passes(*trace, work, times, submitted_us);
-  return SubmitCost{wall_ms, work.passes};
+  CUTICLE_ASSIGN(Running running, start(std::move(commands)));
+  CUTICLE_ASSIGN(SubmitCost cost, running.finish());
+  if (trace) trace_passes(*trace, *running.impl_->commands.impl(), running.impl_->times, submitted_us);
+  return cost;
+}
+
+Running::Impl::~Impl() {
+  if (fence == VK_NULL_HANDLE) return;
+  Device::Impl& device = *commands.impl()->device->impl();
+  device.vk.vkWaitForFences(device.device, 1, &fence, VK_TRUE, UINT64_MAX);
+  device.vk.vkDestroyFence(device.device, fence, nullptr);
+}
+
+Running::Running(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Running::Running(Running&&) noexcept = default;
+Running& Running::operator=(Running&&) noexcept = default;
+Running::~Running() = default;
+
+bool Running::is_done() const {
+  Device::Impl& device = *impl_->commands.impl()->device->impl();
+  return device.vk.vkGetFenceStatus(device.device, impl_->fence) != VK_NOT_READY;
+}
+
+Result<SubmitCost> Running::finish() {
+  Commands::Impl& work = *impl_->commands.impl();
+  Device::Impl& device = *work.device->impl();
+  CUTICLE_TRY(
+      checked(device.vk.vkWaitForFences(device.device, 1, &impl_->fence, VK_TRUE, UINT64_MAX), "vkWaitForFences"));
+  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - impl_->begin;
+  CUTICLE_TRY(check_validation(device));
+  impl_->times = read_timestamps(work);
+  return SubmitCost{wall.count(), work.passes};
 }
 
 }  // namespace cuticle::gpu

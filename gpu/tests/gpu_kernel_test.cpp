@@ -97,6 +97,60 @@ TEST(GpuKernel, ManyDispatches_FitOneSubmission) {
   EXPECT_EQ(cost.passes[199].name, "pass 199");
 }
 
+TEST(GpuKernel, StartedWork_EndsByItselfAndSaysWhatItCost) {
+  Device& device = shared_device();
+  const Buffer a = must(make_buffer_from<float>(device, ramp(100))), b = must(device.make_buffer(a.size()));
+  Commands commands = device.record();
+  commands.begin_pass("scale");
+  scale(commands, scale_kernel(), a, b, 2);
+  commands.end_pass();
+  Running running = must(device.start(std::move(commands)));
+  while (!running.is_done()) {
+  }
+  const SubmitCost cost = must(running.finish());
+  EXPECT_EQ(cost.passes[0].dispatches, 1u);
+  EXPECT_GT(cost.wall_ms, 0);
+  EXPECT_EQ(must(read_buffer<float>(device, b, 100))[99], 200.0f);
+}
+
+TEST(GpuKernel, StartedWork_IsSeenByWhatIsSubmittedLater) {
+  Device& device = shared_device();
+  const Buffer a = must(make_buffer_from<float>(device, ramp(100000))), b = must(device.make_buffer(a.size())),
+               c = must(device.make_buffer(a.size()));
+  const Kernel kernel = scale_kernel();
+  Commands first = device.record(), second = device.record();
+  for (int k = 0; k < 20; ++k) scale(first, kernel, a, b, 2);
+  scale(second, kernel, b, c, 3);
+  const Running running = must(device.start(std::move(first)));
+  must(device.submit(std::move(second)));
+  EXPECT_EQ(must(read_buffer<float>(device, c, 100))[99], 600.0f);
+}
+
+TEST(GpuKernel, WrittenBytes_ReachTheKernelWithTheCommands) {
+  Device& device = shared_device();
+  const Buffer a = must(make_buffer_from<float>(device, ramp(64))), b = must(device.make_buffer(a.size()));
+  Commands commands = device.record();
+  {
+    const std::vector<float> inserted = {50, 60};
+    commands.write(a, std::as_bytes(std::span(inserted)), 4);
+  }
+  scale(commands, scale_kernel(), a, b, 1);
+  must(device.submit(std::move(commands)));
+  const auto result = must(read_buffer<float>(device, b, 64));
+  EXPECT_EQ((std::vector(result.begin(), result.begin() + 4)), (std::vector<float>{1, 50, 60, 4}));
+}
+
+TEST(GpuKernel, WriteThatDoesNotFit_IsRefusedAtSubmit) {
+  Device& device = shared_device();
+  const Buffer small = must(device.make_buffer(8)), large = must(device.make_buffer(1 << 20));
+  const std::vector<float> data(20000);
+  Commands beyond = device.record(), too_much = device.record();
+  beyond.write(small, std::as_bytes(std::span(data)).first(4000));
+  too_much.write(large, std::as_bytes(std::span(data)));
+  EXPECT_FALSE(device.submit(std::move(beyond)).ok());
+  EXPECT_FALSE(device.submit(std::move(too_much)).ok());
+}
+
 TEST(GpuCost, Passes_CountTheirDispatchesAndTime) {
   Device& device = shared_device();
   const Buffer a = must(device.make_buffer(1 << 22)), b = must(device.make_buffer(1 << 22));

@@ -67,6 +67,30 @@ double largest_error(const Texture& texture) {
 }
 
 // Vulkan promises only 8 bits of the weights (here 4 blends of values up to 1).
+TEST(GpuTexture, TexelsCopiedFromABuffer_AreThere) {
+  Device& device = shared_device();
+  std::vector<float> data(3 + std::size_t(k_width * k_height) * 4 + 1, 0.0f);
+  const std::vector<float> texels = pattern(4);
+  std::copy(texels.begin(), texels.end(), data.begin() + 4);
+  const Buffer buffer = must(make_buffer_from<float>(device, data));
+  const Texture texture = must(device.make_texture({.size = {k_width, k_height}, .format = TextureFormat::rgba32f}));
+  Commands commands = device.record();
+  commands.copy(buffer, texture, 16);
+  must(device.submit(std::move(commands)));
+  EXPECT_EQ(must(device.download(texture)), texels);
+}
+
+TEST(GpuTexture, TexelsThatABufferDoesNotHold_AreRefusedAtSubmit) {
+  Device& device = shared_device();
+  const Buffer buffer = must(device.make_buffer(std::size_t(k_width * k_height) * 16));
+  const Texture texture = must(device.make_texture({.size = {k_width, k_height}, .format = TextureFormat::rgba32f}));
+  for (std::size_t offset : {16, 4}) {
+    Commands commands = device.record();
+    commands.copy(buffer, texture, offset);
+    EXPECT_FALSE(device.submit(std::move(commands)).ok()) << offset;
+  }
+}
+
 TEST(GpuTexture, LinearSamples_AreBilinearClampedToTheEdge) {
   EXPECT_LT(largest_error(patterned(TextureFormat::rgba32f, Filter::linear, 4)), 0.01);
 }

@@ -12,14 +12,18 @@ namespace {
 
 class Lines : public GpuPass {
  public:
-  Lines(std::shared_ptr<gpu::Device> device, gpu::GraphicsPipeline pipeline, gpu::Buffer frame_buffer,
-        const Frame& frame)
-      : device_(std::move(device)),
-        pipeline_(std::move(pipeline)),
-        frame_buffer_(std::move(frame_buffer)),
-        frame_(frame) {}
+  Lines(std::shared_ptr<gpu::Device> device, gpu::GraphicsPipeline pipeline, gpu::Buffer frame_buffer)
+      : device_(std::move(device)), pipeline_(std::move(pipeline)), frame_buffer_(std::move(frame_buffer)) {}
+
+  /// Before the first frame, and wherever the tables' parameters have changed since (lut::LiveTables).
+  Result<void> take_tables(const FrameResources& resources) {
+    CUTICLE_ASSIGN(frame_, constant_part(resources, parameters_of(resources, entry())));
+    if (resources.table_set) values_ = resources.table_set->values;
+    return {};
+  }
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    if (resources.table_set && resources.table_set->values != values_) CUTICLE_TRY(take_tables(resources));
     set_view(frame_, resources);
     CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
     gather_transmittance(commands, resources);
@@ -56,13 +60,13 @@ class Lines : public GpuPass {
   std::shared_ptr<gpu::Device> device_;
   gpu::GraphicsPipeline pipeline_;
   gpu::Buffer frame_buffer_, transmittance_;
-  gpu::Texture no_table_;  ///< bound where the scene has no light, so that nothing is looked up
-  Frame frame_;
+  gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
+  registry::ParameterValues values_;  ///< of the tables that frame_ was made for
+  Frame frame_{};
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   const registry::ParameterValues parameters = parameters_of(resources, entry());
-  CUTICLE_ASSIGN(const Frame frame, constant_part(resources, parameters));
   gpu::GraphicsDescription description = target_description(resources);
   description.vertex_spirv = lines_vert;
   description.fragment_spirv = lines_frag;
@@ -72,7 +76,8 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.line_width = line_width(resources, parameters);
   CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   CUTICLE_ASSIGN(gpu::Buffer frame_buffer, device->make_buffer(sizeof(Frame)));
-  auto pass = std::make_unique<Lines>(device, std::move(pipeline), std::move(frame_buffer), frame);
+  auto pass = std::make_unique<Lines>(device, std::move(pipeline), std::move(frame_buffer));
+  CUTICLE_TRY(pass->take_tables(resources));
   CUTICLE_TRY(pass->make_buffers(resources));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }

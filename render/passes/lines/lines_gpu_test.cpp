@@ -2,12 +2,14 @@
 // from the model itself in double, from the angles; the pass has half-float tables and dot products.
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/lut/live_tables_gpu.h>
 #include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 
@@ -23,15 +25,23 @@ std::shared_ptr<gpu::Device> device() {
   return opened ? *opened : nullptr;
 }
 
+const bsdf::Model& model() { return **bsdf::find_model("marschner"); }
+registry::ParameterValues material(std::string_view text) {
+  return *registry::parse_assignments(model().entry.parameters, text);
+}
+constexpr std::string_view k_material = "sigma_a=0.2/0.4/0.8,beta=0.25,alpha=-0.1";
+const lut::Layout& layout() { return **lut::find_layout("nalu"); }
+
 const lut::TableSet& tables() {
-  static const lut::TableSet set = [] {
-    const bsdf::Model* model = *bsdf::find_model("marschner");
-    const auto values =
-        registry::parse_assignments(model->entry.parameters, "sigma_a=0.2/0.4/0.8,beta=0.25,alpha=-0.1");
-    return *lut::bake(*model, *values, **lut::find_layout("nalu"), 128, silent_progress());
-  }();
+  static const lut::TableSet set = *lut::bake(model(), material(k_material), layout(), 128, silent_progress());
   return set;
 }
+
+/// What a frame reads of the tables.
+struct Textures {
+  const lut::TableSet* set;
+  std::span<const gpu::Texture> textures;
+};
 
 /// One strand of two vertices through the origin, drawn alone.
 struct OneStrand {
@@ -41,12 +51,17 @@ struct OneStrand {
   double ambient = 0;
 
   glm::vec4 center_pixel() const {
+    const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
+    return center_pixels([&] { return Textures{&tables(), textures}; }, 1)[0];
+  }
+
+  /// The pixel of each of some frames that one pass draws; the tables are asked for before each.
+  std::vector<glm::vec4> center_pixels(const std::function<Textures()>& next, int frames) const {
     const auto vertices = upload<glm::vec4>({{-0.3 * tangent, 1e-4}, {0.3 * tangent, 1e-4}});
     const auto tangents = upload<glm::vec4>({{tangent, 0}, {tangent, 1}});
     const auto segments = upload<std::uint32_t>({0});
     std::vector<gpu::Buffer> transmittance;
     for (float value : reached) transmittance.push_back(upload<float>({value, value}));
-    std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
     const gpu::Texture color = target(gpu::TextureFormat::rgba32f), depth = target(gpu::TextureFormat::depth32f);
 
     FrameResources resources;
@@ -55,14 +70,22 @@ struct OneStrand {
     resources.strands = {&vertices, &segments, 2, 1, {}};
     resources.tangents = &tangents;
     for (const gpu::Buffer& buffer : transmittance) resources.transmittance.push_back(&buffer);
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
-    resources.table_set = &tables();
     resources.vertices_per_strand = 2;
     resources.color = resources.resolved = &color;
     resources.depth = &depth;
     resources.supersampling = 1;
     resources.parameters["lines"] = parameters();
-    return draw(resources);
+    std::unique_ptr<GpuPass> pass;
+    std::vector<glm::vec4> pixels;
+    for (int frame = 0; frame < frames; ++frame) {
+      const Textures now = next();
+      resources.table_set = now.set;
+      resources.tables.clear();
+      for (const gpu::Texture& texture : now.textures) resources.tables.push_back(&texture);
+      if (!pass) pass = make_pass(resources);
+      pixels.push_back(draw(*pass, resources));
+    }
+    return pixels;
   }
 
  private:
@@ -84,16 +107,21 @@ struct OneStrand {
     return std::move(*device()->make_texture({{k_size, k_size}, format, gpu::Filter::nearest, 1, true}));
   }
 
-  static glm::vec4 draw(const FrameResources& resources) {
+  static std::unique_ptr<GpuPass> make_pass(const FrameResources& resources) {
     for (const GpuPassEntry* entry : gpu_passes()) {
       if (entry->name != "lines") continue;
       auto pass = entry->create(device(), resources);
       EXPECT_TRUE(pass) << (pass ? "" : pass.error().message);
-      gpu::Commands commands = device()->record();
-      EXPECT_TRUE((*pass)->record(commands, resources));
-      const auto cost = device()->submit(std::move(commands));
-      EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
+      return std::move(*pass);
     }
+    return nullptr;
+  }
+
+  static glm::vec4 draw(GpuPass& pass, const FrameResources& resources) {
+    gpu::Commands commands = device()->record();
+    EXPECT_TRUE(pass.record(commands, resources));
+    const auto cost = device()->submit(std::move(commands));
+    EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
     const std::vector<float> pixels = *device()->download(*resources.color);
     const float* pixel = pixels.data() + 4 * (k_size / 2 * k_size + k_size / 2);
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
@@ -141,6 +169,32 @@ TEST(Lines, PixelOfAStrand_EqualsTheModel) {
     }
   RecordProperty("worst_relative_error", std::to_string(worst));
   EXPECT_LT(worst, 0.05) << worst;
+}
+
+/// A frame, a change, a frame that still shows the old tables, the swap, a frame that shows the new ones.
+TEST(Lines, LiveTables_ShadeWithTheParametersOfTheirLastSwap) {
+  const OneStrand strand{{0, 1, 0}, {light_from(0.3, 0.2, 1)}, {1}, 0.6};
+  const registry::ParameterValues changed = material("sigma_a=1/0.3/0.1,beta=0.2,eta=1.4");
+  lut::LiveTables live = *lut::LiveTables::make(*device(), model(), material(k_material), layout(), 128);
+  int frame = 0;
+  const auto pixels = strand.center_pixels(
+      [&] {
+        if (frame == 1) static_cast<void>(live.change(changed));
+        if (frame == 2) static_cast<void>(live.finish());
+        ++frame;
+        return Textures{&live.set(), live.front()};
+      },
+      3);
+  const lut::TableSet baked = *lut::bake(model(), changed, layout(), 128, silent_progress());
+  const std::vector<gpu::Texture> uploaded = *lut::upload(*device(), baked);
+  const glm::vec4 expected = strand.center_pixels([&] { return Textures{&baked, uploaded}; }, 1)[0];
+  const glm::vec4 before = strand.center_pixel();
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(pixels[0][c], before[c], 1e-3f * before[c]) << c;
+    EXPECT_EQ(pixels[1][c], pixels[0][c]) << c;
+    EXPECT_NEAR(pixels[2][c], expected[c], 1e-3f * expected[c]) << c;
+    EXPECT_GT(std::abs(expected[c] - before[c]), 0.05f * before[c]) << c;
+  }
 }
 
 TEST(Lines, TwoLights_AddUpUnderTheirTransmittance) {
