@@ -1,0 +1,29 @@
+"""hairLut.js of the target `three`: it loads every format that it says, and its probes read right on WebGL 2."""
+import pathlib
+import sys
+
+import pytest
+
+from browser import HERE, result_of
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+from program import run  # noqa: E402
+
+
+def baked(folder, name):
+    done = run("bake", "--model", "marschner", "--preset", "blonde", "--size", 32, "--format", name, "--target", "three", "--out", folder)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+@pytest.mark.parametrize("name", ["exr", "ktx2", "dds", "png8"])
+def test_Loader_OfAnyFormat_ReadsEveryProbeRight(name, tmp_path):
+    result = result_of(HERE / "pages", "three_loader.html", lut=baked(tmp_path / "lut", name))
+    assert result == {"names": ["cuticle_M", "cuticle_N_TT_R", "cuticle_N_TRT"], "code": 0}
+
+
+def test_Loader_ThatFlipsTheRows_IsNoticed(tmp_path):
+    folder = baked(tmp_path / "lut", "exr")
+    module = folder / "hairLut.js"
+    module.write_text(module.read_text().replace("(height - 1 - y) * row", "y * row"))
+    assert 100 < result_of(HERE / "pages", "three_loader.html", lut=folder)["code"] <= 110

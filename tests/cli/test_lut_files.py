@@ -1,0 +1,173 @@
+"""`cuticle bake` and `cuticle check lut`: files read by numpy alone against `cuticle eval`; sidecars; damaged folders."""
+import ast
+import configparser
+import csv
+import hashlib
+import json
+import re
+import shutil
+import types
+
+import numpy as np
+import pytest
+
+from lut_files import Tables
+from program import refused, rows, run
+
+FORMATS = ["exr", "png8", "png16", "dds", "ktx2"]
+HAIR = ["--model", "marschner", "--preset", "blonde"]
+
+
+@pytest.fixture(scope="module")
+def folders(tmp_path_factory):
+    """One folder a format."""
+    made = {}
+    for name in FORMATS:
+        made[name] = tmp_path_factory.mktemp(name)
+        done = run("bake", *HAIR, "--size", 32, "--format", name, "--out", made[name])
+        assert done.returncode == 0, done.stderr
+    return made
+
+
+def evaluated(tmp_path, quantity, lobe, columns):
+    path = tmp_path / "points.csv"
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(columns)
+        writer.writerows(zip(*(np.degrees(values) for values in columns.values())))
+    found = rows("eval", *HAIR, "--quantity", quantity, "--lobe", lobe, "--points", path)
+    return np.array([[float(row[c]) for c in "rgb"] for row in found])
+
+
+def stated(tables, table, channel):
+    return tables.tables[table]["channels"][channel]["error"]
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_Files_SampledByTheManifest_GiveEvalWithinTheStatedError(folders, name, tmp_path):
+    tables, generator = Tables(folders[name]), np.random.default_rng(1)
+    cos_phi, cos_theta_d = generator.uniform(-1, 1, 400), generator.uniform(0.05, 1, 400)
+    exact = evaluated(tmp_path, "N", "TT", {"theta_d": np.arccos(cos_theta_d), "phi": np.arccos(cos_phi)})
+    read = tables.read("N_TT_R", cos_phi, cos_theta_d)
+    for channel in range(3):
+        error = np.abs(read[:, channel] - exact[:, channel])
+        bound = stated(tables, "N_TT_R", channel)
+        assert error.max() <= 1.1 * bound["maximum"] and np.sqrt((error ** 2).mean()) <= 1.5 * bound["rms"]
+    sine_i, sine_o = generator.uniform(-0.9, 0.9, 400), generator.uniform(-0.9, 0.9, 400)
+    exact = evaluated(tmp_path, "M", "TRT", {"theta_i": np.arcsin(sine_i), "theta_o": np.arcsin(sine_o)})
+    error = np.abs(tables.read("M", sine_i, sine_o)[:, 2] - exact[:, 0])
+    assert error.max() <= 1.1 * stated(tables, "M", 2)["maximum"]
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_Files_AtTheProbes_GiveTheManifestsValues(folders, name):
+    tables = Tables(folders[name])
+    for table in tables.manifest["tables"]:
+        assert [probe["at"] for probe in table["probes"]].count("texel centre") == 5 and len(table["probes"]) == 10
+        found = tables.at(table["name"], [p["u"] for p in table["probes"]], [p["v"] for p in table["probes"]])
+        wanted = np.array([probe["values"] for probe in table["probes"]])
+        largest = np.array([channel["maximum"] for channel in table["channels"]])
+        assert (np.abs(found - wanted) <= 1e-6 * largest).all()
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_Manifest_Digests_AreTheFiles(folders, name):
+    for table in Tables(folders[name]).manifest["tables"]:
+        assert hashlib.sha256((folders[name] / table["file"]).read_bytes()).hexdigest() == table["sha256"]
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_Check_OfWhatBakeWrote_Passes(folders, name):
+    report = json.loads(run("check", "lut", folders[name], "--json").stdout)
+    assert report["passed"] and all(table["unchanged"] for table in report["tables"])
+
+
+def test_Check_OfARowsReversedFile_IsExitCodeOneAndNamed(folders, tmp_path):
+    folder = shutil.copytree(folders["dds"], tmp_path / "flipped")
+    data = bytearray((folder / "N_TT_R.dds").read_bytes())
+    texels = np.frombuffer(bytes(data[148:]), "<f2").reshape(32, 32, 4)
+    (folder / "N_TT_R.dds").write_bytes(bytes(data[:148]) + texels[::-1].tobytes())
+    done = run("check", "lut", folder)
+    assert done.returncode == 1 and "flipped in v" in done.stdout
+
+
+def test_Check_OfAFolderWithoutAManifest_IsExitCodeThree(tmp_path):
+    assert "manifest.json" in refused(3, "check", "lut", tmp_path)
+
+
+def test_Check_OfABadManifest_NamesTheKey(folders, tmp_path):
+    folder = shutil.copytree(folders["exr"], tmp_path / "bad")
+    manifest = json.loads((folder / "manifest.json").read_text())
+    manifest["tables"][1]["probes"][2]["v"] = -1
+    (folder / "manifest.json").write_text(json.dumps(manifest))
+    assert "tables[1].probes[2].v is -1" in refused(3, "check", "lut", folder)
+
+
+def test_Bake_TargetThatIsNone_IsAUsageError(tmp_path):
+    assert "unity" in refused(2, "bake", *HAIR, "--size", 16, "--target", "unitty", "--out", tmp_path / "x")
+
+
+def test_Bake_FormatThatTheEngineCannotRead_IsAUsageErrorAndLeavesNothing(tmp_path):
+    assert "png16" in refused(2, "bake", *HAIR, "--size", 16, "--format", "png16", "--target", "three", "--out", tmp_path / "x")
+    assert not (tmp_path / "x").exists()
+
+
+@pytest.fixture(scope="module")
+def targets(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("targets")
+    done = run("bake", *HAIR, "--size", 16, "--target", "unity,godot,unreal,three", "--out", folder)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def test_Unity_EveryTable_HasAMetaWithItsOwnGuidLinearClampedWithoutMipMaps(targets):
+    texts = [(targets / f"{name}.exr.meta").read_text() for name in ("M", "N_TT_R", "N_TRT")]
+    guids = {re.search(r"^guid: ([0-9a-f]{32})$", text, re.M).group(1) for text in texts}
+    assert len(guids) == 3
+    for text in texts:
+        for setting in ("enableMipMap: 0", "sRGBTexture: 0", "wrapU: 1", "wrapV: 1", "filterMode: 1", "textureCompression: 0"):
+            assert setting in text
+    assert "cuticle_verify_probes() == 0" in (targets / "CuticleLutCheck.shader").read_text()
+    assert "@" not in (targets / "CuticleLutImporter.cs").read_text()
+
+
+def test_Godot_EveryTable_HasAnImportFileWithoutMipMapsOrCompression(targets):
+    for name in ("M", "N_TT_R", "N_TRT"):
+        settings = configparser.ConfigParser()
+        settings.read(targets / f"{name}.exr.import")
+        assert settings["params"]["mipmaps/generate"] == "false" and settings["params"]["compress/mode"] == "3"
+        assert settings["params"]["detect_3d/compress_to"] == "0" and settings["remap"]["importer"] == '"texture"'
+    include = (targets / "cuticle_hair.gdshaderinc").read_text()
+    assert include.count("filter_linear, repeat_disable") == 3 and "source_color" not in include
+
+
+class Recorder:
+    """Stands in for Unreal's module: any attribute is another one; what is set is kept."""
+
+    def __init__(self, log, name=""):
+        self.log, self.name = log, name
+
+    def __getattr__(self, name):
+        return Recorder(self.log, f"{self.name}.{name}")
+
+    def __call__(self, *arguments):
+        if self.name.endswith("set_editor_property"):
+            self.log.append(arguments)
+        return ["/Game/Cuticle/table"] if self.name.endswith("get_editor_property") else Recorder(self.log, self.name)
+
+
+def test_Unreal_Script_ImportsEveryTableAsData(targets, monkeypatch):
+    log = []
+    module = types.ModuleType("unreal")
+    module.__getattr__ = lambda name: Recorder(log, name)
+    monkeypatch.setitem(__import__("sys").modules, "unreal", module)
+    path = targets / "import_cuticle_lut.py"
+    exec(compile(ast.parse(path.read_text()), str(path), "exec"), {"__file__": str(path), "__name__": "script"})
+    files = [value.rsplit("/", 1)[1] for name, value in log if name == "filename"]
+    assert files == ["M.exr", "N_TT_R.exr", "N_TRT.exr"]
+    assert [value for name, value in log if name == "srgb"] == [False] * 3
+    assert {value.name for name, value in log if name == "address_x"} == {"TextureAddress.TA_CLAMP"}
+
+
+def test_Check_OfAFolderWithTargets_Passes(targets):
+    assert run("check", "lut", targets).returncode == 0
