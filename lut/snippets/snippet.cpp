@@ -19,6 +19,7 @@ std::string place(const ManifestTable& table, std::size_t channel) {
 /// What is derived from the two directions and the tangent, in the order in which one needs another.
 struct Angle {
   std::string_view name, value;
+  bool rare = false;  ///< an arc function, written only where an axis needs it
 };
 constexpr Angle k_angles[] = {
     {"sin_theta_i", "clamp(dot(light, tangent), -1.0, 1.0)"},
@@ -27,19 +28,29 @@ constexpr Angle k_angles[] = {
     {"cos_theta_o", "sqrt(1.0 - sin_theta_o * sin_theta_o)"},
     {"cos_phi",
      "clamp((dot(light, eye) - sin_theta_i * sin_theta_o) / max(cos_theta_i * cos_theta_o, 1.0e-6), -1.0, 1.0)"},
-    {"theta_i", "asin(sin_theta_i)"},
-    {"theta_o", "asin(sin_theta_o)"},
-    {"phi", "acos(cos_phi)"},
-    {"theta_d", "0.5 * abs(theta_o - theta_i)"},
+    {"theta_i", "asin(sin_theta_i)", true},
+    {"theta_o", "asin(sin_theta_o)", true},
+    {"phi", "acos(cos_phi)", true},
+    {"theta_d", "0.5 * abs(theta_o - theta_i)", true},
 };
 
 bool is_angle(std::string_view name) {
   return std::any_of(std::begin(k_angles), std::end(k_angles), [&](const Angle& angle) { return angle.name == name; });
 }
 
-std::string angles_text(const Dialect& dialect) {
+/// theta_d is made of both inclinations.
+bool is_needed(const Manifest& manifest, const Angle& angle) {
+  const auto matches = [&](const ManifestAxis& axis) {
+    return axis.quantity == angle.name || (axis.quantity == "theta_d" && angle.name != "phi");
+  };
+  return !angle.rare || std::any_of(manifest.tables.begin(), manifest.tables.end(),
+                                    [&](const ManifestTable& table) { return matches(table.u) || matches(table.v); });
+}
+
+std::string angles_text(const Manifest& manifest, const Dialect& dialect) {
   std::string text;
-  for (const Angle& angle : k_angles) text += constant(dialect, Type::scalar, angle.name, angle.value);
+  for (const Angle& angle : k_angles)
+    if (is_needed(manifest, angle)) text += constant(dialect, Type::scalar, angle.name, angle.value);
   return text;
 }
 
@@ -122,7 +133,7 @@ Result<std::string> scattering_function(const Manifest& manifest, const Dialect&
   return fmt::format(
       "\n// {}; without the cosine of theta_i. Unit vectors: to the light, to the eye, from root to tip.\n{}{}{}{}}}\n",
       manifest.composition, open_function(dialect, Type::triple, "cuticle_hair_scattering", directions),
-      angles_text(dialect), reads, sum);
+      angles_text(manifest, dialect), reads, sum);
 }
 
 std::vector<std::string> four(std::vector<std::string> parts, const char* filler) {
