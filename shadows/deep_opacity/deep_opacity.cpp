@@ -28,6 +28,7 @@ constexpr registry::Parameter k_parameters[] = {
      "geometric: the first layer's share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond"},
 };
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
+constexpr std::string_view k_systems[] = {"G3"};
 constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"}, {"4 layers", "layers=4"}, {"8 layers", "layers=8"}};
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
