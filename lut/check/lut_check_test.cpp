@@ -1,6 +1,7 @@
 // Tables damaged on purpose, each named; manifests damaged on purpose, each refused by key.
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -77,7 +78,7 @@ double shifted(const Image& image, int x, int y, int c) {
 template <bool in_bits>
 double compressed(const Image& image, int x, int y, int c) {
   const auto code = [](float value) { return in_bits ? double(glm::packHalf1x16(value)) : double(value); };
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   for (int j = 0; j < 16; ++j) {
     const double value = code(image.at(x / 4 * 4 + j % 4, y / 4 * 4 + j / 4, c));
     low = std::min(low, value), high = std::max(high, value);
