@@ -104,9 +104,6 @@ Result<void> check_queries(const BatchQueries& queries, bool vectorised, bool ne
   return {};
 }
 
-batch::OnePoint one_point(const glm::vec3& light, const glm::vec3& viewer, float h) {
-  return {{light.x, light.y, light.z}, {viewer.x, viewer.y, viewer.z}, h};
-}
 VectorSpans one_vector(const glm::vec3& vector) { return {{&vector.x, 1}, {&vector.y, 1}, {&vector.z, 1}}; }
 BatchPoints arrays_of_one(const glm::vec3& light, const glm::vec3& viewer, const float& h) {
   return {one_vector(light), one_vector(viewer), {&h, 1}};
@@ -145,60 +142,71 @@ Result<BatchEvaluator> BatchEvaluator::make(const Model& model, const registry::
   evaluator.needs_offset_ = model.near_field && model.near_field(values);
   const batch::Entry* entry = find_entry(model.entry.name);
   const batch::Kernels* kernels = entry ? entry->kernels[std::size_t(set)] : nullptr;
-  if (kernels && kernels->holds(evaluator.packed_)) evaluator.kernels_ = kernels;
+  if (kernels && kernels->holds(evaluator.packed_))
+    evaluator.kernels_ = kernels;
+  else if (kernels && kernels->evaluate_integral)
+    evaluator.integrals_ = kernels;
   return evaluator;
 }
 
 Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpans& color) const {
   CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
-  in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
-    if (!kernels_) return batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
-    batch::in_whole_vectors(count, pointers(points, first), pointers(color, first),
-                            [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
-                              kernels_->evaluate(packed_, size, in, {out[0], out[1], out[2]});
-                            });
-  });
+  in_blocks(points.to_light.x.size(),
+            [&](std::size_t first, int count) { evaluate_block(points, first, count, color); });
   return {};
+}
+
+void BatchEvaluator::evaluate_block(const BatchPoints& points, std::size_t first, int count,
+                                    const OutputSpans& color) const {
+  const std::array<float*, 3> to = pointers(color, first);
+  if (integrals_) return integrals_->evaluate_integral(packed_, count, pointers(points, first), {to[0], to[1], to[2]});
+  if (!kernels_) return batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
+  batch::in_whole_vectors(count, pointers(points, first), to,
+                          [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
+                            kernels_->evaluate(packed_, size, in, {out[0], out[1], out[2]});
+                          });
 }
 
 Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> density) const {
   CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{"density", density.size()}}));
-  in_blocks(density.size(), [&](std::size_t first, int count) {
-    if (!kernels_)
-      return batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
-    float* const to = density.data() + first;
-    batch::in_whole_vectors(count, pointers(points, first), {to, to, to},
-                            [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
-                              kernels_->pdf(packed_, size, in, out[2]);
-                            });
-  });
+  in_blocks(density.size(), [&](std::size_t first, int count) { pdf_block(points, first, count, density); });
   return {};
+}
+
+void BatchEvaluator::pdf_block(const BatchPoints& points, std::size_t first, int count,
+                               std::span<float> density) const {
+  float* const to = density.data() + first;
+  if (integrals_) return integrals_->pdf_integral(packed_, count, pointers(points, first), to);
+  if (!kernels_)
+    return batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
+  batch::in_whole_vectors(count, pointers(points, first), {to, to, to},
+                          [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
+                            kernels_->pdf(packed_, size, in, out[2]);
+                          });
 }
 
 glm::vec3 BatchEvaluator::evaluate(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
   glm::vec3 color(0);
-  if (kernels_) kernels_->evaluate_one(packed_, one_point(to_light, to_viewer, h), &color.x);
-  if (!kernels_)
-    batch::evaluate_one_by_one(*model_, values_, Quantity::S, arrays_of_one(to_light, to_viewer, h), 0, 1,
-                               {{&color.x, 1}, {&color.y, 1}, {&color.z, 1}});
+  if (kernels_)
+    kernels_->evaluate_one(packed_, {&to_light.x, &to_viewer.x, h}, &color.x);
+  else
+    evaluate_block(arrays_of_one(to_light, to_viewer, h), 0, 1, {{&color.x, 1}, {&color.y, 1}, {&color.z, 1}});
   return color;
 }
 
 float BatchEvaluator::pdf(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
-  if (kernels_) return kernels_->pdf_of_one(packed_, one_point(to_light, to_viewer, h));
+  if (kernels_) return kernels_->pdf_of_one(packed_, {&to_light.x, &to_viewer.x, h});
   float density = 0;
-  batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, arrays_of_one(to_light, to_viewer, h), 0, 1,
-                             {{&density, 1}, {}, {}});
+  pdf_block(arrays_of_one(to_light, to_viewer, h), 0, 1, {&density, 1});
   return density;
 }
 
 glm::vec3 BatchEvaluator::sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const {
   glm::vec3 light(0);
   if (draws_vectorised()) {
-    const batch::OneQuery query{{to_viewer.x, to_viewer.y, to_viewer.z}, h, {u[0], u[1], u[2], u[3]}};
-    kernels_->sample_one(packed_, query, &light.x);
+    kernels_->sample_one(packed_, &to_viewer.x, h, u.data(), &light.x);
   } else if (model_->sample_f32) {
     BatchQueries queries{one_vector(to_viewer), {&h, 1}, {}};
     for (std::size_t k = 0; k < u.size(); ++k) queries.u[k] = {&u[k], 1};

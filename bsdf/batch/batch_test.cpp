@@ -238,19 +238,21 @@ TEST(Batch, LargeBatch_IsTheSameAsItsParts) {
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.x[i], whole.x[12288 + i]) << i;
 }
 
-TEST(Batch, FarField_GoesPointByPoint) {
+TEST_P(BatchSet, FarField_IsTheIntegralOfTheScalarFormulas) {
   const Data data(20);
   Arrays color(20), light(20);
   std::vector<float> density(20);
   const std::string settings = "field=far,tolerance=1e-4";
-  const BatchEvaluator batch = *BatchEvaluator::make(chiang(), values_of(settings));
-  EXPECT_FALSE(batch.is_vectorised() || batch.draws_vectorised());
+  const BatchEvaluator batch = evaluator(settings);
+  EXPECT_TRUE(batch.is_vectorised() && !batch.draws_vectorised());
   ASSERT_TRUE(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).ok());
   ASSERT_TRUE(batch.pdf(data.points(), density).ok());
   ASSERT_TRUE(batch.sample(data.queries(), light.out()).ok());
   for (std::size_t i = 0; i < 20; ++i) {
     const double exact = truth(settings, Quantity::S, data.point(i)).x;
     EXPECT_NEAR(color.x[i], exact, 3e-4 * exact + 1e-9);
+    const double exact_density = truth(settings, Quantity::pdf, data.point(i)).x;
+    EXPECT_NEAR(density[i], exact_density, 3e-4 * exact_density + 1e-9);
     const glm::vec3 to_light = vector_at(data.light, i), viewer = vector_at(data.viewer, i);
     EXPECT_EQ(batch.evaluate(to_light, viewer, 0).x, color.x[i]);
     EXPECT_EQ(batch.pdf(to_light, viewer, data.h[i]), density[i]);

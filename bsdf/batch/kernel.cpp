@@ -131,20 +131,50 @@ FNI Directions<float> directions_of_one(const OnePoint& point) {
                             glm::vec3(point.viewer[0], point.viewer[1], point.viewer[2]), point.h);
 }
 
+/// A model may have formulas for one point that leave a loop when it is done.
+FN glm::vec<3, Real> value_of_one(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
+  if constexpr (requires { evaluate_one_point(packed, quantity, d); })
+    return evaluate_one_point(packed, quantity, d);
+  else
+    return value_at(packed, quantity, d);
+}
+
 void evaluate_one(const Packed<float>& packed, const OnePoint& point, float color[3]) {
-  const glm::vec3 value = value_at(packed, CUTICLE_QUANTITY_S, directions_of_one(point));
+  const glm::vec3 value = value_of_one(packed, CUTICLE_QUANTITY_S, directions_of_one(point));
   for (int c = 0; c < 3; ++c) color[c] = value[c];
 }
 
 float pdf_of_one(const Packed<float>& packed, const OnePoint& point) {
-  return value_at(packed, CUTICLE_QUANTITY_PDF, directions_of_one(point)).x;
+  return value_of_one(packed, CUTICLE_QUANTITY_PDF, directions_of_one(point)).x;
 }
 
 template <class Real>
-void sample_one(const Packed<Real>& packed, const OneQuery& query, float light[3]) {
-  const glm::vec3 viewer(query.viewer[0], query.viewer[1], query.viewer[2]);
-  const glm::vec3 drawn = light_drawn(packed, viewer, query.h, query.u[0], query.u[1], query.u[2], query.u[3]);
+void sample_one(const Packed<Real>& packed, const float viewer[3], float h, const float u[4], float light[3]) {
+  const glm::vec3 drawn = light_drawn(packed, glm::vec3(viewer[0], viewer[1], viewer[2]), h, u[0], u[1], u[2], u[3]);
   for (int c = 0; c < 3; ++c) light[c] = drawn[c];
+}
+
+template <class Real>
+constexpr bool integrates = requires(const Packed<Real>& packed, const Directions<Real>& d) {
+  evaluate_integral_of(packed, 0, d);
+};
+
+template <class Real>
+void evaluate_integral(const Packed<Real>& packed, int count, const DirectionPointers& in, const ColorPointers& out) {
+  [[maybe_unused]] const FlushToZero guard;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 value = evaluate_integral_of(packed, CUTICLE_QUANTITY_S, directions_at(in, i));
+    out.red[i] = value.x;
+    out.green[i] = value.y;
+    out.blue[i] = value.z;
+  }
+}
+
+template <class Real>
+void pdf_integral(const Packed<Real>& packed, int count, const DirectionPointers& in, float* density) {
+  [[maybe_unused]] const FlushToZero guard;
+  for (int i = 0; i < count; ++i)
+    density[i] = evaluate_integral_of(packed, CUTICLE_QUANTITY_PDF, directions_at(in, i)).x;
 }
 
 FN bool holds_for(const Packed<Real>& packed) {
@@ -157,9 +187,11 @@ bool holds(const Packed<float>& packed) { return holds_for(packed); }
 
 template <class Real>
 constexpr Kernels make_kernels() {
-  Kernels kernels{holds, evaluate, pdf, nullptr, nullptr, evaluate_one, pdf_of_one, nullptr};
+  Kernels kernels{holds, evaluate, pdf, nullptr, nullptr, evaluate_one, pdf_of_one, nullptr, nullptr, nullptr};
   if constexpr (draws_directions<Real>) kernels.sample = sample<Real>;
   if constexpr (draws_directions<Real>) kernels.sample_one = sample_one<Real>;
+  if constexpr (integrates<Real>) kernels.evaluate_integral = evaluate_integral<Real>;
+  if constexpr (integrates<Real>) kernels.pdf_integral = pdf_integral<Real>;
   if constexpr (takes_rows<Real>) kernels.evaluate_rows = evaluate_rows<Real>;
   return kernels;
 }

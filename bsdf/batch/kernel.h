@@ -30,12 +30,10 @@ struct VaryingPointers {
   DirectionPointers directions;
 };
 
-/// One point, and one query, of the same meaning.
+/// One point of the same meaning, its vectors where the caller has them.
 struct OnePoint {
-  float light[3], viewer[3], h;
-};
-struct OneQuery {
-  float viewer[3], h, u[4];
+  const float *light, *viewer;
+  float h;
 };
 
 struct Kernels {
@@ -46,7 +44,11 @@ struct Kernels {
   void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&, const ColorPointers&);  ///< null: none
   void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]);
   float (*pdf_of_one)(const Packed<float>&, const OnePoint&);
-  void (*sample_one)(const Packed<float>&, const OneQuery&, float light[3]);  ///< null: no sampler
+  void (*sample_one)(const Packed<float>&, const float viewer[3], float h, const float u[4],
+                     float light[3]);  ///< null: no sampler
+  /// Where `holds` says no: points one after the other, each an integral whose nodes are a vector; null: none.
+  void (*evaluate_integral)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
+  void (*pdf_integral)(const Packed<float>&, int count, const DirectionPointers&, float* density);
 };
 
 /// A model's kernels, from the plainest instruction set to the widest; null where the build has none.
