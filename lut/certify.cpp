@@ -22,12 +22,13 @@ ChannelError compare(const Table& table, int c, const ComparisonGrid& grid, cons
   return summarise(channel.name, comparison, grid.size());
 }
 
-Result<void> certify_table(const Source& source, Table& table, const Format& format) {
+/// The exact values of every channel; none where the channels are solved for.
+Result<std::vector<ExactValues>> certify_table(const Source& source, Table& table) {
   table.errors.clear();
   std::vector<ExactValues> exact;
   for (int c = 0; c < int(table.layout->channels.size()); ++c) {
     const Channel& channel = table.layout->channels[c];
-    if (channel.source == ChannelSource::solver) return {};
+    if (channel.source == ChannelSource::solver) return exact;
     const ComparisonGrid grid = grid_for(*table.layout, channel, table.image.width);
     if (c > 0 && same_lobes(table.layout->channels[c - 1], channel)) {
       exact.push_back(exact.back());
@@ -36,22 +37,33 @@ Result<void> certify_table(const Source& source, Table& table, const Format& for
     }
     table.errors.push_back(compare(table, c, grid, exact.back()));
   }
-  add_levels(table, format, exact);
+  return exact;
+}
+
+/// `finish` sees every table with the exact values of its channels.
+template <class Finish>
+Result<void> certify_then(TableSet& set, const Format& format, Progress& progress, const Finish& finish) {
+  CUTICLE_TRY(store_as(set, format));
+  const Source source = cpu_source(*set.model, set.values);
+  for (std::size_t i = 0; i < set.tables.size(); ++i) {
+    progress.update("certify", i, set.tables.size());
+    CUTICLE_ASSIGN(const std::vector<ExactValues> exact, certify_table(source, set.tables[i]));
+    finish(set.tables[i], exact);
+  }
+  CUTICLE_TRY(certify_scattering(source, set));
+  progress.update("certify", set.tables.size(), set.tables.size());
   return {};
 }
 
 }  // namespace
 
 Result<void> certify(TableSet& set, const Format& format, Progress& progress) {
-  CUTICLE_TRY(store_as(set, format));
-  const Source source = cpu_source(*set.model, set.values);
-  for (std::size_t i = 0; i < set.tables.size(); ++i) {
-    progress.update("certify", i, set.tables.size());
-    CUTICLE_TRY(certify_table(source, set.tables[i], format));
-  }
-  CUTICLE_TRY(certify_scattering(source, set));
-  progress.update("certify", set.tables.size(), set.tables.size());
-  return {};
+  return certify_then(set, format, progress,
+                      [&](Table& table, const std::vector<ExactValues>& exact) { add_levels(table, format, exact); });
+}
+
+Result<void> certify_without_levels(TableSet& set, const Format& format, Progress& progress) {
+  return certify_then(set, format, progress, [](Table&, const std::vector<ExactValues>&) {});
 }
 
 }  // namespace cuticle::lut

@@ -51,6 +51,9 @@ struct Comparison {
 /// `all`: how many there are with those left out.
 ChannelError summarise(std::string_view name, const Comparison& comparison, std::size_t all);
 
+/// `certify` without the mip levels.
+Result<void> certify_without_levels(TableSet& set, const Format& format, Progress& progress);
+
 /// Half as many texels each way (at least 1), each the mean of those it replaces, rounded to the format; and what each
 /// such level costs: bilinear samples of it against the exact values' mean over one of its texels around the sample.
 /// `exact`: on the channel's grid, for every channel.

@@ -22,6 +22,7 @@ struct Format {
   Result<Image> (*read)(const std::string& path);
   /// Mip levels in the file. Error: bad_input naming the file.
   Result<int> (*levels)(const std::string& path);
+  int bytes = 2;  ///< of a number in the texture
 };
 std::span<const Format* const> formats();
 /// The format of that name. Error: usage, listing them.

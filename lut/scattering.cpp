@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cuticle/lut/cell_average.h>
 #include <cuticle/lut/comparison.h>
 
 namespace cuticle::lut {
@@ -157,16 +158,58 @@ Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const T
   return result;
 }
 
+/// Solved tables hold means over a texel's azimuths, so that peaks of no width have a number: S is averaged likewise.
+class TexelMeans {
+ public:
+  explicit TexelMeans(const TableSet& set) : width_(set.layout->solve ? std::numbers::pi / (set.size - 1) : 0) {}
+  /// S of the model: by adaptive quadrature, or at the direction itself.
+  Result<std::vector<glm::dvec3>> of_model(const Source& source, std::span<const bsdf::Point> points) const {
+    if (width_ == 0) {
+      std::vector<glm::dvec3> values(points.size());
+      CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, values));
+      return values;
+    }
+    // An interval's theta_d carries the direction's index; the lobe that is asked for stands for all.
+    const Evaluate around = [&](const bsdf::Request& request, std::span<glm::dvec3> out) {
+      std::vector<bsdf::Point> turned;
+      for (const bsdf::Point& at : request.points) {
+        turned.push_back(points[std::size_t(at.theta_d)]);
+        turned.back().phi = at.phi;
+      }
+      return source.evaluate({bsdf::Quantity::S, -1, turned}, out);
+    };
+    std::vector<PhiInterval> intervals;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      intervals.push_back({double(i), points[i].phi - width_ / 2, points[i].phi + width_ / 2});
+    const Channel any{"S", bsdf::Quantity::S, source.model->lobes.front(), 0, Texel::cell_average};
+    CUTICLE_ASSIGN(PhiAverages means, average_over_phi({source.model, around, around}, any, intervals));
+    return std::move(means.values);
+  }
+  glm::dvec3 of_tables(const Reader& reader, const bsdf::Point& at) const {
+    const int count = width_ > 0 ? 8 : 1;
+    glm::dvec3 sum(0);
+    for (int k = 0; k < count; ++k) {
+      bsdf::Point turned = at;
+      turned.phi = std::abs(at.phi + ((k + 0.5) / count - 0.5) * width_);
+      if (turned.phi > std::numbers::pi) turned.phi = 2 * std::numbers::pi - turned.phi;
+      for (int colour = 0; colour < 3; ++colour) sum[colour] += reader.scattering(turned, colour) / count;
+    }
+    return sum;
+  }
+
+ private:
+  double width_;
+};
+
 Result<Scattering> scattering_at(const Source& source, const TableSet& set, std::span<const bsdf::Point> points) {
   const Reader reader(set);
+  const TexelMeans means(set);
   Scattering result;
-  result.exact.resize(points.size());
-  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, result.exact));
+  CUTICLE_ASSIGN(result.exact, means.of_model(source, points));
   if (!find_source(set, ChannelSource::solver).table) {
     CUTICLE_ASSIGN(result.assumed, assumed_scattering(source, set, reader, points));
   }
-  for (const bsdf::Point& at : points)
-    result.stored.emplace_back(reader.scattering(at, 0), reader.scattering(at, 1), reader.scattering(at, 2));
+  for (const bsdf::Point& at : points) result.stored.push_back(means.of_tables(reader, at));
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include <cuticle/cli/command.h>
 
+#include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 
 #include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
+#include <cuticle/lut/max_error.h>
 #include <cuticle/lut/table_set.h>
 #include <cuticle/lut/target.h>
 #ifdef CUTICLE_HAS_GPU
@@ -18,8 +20,9 @@ namespace {
 
 struct BakeOptions {
   std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", fit = "none",
-              targets, out;
+              max_error, max_error_kind = "rms", targets, out;
   int size = 128;
+  bool size_is_given = false, format_is_given = false;
 };
 
 Result<lut::TableSet> bake_on(const BakeOptions& options, const Context& context, const bsdf::Model& model,
@@ -98,7 +101,72 @@ std::string layout_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-int bake(const BakeOptions& options, const Context& context) {
+/// "1%" or "0.01".
+Result<double> parse_error_limit(const std::string& text) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view unit(end, std::size_t(text.data() + text.size() - end));
+  if (unit == "%") value /= 100;
+  if (code == std::errc() && (unit.empty() || unit == "%") && value > 0 && value < 1) return value;
+  return usage_error(fmt::format("--max-error: '{}' is not between 0 and 100%", text), "--max-error 1%");
+}
+
+/// The layouts of one family, along other axes; the sizes and formats that the command line leaves open.
+Result<lut::TableChoices> table_choices(const BakeOptions& options) {
+  lut::TableChoices choices;
+  CUTICLE_ASSIGN(const lut::Layout* named, lut::find_layout(options.layout));
+  for (const lut::Layout* layout : lut::layouts())
+    if (layout->family == named->family) choices.layouts.push_back(layout);
+  for (int size = 16; size <= 1024; size *= 2) choices.sizes.push_back(size);
+  if (options.size_is_given) choices.sizes = {options.size};
+  CUTICLE_ASSIGN(choices.formats.emplace_back(), lut::find_format(options.format));
+  if (!options.format_is_given) {
+    CUTICLE_ASSIGN(choices.formats.emplace_back(), lut::find_format("png8"));
+  }
+  return choices;
+}
+
+Result<lut::ErrorSearch> search(const BakeOptions& options, const Context& context) {
+  CUTICLE_ASSIGN(const double wanted, parse_error_limit(options.max_error));
+  CUTICLE_ASSIGN(const lut::ErrorMeasure measure, lut::find_error_measure(options.max_error_kind));
+  CUTICLE_ASSIGN(const lut::TableChoices choices, table_choices(options));
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
+  CUTICLE_ASSIGN(const registry::ParameterValues values,
+                 bsdf::parse_settings(*model, options.preset, options.settings));
+  return lut::search_tables(*model, values, choices, wanted, measure, *context.progress);
+}
+
+std::string words_of(const lut::TableChoice& choice) {
+  return fmt::format("{} {}x{} {}, {} bytes: {:.2e} ({})", choice.layout->entry.name, choice.size, choice.size,
+                     choice.format->name, choice.bytes, choice.worst.error, choice.worst.name);
+}
+
+nlohmann::ordered_json json_of(const lut::TableChoice& choice) {
+  return {{"layout", choice.layout->entry.name}, {"size", choice.size},
+          {"format", choice.format->name},       {"bytes", choice.bytes},
+          {"error", choice.worst.error},         {"channel", choice.worst.name}};
+}
+
+constexpr std::string_view error_words(lut::ErrorMeasure measure) {
+  if (measure == lut::ErrorMeasure::maximum) return "largest error over largest value";
+  if (measure == lut::ErrorMeasure::percentile_99)
+    return "99th percentile of the error over the largest value, every direction alike";
+  return "rms error over rms value, every direction alike";
+}
+
+void print_failure(const BakeOptions& options, const lut::ErrorSearch& search, bool json) {
+  if (json) {
+    nlohmann::ordered_json out{{"reached", false}, {"best", json_of(search.best)}, {"not_tried", search.stopped}};
+    for (const lut::TableChoice& choice : search.tried) out["tried"].push_back(json_of(choice));
+    fmt::print("{}\n", out.dump(2));
+    return;
+  }
+  for (const lut::TableChoice& choice : search.tried) fmt::print("{}\n", words_of(choice));
+  for (const std::string& words : search.stopped) fmt::print("not tried: {}\n", words);
+  fmt::print("none reaches {}; best: {}; nothing written\n", options.max_error, words_of(search.best));
+}
+
+int bake_as_given(const BakeOptions& options, const Context& context) {
   const auto format = lut::find_format(options.format);
   if (!format) return report(format.error());
   const auto baked = make_tables(options, **format, context);
@@ -111,6 +179,25 @@ int bake(const BakeOptions& options, const Context& context) {
   return Exit::ok;
 }
 
+/// Chooses axes, size and format first where an error is wanted.
+int bake(BakeOptions options, const Context& context) {
+  if (options.max_error.empty()) return bake_as_given(options, context);
+  const auto found = search(options, context);
+  if (!found) return report(found.error());
+  const lut::ErrorMeasure measure = *lut::find_error_measure(options.max_error_kind);
+  if (!context.json)
+    fmt::print("wanted: {} of the worst channel at most {}\n", error_words(measure), options.max_error);
+  if (!found->reached) {
+    print_failure(options, *found, context.json);
+    return Exit::check_failed;
+  }
+  options.layout = found->best.layout->entry.name;
+  options.size = found->best.size;
+  options.format = found->best.format->name;
+  if (!context.json) fmt::print("chosen: {}\n", words_of(found->best));
+  return bake_as_given(options, context);
+}
+
 }  // namespace
 
 void add_bake(CLI::App& app, Context& context) {
@@ -121,6 +208,14 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
   command->add_option("--layout", options->layout, layout_names())->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
+  command->add_option(
+      "--max-error", options->max_error,
+      "such as 1%: choose axes, size (unless given) and format (unless given), the fewest bytes that reach "
+      "it; exit code 1 and nothing written where none does");
+  command
+      ->add_option("--max-error-kind", options->max_error_kind,
+                   "rms (over rms), max or p99 (over the peak), of the worst channel and of S")
+      ->capture_default_str();
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
   command->add_option("--target", options->targets, "engines to write import settings for: unity,godot,unreal,three");
   command->add_option("--on", options->processor, "cpu or gpu")
@@ -130,7 +225,11 @@ void add_bake(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"none", "texels"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder to write")->required();
-  command->callback([&context, options] { context.action = [&context, options] { return bake(*options, context); }; });
+  command->callback([&context, options, command] {
+    options->size_is_given = command->count("--size") > 0;
+    options->format_is_given = command->count("--format") > 0;
+    context.action = [&context, options] { return bake(*options, context); };
+  });
 }
 
 }  // namespace cuticle::cli
