@@ -128,7 +128,7 @@ TEST(Scattering, AssumptionOfNalu2_IsMeasured) {
 
 TEST(Scattering, TablesOverAngles_ResolveGrazingDirections) {
   const TableSet sines = certified("nalu", "sigma_a=0.2", 64), angles = certified("nalu_theta", "sigma_a=0.2", 64);
-  EXPECT_LT(rms(angles.scattering[1]), 0.3 * rms(sines.scattering[1]));
+  EXPECT_LT(rms(angles.scattering[1]), 0.45 * rms(sines.scattering[1]));
   EXPECT_LT(rms(angles.scattering[1]), 0.03);
 }
 
@@ -148,9 +148,8 @@ TEST(SearchTables, Reached_IsTheFewestBytesOfThoseTried) {
   const ErrorSearch search = searched("beta_deg=30,caustic=smoothed", {16, 32, 64, 128}, 0.1, ErrorMeasure::rms);
   ASSERT_TRUE(search.reached);
   EXPECT_LE(search.best.worst.error, 0.1);
-  for (const TableChoice& choice : search.tried) {
-    if (choice.worst.error <= 0.1) EXPECT_GE(choice.bytes, search.best.bytes);
-  }
+  for (const TableChoice& choice : search.tried)
+    EXPECT_TRUE(choice.worst.error > 0.1 || choice.bytes >= search.best.bytes) << choice.size;
   EXPECT_EQ(search.best.bytes, texture_bytes(*search.best.layout, search.best.size, *search.best.format));
 }
 
