@@ -15,6 +15,7 @@ struct Format {
   std::string_view summary;    ///< "OpenEXR, half, ZIP"
   double largest;              ///< the largest number it stores
   bool scaled_to_peak;  ///< a channel's largest value is stored as `largest`; else values are scaled only beyond it
+  double filter_step;   ///< of `largest`: a device may filter whole numbers in steps of their own; else 0
   double (*round)(double stored);  ///< the nearest number that it stores, for 0 .. largest
   /// Channels R, G, B or R, G, B, A, row 0 = v 0; `manifest` goes in where the format has a place for text.
   Result<void> (*write)(const std::string& path, const Image& image, const std::string& manifest);

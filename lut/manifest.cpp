@@ -73,7 +73,7 @@ Json scattering_json(const std::vector<ChannelError>& errors, std::string_view w
   return json;
 }
 
-Json channel_json(const Table& table, int c) {
+Json channel_json(const Table& table, const Format& format, int c) {
   const Channel& channel = table.layout->channels[c];
   const double maximum = channel_maximum(table, c);
   Json json{{"name", channel.name},
@@ -81,7 +81,7 @@ Json channel_json(const Table& table, int c) {
             {"value", "stored * scale"},
             {"scale", table.scale[c]},
             {"maximum", maximum},
-            {"probe_tolerance", probe_tolerance(maximum)},
+            {"probe_tolerance", probe_tolerance(format, maximum)},
             {"unit", channel.source == ChannelSource::model ? "1/rad" : "1"},
             {"texel", channel.texel == Texel::point ? "point" : "cell average"}};
   if (c < int(table.errors.size())) json["error"] = error_json(table.errors[c], channel.texel);
@@ -111,7 +111,7 @@ Json terms_json(const Layout& layout) {
 
 Json table_json(const Table& table, const Format& format, int size) {
   Json channels = Json::array();
-  for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, c));
+  for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, format, c));
   Json levels = Json::array();
   for (const MipLevel& level : table.levels) levels.push_back(level_json(level));
   return {{"name", table.layout->name},

@@ -10,7 +10,7 @@
 namespace cuticle::lut {
 namespace {
 
-constexpr double k_share_of_maximum = 2e-3;
+constexpr double k_share_of_maximum = 2e-3, k_steps = 1.5;
 
 /// Where a probe lies along an axis: at the centre of the texel at a share of the side, plus a part of a texel; or on
 /// the texture's border.
@@ -65,7 +65,9 @@ std::vector<Probe> probes_of(const Table& table) {
   return probes;
 }
 
-double probe_tolerance(double maximum) { return k_share_of_maximum * maximum; }
+double probe_tolerance(const Format& format, double maximum) {
+  return (k_share_of_maximum + k_steps * format.filter_step) * maximum;
+}
 
 double channel_maximum(const Table& table, int channel) {
   double largest = 0;

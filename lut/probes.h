@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <cuticle/lut/format.h>
 #include <cuticle/lut/manifest.h>
 #include <cuticle/lut/table_set.h>
 
@@ -10,9 +11,9 @@ namespace cuticle::lut {
 /// Ten values of a table as an engine must read it: five at texel centres (the corners and one inside) and five between
 /// texels, two of them on the texture's borders, where only clamping gives them. None lies on another's mirror image.
 std::vector<Probe> probes_of(const Table& table);
-/// How far a reading of a channel may lie from a probe: what 8 bits of filter weight and half floats cost, as a share
-/// of the largest value.
-double probe_tolerance(double maximum);
+/// How far a reading of a channel may lie from a probe: what 8 bits of filter weight and half floats cost, and a step
+/// and a half of a format of whole numbers, as a share of the largest value.
+double probe_tolerance(const Format& format, double maximum);
 /// The largest value of a channel.
 double channel_maximum(const Table& table, int channel);
 /// SHA-256 of a file, 64 hexadecimal digits. Error: bad_input naming the file.

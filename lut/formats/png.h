@@ -19,7 +19,8 @@ Result<void> write_steps(const std::string& path, const Image& image, const std:
 
 template <int bits>
 Format png_format(std::string_view name, std::string_view summary) {
-  return {name, "png", summary, 1, true, nearest_step<bits>, write_steps<bits>, read_image, mip_levels, bits / 8};
+  return {name,       "png",      summary, 1, true, 1.0 / ((1 << bits) - 1), nearest_step<bits>, write_steps<bits>,
+          read_image, mip_levels, bits / 8};
 }
 
 }  // namespace cuticle::lut

@@ -105,9 +105,10 @@ class SnippetOnDevice : public testing::Test {
   fs::path folder_;
 };
 
-/// The stored numbers, without their scale.
-gpu::Texture raw_texture(const Table& table) {
-  gpu::Texture texture = device()->make_texture({.size = {table.image.width, table.image.height}}).value();
+/// The stored numbers, without their scale, in a texture of the format's own precision.
+gpu::Texture raw_texture(const Table& table, gpu::TextureFormat format) {
+  const glm::ivec2 size{table.image.width, table.image.height};
+  gpu::Texture texture = device()->make_texture({.size = size, .format = format}).value();
   std::vector<float> texels;
   for (int y = 0; y < table.image.height; ++y)
     for (int x = 0; x < table.image.width; ++x)
@@ -117,9 +118,10 @@ gpu::Texture raw_texture(const Table& table) {
 }
 
 std::vector<glm::vec4> run_shader(const std::vector<std::uint32_t>& spirv, const TableSet& set,
-                                  const std::vector<glm::vec4>& given) {
+                                  const std::vector<glm::vec4>& given,
+                                  gpu::TextureFormat format = gpu::TextureFormat::rgba16f) {
   std::vector<gpu::Texture> textures;
-  for (const Table& table : set.tables) textures.push_back(raw_texture(table));
+  for (const Table& table : set.tables) textures.push_back(raw_texture(table, format));
   const gpu::Kernel kernel =
       device()->make_kernel(spirv, {.storage_buffers = 2, .textures = std::uint32_t(textures.size())}).value();
   const gpu::Buffer in = gpu::make_buffer_from<glm::vec4>(*device(), given).value();
@@ -199,13 +201,30 @@ void expect_agreement(const TableSet& set, const std::vector<glm::vec4>& found, 
 }
 
 TEST_F(SnippetOnDevice, Glsl_AgreesWithTheCpuToHalfPrecision) {
-  for (const char* format : {"exr", "png16"}) {
+  using gpu::TextureFormat;
+  for (const auto& [format, texels] : {std::pair{"exr", TextureFormat::rgba16f}, {"png16", TextureFormat::rgba32f}}) {
     const TableSet set = stored_set("nalu", format);
     const auto given = directions(256);
-    const auto found = run_shader(compiled_glsl(manifest_of(set, format)), set, given);
+    const auto found = run_shader(compiled_glsl(manifest_of(set, format)), set, given, texels);
     expect_agreement(set, found, given);
     EXPECT_EQ(found[0].w, 0) << format;
   }
+}
+
+/// The driver filters such textures in 8 bits.
+TEST_F(SnippetOnDevice, EightBitsWithScales_AgreeWithTheCpuToTheirSteps) {
+  const TableSet set = stored_set("nalu", "png8");
+  const auto given = directions(256);
+  const auto found = run_shader(compiled_glsl(manifest_of(set, "png8")), set, given, gpu::TextureFormat::rgba8);
+  double largest = 0, farthest = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double wanted = decoded_on_cpu(set, &given[3 * i])[c];
+      largest = std::max(largest, wanted);
+      farthest = std::max(farthest, std::abs(double(found[i][c]) - wanted));
+    }
+  EXPECT_LT(farthest / largest, 0.06);
+  EXPECT_EQ(found[0].w, 0);
 }
 
 TEST_F(SnippetOnDevice, AnyLayoutOfTheModel_AgreesWithTheCpu) {

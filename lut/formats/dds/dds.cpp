@@ -89,7 +89,8 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 
 const Format& entry() {
   static const Format format{
-      "dds", "dds", "DDS, DX10 header, R16G16B16A16_FLOAT", k_largest_half, false, nearest_half, write, read, levels};
+      "dds", "dds", "DDS, DX10 header, R16G16B16A16_FLOAT", k_largest_half, false, 0, nearest_half, write,
+      read,  levels};
   return format;
 }
 

@@ -12,7 +12,7 @@ Result<void> write(const std::string& path, const Image& image, const std::strin
 }  // namespace
 
 const Format& entry() {
-  static const Format format{"exr",    "exr",     "OpenEXR, half, ZIP", k_largest_half, false, nearest_half, write,
+  static const Format format{"exr",    "exr",     "OpenEXR, half, ZIP", k_largest_half, false, 0, nearest_half, write,
                              read_exr, mip_levels};
   return format;
 }

@@ -133,9 +133,9 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 const Format& entry() {
-  static const Format format{"ktx2",         "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level",
-                             k_largest_half, false,  nearest_half,
-                             write,          read,   levels};
+  static const Format format{
+      "ktx2", "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level", k_largest_half, false, 0, nearest_half, write,
+      read,   levels};
   return format;
 }
 
