@@ -93,14 +93,15 @@ batch::QueryPointers pointers(const BatchQueries& queries, std::size_t first) {
           viewer.y.data() + first,
           viewer.z.data() + first,
           (queries.h.empty() ? viewer.x : queries.h).data() + first,
-          {u(0), u(1), u(2), u(3)}};
+          {u(0), u(1), u(2), u(3), u(queries.u[4].empty() ? 0 : 4)}};
 }
-Result<void> check_queries(const BatchQueries& queries, bool vectorised, bool needs_offset) {
+/// `numbers`: how many arrays of random numbers are read.
+Result<void> check_queries(const BatchQueries& queries, std::size_t numbers, bool needs_offset) {
   const std::size_t count = queries.to_viewer.x.size();
   CUTICLE_TRY(
       check_sizes(count, {{"to_viewer.y", queries.to_viewer.y.size()}, {"to_viewer.z", queries.to_viewer.z.size()}}));
   if (needs_offset || !queries.h.empty()) CUTICLE_TRY(check_sizes(count, {{"h", queries.h.size()}}));
-  for (std::size_t k = 0; k < (vectorised ? 4 : 5); ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
+  for (std::size_t k = 0; k < numbers; ++k) CUTICLE_TRY(check_sizes(count, {{"u", queries.u[k].size()}}));
   return {};
 }
 
@@ -206,7 +207,7 @@ float BatchEvaluator::pdf(const glm::vec3& to_light, const glm::vec3& to_viewer,
 glm::vec3 BatchEvaluator::sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const {
   glm::vec3 light(0);
   if (draws_vectorised()) {
-    kernels_->sample_one(packed_, &to_viewer.x, h, u.data(), &light.x);
+    draws()->sample_one(packed_, &to_viewer.x, h, u.data(), &light.x);
   } else if (model_->sample_f32) {
     BatchQueries queries{one_vector(to_viewer), {&h, 1}, {}};
     for (std::size_t k = 0; k < u.size(); ++k) queries.u[k] = {&u[k], 1};
@@ -215,19 +216,24 @@ glm::vec3 BatchEvaluator::sample(const glm::vec3& to_viewer, float h, const std:
   return light;
 }
 
-bool BatchEvaluator::draws_vectorised() const { return kernels_ && kernels_->sample; }
+const batch::Kernels* BatchEvaluator::draws() const {
+  const batch::Kernels* kernels = kernels_ ? kernels_ : integrals_;
+  return kernels && kernels->sample ? kernels : nullptr;
+}
+
+bool BatchEvaluator::draws_vectorised() const { return draws() != nullptr; }
 
 Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpans& to_light) const {
   if (!model_->sample_f32) return usage_error(fmt::format("model {} has no sampler", model_->entry.name));
   const std::size_t count = queries.to_viewer.x.size();
   const bool vectorised = draws_vectorised();
-  CUTICLE_TRY(check_queries(queries, vectorised, needs_offset_));
+  CUTICLE_TRY(check_queries(queries, vectorised && kernels_ ? 4 : 5, needs_offset_));
   CUTICLE_TRY(check_output(count, to_light));
   in_blocks(count, [&](std::size_t first, int size) {
     if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
     batch::in_whole_vectors(size, pointers(queries, first), pointers(to_light, first),
                             [&](int whole, const batch::QueryPointers& in, const std::array<float*, 3>& out) {
-                              kernels_->sample(packed_, whole, in, {out[0], out[1], out[2]});
+                              draws()->sample(packed_, whole, in, {out[0], out[1], out[2]});
                             });
   });
   return {};

@@ -58,8 +58,8 @@ struct VaryingParameter {
 /// One model with its parameters, ready for arrays. Cheap to make; safe to use from several threads. Large batches use
 /// all threads; the results do not depend on their number. Arrays must not overlap. All calls refuse arrays whose sizes
 /// differ (bad_input, naming the array and both sizes); vectors are not checked: where they are not of unit length to
-/// float precision, results are finite but meaningless. Against the same formulas one by one, in float:
-/// bsdf/batch/batch_test.cpp.
+/// float precision, results are finite but meaningless, and a NaN gives any number. Against the same formulas one by
+/// one, in float: bsdf/batch/batch_test.cpp.
 class BatchEvaluator {
  public:
   /// Error: usage, where this processor or build lacks the instruction set.
@@ -77,18 +77,18 @@ class BatchEvaluator {
   Result<void> evaluate_varying(const BatchPoints& points, std::span<const VaryingParameter> varying,
                                 const OutputSpans& color) const;
 
-  /// One point by itself, with the parameters prepared before: S, the density, and a unit vector toward the light drawn by
-  /// `u` (as of BatchQueries). The formulas of the batch without its flush of denormals: values within 1e-5 of its own,
-  /// half of them within 2.4e-7 (bsdf/batch/batch_test.cpp). The same meaning and range of arguments; `h` is unused in
-  /// far fields.
+  /// One point by itself, with the parameters prepared before: S, the density, and a unit vector toward the light drawn
+  /// by `u` (as of BatchQueries). The formulas of the batch without its flush of denormals: values within 1e-5 of its
+  /// own, half of them within 2.4e-7 (bsdf/batch/batch_test.cpp). The same meaning and range of arguments; `h` is
+  /// unused in far fields.
   glm::vec3 evaluate(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const;
   float pdf(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const;
   /// 0 where the model has no sampler.
   glm::vec3 sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const;
 
-  /// Whether the loops are vectorised, over points or (chiang's far field) over the nodes of each point's integral; else
-  /// points go one by one through the model's scalar formulas (parameters for which the model's `holds_in_batch` says no,
-  /// models without kernels).
+  /// Whether the loops are vectorised, over points or (chiang's far field) over the nodes of each point's integral;
+  /// else points go one by one through the model's scalar formulas (parameters for which the model's `holds_in_batch`
+  /// says no, models without kernels).
   bool is_vectorised() const { return kernels_ || integrals_; }
   /// The same for `sample`.
   bool draws_vectorised() const;
@@ -99,6 +99,7 @@ class BatchEvaluator {
   const Model* model_;
   registry::ParameterValues values_;
   Packed<float> packed_{};
+  const batch::Kernels* draws() const;
   void evaluate_block(const BatchPoints& points, std::size_t first, int count, const OutputSpans& color) const;
   void pdf_block(const BatchPoints& points, std::size_t first, int count, std::span<float> density) const;
 

@@ -67,7 +67,7 @@ void pdf(const Packed<float>& packed, int count, const DirectionPointers& in, fl
   for (int i = 0; i < count; ++i) density[i] = value_at(numbers, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
 }
 
-/// A near field draws for an offset too.
+/// A near field draws for an offset too, which its `drawn_offset` may draw.
 template <class Real>
 constexpr bool draws_for_offset = requires(const Packed<Real>& packed, Real u) {
   sample_directions(packed, u, u, u, u, u, u, u);
@@ -78,10 +78,10 @@ constexpr bool draws_directions = draws_for_offset<Real> || requires(const Packe
 };
 
 FN glm::vec<3, Real> light_drawn(const Packed<Real>& packed, glm::vec<3, Real> viewer, Real h, Real u0, Real u1,
-                                 Real u2, Real u3) {
+                                 Real u2, Real u3, [[maybe_unused]] Real u4) {
   const Real cos_o = sqrt(viewer.y * viewer.y + viewer.z * viewer.z);
   if constexpr (draws_for_offset<Real>)
-    return light_of(sample_directions(packed, viewer.x, cos_o, h, u0, u1, u2, u3), viewer);
+    return light_of(sample_directions(packed, viewer.x, cos_o, drawn_offset(packed, h, u4), u0, u1, u2, u3), viewer);
   else
     return light_of(sample_directions(packed, viewer.x, cos_o, u0, u1, u2, u3), viewer);
 }
@@ -92,11 +92,11 @@ void sample(const Packed<Real>& packed, int count, const QueryPointers& in, cons
   const Packed<Real> numbers = packed;
   const QueryPointers from = in;
   const VectorPointers to = out;
-  const float *const u0 = in.u[0], *const u1 = in.u[1], *const u2 = in.u[2], *const u3 = in.u[3];
+  const float *const u0 = in.u[0], *const u1 = in.u[1], *const u2 = in.u[2], *const u3 = in.u[3], *const u4 = in.u[4];
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
     const glm::vec3 light = light_drawn(numbers, glm::vec3(from.viewer_x[i], from.viewer_y[i], from.viewer_z[i]),
-                                        from.h[i], u0[i], u1[i], u2[i], u3[i]);
+                                        from.h[i], u0[i], u1[i], u2[i], u3[i], u4[i]);
     to.x[i] = light.x;
     to.y[i] = light.y;
     to.z[i] = light.z;
@@ -149,8 +149,9 @@ float pdf_of_one(const Packed<float>& packed, const OnePoint& point) {
 }
 
 template <class Real>
-void sample_one(const Packed<Real>& packed, const float viewer[3], float h, const float u[4], float light[3]) {
-  const glm::vec3 drawn = light_drawn(packed, glm::vec3(viewer[0], viewer[1], viewer[2]), h, u[0], u[1], u[2], u[3]);
+void sample_one(const Packed<Real>& packed, const float viewer[3], float h, const float u[5], float light[3]) {
+  const glm::vec3 at(viewer[0], viewer[1], viewer[2]);
+  const glm::vec3 drawn = light_drawn(packed, at, h, u[0], u[1], u[2], u[3], u[4]);
   for (int c = 0; c < 3; ++c) light[c] = drawn[c];
 }
 

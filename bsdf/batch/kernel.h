@@ -15,7 +15,7 @@ struct ColorPointers {
 /// Queries: the viewer's unit vector, the offset, and random numbers in [0, 1).
 struct QueryPointers {
   const float *viewer_x, *viewer_y, *viewer_z, *h;
-  const float* u[4];
+  const float* u[5];
 };
 struct VectorPointers {
   float *x, *y, *z;
@@ -44,7 +44,7 @@ struct Kernels {
   void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&, const ColorPointers&);  ///< null: none
   void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]);
   float (*pdf_of_one)(const Packed<float>&, const OnePoint&);
-  void (*sample_one)(const Packed<float>&, const float viewer[3], float h, const float u[4],
+  void (*sample_one)(const Packed<float>&, const float viewer[3], float h, const float u[5],
                      float light[3]);  ///< null: no sampler
   /// Where `holds` says no: points one after the other, each an integral whose nodes are a vector; null: none.
   void (*evaluate_integral)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);

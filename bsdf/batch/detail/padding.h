@@ -23,7 +23,11 @@ class Padding {
     return {in(p.light_x), in(p.light_y), in(p.light_z), in(p.viewer_x), in(p.viewer_y), in(p.viewer_z), in(p.h)};
   }
   QueryPointers in(const QueryPointers& p) {
-    return {in(p.viewer_x), in(p.viewer_y), in(p.viewer_z), in(p.h), {in(p.u[0]), in(p.u[1]), in(p.u[2]), in(p.u[3])}};
+    return {in(p.viewer_x),
+            in(p.viewer_y),
+            in(p.viewer_z),
+            in(p.h),
+            {in(p.u[0]), in(p.u[1]), in(p.u[2]), in(p.u[3]), in(p.u[4])}};
   }
   RowPointers in(const RowPointers& p) {
     RowPointers rows;
@@ -47,7 +51,7 @@ inline QueryPointers moved(const QueryPointers& p, int by) {
           p.viewer_y + by,
           p.viewer_z + by,
           p.h + by,
-          {p.u[0] + by, p.u[1] + by, p.u[2] + by, p.u[3] + by}};
+          {p.u[0] + by, p.u[1] + by, p.u[2] + by, p.u[3] + by, p.u[4] + by}};
 }
 inline RowPointers moved(const RowPointers& p, int by) {
   RowPointers rows;
