@@ -7,6 +7,7 @@ void add_study(CLI::App& app, Context& context) {
   study->require_subcommand(1);
   study->fallthrough();
   add_study_lobes(*study, context);
+  add_study_luts(*study, context);
   add_study_shadows(*study, context);
 }
 

@@ -35,7 +35,8 @@ def save_png(plot, path):
         axes.set_rgrids(range(1, DECADES + 1), polar_labels(largest), fontsize=7)
         axes.set_xlabel(f"angle: {plot['x_label']}; radius: {plot['y_label']}")
     else:
-        axes.set(xlabel=plot["x_label"], ylabel=plot["y_label"])
+        scale = "log" if plot.get("logarithmic") else "linear"
+        axes.set(xlabel=plot["x_label"], ylabel=plot["y_label"], xscale=scale, yscale=scale)
         axes.grid(alpha=0.3)
     axes.set_title(plot["title"], fontsize=11)
     figure.legend(loc="outside right upper", fontsize=8)
@@ -61,8 +62,9 @@ def interactive(plot):
     if plot["polar"]:
         figure.update_layout(polar={"radialaxis": {"tickvals": list(range(1, DECADES + 1)), "ticktext": polar_labels(largest)}})
     else:
-        figure.update_xaxes(title=plot["x_label"])
-        figure.update_yaxes(title=plot["y_label"])
+        scale = "log" if plot.get("logarithmic") else "linear"
+        figure.update_xaxes(title=plot["x_label"], type=scale)
+        figure.update_yaxes(title=plot["y_label"], type=scale)
     return figure
 
 

@@ -1,0 +1,122 @@
+#include <cuticle/study/luts/luts_study.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <cuticle/lut/fit/texel_fit.h>
+#include <cuticle/lut/format.h>
+
+namespace cuticle::study {
+namespace {
+
+/// One set to be made.
+struct Task {
+  const bsdf::Model* model;
+  registry::ParameterValues values;
+  const lut::Layout* layout;
+  int size;
+};
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+/// Texels in the format: a half texture has four channels, a PNG as many as the table.
+std::size_t bytes_of(const lut::TableSet& set, std::string_view format) {
+  std::size_t bytes = 0;
+  for (const lut::Table& table : set.tables) {
+    const glm::ivec2 size = lut::table_size(*table.layout, set.size);
+    const std::size_t a_texel = format == "png8" ? table.scale.size() : format == "png16" ? 2 * table.scale.size() : 8;
+    bytes += std::size_t(size.x) * std::size_t(size.y) * a_texel;
+  }
+  return bytes;
+}
+
+void add_rows(LutsStudy& study, const LutRow& common, const lut::TableSet& set) {
+  const auto add = [&](std::string channel, const lut::ChannelError& error) {
+    LutRow& row = study.rows.emplace_back(common);
+    row.channel = std::move(channel);
+    row.rms_error = ratio(error.rms, error.signal_rms);
+    row.p99_error = ratio(error.percentile_99, error.peak);
+    row.max_error = ratio(error.maximum, error.peak);
+  };
+  for (const lut::Table& table : set.tables)
+    for (const lut::ChannelError& error : table.errors) add(error.channel, error);
+  if (set.scattering.size() > 1) add("S", set.scattering[1]);
+}
+
+Result<lut::TableSet> stored(const lut::TableSet& baked, std::string_view format, std::string_view fit,
+                             Progress& progress) {
+  CUTICLE_ASSIGN(const lut::Format* as, lut::find_format(format));
+  if (fit == "texels") {
+    CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(baked, *as, progress));
+    return std::move(fitted.set);
+  }
+  lut::TableSet set = baked;
+  CUTICLE_TRY(lut::certify(set, *as, progress));
+  return set;
+}
+
+Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& request, Progress& progress) {
+  CUTICLE_ASSIGN(const lut::TableSet baked,
+                 lut::bake(*task.model, task.values, *task.layout, task.size, silent_progress()));
+  for (const std::string& fit : request.fits) {
+    if (fit != "none" && task.size > request.largest_fitted) continue;
+    for (const std::string& format : request.formats) {
+      progress.update(
+          fmt::format("{} {} {} {} {}", task.model->entry.name, task.layout->entry.name, task.size, format, fit), 0, 1);
+      CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, format, fit, silent_progress()));
+      LutRow common{std::string(task.model->entry.name), std::string(task.layout->entry.name), format, fit, ""};
+      common.size = task.size;
+      common.bytes = bytes_of(set, format);
+      common.bake_ms = baked.bake_ms;
+      CUTICLE_ASSIGN(common.ns, sampling_ns(set, request.points, request.repeats));
+      add_rows(study, common, set);
+    }
+  }
+  return {};
+}
+
+Result<std::vector<const lut::Layout*>> chosen_layouts(const LutsRequest& request) {
+  std::vector<const lut::Layout*> chosen;
+  for (const std::string& name : request.layouts) {
+    CUTICLE_ASSIGN(chosen.emplace_back(), lut::find_layout(name));
+  }
+  if (!chosen.empty()) return chosen;
+  for (const lut::Layout* layout : lut::layouts())
+    if (!layout->terms.empty()) chosen.push_back(layout);
+  return chosen;
+}
+
+/// A layout that does not fit the model (lobes that it lacks, a near field) is noted and left out.
+Result<void> add_layout(LutsStudy& study, Task task, const LutsRequest& request, Progress& progress) {
+  for (const int size : request.sizes) {
+    task.size = size;
+    const Result<void> added = add_set(study, task, request, progress);
+    if (added) continue;
+    if (added.error().kind != ErrorKind::usage) return added;
+    study.skipped.push_back(
+        fmt::format("{} in {}: {}", task.model->entry.name, task.layout->entry.name, added.error().message));
+    return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<LutsStudy> run_luts_study(const LutsRequest& request, Progress& progress) {
+  LutsStudy study;
+  CUTICLE_ASSIGN(const std::vector<const lut::Layout*> layouts, chosen_layouts(request));
+  for (const std::string& name : request.models) {
+    CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
+    CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, "", request.settings));
+    CUTICLE_ASSIGN(const std::vector<DirectRow> direct,
+                   measure_direct(*model, values, request.points, request.repeats));
+    study.direct.insert(study.direct.end(), direct.begin(), direct.end());
+    for (const lut::Layout* layout : layouts)
+      CUTICLE_TRY(add_layout(study, {model, values, layout, 0}, request, progress));
+  }
+  study.verdicts = verdicts_of(study);
+  return study;
+}
+
+}  // namespace cuticle::study
