@@ -18,8 +18,9 @@ namespace cuticle::bsdf {
 enum class Precision { f32, f64, gpu };
 /// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of
 /// the path at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident
-/// directions; pdf: density of `sample` per steradian of incident directions (of one lobe: of that lobe's samples alone);
-/// error: the model's own bound on the absolute error of S where it is a quadrature, 0 where it is a closed form.
+/// directions; pdf: density of `sample` per steradian of incident directions (of one lobe: of that lobe's samples
+/// alone); error: the model's own bound on the absolute error of S where it is a quadrature, 0 where it is a closed
+/// form.
 enum class Quantity { S, M, N, A, albedo, pdf, error };
 constexpr std::size_t quantity_count = 7;
 
@@ -33,8 +34,8 @@ struct Conventions {
 
 /// One point of evaluation, in double; each precision narrows it itself. Quantities use what they need:
 /// S, pdf and error (theta_i, theta_o, phi), M(theta_i, theta_o), N(theta_d, phi), A(theta_d, h), albedo(theta_o).
-/// In the near field S, N, pdf, error and albedo are functions of h too. phi_o is the viewer's azimuth from the major axis
-/// of the cross-section, which only elliptical fibres use.
+/// In the near field S, N, pdf, error and albedo are functions of h too. phi_o is the viewer's azimuth from the major
+/// axis of the cross-section, which only elliptical fibres use.
 struct Point {
   double theta_i = 0, theta_o = 0, theta_d = 0, phi = 0, h = 0, phi_o = 0;
 };
@@ -45,8 +46,8 @@ struct SampleQuery {
   double theta_o = 0, phi_o = 0, h = 0;
   std::array<double, 8> u{};
 };
-/// The direction drawn, its lobe (-1 where the model draws from all at once), its density per steradian, and S / pdf: the
-/// mean of `weight` is the albedo.
+/// The direction drawn, its lobe (-1 where the model draws from all at once), its density per steradian, and S / pdf:
+/// the mean of `weight` is the albedo.
 struct Sample {
   double theta_i = 0, phi = 0, pdf = 0;
   glm::dvec3 weight{0};
@@ -62,9 +63,10 @@ struct AzimuthMean {
   bool singular = false;  ///< N is infinite somewhere between the two
 };
 
-/// A check of `cuticle check model` that this model does not meet by its nature, and why.
+/// A check of `cuticle check model` that this model does not meet by its nature, why, and with which value of one
+/// parameter ("variant=literal", "aspect!=1"; empty: always).
 struct Exception {
-  std::string_view check, why;
+  std::string_view check, why, when = {};
 };
 
 /// Work for one call: one quantity, one lobe (index into lobes; -1 = the sum over lobes) at many points.
@@ -120,8 +122,8 @@ std::array<bool, coordinate_count> coordinates_of(const Model& model, const regi
 /// output, which must be that of the points. Error: bad_input, naming point, coordinate, value and range.
 Result<void> check_request(const Model& model, const Request& request, std::size_t room);
 
-/// Whether every number of the queries is finite and in its range; `room` as for check_request. Error: bad_input, naming query,
-/// coordinate, value and range.
+/// Whether every number of the queries is finite and in its range; `room` as for check_request. Error: bad_input,
+/// naming query, coordinate, value and range.
 Result<void> check_queries(std::span<const SampleQuery> queries, std::size_t room);
 
 /// Evaluates on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: as check_request.

@@ -96,7 +96,8 @@ std::string check_registered(const std::string& name, const std::string& preset,
   nb::gil_scoped_release released;
   const checks::Subject subject =
       checks::subject_of(*model, values, precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64);
-  const checks::Report report = check_subject(subject, model->exceptions, {.quick = quick}, silent_progress());
+  const checks::Report report =
+      check_subject(subject, checks::exceptions_of(*model, values), {.quick = quick}, silent_progress());
   return checks::to_json({&report, 1});
 }
 

@@ -1,6 +1,9 @@
 // The sampler of the d'Eon model: its density is the reported one, its weights average to the albedo.
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +46,34 @@ TEST_P(DeonSampler, DensityOfEachLobe_IntegratesToOne) {
 
 TEST_P(DeonSampler, WeightsOnTheAverage_AreTheAlbedo) {
   EXPECT_LT(tests::weight_deviations(view(), 1000, Precision::f32), 4);
+}
+
+/// Standard deviation of azimuths about their circular mean.
+double spread_of(const std::vector<double>& azimuths) {
+  double x = 0, y = 0, squares = 0;
+  for (double phi : azimuths) x += std::cos(phi), y += std::sin(phi);
+  for (double phi : azimuths) squares += std::pow(std::remainder(phi - std::atan2(y, x), 2 * pi), 2);
+  return std::sqrt(squares / double(azimuths.size()));
+}
+
+// u[0] is the offset, so the azimuths of a path at one offset have the detector's own width: beta_n, half and twice.
+TEST(DeonSampler, AtOneOffset_AzimuthsHaveTheWidthOfTheirLobe) {
+  std::array<std::vector<double>, 3> azimuths;
+  const auto values = *parse_settings(model(), "", "beta_n=0.2,sigma_a=0,azimuthal_tolerance=0.1");
+  std::mt19937_64 random(14);
+  std::vector<SampleQuery> queries(4000, {.theta_o = 0.4});
+  for (SampleQuery& query : queries) {
+    for (double& u : query.u) u = double(random() >> 11) * 0x1p-53;
+    query.u[0] = 0.97;
+  }
+  std::vector<Sample> samples(queries.size());
+  ASSERT_TRUE(sample(model(), values, Precision::f64, queries, samples).ok());
+  for (const Sample& s : samples)
+    if (s.lobe < 3) azimuths[std::size_t(s.lobe)].push_back(s.phi);
+  for (std::size_t p = 0; p < 3; ++p) {
+    const double truth = std::array{0.2, 0.1, 0.4}[p];
+    EXPECT_NEAR(spread_of(azimuths[p]), truth, 3.5 * truth / std::sqrt(2.0 * double(azimuths[p].size()))) << p;
+  }
 }
 
 TEST(DeonSampler, AtTheEdgesOfItsNumbers_IsFinite) {

@@ -27,7 +27,7 @@ json presets_json(const Model& model) {
 json exceptions_json(const Model& model) {
   json exceptions = json::array();
   for (const Exception& exception : model.exceptions)
-    exceptions.push_back({{"check", exception.check}, {"why", exception.why}});
+    exceptions.push_back({{"check", exception.check}, {"why", exception.why}, {"when", exception.when}});
   return exceptions;
 }
 

@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::array<std::string_view, 6> lobe_names = {"R", "TT", "TRT", "TTs", "TRTs", "residual"};
 constexpr std::array<std::string_view, 2> fields = {"far", "near"};
+constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "theta_d"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 constexpr double largest_anisotropy = 0.9;
 
 using registry::ParameterType;
-constexpr std::array<registry::Parameter, 12> parameters = {{
+constexpr std::array<registry::Parameter, 13> parameters = {{
     {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of cortex and medulla"},
     {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption of the cortex per fibre radius"},
     {"kappa", ParameterType::real, "1", 0, 0.99, "0.7", {}, "radius of the medulla over that of the fibre"},
@@ -67,6 +68,8 @@ constexpr std::array<registry::Parameter, 12> parameters = {{
      {},
      "relative error of the far field's azimuthal quadrature"},
     {"field", ParameterType::choice, "1", 0, 0, "far", fields, "far: averaged over the fibre; near: at an offset h"},
+    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_o", attenuation_angles,
+     "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i"},
 }};
 
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -80,8 +83,14 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
     {"tolerance 1e-8", "azimuthal_tolerance=1e-8"},
 }};
-constexpr std::array<Exception, 1> exceptions = {
-    {{"reciprocity", "attenuation belongs to theta_o, which keeps energy; scattered light leaves by Lambert's law"}}};
+constexpr std::array<Exception, 3> exceptions = {{
+    {"reciprocity",
+     "attenuation belongs to theta_o, which keeps energy, and scattered light leaves by Lambert's law; "
+     "attenuation_angle=theta_d is reciprocal",
+     "attenuation_angle=theta_o"},
+    {"white_furnace", "paths of different widths take their shares at different theta_d", "attenuation_angle=theta_d"},
+    {"absorbing_furnace", "as white_furnace; the albedo is that of theta_o", "attenuation_angle=theta_d"},
+}};
 
 /// Width of the von Mises-Fisher lobe whose mean cosine is `mean`, in (0, 1): 1/tanh(1/v) - v = mean, bisected in v.
 double width_of_mean(double mean) {
@@ -143,6 +152,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   packed.value[41] = detector_reach(tolerance);
   packed.value[42] = values.real("layers");
   packed.value[44] = values.choice("field") == "near";
+  packed.value[45] = values.choice("attenuation_angle") == "theta_d";
   return packed;
 }
 

@@ -116,6 +116,17 @@ TEST(YanFur, WithoutMedulla_IsAFibreOfCortex) {
   }
 }
 
+TEST(YanFur, AtThetaDWithoutTilt_IsReciprocal) {
+  const std::string settings = "alpha=0,attenuation_angle=theta_d";
+  for (double phi : {0.2, 1.7, 3.0})
+    for (int lobe = 0; lobe < 6; ++lobe) {
+      const double forth = value_at(settings, Quantity::S, lobe, {.theta_i = 0.5, .theta_o = -0.9, .phi = phi});
+      const double back = value_at(settings, Quantity::S, lobe, {.theta_i = -0.9, .theta_o = 0.5, .phi = -phi});
+      EXPECT_NEAR(forth, back, 1e-10 * forth) << lobe << " " << phi;
+      EXPECT_GT(forth, 0) << lobe;
+    }
+}
+
 struct Case {
   const char* settings;
   double theta_o, h;

@@ -13,6 +13,7 @@ using study::model_check::Report;
 
 struct ModelOptions {
   std::string name, settings, preset, precision = "f64";
+  bool variants = false;
   study::model_check::Options check;
 };
 
@@ -22,15 +23,27 @@ Result<std::vector<const bsdf::Model*>> chosen_models(const std::string& name) {
   return std::vector<const bsdf::Model*>{model};
 }
 
+Result<Report> check_variant(const bsdf::Model& model, const ModelOptions& options, const std::string& variant,
+                             Progress& progress) {
+  const std::string settings = variant.empty() ? options.settings : fmt::format("{},{}", options.settings, variant);
+  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, options.preset, settings));
+  const bsdf::Precision precision = options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64;
+  study::model_check::Subject subject = study::model_check::subject_of(model, values, precision);
+  if (!variant.empty()) subject.name += " " + variant;
+  subject.searched = !variant.empty();
+  return check_subject(subject, study::model_check::exceptions_of(model, values), options.check, progress);
+}
+
 Result<std::vector<Report>> check_models(const ModelOptions& options, Progress& progress) {
   CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, chosen_models(options.name));
-  const bsdf::Precision precision = options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64;
   std::vector<Report> reports;
   for (const bsdf::Model* model : models) {
-    CUTICLE_ASSIGN(const registry::ParameterValues values,
-                   bsdf::parse_settings(*model, options.preset, options.settings));
-    const study::model_check::Subject subject = study::model_check::subject_of(*model, values, precision);
-    reports.push_back(check_subject(subject, model->exceptions, options.check, progress));
+    std::vector<std::string> variants = study::model_check::variants_of(*model);
+    if (!options.variants) variants.resize(1);
+    for (const std::string& variant : variants) {
+      CUTICLE_ASSIGN(Report report, check_variant(*model, options, variant, progress));
+      reports.push_back(std::move(report));
+    }
   }
   return reports;
 }
@@ -59,6 +72,8 @@ void add_check_model(CLI::App& check, Context& context) {
       ->capture_default_str();
   command->add_option("--seed", options->check.seed, "of the samples and of the search for NaN")->capture_default_str();
   command->add_flag("--quick", options->check.quick, "fewer directions and samples");
+  command->add_flag("--variants", options->variants,
+                    "each variant of the model too: near field, literal, elliptical, ...");
   command->callback(
       [&context, options] { context.action = [&context, options] { return check_model(*options, context); }; });
 }

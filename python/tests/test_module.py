@@ -109,7 +109,7 @@ def test_Models_Marschner_HasItsParameters():
 def test_Models_EachOfThem_SaysWhatAResearcherAsks():
     for model in cuticle.models():
         assert model["lobes"] and model["source"] and set(model["conventions"]) == {"field", "cosine", "tilt_sign", "roughness", "absorption"}
-        assert all({"check", "why"} == set(exception) for exception in model["exceptions"])
+        assert all({"check", "why", "when"} == set(exception) for exception in model["exceptions"])
     assert {"white_furnace"} <= {exception["check"] for model in cuticle.models() if model["name"] == "kajiya_kay" for exception in model["exceptions"]}
 
 

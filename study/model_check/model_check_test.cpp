@@ -1,6 +1,7 @@
 // What the checks are made of, each against a known answer.
 #include <cuticle/study/model_check/model_check.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include <cuticle/study/model_check/checks/chi_square.h>
 #include <cuticle/study/model_check/gallery/gallery.h>
 #include <cuticle/study/model_check/mean_attenuation.h>
+#include <cuticle/study/model_check/registered.h>
 #include <cuticle/study/model_check/report.h>
 #include <cuticle/study/model_check/sphere_quadrature.h>
 
@@ -43,6 +45,35 @@ TEST_P(NarrowLobe, OfAThousandthOfARadian_KeepsItsEnergy) {
       exhibit(Cause::none).make({Absorption::none, Roughness::narrowest, Tilt::given});
   const SphereIntegral sum = scattered_energy(*fibre, {.theta_o = GetParam(), .h = 0.3});
   EXPECT_NEAR(sum.value.x, 1, 4e-4);
+}
+
+// Half the sphere is integrated where the function is the same on both sides, all of it where it is not.
+TEST(Partition, OfEvenAndUnevenLobes_CoversWhatItMust) {
+  const auto energy = [](double slope) {
+    Scatterer lobe;
+    lobe.scattering = [slope](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] = glm::dvec3(1 + slope * std::sin(points[i].phi));
+    };
+    const Partition partition = partition_for(lobe, {});
+    EXPECT_EQ(partition.even, slope == 0);
+    return integrate_sphere(lobe.scattering, {}, partition).value.x;
+  };
+  EXPECT_NEAR(energy(0), 4 * pi, 1e-6);
+  EXPECT_NEAR(energy(0.9), 4 * pi, 1e-6);
+}
+
+TEST(SphereQuadrature, BelowTheIntegrandsOwnError_DoesNotDivide) {
+  const Batch rough = [](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = glm::dvec3(1 + 0.1 * std::sin(300 * points[i].phi));
+  };
+  const Batch tenth = [](std::span<const bsdf::Point>, std::span<glm::dvec3> out) {
+    std::fill(out.begin(), out.end(), glm::dvec3(0.1));
+  };
+  const SphereIntegral sum =
+      integrate_sphere(rough, {}, {{-pi / 2, 0, pi / 2}, {-pi, 0, pi}}, {.absolute = 1e-6, .own_error = tenth});
+  EXPECT_EQ(sum.cells.size(), 4u);
+  EXPECT_NEAR(sum.value.x, 4 * pi, sum.own_error);
+  EXPECT_NEAR(sum.own_error, 0.1 * 4 * pi, 0.2);
 }
 
 // Q(1/2, 1.92) of one degree of freedom and the tabulated 5 % points (Abramowitz and Stegun, table 26.8).
@@ -104,6 +135,24 @@ TEST(Checks, WithoutASampler_AreSkippedWithAReason) {
   }
 }
 
+TEST(Variants, OfMarschner_AreItsChoicesAndAnEllipse) {
+  EXPECT_EQ(variants_of(**bsdf::find_model("marschner")),
+            (std::vector<std::string>{"", "variant=literal", "aspect=0.85", "caustic=smoothed"}));
+}
+
+TEST(Exceptions, OfAVariant_ExcuseNoOther) {
+  const bsdf::Model& model = **bsdf::find_model("marschner");
+  const auto excused = [&](std::string_view settings, std::string_view check) {
+    const auto found = exceptions_of(model, *bsdf::parse_settings(model, "", settings));
+    return std::ranges::any_of(found, [&](const bsdf::Exception& exception) { return exception.check == check; });
+  };
+  EXPECT_TRUE(excused("variant=literal", "absorbing_furnace"));
+  EXPECT_TRUE(excused("aspect=0.9", "absorbing_furnace"));
+  EXPECT_FALSE(excused("", "absorbing_furnace"));
+  EXPECT_TRUE(excused("", "white_furnace"));
+  EXPECT_FALSE(excused("alpha=0", "white_furnace"));
+}
+
 /// A far-field fibre of one wide lobe around the mirror direction, times a factor of one's own.
 Subject lobe_times(double (*factor)(const bsdf::Point&)) {
   Scatterer scatterer;
@@ -132,6 +181,11 @@ TEST(EachCheck, WhiteFurnaceOfTooMuchEnergy_Fails) {
 
 TEST(EachCheck, ReciprocityOfAFactorOfOneDirection_Fails) {
   EXPECT_EQ(state_of("reciprocity", [](const bsdf::Point& at) { return std::cos(at.theta_o); }), State::failed);
+}
+
+// Helmholtz's law has S cos(theta_o) symmetric, which a factor of cos(theta_i) is.
+TEST(EachCheck, ReciprocityOfLambertsLaw_Passes) {
+  EXPECT_EQ(state_of("reciprocity", [](const bsdf::Point& at) { return std::cos(at.theta_i); }), State::passed);
 }
 
 TEST(EachCheck, TailsThatAreCut_Fail) {

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double tails[] = {-8, -4, -2, 0, 2, 4, 8};  // in ranges of a lobe's middle half
+// A closed form may have caustics, which many samples find; an average over the fibre has none, and its samples cost
+// more.
+constexpr std::size_t samples_of_caustics = 4096, samples_of_averages = 1024;
 constexpr double distances[] = {0, 1e-3, 3e-3, 1e-2, 3e-2, 0.1};
 
 std::vector<double> even(double low, double high, int parts) {
@@ -50,7 +53,8 @@ void add_lobe(const std::vector<Seed>& lobe, std::vector<Seed>& seeds) {
 
 std::vector<Seed> samples(const Scatterer& scatterer, const bsdf::Point& view) {
   std::map<int, std::vector<Seed>> lobes;
-  for (const bsdf::Sample& sample : draw(scatterer, view, 4096, 20031109))
+  const std::size_t count = averages(scatterer, view) ? samples_of_averages : samples_of_caustics;
+  for (const bsdf::Sample& sample : draw(scatterer, view, count, 20031109))
     if (std::isfinite(sample.theta_i) && std::isfinite(sample.phi))
       lobes[sample.lobe].push_back({sample.theta_i, std::remainder(sample.phi, 2 * pi)});
   std::vector<Seed> seeds;
@@ -67,11 +71,37 @@ std::vector<Seed> around_the_mirror_direction(const bsdf::Point& view) {
   return seeds;
 }
 
+/// Whether a function is the same at phi and -phi, by its values near the seeds.
+bool is_even(const Batch& function, const bsdf::Point& view, const std::vector<Seed>& seeds) {
+  constexpr std::size_t most = 48;
+  std::vector<bsdf::Point> points;
+  for (std::size_t k = 0; k < std::min(most, seeds.size()); ++k) {
+    bsdf::Point point = view;
+    const Seed& seed = seeds[k * seeds.size() / std::min(most, seeds.size())];
+    point.theta_i = std::clamp(seed.theta, -1.5, 1.5);
+    for (double side : {-1.0, 1.0}) {
+      point.phi = side * seed.phi;
+      points.push_back(point);
+    }
+  }
+  const std::vector<glm::dvec3> values = values_at(function, points);
+  for (std::size_t k = 0; k + 1 < values.size(); k += 2)
+    if (!(largest(values[k] - values[k + 1]) <= 1e-4 * largest(values[k]))) return false;
+  return true;
+}
+
 }  // namespace
 
 Partition partition_for(const Scatterer& scatterer, const bsdf::Point& view) {
-  return {even(-pi / 2, pi / 2, 8), even(-pi, pi, 6),
-          scatterer.sample ? samples(scatterer, view) : around_the_mirror_direction(view)};
+  Partition partition{even(-pi / 2, pi / 2, 8), even(-pi, pi, 6),
+                      scatterer.sample ? samples(scatterer, view) : around_the_mirror_direction(view)};
+  if (averages(scatterer, view)) partition.scales = 12;
+  partition.even = is_even(scatterer.scattering, view, partition.seeds) &&
+                   (!scatterer.pdf || is_even(scatterer.pdf, view, partition.seeds));
+  if (!partition.even) return partition;
+  partition.phi = even(0, pi, 3);
+  for (Seed& seed : partition.seeds) seed.phi = std::abs(seed.phi);
+  return partition;
 }
 
 }  // namespace cuticle::study::model_check

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -25,11 +26,17 @@ bool is_tilt(const Parameter& p) {
   const bool named = p.name.starts_with("alpha") || contains(p.name, "tilt") || contains(p.name, "shift");
   return p.type == ParameterType::real && p.unit == "rad" && named;
 }
+bool is_azimuthal(const Parameter& p) { return p.name == "beta_n"; }
+bool is_tolerance(const Parameter& p) { return p.type == ParameterType::real && contains(p.name, "tolerance"); }
+bool is_path_count(const Parameter& p) { return p.type == ParameterType::integer && p.name == "samples"; }
 bool is_absorption(const Parameter& p) { return p.name == "sigma_a" || p.name == "sigma_ma"; }
 
+/// Of the azimuth, the narrowest is wider: averages over the fibre cost as much more as their lobes are narrow, and
+/// energy is not changed by it.
 double roughness_of(const Parameter& p, Roughness roughness) {
   constexpr std::array<double, 5> widths = {0, 0, 0.1, 0.25, 0.6};
-  return std::clamp(widths[std::size_t(roughness)], p.minimum, p.maximum);
+  const double least = is_azimuthal(p) ? 0.05 : 0;
+  return std::clamp(std::max(widths[std::size_t(roughness)], least), p.minimum, p.maximum);
 }
 
 double in_range(const Parameter& p, double value) { return std::clamp(value, p.minimum, p.maximum); }
@@ -45,6 +52,19 @@ double tilt_of(const Parameter& p, Tilt tilt) {
   return tilt == Tilt::none ? 0.0 : p.minimum < 0 ? std::max(p.minimum, -0.0873) : std::min(p.maximum, 0.0873);
 }
 
+/// A quadrature's default tolerance or number of paths, brought to what the checks' bounds need; one that was chosen
+/// stays.
+void set_effort(ParameterValues& values, const Parameter& p, Effort effort) {
+  constexpr double needed = 1e-4;
+  constexpr std::int64_t enough_paths = 256;
+  if (is_tolerance(p) && values.real(p.name) == registry::default_values({&p, 1}).real(p.name))
+    values.set(p.name, in_range(p, std::max(values.real(p.name), needed)));
+  if (!is_path_count(p)) return;
+  if (effort == Effort::draft) values.set(p.name, std::int64_t(p.minimum));
+  if (effort == Effort::given && values.integer(p.name) == registry::default_values({&p, 1}).integer(p.name))
+    values.set(p.name, std::min<std::int64_t>(values.integer(p.name), enough_paths));
+}
+
 /// The values put into a situation; parameters that it does not speak of keep theirs.
 ParameterValues in_situation(const bsdf::Model& model, ParameterValues values, const Situation& situation) {
   for (const Parameter& p : model.entry.parameters) {
@@ -52,6 +72,7 @@ ParameterValues in_situation(const bsdf::Model& model, ParameterValues values, c
       values.set(p.name, roughness_of(p, situation.roughness));
     if (situation.absorption != Absorption::given && is_absorption(p)) set_absorption(values, p, situation.absorption);
     if (situation.tilt != Tilt::given && is_tilt(p)) values.set(p.name, tilt_of(p, situation.tilt));
+    set_effort(values, p, situation.effort);
   }
   return values;
 }
@@ -102,6 +123,7 @@ Scatterer scatterer_of(const bsdf::Model& model, const ParameterValues& values, 
                       {"N", batch(Quantity::N)},
                       {"A", batch(Quantity::A)},
                       {"error", batch(Quantity::error)}};
+  scatterer.error = batch(Quantity::error);
   scatterer.cylinder = cylinder_of(model, values);
   if (!model.sample_f64) return scatterer;
   scatterer.pdf = batch(Quantity::pdf);
@@ -125,6 +147,7 @@ double pick(RandomStream& random, double low, double high) {
 registry::Value pick_value(RandomStream& random, const Parameter& p) {
   switch (p.type) {
     case ParameterType::integer:
+      if (is_path_count(p)) return std::int64_t(p.minimum);
       return std::int64_t(std::floor(pick(random, p.minimum, p.maximum) + 0.5));
     case ParameterType::boolean:
       return random.next_unit() < 0.5;
@@ -153,7 +176,33 @@ Scatterer varied(const bsdf::Model& model, bsdf::Precision precision, std::uint6
   return scatterer;
 }
 
+/// Whether "name=value" or "name!=value" is so; nothing always is.
+bool holds(std::string_view when, const ParameterValues& values) {
+  const std::size_t equal = when.find('=');
+  if (equal == std::string_view::npos) return true;
+  const bool differs = when[equal - 1] == '!';
+  const auto value = values.all().find(when.substr(0, equal - (differs ? 1 : 0)));
+  return (value != values.all().end() && registry::to_text(value->second) == when.substr(equal + 1)) != differs;
+}
+
 }  // namespace
+
+std::vector<std::string> variants_of(const bsdf::Model& model) {
+  std::vector<std::string> variants = {""};
+  for (const Parameter& p : model.entry.parameters) {
+    for (std::string_view choice : p.choices)
+      if (choice != p.default_text) variants.push_back(fmt::format("{}={}", p.name, choice));
+    if (p.name == "aspect") variants.push_back("aspect=0.85");
+  }
+  return variants;
+}
+
+std::vector<bsdf::Exception> exceptions_of(const bsdf::Model& model, const ParameterValues& values) {
+  std::vector<bsdf::Exception> found;
+  std::copy_if(model.exceptions.begin(), model.exceptions.end(), std::back_inserter(found),
+               [&](const bsdf::Exception& exception) { return holds(exception.when, values); });
+  return found;
+}
 
 Subject subject_of(const bsdf::Model& model, const registry::ParameterValues& values, bsdf::Precision precision) {
   Subject subject;

@@ -56,9 +56,9 @@ bool Report::sound() const {
                       [&](const Verdict& verdict) { return verdict.state == State::failed && !stated(verdict); });
 }
 
-Report check_subject(const Subject& subject, std::span<const bsdf::Exception> exceptions, const Options& options,
+Report check_subject(const Subject& subject, std::vector<bsdf::Exception> exceptions, const Options& options,
                      Progress& progress) {
-  Report report{subject.name, run_checks(subject, options, progress), exceptions, {}};
+  Report report{subject.name, run_checks(subject, options, progress), std::move(exceptions), {}};
   if (!report.sound()) report.diagnosis = diagnose(subject, report.verdicts, options);
   return report;
 }

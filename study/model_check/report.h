@@ -7,8 +7,8 @@ namespace cuticle::study::model_check {
 struct Report {
   std::string name;
   std::vector<Verdict> verdicts;
-  std::span<const bsdf::Exception> exceptions;  ///< checks that the model does not meet by its nature
-  Diagnosis diagnosis;                          ///< where a check failed that is no exception
+  std::vector<bsdf::Exception> exceptions;  ///< checks that the model does not meet by its nature
+  Diagnosis diagnosis;                      ///< where a check failed that is no exception
 
   /// The exception that excuses a check; null: none.
   const bsdf::Exception* stated(const Verdict& verdict) const;
@@ -17,7 +17,7 @@ struct Report {
 };
 
 /// All checks of a subject, and a diagnosis where one fails that is not excused.
-Report check_subject(const Subject& subject, std::span<const bsdf::Exception> exceptions, const Options& options,
+Report check_subject(const Subject& subject, std::vector<bsdf::Exception> exceptions, const Options& options,
                      Progress& progress);
 
 /// One line a check: its name, "pass", "FAIL", "stated" or "-", measured and allowed, words.

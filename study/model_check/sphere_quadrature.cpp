@@ -84,7 +84,22 @@ void append_points(const Cell& cell, const bsdf::Point& view, std::vector<bsdf::
     }
 }
 
-void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& view) {
+/// What the integrand's own error at the middle of each cell amounts to; an estimate below it is no reason to divide.
+void add_own_errors(std::span<Cell> cells, const Batch& own_error, const bsdf::Point& view) {
+  std::vector<bsdf::Point> points(cells.size(), view);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    points[c].theta_i = 0.5 * (cells[c].theta_low + cells[c].theta_high);
+    points[c].phi = 0.5 * (cells[c].phi_low + cells[c].phi_high);
+  }
+  const std::vector<glm::dvec3> errors = values_at(own_error, points);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const double area = (cells[c].theta_high - cells[c].theta_low) * (cells[c].phi_high - cells[c].phi_low);
+    cells[c].own_error = area * std::cos(points[c].theta_i) * largest(errors[c]);
+    if (cells[c].error <= cells[c].own_error) cells[c].error = 0;
+  }
+}
+
+void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& view, const Batch& own_error) {
   std::vector<bsdf::Point> points;
   points.reserve(cells.size() * points_per_cell);
   for (const Cell& cell : cells) append_points(cell, view, points);
@@ -96,6 +111,7 @@ void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& v
       own[i] = values[c * points_per_cell + i] * std::cos(points[c * points_per_cell + i].theta_i);
     assess(cells[c], own);
   }
+  if (own_error) add_own_errors(cells, own_error, view);
 }
 
 std::pair<Cell, Cell> halves(const Cell& cell) {
@@ -109,7 +125,6 @@ std::pair<Cell, Cell> halves(const Cell& cell) {
 }
 
 using Seeds = std::vector<Seed>;
-constexpr double most_scales = 6;     // of a seed that a cell around it may be wide
 constexpr double least_width = 1e-6;  // of a cell [rad]
 
 bool within(double place, double scale, double low, double high) {
@@ -135,7 +150,7 @@ double crowding(const std::vector<double>& values, double low, double high) {
 }
 
 /// How urgently a range asks to be halved, above 1: it is many times wider than a seed's own scale, or its seeds crowd.
-double urgency(const Seeds& seeds, double Seed::*place, double Seed::*scale, double low, double high) {
+double urgency(const Seeds& seeds, double Seed::*place, double Seed::*scale, double low, double high, double scales) {
   if (seeds.empty() || high - low < least_width) return 0;
   std::vector<double> values;
   double least = 1;
@@ -143,14 +158,14 @@ double urgency(const Seeds& seeds, double Seed::*place, double Seed::*scale, dou
     if (seed.*scale <= wide_lobe) values.push_back(seed.*place);
     least = std::min(least, seed.*scale);
   }
-  return std::max(crowding(values, low, high), (high - low) / (most_scales * std::max(least, least_width)));
+  return std::max(6 * crowding(values, low, high), (high - low) / std::max(least, least_width)) / scales;
 }
 
 /// Halves a cell until the seeds in each part fill it.
-void divide_around(const Cell& cell, const Seeds& seeds, std::vector<Cell>& cells) {
+void divide_around(const Cell& cell, const Seeds& seeds, double scales, std::vector<Cell>& cells) {
   const Seeds held = inside(cell, seeds);
-  const double theta = urgency(held, &Seed::theta, &Seed::theta_scale, cell.theta_low, cell.theta_high);
-  const double phi = urgency(held, &Seed::phi, &Seed::phi_scale, cell.phi_low, cell.phi_high);
+  const double theta = urgency(held, &Seed::theta, &Seed::theta_scale, cell.theta_low, cell.theta_high, scales);
+  const double phi = urgency(held, &Seed::phi, &Seed::phi_scale, cell.phi_low, cell.phi_high, scales);
   if (std::max(theta, phi) <= 1) {
     cells.push_back(cell);
     return;
@@ -158,8 +173,8 @@ void divide_around(const Cell& cell, const Seeds& seeds, std::vector<Cell>& cell
   Cell divided = cell;
   divided.along_phi = phi > theta;
   const auto [low, high] = halves(divided);
-  divide_around(low, held, cells);
-  divide_around(high, held, cells);
+  divide_around(low, held, scales, cells);
+  divide_around(high, held, scales, cells);
 }
 
 std::vector<Cell> first_cells(const Partition& partition) {
@@ -167,7 +182,7 @@ std::vector<Cell> first_cells(const Partition& partition) {
   for (std::size_t t = 0; t + 1 < partition.theta.size(); ++t)
     for (std::size_t p = 0; p + 1 < partition.phi.size(); ++p)
       divide_around({partition.theta[t], partition.theta[t + 1], partition.phi[p], partition.phi[p + 1]},
-                    partition.seeds, cells);
+                    partition.seeds, partition.scales, cells);
   return cells;
 }
 
@@ -175,6 +190,20 @@ double total_error(const std::vector<Cell>& cells) {
   double sum = 0;
   for (const Cell& cell : cells) sum += cell.error;
   return sum;
+}
+
+/// Sums up the cells, of which a partition may hold one half.
+void add_up(SphereIntegral& integral, const Partition& partition, const SphereTolerance& tolerance) {
+  const double copies = partition.even ? 2 : 1;
+  integral.value = glm::dvec3(0);
+  integral.own_error = 0;
+  for (const Cell& cell : integral.cells) {
+    integral.value += copies * cell.value;
+    integral.own_error += copies * cell.own_error;
+  }
+  integral.error = copies * total_error(integral.cells);
+  // To know the sum better than the integrand knows itself would be in vain.
+  integral.converged = integral.error <= std::max(tolerance.absolute, 0.2 * integral.own_error);
 }
 
 /// Takes the cells that hold most of the error out of the list, worst first, and gives their halves.
@@ -196,24 +225,23 @@ SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view,
                                 const SphereTolerance& tolerance) {
   SphereIntegral integral;
   integral.cells = first_cells(partition);
-  measure(integral.cells, integrand, view);
+  measure(integral.cells, integrand, view, tolerance.own_error);
   integral.evaluations = integral.cells.size() * points_per_cell;
-  integral.error = total_error(integral.cells);
-  while (integral.error > tolerance.absolute && integral.evaluations < tolerance.evaluations) {
-    std::vector<Cell> divided = take_worst(integral.cells, integral.error);
+  add_up(integral, partition, tolerance);
+  while (!integral.converged && integral.evaluations < tolerance.evaluations) {
+    std::vector<Cell> divided = take_worst(integral.cells, total_error(integral.cells));
     if (divided.empty()) break;
-    measure(divided, integrand, view);
+    measure(divided, integrand, view, tolerance.own_error);
     integral.evaluations += divided.size() * points_per_cell;
     integral.cells.insert(integral.cells.end(), divided.begin(), divided.end());
-    integral.error = total_error(integral.cells);
+    add_up(integral, partition, tolerance);
   }
-  integral.converged = integral.error <= tolerance.absolute;
-  for (const Cell& cell : integral.cells) integral.value += cell.value;
   return integral;
 }
 
 SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute) {
-  return integrate_sphere(scatterer.scattering, view, partition_for(scatterer, view), {.absolute = absolute});
+  return integrate_sphere(scatterer.scattering, view, partition_for(scatterer, view),
+                          {.absolute = absolute, .own_error = scatterer.error});
 }
 
 }  // namespace cuticle::study::model_check

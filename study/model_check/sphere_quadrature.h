@@ -16,18 +16,21 @@ constexpr double wide_lobe = 0.7;
 struct Partition {
   std::vector<double> theta, phi;
   std::vector<Seed> seeds = {};
+  double scales = 6;  ///< how many times wider than its seeds' own scale a cell may be to begin with
+  bool even = false;  ///< the integrand is the same at -phi: phi covers 0 .. pi, and counts twice
 };
 
-/// A part of the sphere, its integral, and an estimate of its error.
+/// A part of the sphere, its integral, an estimate of its error, and what the integrand says of its own.
 struct Cell {
   double theta_low = 0, theta_high = 0, phi_low = 0, phi_high = 0;
   glm::dvec3 value{0};
-  double error = 0;
+  double error = 0, own_error = 0;
   bool along_phi = false;  ///< where it is resolved worst, and divided next
 };
 struct SphereIntegral {
   glm::dvec3 value{0};
-  double error = 0;  ///< estimated absolute error of the mean of the channels
+  double error = 0;      ///< estimated absolute error of the mean of the channels
+  double own_error = 0;  ///< what errors of the integrand itself add at most, in the largest channel
   std::size_t evaluations = 0;
   bool converged = false;
   std::vector<Cell> cells;
@@ -35,6 +38,7 @@ struct SphereIntegral {
 struct SphereTolerance {
   double absolute = 1e-4;
   std::size_t evaluations = 400000;
+  Batch own_error = {};  ///< of the integrand; cells are not divided below it
 };
 
 /// The integral over theta_i and phi of `integrand` cos(theta_i), by cells of Gauss-Legendre points that are halved
@@ -45,7 +49,7 @@ SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view,
                                 const SphereTolerance& tolerance = {});
 
 /// An even division of the sphere, with the scatterer's own samples and the widths of its lobes as seeds, or directions
-/// at all distances from the mirror direction where it has no sampler.
+/// at all distances from the mirror direction where it has no sampler; half of it where S and density are even in phi.
 Partition partition_for(const Scatterer& scatterer, const bsdf::Point& view);
 
 /// The energy that is scattered for one view: the integral of S cos(theta_i).

@@ -31,6 +31,7 @@ struct Scatterer {
   Batch scattering;                                   ///< S [1/sr], the cosine of theta_i not included
   Batch pdf;                                          ///< density of `sample` per steradian of incident directions
   Batch albedo;                                       ///< of theta_o (and h in the near field)
+  Batch error;                                        ///< bound on the error of S where that is itself a quadrature
   Draw sample;                                        ///< incident directions
   std::vector<std::pair<std::string, Batch>> others;  ///< further quantities, hunted for values that are not finite
   std::optional<Cylinder> cylinder;                   ///< its mean attenuation is that of the model
@@ -40,10 +41,13 @@ struct Scatterer {
 enum class Absorption { given, none, coloured };
 enum class Roughness { given, narrowest, narrow, usual, wide };
 enum class Tilt { given, none, strong };
+/// `draft`: for checks of samples and density alone, with as little work on S as the model can be set to.
+enum class Effort { given, draft };
 struct Situation {
   Absorption absorption = Absorption::given;
   Roughness roughness = Roughness::given;
   Tilt tilt = Tilt::given;
+  Effort effort = Effort::given;
 };
 
 /// A model to be checked.
@@ -55,6 +59,7 @@ struct Subject {
   double rounding = 1e-12;  ///< relative error that its arithmetic alone may leave
   /// The model in a situation; none where it cannot be put into it.
   std::function<std::optional<Scatterer>(const Situation&)> make;
+  bool searched = false;  ///< the search for bad values has been made on another variant, over all parameters
   /// The model with parameters drawn over their ranges by number, corners included; null: it has no parameters.
   std::function<Scatterer(std::uint64_t)> vary;
 };

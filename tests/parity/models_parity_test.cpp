@@ -17,12 +17,19 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The defaults, at the coarsest of the model's tiers for their field: what is compared does not hang on the tier.
+bool same_choices(const Model& model, const registry::ParameterValues& a, const registry::ParameterValues& b) {
+  return std::ranges::all_of(model.entry.parameters, [&](const registry::Parameter& p) {
+    return p.type != registry::ParameterType::choice || a.choice(p.name) == b.choice(p.name);
+  });
+}
+
+/// The defaults, at the coarsest of the model's tiers that is the same function: what is compared does not hang on the
+/// tier.
 registry::ParameterValues coarse_defaults(const Model& model) {
   const registry::ParameterValues defaults = registry::default_values(model.entry.parameters);
   for (const registry::StudyCase& tier : model.entry.study_cases) {
     const registry::ParameterValues values = parse_settings(model, "", tier.settings).value();
-    if (!model.near_field || model.near_field(values) == model.near_field(defaults)) return values;
+    if (same_choices(model, values, defaults)) return values;
   }
   return defaults;
 }

@@ -18,26 +18,36 @@ constexpr double degree = pi / 180;
 constexpr double half_width = 1e-7;  // of the ring around the mirror direction [rad]
 constexpr double steepest = 80;      // [deg]
 
-double ring_energy(const Scatterer& scatterer, double theta_o, double h) {
+/// Energy, and what the model says of its error.
+struct Ring {
+  double value = 0, own_error = 0;
+};
+
+Ring ring_energy(const Scatterer& scatterer, double theta_o, double h) {
   Partition ring{{-theta_o - half_width, -theta_o + half_width}, {}};
-  for (int k = 0; k <= 48; ++k) ring.phi.push_back(pi * (k / 24.0 - 1));
+  for (int k = 0; k <= 16; ++k) ring.phi.push_back(pi * (k / 8.0 - 1));
   const double scale = 2 * half_width * std::cos(theta_o);
   const bsdf::Point view{.theta_o = theta_o, .h = h};
-  return brightness(integrate_sphere(scatterer.scattering, view, ring, {2e-5 * scale, 40000}).value) / scale;
+  const SphereIntegral energy =
+      integrate_sphere(scatterer.scattering, view, ring, {2e-5 * scale, 40000, scatterer.error});
+  return {brightness(energy.value) / scale, energy.own_error / scale};
 }
 
 struct Step {
-  double low = 0, high = 0, low_value = 0, high_value = 0;
+  double low = 0, high = 0;
+  Ring below, above;
   double jump() const {
-    return std::abs(high_value - low_value) / std::max({std::abs(high_value), std::abs(low_value), 1e-3});
+    const double change = std::abs(above.value - below.value) - above.own_error - below.own_error;
+    return std::max(change, 0.0) / std::max({std::abs(above.value), std::abs(below.value), 1e-3});
   }
 };
 
 /// What remains of a change when its step is halved again and again on the side of the larger change.
 Step narrowed(const Scatterer& scatterer, Step step, double h) {
   for (int k = 0; k < 18; ++k) {
-    const double middle = 0.5 * (step.low + step.high), value = ring_energy(scatterer, middle, h);
-    const Step low{step.low, middle, step.low_value, value}, high{middle, step.high, value, step.high_value};
+    const double middle = 0.5 * (step.low + step.high);
+    const Ring ring = ring_energy(scatterer, middle, h);
+    const Step low{step.low, middle, step.below, ring}, high{middle, step.high, ring, step.above};
     step = low.jump() > high.jump() ? low : high;
   }
   return step;
@@ -45,12 +55,12 @@ Step narrowed(const Scatterer& scatterer, Step step, double h) {
 
 std::vector<Step> sweep(const Scatterer& scatterer, double h, int parts) {
   std::vector<Step> steps;
-  double before = ring_energy(scatterer, 0, h);
+  Ring before = ring_energy(scatterer, 0, h);
   for (int k = 0; k < parts; ++k) {
     const double low = steepest * degree * k / parts, high = steepest * degree * (k + 1) / parts;
-    const double value = ring_energy(scatterer, high, h);
-    steps.push_back({low, high, before, value});
-    before = value;
+    const Ring ring = ring_energy(scatterer, high, h);
+    steps.push_back({low, high, before, ring});
+    before = ring;
   }
   std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.jump() > b.jump(); });
   return steps;

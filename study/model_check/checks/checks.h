@@ -18,6 +18,8 @@ Verdict finite(const Subject&, const Options&);
 std::vector<bsdf::Point> furnace_views(const Subject& subject, const Options& options);
 /// A few views for checks that draw many samples.
 std::vector<bsdf::Point> sampling_views(const Subject& subject, const Options& options);
+/// Of the energy of a view: where the model itself says that its error is larger, a furnace learns nothing.
+constexpr double most_own_error = 0.25;
 /// "theta_o = 89.9 deg, h = 0.5 (white, narrow)".
 std::string where(const Subject& subject, const Scatterer& scatterer, const bsdf::Point& view);
 /// The subject in each of the situations that it can be put into.
@@ -34,6 +36,8 @@ double largest(const glm::dvec3& rgb);
 /// One value of a batch function.
 glm::dvec3 value_at(const Batch& batch, const bsdf::Point& point);
 std::vector<glm::dvec3> values_at(const Batch& batch, std::span<const bsdf::Point> points);
+/// Whether S is itself a quadrature there, one that reports an error.
+bool averages(const Scatterer& scatterer, const bsdf::Point& view);
 /// Samples for one view by a seeded stream.
 std::vector<bsdf::Sample> draw(const Scatterer& scatterer, const bsdf::Point& view, std::size_t count,
                                std::uint64_t seed);

@@ -10,10 +10,10 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Situation, 4> situations = {{{Absorption::given, Roughness::usual, Tilt::strong},
-                                                  {Absorption::given, Roughness::narrowest, Tilt::given},
-                                                  {Absorption::given, Roughness::wide, Tilt::strong},
-                                                  {Absorption::given, Roughness::given, Tilt::none}}};
+constexpr std::array<Situation, 4> situations = {{{Absorption::given, Roughness::usual, Tilt::strong, Effort::draft},
+                                                  {Absorption::given, Roughness::narrowest, Tilt::given, Effort::draft},
+                                                  {Absorption::given, Roughness::wide, Tilt::strong, Effort::draft},
+                                                  {Absorption::given, Roughness::given, Tilt::none, Effort::draft}}};
 
 }  // namespace
 

@@ -1,4 +1,6 @@
-// Helmholtz reciprocity of the far field, as a report: by how much S(a -> b) and S(b -> a) differ.
+// Reciprocity of the far field, as a report: by how much S(a -> b) and S(b -> a) differ. The separable models of the
+// literature have S itself symmetric; light that follows Helmholtz's law, S cos(theta_o) (docs/conventions.md: no
+// cosine belongs to S). The two agree in the mirror direction, and either is accepted.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,28 +25,56 @@ std::vector<bsdf::Point> pairs(std::size_t count, std::uint64_t seed) {
     const double theta_i = std::clamp(-theta_o + (random.next_unit() - 0.5) * pi / 3, -pi / 2, pi / 2);
     const double phi = 2 * pi * (random.next_unit() - 0.5);
     points.push_back({.theta_i = theta_i, .theta_o = theta_o, .phi = phi});
-    points.push_back({.theta_i = theta_o, .theta_o = theta_i, .phi = -phi});
+    points.push_back({.theta_i = theta_o, .theta_o = theta_i, .phi = -phi, .phi_o = -phi});
   }
   return points;
 }
 
 struct Difference {
   double median = 0, worst = 0;
+  std::string_view form;
 };
 
-/// |a - b| / max(a, b) over the pairs in which S is at least a thousandth of the largest value.
-Difference differences(const Scatterer& scatterer, const std::vector<bsdf::Point>& points) {
-  const std::vector<glm::dvec3> values = values_at(scatterer.scattering, points);
-  double peak = 0;
-  for (const glm::dvec3& value : values) peak = std::max(peak, brightness(value));
-  std::vector<double> found;
-  for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
-    const double a = brightness(values[i]), b = brightness(values[i + 1]);
-    if (std::max(a, b) > 1e-3 * peak) found.push_back(std::abs(a - b) / std::max(a, b));
+/// S, or S cos(theta_o), at points with its errors.
+struct Values {
+  std::vector<glm::dvec3> value, error;
+};
+
+Values values_of(const Scatterer& scatterer, const std::vector<bsdf::Point>& points) {
+  Values values{values_at(scatterer.scattering, points), std::vector<glm::dvec3>(points.size())};
+  if (scatterer.error) scatterer.error(points, values.error);
+  return values;
+}
+
+Values as_flux(Values values, const std::vector<bsdf::Point>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    values.value[i] *= std::cos(points[i].theta_o);
+    values.error[i] *= std::cos(points[i].theta_o);
   }
-  if (found.empty()) return {};
+  return values;
+}
+
+/// |a - b| / max(a, b) beyond the errors that the model reports, over the pairs in which the larger is at least a
+/// thousandth of the largest value.
+Difference differences(const Values& values, std::string_view form) {
+  double peak = 0;
+  for (const glm::dvec3& value : values.value) peak = std::max(peak, brightness(value));
+  std::vector<double> found;
+  for (std::size_t i = 0; i + 1 < values.value.size(); i += 2) {
+    const double a = brightness(values.value[i]), b = brightness(values.value[i + 1]);
+    const double beyond = std::abs(a - b) - brightness(values.error[i]) - brightness(values.error[i + 1]);
+    if (std::max(a, b) > 1e-3 * peak) found.push_back(std::max(beyond, 0.0) / std::max(a, b));
+  }
+  if (found.empty()) return {.form = form};
   std::sort(found.begin(), found.end());
-  return {found[found.size() / 2], found.back()};
+  return {found[found.size() / 2], found.back(), form};
+}
+
+/// Of the two forms the one that comes nearer.
+Difference nearer(const Scatterer& scatterer, const std::vector<bsdf::Point>& points) {
+  const Values values = values_of(scatterer, points);
+  const Difference plain = differences(values, "S"), flux = differences(as_flux(values, points), "S cos(theta_o)");
+  return flux.worst < plain.worst ? flux : plain;
 }
 
 }  // namespace
@@ -55,10 +85,10 @@ Verdict reciprocity(const Subject& subject, const Options& options) {
   const std::optional<Scatterer> untilted = subject.make({Absorption::given, Roughness::given, Tilt::none});
   const std::optional<Scatterer> tilted = subject.make({Absorption::given, Roughness::given, Tilt::given});
   const Scatterer& scatterer = untilted ? *untilted : *tilted;
-  const Difference found = differences(scatterer, points);
-  std::string words =
-      fmt::format("differs by {:.2e} at most, {:.2e} in the middle ({})", found.worst, found.median, scatterer.label);
-  if (untilted && tilted) words += fmt::format("; with its tilt {:.2e} at most", differences(*tilted, points).worst);
+  const Difference found = nearer(scatterer, points);
+  std::string words = fmt::format("{} differs by {:.2e} at most, {:.2e} in the middle ({})", found.form, found.worst,
+                                  found.median, scatterer.label);
+  if (untilted && tilted) words += fmt::format("; with its tilt {:.2e} at most", nearer(*tilted, points).worst);
   return judged(found.worst, 1e-6 + 1e4 * subject.rounding, words);
 }
 

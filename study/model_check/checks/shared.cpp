@@ -73,6 +73,10 @@ std::vector<glm::dvec3> values_at(const Batch& batch, std::span<const bsdf::Poin
 
 glm::dvec3 value_at(const Batch& batch, const bsdf::Point& point) { return values_at(batch, {&point, 1})[0]; }
 
+bool averages(const Scatterer& scatterer, const bsdf::Point& view) {
+  return scatterer.error && largest(value_at(scatterer.error, view)) > 0;
+}
+
 std::vector<bsdf::Sample> draw(const Scatterer& scatterer, const bsdf::Point& view, std::size_t count,
                                std::uint64_t seed) {
   RandomStream random(seed);
