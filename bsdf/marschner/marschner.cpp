@@ -189,16 +189,13 @@ FibreMapping from_fibre(const Fibre& fibre) {
 }
 
 // The corrected model of a round fibre with its exact caustic keeps energy up to what tilted lobes shift apart.
-constexpr std::array<Exception, 9> exceptions = {{
+constexpr std::array<Exception, 6> exceptions = {{
     {"white_furnace", "M is 2 in theta_i and 1 / cos^2 theta_d has no bound", "variant=literal"},
     {"white_furnace", "glints add energy", "caustic=smoothed"},
     {"white_furnace", "energies of several indices are mixed", "aspect!=1"},
     {"white_furnace", "with a tilt, lobes that shift apart take their shares at different theta_d", "alpha!=0"},
     {"absorbing_furnace", "as white_furnace, and a crossing absorbs by the square of its chord", "variant=literal"},
     {"absorbing_furnace", "glints add energy", "caustic=smoothed"},
-    {"absorbing_furnace", "energies of several indices are mixed", "aspect!=1"},
-    {"sample_weights", "drawn by the corrected M, while 1 / cos^2 theta_d has no bound", "variant=literal"},
-    {"lobe_tails", "a Gaussian in theta_h does not end at the poles", "variant=literal"},
 }};
 
 }  // namespace
