@@ -53,12 +53,11 @@ Json error_json(const ChannelError& error, Texel texel) {
 }
 
 Json level_json(const MipLevel& level) {
-  Json channels = Json::array();
-  for (const ChannelError& error : level.errors) {
-    Json json = measures_json(error);
-    json["name"] = error.channel;
-    channels.push_back(std::move(json));
-  }
+  Json channels;
+  for (const ChannelError& error : level.errors)
+    channels[error.channel] = {{"rms_over_rms", ratio(error.rms, error.signal_rms)},
+                               {"maximum_over_peak", ratio(error.maximum, error.peak)},
+                               {"percentile_99_over_peak", ratio(error.percentile_99, error.peak)}};
   return {{"size", {level.image.width, level.image.height}},
           {"compared_with", "the model averaged over one texel of this level around each sample"},
           {"errors", channels}};
