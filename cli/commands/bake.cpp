@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cuticle/lut/fit/analytic_fit.h>
 #include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/max_error.h>
@@ -179,8 +180,33 @@ int bake_as_given(const BakeOptions& options, const Context& context) {
   return Exit::ok;
 }
 
+Result<lut::AnalyticFit> make_analytic(const BakeOptions& options, const Context& context) {
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
+  CUTICLE_ASSIGN(const registry::ParameterValues values,
+                 bsdf::parse_settings(*model, options.preset, options.settings));
+  CUTICLE_ASSIGN(lut::AnalyticFit fit, lut::fit_analytic(*model, values, *context.progress));
+  CUTICLE_TRY(lut::write(fit, options.out));
+  return fit;
+}
+
+int bake_analytic(const BakeOptions& options, const Context& context) {
+  const auto fit = make_analytic(options, context);
+  if (!fit) return report(fit.error());
+  if (context.json) {
+    fmt::print("{}", lut::to_json(*fit));
+    return Exit::ok;
+  }
+  fmt::print("{:<6}{:>12}{:>12}{:>12}{:>12}\n", "lobe", "N rms/rms", "max/peak", "M rms/rms", "max/peak");
+  for (const lut::AnalyticLobe& lobe : fit->lobes)
+    fmt::print("{:<6}{:>12.2e}{:>12.2e}{:>12.2e}{:>12.2e}\n", lobe.name, lobe.n.rms, lobe.n.maximum, lobe.m.rms,
+               lobe.m.maximum);
+  fmt::print("shader code of {} without textures, in {}\n", options.model, options.out);
+  return Exit::ok;
+}
+
 /// Chooses axes, size and format first where an error is wanted.
 int bake(BakeOptions options, const Context& context) {
+  if (options.fit == "analytic") return bake_analytic(options, context);
   if (options.max_error.empty()) return bake_as_given(options, context);
   const auto found = search(options, context);
   if (!found) return report(found.error());
@@ -221,8 +247,11 @@ void add_bake(CLI::App& app, Context& context) {
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
       ->capture_default_str();
-  command->add_option("--fit", options->fit, "none: samples of the model; texels: least squares after the filter")
-      ->check(CLI::IsMember({"none", "texels"}))
+  command
+      ->add_option(
+          "--fit", options->fit,
+          "none: samples of the model; texels: least squares after the filter; analytic: shader code without textures")
+      ->check(CLI::IsMember({"none", "texels", "analytic"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder to write")->required();
   command->callback([&context, options, command] {

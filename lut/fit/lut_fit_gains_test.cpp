@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <cuticle/lut/comparison.h>
+#include <cuticle/lut/fit/analytic_fit.h>
 #include <cuticle/lut/fit/texel_fit.h>
 
 namespace cuticle::lut {
@@ -114,6 +115,23 @@ TEST_P(FitOfM, OnSineAxes_TheOptimumItselfGainsLittle) {
   for (int c = 0; c < 3; ++c) {
     EXPECT_GE(gain(fit.channels[std::size_t(c)]), 1.25);
     EXPECT_LE(gain(fit.channels[std::size_t(c)]), 1.55);
+  }
+}
+
+AnalyticFit analytic(std::string_view name, std::string_view settings) {
+  const bsdf::Model& model = *bsdf::find_model(name).value();
+  const auto values = registry::parse_assignments(model.entry.parameters, settings).value();
+  const AnalyticFit fit = fit_analytic(model, values, silent_progress()).value();
+  for (const AnalyticLobe& lobe : fit.lobes)
+    fmt::print("{:<10}{:<5}N rms {:.2f} % max {:.2f} %, M rms {:.2f} % max {:.2f} %\n", name, lobe.name,
+               100 * lobe.n.rms, 100 * lobe.n.maximum, 100 * lobe.m.rms, 100 * lobe.m.maximum);
+  return fit;
+}
+
+TEST(FitAnalytic, RoughFibre_StaysWithinAFewPercent) {
+  for (const AnalyticLobe& lobe : analytic("deon", "beta_n=0.3,azimuthal_tolerance=1e-4").lobes) {
+    EXPECT_LE(lobe.n.rms, 0.033) << lobe.name;
+    EXPECT_LE(lobe.m.rms, 0.037) << lobe.name;
   }
 }
 
