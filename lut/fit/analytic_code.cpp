@@ -24,10 +24,12 @@ float cuticle_bump(float phi, float height, float middle, float ln_width) {
 
 float cuticle_longitudinal(float theta_i, float theta_o, float width, float knee) {
   float variance = width * width;
-  float half_sine = sin(0.5 * (theta_i + theta_o));
-  float x = cos(theta_i) * abs(cos(theta_o)) / variance;
+  float cosine = abs(cos(theta_o));
+  float across = cos(theta_i) - cosine;
+  float along = sin(theta_i) + sin(theta_o);
+  float x = cos(theta_i) * cosine / variance;
   float bessel = 1.0 / sqrt(1.0 + 6.2831853 * x * (x + 0.31830989 * knee) / (x + knee));
-  return bessel * exp(-2.0 * half_sine * half_sine / variance) / (variance * (1.0 - exp(-2.0 / variance)));
+  return bessel * exp(-0.5 * (across * across + along * along) / variance) / (variance * (1.0 - exp(-2.0 / variance)));
 }
 )";
 

@@ -46,11 +46,12 @@ T bumps(const T* q, double phi, double c, double sigma) {
 template <class T>
 T longitudinal(const T* q, double theta_i, double theta_o, double beta) {
   using std::cos, std::exp, std::sin, std::sqrt;
-  const T variance = q[0] * q[0] * beta * beta, half_sine = sin(0.5 * (theta_i + theta_o - q[1]));
-  const T cosine = cos(theta_o - q[1]);
-  const T x = std::cos(theta_i) * (cosine < 0.0 ? T(-cosine) : cosine) / variance;
+  const T variance = q[0] * q[0] * beta * beta, shifted = theta_o - q[1], signed_cosine = cos(shifted);
+  const T cosine = signed_cosine < 0.0 ? T(-signed_cosine) : signed_cosine;  // past a pole it folds back
+  const T across = std::cos(theta_i) - cosine, along = std::sin(theta_i) + sin(shifted);
+  const T x = std::cos(theta_i) * cosine / variance;
   const T bessel = 1.0 / sqrt(1.0 + 2 * k_pi * x * (x + q[2] / k_pi) / (x + q[2]));
-  return bessel * exp(-2.0 * half_sine * half_sine / variance) / (variance * (1.0 - exp(-2.0 / variance)));
+  return bessel * exp(-0.5 * (across * across + along * along) / variance) / (variance * (1.0 - exp(-2.0 / variance)));
 }
 
 /// A place, what the model says there, and what an error counts.
@@ -75,11 +76,29 @@ struct NumbersOfM {
   }
 };
 
+/// Draws a number toward where it began: what the samples leave open must not run away between them.
+struct Tether {
+  int index;
+  double start;
+  template <class T>
+  bool operator()(const T* q, T* residual) const {
+    residual[0] = 0.02 * (q[index] - start);
+    return true;
+  }
+};
+
 template <class Cost, int k_count>
 double solve(const std::vector<Sample>& samples, double* numbers) {
   ceres::Problem problem;
+  for (int i = 0; i < k_count; ++i)
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Tether, 1, k_count>(new Tether{i, numbers[i]}), nullptr,
+                             numbers);
   for (const Sample& sample : samples)
     problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Cost, 1, k_count>(new Cost{sample}), nullptr, numbers);
+  if (std::is_same_v<Cost, NumbersOfM>) {
+    problem.SetParameterLowerBound(numbers, 0, 0.05);  // the width
+    problem.SetParameterLowerBound(numbers, 2, 0.05);  // the knee
+  }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = 150;
