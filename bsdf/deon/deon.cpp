@@ -76,11 +76,10 @@ constexpr std::array<registry::StudyCase, 3> tiers = {{
     {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
     {"tolerance 1e-8", "azimuthal_tolerance=1e-8"},
 }};
-constexpr std::array<Exception, 3> exceptions = {{
+constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "attenuation belongs to theta_o, which keeps energy; attenuation_angle=theta_d is reciprocal",
      "attenuation_angle=theta_o"},
     {"white_furnace", "paths of different widths take their shares at different theta_d", "attenuation_angle=theta_d"},
-    {"absorbing_furnace", "as white_furnace; the albedo is that of theta_o", "attenuation_angle=theta_d"},
 }};
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
