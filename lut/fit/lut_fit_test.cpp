@@ -53,7 +53,7 @@ TEST(FitTexelsOfACaustic, MarkedTexels_KeepTheirAverages) {
     marked += table.singular[i];
     moved += table.image.pixels[3 * i] != sampled.image.pixels[3 * i];
   }
-  EXPECT_GT(marked, 10);
+  EXPECT_GE(marked, 5);
   EXPECT_GT(moved, 400);
 }
 
