@@ -96,7 +96,7 @@ std::string to_csv(const LobesStudy& study) {
   std::string text = "model,tier,precision,reference,ns,median_error,p99_error,max_error,settings\n";
   for (const TierRow& row : study.rows)
     text +=
-        fmt::format("{},{},{},{},{:.4g},{:.3g},{:.3g},{:.3g},\"{}\"\n", row.model, row.tier, row.precision,
+        fmt::format("{},\"{}\",{},{},{:.4g},{:.3g},{:.3g},{:.3g},\"{}\"\n", row.model, row.tier, row.precision,
                     row.reference ? "yes" : "no", row.ns, row.median_error, row.p99_error, row.max_error, row.settings);
   return text;
 }
