@@ -1,6 +1,7 @@
 // Fitted texels keep their promises on small tables; lut_fit_gains_test measures what they gain.
 #include <gtest/gtest.h>
 
+#include <cuticle/lut/fit/detail/texel_problem.h>
 #include <cuticle/lut/fit/texel_fit.h>
 
 namespace cuticle::lut {
@@ -38,6 +39,19 @@ TEST_P(FitTexels, StoredNumbers_AreThoseOfTheFormat) {
     EXPECT_EQ(again.tables[t].image.pixels, fit.set.tables[t].image.pixels);
     for (float stored : again.tables[t].image.pixels) ASSERT_GE(stored, 0);
   }
+}
+
+TEST(KeepBelow, AnErrorPastTheBound_PutsSamplesBackAroundItOnly) {
+  TexelProblem problem;
+  problem.size = 3;
+  problem.u = problem.v = {{0, 1}, {0.5, 0.5}};
+  problem.exact.assign(4, 1.0);
+  std::vector<double> samples(9, 1.0), texels = samples;
+  texels[0] = 5;
+  texels[8] = 1.2;
+  EXPECT_TRUE(keep_below(problem, samples, 0.1, texels));
+  EXPECT_EQ(texels[0], 1);
+  EXPECT_EQ(texels[8], 1.2);
 }
 
 TEST(FitTexelsOfACaustic, MarkedTexels_KeepTheirAverages) {
