@@ -67,7 +67,8 @@ bool is_singular(int lobe, float theta_d, float begin, float end) {
 }
 
 vec3 value_of(ivec4 term, TexelPoint p, inout bool singular) {
-  if (term.x == k_cos_theta_d) return vec3(precise_cos(p.theta_d));
+  // A float's right angle can lie just beyond it.
+  if (term.x == k_cos_theta_d) return vec3(max(precise_cos(p.theta_d), 0.0));
   EvaluationPoint at = EvaluationPoint(p.theta_i, p.theta_o, p.theta_d, p.phi, p.h, p.phi_o);
   vec3 sum = vec3(0.0);
   for (int lobe = 0; (term.z >> lobe) != 0; ++lobe) {
