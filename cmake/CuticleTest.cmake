@@ -1,7 +1,7 @@
 # cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [SWEEP] [TIMEOUT s]): one ctest entry per test file.
 # LABELS carry the ids of the rows of systems.md that the file covers. DATA: registered only when the environment
 # variable CUTICLE_TEST_DATA names the folder of real grooms at configure time.
-# SWEEP: formulas over many points, whose code the hard cases run too; under sanitizers only with CUTICLE_SWEEPS in the environment (test.sh --full).
+# SWEEP: many points or heavy headers, around code that other tests run too; under sanitizers only with CUTICLE_SWEEPS in the environment (test.sh --full).
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
 add_custom_target(all_fuzz_targets)

@@ -113,6 +113,7 @@ struct TableSet {
   std::vector<Table> tables;
   double bake_ms = 0;
   std::string baked_on;  ///< "cpu" or the device's name
+  bool fitted = false;  ///< texels minimise the error after the filter (fit_texels); else they are samples of the model
   /// Of S for red, green and blue, light and eye evenly over the sphere; filled by `certify` where the layout has
   /// terms. `assumption`: put together from exact channels, so what the layout itself leaves out. `scattering`: from
   /// the stored tables, as a shader reads them.

@@ -24,6 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, FitTexels, testing::Values("exr", "png8", "png
 
 TEST_P(FitTexels, EveryChannel_GainsAndKeepsTheMaximum) {
   const TexelFit fit = fitted(baked(24), format);
+  EXPECT_TRUE(fit.set.fitted);
   ASSERT_EQ(fit.channels.size(), 11u);
   for (const ChannelFit& channel : fit.channels) {
     EXPECT_LE(channel.fitted.maximum, channel.unfitted.maximum) << channel.channel;

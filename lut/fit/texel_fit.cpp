@@ -91,6 +91,7 @@ Result<TexelFit> fit_texels(const TableSet& baked, const Format& format, Progres
   TableSet unfitted = baked;
   CUTICLE_TRY(certify(unfitted, format, progress));
   TexelFit fit{unfitted, {}, 0};
+  fit.set.fitted = true;
   const auto start = Clock::now();
   const Source source = cpu_source(*baked.model, baked.values);
   for (std::size_t i = 0; i < fit.set.tables.size(); ++i) {

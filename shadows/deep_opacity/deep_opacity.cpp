@@ -1,8 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <chrono>
-
 #include <cuticle/shadows/deep_opacity/deep_map.h>
-#include <cuticle/shadows/method.h>
+#include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
@@ -31,26 +29,11 @@ constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr std::string_view k_systems[] = {"G3"};
 constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"}, {"4 layers", "layers=4"}, {"8 layers", "layers=8"}};
 
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
                                const registry::ParameterValues& values) {
-  CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  Transmittance result;
-  const auto start = std::chrono::steady_clock::now();
-  const Map map = build_map(*casters.groom, casters.alpha, light_axes(to_light), settings);
-  CUTICLE_ASSIGN(const float filter, filter_in_texels("deep_opacity", settings.map, double(map.view.scale.x)));
-  result.cost.build_ms = milliseconds_since(start);
-  const auto built = std::chrono::steady_clock::now();
-  result.values = look_up(map, settings, filter, receivers.points);
-  result.cost.lookup_ms = milliseconds_since(built);
-  result.cost.bytes = (map.sums.size() + map.nearest.size()) * sizeof(map.sums[0]);
-  result.cost.device = cpu_device_name();
-  return result;
+  return evaluate_by_map("deep_opacity", casters, receivers, settings, build_map, look_up,
+                         [](const Map& map) { return 4 * (map.sums.size() + map.nearest.size()); });
 }
 
 /// Fit, nearest, histogram, layers, splat, scan, lookup; the clearing is a fill.
@@ -61,17 +44,10 @@ std::uint32_t dispatches(const registry::ParameterValues&, const registry::Frame
 }  // namespace
 
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "deep_opacity",
+  static const Method method{{registry::EntryKind::method, "deep_opacity",
                               "opacity in layers that follow the hair's nearest surface (deep opacity map)",
-                              "Yuksel and Keyser 2008, Deep Opacity Maps",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases,
-                              dispatches,
-                              0},
+                              "Yuksel and Keyser 2008, Deep Opacity Maps", k_parameters, k_demands,
+                              registry::Stage::shadow, k_systems, k_cases, dispatches, 0},
                              evaluate};
   return method;
 }

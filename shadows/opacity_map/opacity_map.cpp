@@ -1,7 +1,5 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <chrono>
-
-#include <cuticle/shadows/method.h>
+#include <cuticle/shadows/detail/map_method.h>
 #include <cuticle/shadows/opacity_map/map.h>
 
 namespace cuticle::shadows::opacity_map {
@@ -31,26 +29,11 @@ constexpr std::string_view k_systems[] = {"N17"};
 constexpr registry::StudyCase k_cases[] = {
     {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
 
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
                                const registry::ParameterValues& values) {
-  CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  Transmittance result;
-  const auto start = std::chrono::steady_clock::now();
-  const Map map = build_map(*casters.groom, casters.alpha, light_axes(to_light), settings);
-  CUTICLE_ASSIGN(const float filter, filter_in_texels("opacity_map", settings.map, double(map.view.scale.x)));
-  result.cost.build_ms = milliseconds_since(start);
-  const auto built = std::chrono::steady_clock::now();
-  result.values = look_up(map, settings, filter, receivers.points);
-  result.cost.lookup_ms = milliseconds_since(built);
-  result.cost.bytes = map.sums.size() * sizeof(map.sums[0]);
-  result.cost.device = cpu_device_name();
-  return result;
+  return evaluate_by_map("opacity_map", casters, receivers, settings, build_map, look_up,
+                         [](const Map& map) { return 4 * map.sums.size(); });
 }
 
 /// Fit, splat, scan, lookup; the clearing is a fill.
