@@ -7,10 +7,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cuticle/shadows/light_frame.h>
+#include <cuticle/shadows/map_view.h>
 #include <cuticle/strands/groom.h>
 #include <cuticle/shadows/filter.glslh>
-#include <cuticle/shadows/light_frame.glslh>
 #include <cuticle/shadows/splat.glslh>
 
 namespace cuticle::shadows {

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include <cuticle/shadows/detail/map_walk.h>
+#include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::opacity_map {
 namespace {
@@ -52,14 +52,8 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
 }
 
 std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
-  std::vector<float> values(points.size());
-  const MapFilter around{filter, settings.map.accumulation.poisson};
-  const float per_unit = float(-settings.map.accumulation.k / map.scale);
-  const auto exponent = [&](std::size_t texel, float z) { return per_unit * sum_at(map, texel, z); };
-  for_each_index(points.size(), [&](std::size_t i) {
-    values[i] = transmittance_at(map.view, around, settings.intervals(), points[i], exponent);
-  });
-  return values;
+  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, texel, z); };
+  return look_up_points(map.view, settings.map, map.scale, filter, settings.intervals(), points, sum);
 }
 
 }  // namespace cuticle::shadows::opacity_map
