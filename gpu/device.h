@@ -171,6 +171,10 @@ class Commands {
   void dispatch(const Kernel& kernel, std::initializer_list<const Buffer*> buffers,
                 std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
                 std::uint32_t groups_x, std::uint32_t groups_y = 1, std::uint32_t groups_z = 1);
+  /// The same for lists made at run time.
+  void dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers, std::span<const Texture* const> textures,
+                std::span<const std::byte> push_constants, std::uint32_t groups_x, std::uint32_t groups_y = 1,
+                std::uint32_t groups_z = 1);
   /// Every 32-bit word of the buffer := value.
   void fill(const Buffer& buffer, std::uint32_t value);
   void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0,

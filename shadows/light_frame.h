@@ -25,7 +25,7 @@ struct LightAxes {
 LightAxes light_axes(const glm::dvec3& unit_to_light);
 
 /// Extent along the light's axes, metres (light_frame.glslh); zero for no positions. The GPU finds the same floats
-/// (OpacityMapGpu_SameGroom_SameIntegers).
+/// (MapGpu_SameGroom_SameIntegers).
 struct LightBox {
   glm::vec3 lower{0}, upper{0};
 };

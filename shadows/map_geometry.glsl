@@ -10,13 +10,17 @@ layout(push_constant) uniform Push {
   uint resolution, layers;
   uint count;                // of segments, texels or vertices
   uint flags;                // k_poisson and the method's own
+  float pieces_per_step;     // of a segment, per depth step
+  float own[3];              // the method's own numbers
 } push;
 const uint k_poisson = 1u;
 
+#ifndef MAP_IS_DRAWN  // by a vertex shader, which has no groups
 /// Invocation number of a dispatch that is split over two axes.
 uint invocation() {
   return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
 }
+#endif
 
 vec3 in_light_axes(vec3 p) { return light_point(push.right.xyz, push.up.xyz, push.forward.xyz, p); }
 

@@ -1,45 +1,14 @@
 #include <cuticle/shadows/map_gpu.h>
 
-#include <algorithm>
-
 #include <cuticle/shadows/splat.glslh>
 
-#include <map_fit_comp.spv.h>
+#include <map_nearest_comp.spv.h>
 #include <map_scan_comp.spv.h>
 
 namespace cuticle::shadows {
 
-MapPush map_push(const LightAxes& axes, const MapSettings& settings, float intervals, std::uint32_t layers,
-                 double scale) {
-  return {{axes.right, 0},
-          {axes.up, 0},
-          {axes.forward, 0},
-          intervals,
-          float(settings.filter_texels),
-          float(settings.filter_radius),
-          float(-settings.accumulation.k / scale),
-          settings.resolution,
-          layers,
-          0,
-          settings.accumulation.poisson ? k_poisson_flag : 0};
-}
-
-Result<gpu::Kernel> make_map_kernel(gpu::Device& device, std::span<const std::uint32_t> code, std::uint32_t buffers) {
-  return device.make_kernel(code, gpu::ShaderInterface{buffers, 0, sizeof(MapPush)});
-}
-
-Result<gpu::Kernel> make_fit_kernel(gpu::Device& device) { return make_map_kernel(device, map_fit_comp, 2); }
-
-Result<gpu::Kernel> make_scan_kernel(gpu::Device& device) { return make_map_kernel(device, map_scan_comp, 1); }
-
-void dispatch_map(gpu::Commands& commands, std::string_view pass, const gpu::Kernel& kernel,
-                  std::initializer_list<const gpu::Buffer*> buffers, MapPush push, std::uint32_t count) {
-  const std::uint32_t groups = (count + 63) / 64, across = std::min(groups, 32768u);
-  push.count = count;
-  commands.begin_pass(pass);
-  commands.dispatch(kernel, buffers, {}, gpu::bytes_of(push), across, (groups + across - 1) / across);
-  commands.end_pass();
-}
+std::span<const std::uint32_t> map_nearest_code() { return map_nearest_comp; }
+std::span<const std::uint32_t> map_scan_code() { return map_scan_comp; }
 
 Result<void> DepositBuffer::make(gpu::Device& device, const Accumulation& accumulation,
                                  std::vector<std::uint32_t> extra) {

@@ -16,7 +16,8 @@ constexpr std::uint64_t k_most_bytes = 2ull << 30;
 MapSettings map_settings(const registry::ParameterValues& values) {
   MapSettings settings;
   settings.resolution = std::uint32_t(values.integer("resolution"));
-  settings.accumulation = {values.real("k"), values.choice("accumulate") == "poisson"};
+  if (values.all().contains("k")) settings.accumulation.k = values.real("k");
+  if (values.all().contains("accumulate")) settings.accumulation.poisson = values.choice("accumulate") == "poisson";
   settings.filter_texels = values.real("filter_texels");
   settings.filter_radius = 1e-3 * values.real("filter_radius_mm");
   return settings;

@@ -48,6 +48,7 @@ struct MapSettings {
   double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
   double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
 };
+/// Of those that a method does not have, the values above.
 MapSettings map_settings(const registry::ParameterValues& values);
 
 /// The lookup's disc in texels. Error: usage, naming the method's filter, for more than 64.

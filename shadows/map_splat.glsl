@@ -1,7 +1,14 @@
-// Walks the texels that a strand segment covers. The shader that includes this defines deposit(), which is called for each.
+// Walks the texels that a strand segment covers in part. The shader that includes this defines deposit(), called for each.
 #include "cuticle/shadows/map_segments.glsl"
 
-void deposit(Footprint footprint, int i, int j);
+/// `covered`: index into the table of deposits, above 0.
+void deposit(uint texel, uint covered, uint depth_step);
+
+void deposit_at(Footprint footprint, int i, int j) {
+  const vec2 offset = texel_offset(footprint.from, i, j);
+  const uint covered = coverage_index(coverage(footprint, offset));
+  if (covered > 0u) deposit(uint(j) * push.resolution + uint(i), covered, uint(max(0, depth_bin(footprint, offset))));
+}
 
 void piece(Footprint footprint) {
   const Reach reach = footprint_reach(footprint);
@@ -9,6 +16,6 @@ void piece(Footprint footprint) {
   for (int m = max(0, reach.first); m <= min(end, reach.last); ++m) {
     const int last = min(end, minor_bound(footprint, reach, m, 1.0));
     for (int n = max(0, minor_bound(footprint, reach, m, -1.0)); n <= last; ++n)
-      deposit(footprint, reach.steep ? n : m, reach.steep ? m : n);
+      deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
   }
 }

@@ -17,8 +17,8 @@ namespace cuticle::shadows {
 /// What casts: strands as cylinders of their radii, each crossing taking away `alpha` of the light.
 struct Casters {
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;                    ///< opacity of one fibre crossing, 0 .. 1
-  glm::dvec3 to_light{0, 1, 0};          ///< unit, from the scene to the light
+  double alpha = 0.4;            ///< opacity of one fibre crossing, 0 .. 1
+  glm::dvec3 to_light{0, 1, 0};  ///< unit, from the scene to the light
 };
 
 /// Where transmittance is asked for. A point that lies on a strand says which, so that it does not shadow itself.
@@ -36,7 +36,8 @@ struct Cost {
 /// Transmittance in [0, 1], one per receiver, with the noise of the estimate (0 for deterministic methods).
 struct Transmittance {
   std::vector<float> values;
-  std::vector<float> standard_error;   ///< empty unless the method is stochastic
+  std::vector<float> standard_error;  ///< empty unless the method is stochastic
+  std::size_t clamped = 0;            ///< numbers of the structure that the range of their format cut off
   Cost cost;
 };
 
@@ -48,8 +49,8 @@ std::span<const Method* const> methods();
 /// Error: usage, with the nearest known name.
 Result<const Method*> find_method(std::string_view name);
 
-/// What every method refuses: a zero or non-finite light, alpha outside 0 .. 1 (usage); a groom or points that are not sound
-/// (bad_input, naming the field or the point).
+/// What every method refuses: a zero or non-finite light, alpha outside 0 .. 1 (usage); a groom or points that are not
+/// sound (bad_input, naming the field or the point).
 Result<void> check(const Casters& casters, const Receivers& receivers);
 
 /// "cpu (N threads)": the threads that work in this call may use.

@@ -1,5 +1,6 @@
 #pragma once
-// GPU half of a shadow method: a builder that fills its map from the strand buffer and writes one transmittance per vertex.
+// GPU half of a shadow method: a builder that fills its map from the strand buffer and writes one transmittance per
+// vertex.
 #include <memory>
 
 #include <cuticle/gpu/device.h>
@@ -9,10 +10,10 @@ namespace cuticle::shadows {
 
 /// Strands on the device: vec4 (position, radius) per vertex, and one uint per segment: the index of its first vertex.
 struct GpuStrands {
-  const gpu::Buffer* vertices = nullptr;   ///< vec4 x vertex_count
-  const gpu::Buffer* segments = nullptr;   ///< uint x segment_count; the segment joins vertex k and k + 1
+  const gpu::Buffer* vertices = nullptr;  ///< vec4 x vertex_count
+  const gpu::Buffer* segments = nullptr;  ///< uint x segment_count; the segment joins vertex k and k + 1
   std::uint32_t vertex_count = 0, segment_count = 0;
-  strands::Bounds bounds;                  ///< of all vertices, metres; the light's frame is fitted to it
+  strands::Bounds bounds;  ///< of all vertices, metres; the light's frame is fitted to it
 };
 
 /// A method's passes, recorded into a frame. `transmittance` receives one float per vertex.
@@ -24,10 +25,19 @@ class GpuShadow {
   /// Dispatches that `record` will make: what a plan prints.
   virtual std::uint32_t dispatches_per_frame(const GpuStrands& strands) const = 0;
   virtual std::size_t bytes() const = 0;
+  /// The buffers of the map, whose words can be read after a submission and compared with GpuMethod::cpu_map.
+  virtual std::vector<const gpu::Buffer*> map_buffers() const { return {}; }
+  /// The textures of a map that is drawn, in the order of its numbers.
+  virtual std::vector<const gpu::Texture*> map_targets() const { return {}; }
 };
+/// The integers of a map, buffer by buffer.
+using MapWords = std::vector<std::vector<std::uint32_t>>;
 struct GpuMethod {
   std::string_view name;
   Result<std::unique_ptr<GpuShadow>> (*create)(std::shared_ptr<gpu::Device>, const registry::ParameterValues&);
+  /// What the CPU's map holds where the first of map_buffers() must hold the same words
+  /// (MapGpu_SameGroom_SameIntegers); null where no integers are promised. Casters and values must be sound.
+  Result<MapWords> (*cpu_map)(const Casters&, const registry::ParameterValues&) = nullptr;
 };
 std::span<const GpuMethod* const> gpu_methods();
 Result<const GpuMethod*> find_gpu_method(std::string_view name);

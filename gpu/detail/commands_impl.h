@@ -46,8 +46,8 @@ std::vector<std::pair<double, double>> read_timestamps(Commands::Impl& commands)
 
 /// What a dispatch or a draw is bound with.
 struct Resources {
-  std::initializer_list<const Buffer*> buffers;
-  std::initializer_list<const Texture*> textures;
+  std::span<const Buffer* const> buffers;
+  std::span<const Texture* const> textures;
   std::span<const std::byte> push_constants;
 };
 /// Binds a pipeline and its resources; false (and an error kept) where they do not fit its interface.

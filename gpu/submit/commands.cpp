@@ -114,6 +114,13 @@ void Commands::end_pass() {
 void Commands::dispatch(const Kernel& kernel, std::initializer_list<const Buffer*> buffers,
                         std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
                         std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z) {
+  dispatch(kernel, std::span(buffers.begin(), buffers.size()), std::span(textures.begin(), textures.size()),
+           push_constants, groups_x, groups_y, groups_z);
+}
+
+void Commands::dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers,
+                        std::span<const Texture* const> textures, std::span<const std::byte> push_constants,
+                        std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t groups_z) {
   if (!open_for_work(*impl_, "dispatch") || !groups_fit(*impl_, {groups_x, groups_y, groups_z})) return;
   if (!kernel) return fail(*impl_, internal_error("gpu: an empty kernel was dispatched"));
   Device::Impl& device = *impl_->device->impl();

@@ -100,8 +100,8 @@ void Commands::draw(const GraphicsPipeline& pipeline, std::initializer_list<cons
   if (impl_->error) return;
   if (!impl_->in_rendering) return fail(*impl_, internal_error("gpu: draw outside begin_rendering and end_rendering"));
   if (!pipeline) return fail(*impl_, internal_error("gpu: an empty pipeline was drawn"));
-  if (!bind(*impl_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, {buffers, textures, push_constants}))
-    return;
+  const Resources resources{{buffers.begin(), buffers.size()}, {textures.begin(), textures.size()}, push_constants};
+  if (!gpu::bind(*impl_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, resources)) return;
   impl_->device->impl()->vk.vkCmdDraw(impl_->buffer, vertices, instances, 0, 0);
   if (impl_->in_pass) ++impl_->passes.back().draws;
 }

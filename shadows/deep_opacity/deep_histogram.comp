@@ -20,5 +20,5 @@ void piece(Footprint footprint) {
 
 void main() {
   const uint s = invocation();
-  if (s < push.count) walk_segment(s, k_pieces_per_step);
+  if (s < push.count) walk_segment(s, push.pieces_per_step);
 }

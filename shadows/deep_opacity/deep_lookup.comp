@@ -4,6 +4,7 @@
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/deep_opacity/layers.glslh"
 #include "cuticle/shadows/map_filter.glsl"
+#include "cuticle/shadows/splat.glslh"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

@@ -1,34 +1,11 @@
 #include <cuticle/shadows/deep_opacity/deep_map.h>
 
-#include <atomic>
-
 #include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
 
 using Word = std::uint32_t;
-
-void lower_to(Word& word, Word value) {
-  std::atomic_ref atomic(word);
-  for (Word old = atomic.load(std::memory_order_relaxed);
-       value < old && !atomic.compare_exchange_weak(old, value, std::memory_order_relaxed);) {
-  }
-}
-void add_to(Word& word, Word value) { std::atomic_ref(word).fetch_add(value, std::memory_order_relaxed); }
-
-std::size_t texel_index(const MapView& view, int i, int j) { return std::size_t(j) * view.resolution + std::size_t(i); }
-
-/// Each texel's nearest depth step.
-void find_nearest(const strands::Groom& groom, Map& map) {
-  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
-    for_each_texel(footprint, map.view.resolution, [&](int i, int j) {
-      const glm::vec2 offset = texel_offset(footprint.from, i, j);
-      if (coverage_index(coverage(footprint, offset)) > 0)
-        lower_to(map.nearest[texel_index(map.view, i, j)], Word(std::max(0, depth_bin(footprint, offset))));
-    });
-  });
-}
 
 /// Projected length over the depth behind the nearest fibre, each piece counted at its middle.
 std::vector<Word> depth_histogram(const strands::Groom& groom, const Map& map) {
@@ -81,15 +58,8 @@ LayerEnds layer_ends(std::span<const Word> histogram, const Settings& settings) 
 
 /// Deposits every piece into the layer that holds it.
 void fill_layers(const strands::Groom& groom, std::span<const Word> table, Map& map) {
-  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
-    for_each_texel(footprint, map.view.resolution, [&](int i, int j) {
-      const glm::vec2 offset = texel_offset(footprint.from, i, j);
-      const Word amount = table[coverage_index(coverage(footprint, offset))];
-      if (amount == 0) return;
-      const std::size_t texel = texel_index(map.view, i, j);
-      const Word step = Word(std::max(0, depth_bin(footprint, offset)));
-      add_to(map.sums[texel * map.ends.count + layer_of(map.ends, step - map.nearest[texel])], amount);
-    });
+  for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
+    add_to(map.sums[texel * map.ends.count + layer_of(map.ends, step - map.nearest[texel])], table[covered]);
   });
 }
 
@@ -138,8 +108,7 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   Map map;
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
   map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
-  map.nearest.assign(texels, k_no_depth);
-  find_nearest(groom, map);
+  map.nearest = nearest_depths(map.view, groom, k_pieces_per_step);
   map.ends = layer_ends(depth_histogram(groom, map), settings);
   map.sums.resize(texels * settings.layers);
   fill_layers(groom, deposit_table(alpha, accumulation, map.scale), map);

@@ -38,7 +38,7 @@ struct Map {
   std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
   std::vector<std::uint32_t> sums;
 };
-/// Fills a map; the same integers at any thread count, and as the GPU's (DeepOpacityGpu_SameGroom_SameIntegers).
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cuticle/shadows/deep_opacity/deep_map.h>
 #include <cuticle/shadows/method.h>
+#include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
 using namespace cuticle;
@@ -16,20 +16,12 @@ namespace {
 
 Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set,
                           double alpha = 0.4, glm::dvec3 light = {0, 1, 0}, std::string_view name = "deep_opacity") {
-  const Method& method = **find_method(name);
-  auto values = registry::parse_assignments(method.entry.parameters, set);
-  if (!values) return values.error();
-  return method.evaluate({&groom, alpha, light}, {points, {}}, *values);
+  return tests::run_shadow(name, groom, points, set, alpha, light);
 }
-float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4,
-          glm::dvec3 light = {0, 1, 0}) {
-  auto result = run(groom, std::span(&point, 1), set, alpha, light);
-  EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  return result ? result->values[0] : -1;
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4) {
+  return tests::shadow_at("deep_opacity", groom, point, set, alpha);
 }
-double mean(std::span<const float> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
+using tests::mean;
 deep_opacity::Map map_of(const strands::Groom& groom, const std::string& set, glm::dvec3 to_light = {0, 1, 0}) {
   const auto values = registry::parse_assignments((*find_method("deep_opacity"))->entry.parameters, set).value();
   return deep_opacity::build_map(groom, 0.4, light_axes(unit_to_light(to_light).value()),

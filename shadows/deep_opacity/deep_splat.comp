@@ -12,13 +12,9 @@ layout(std430, binding = 6) buffer Sums { uint sums[]; };
 
 LayerEnds ends;
 
-void deposit(Footprint footprint, int i, int j) {
-  const vec2 offset = texel_offset(footprint.from, i, j);
-  const uint amount = table[coverage_index(coverage(footprint, offset))];
-  if (amount == 0u) return;
-  const uint texel = uint(j) * push.resolution + uint(i);
-  const uint layer = layer_of(ends, uint(max(0, depth_bin(footprint, offset))) - nearest[texel]);
-  atomicAdd(sums[texel * push.layers + layer], amount);
+void deposit(uint texel, uint covered, uint depth_step) {
+  const uint layer = layer_of(ends, depth_step - nearest[texel]);
+  atomicAdd(sums[texel * push.layers + layer], table[covered]);
 }
 
 void main() {
@@ -26,5 +22,5 @@ void main() {
   if (s >= push.count) return;
   ends.count = push.layers;
   for (uint i = 0u; i < push.layers; ++i) ends.end[i] = ends_of_layers[i];
-  walk_segment(s, k_pieces_per_step);
+  walk_segment(s, push.pieces_per_step);
 }

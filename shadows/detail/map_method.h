@@ -47,6 +47,7 @@ Result<Transmittance> evaluate_by_map(std::string_view name, const Casters& cast
   result.cost.lookup_ms = milliseconds_since(built);
   result.cost.bytes = bytes(map);
   result.cost.device = cpu_device_name();
+  if constexpr (requires { map.clamped; }) result.clamped = map.clamped;
   return result;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // The CPU's walk over a map of the light's view: the texels under a strand, and the texels that a lookup averages.
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tbb/blocked_range.h>
@@ -19,6 +21,17 @@ void for_each_index(std::size_t count, const auto& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
+}
+
+/// Atomic sum and minimum of integers, which do not depend on their order.
+inline void add_to(std::uint32_t& word, std::uint32_t value) {
+  std::atomic_ref(word).fetch_add(value, std::memory_order_relaxed);
+}
+inline void lower_to(std::uint32_t& word, std::uint32_t value) {
+  std::atomic_ref atomic(word);
+  for (std::uint32_t old = atomic.load(std::memory_order_relaxed);
+       value < old && !atomic.compare_exchange_weak(old, value, std::memory_order_relaxed);) {
+  }
 }
 
 /// What lies in each of a texel's layers becomes what lies before its end.
@@ -62,6 +75,30 @@ void for_each_piece(const MapView& view, const strands::Groom& groom, float step
     for (std::uint32_t v = first; v < last; ++v)
       for_each_piece(view, groom, v, v == first, v + 1 == last, steps_to_pieces, piece);
   });
+}
+
+inline std::size_t texel_index(const MapView& view, int i, int j) {
+  return std::size_t(j) * view.resolution + std::size_t(i);
+}
+
+/// body(texel, coverage step, depth step) for every texel that a piece of a strand covers in part, on all threads.
+void for_each_covered_texel(const MapView& view, const strands::Groom& groom, float steps_to_pieces, const auto& body) {
+  for_each_piece(view, groom, steps_to_pieces, [&](const Footprint<float>& footprint) {
+    for_each_texel(footprint, view.resolution, [&](int i, int j) {
+      const glm::vec2 offset = texel_offset(footprint.from, i, j);
+      const std::uint32_t covered = coverage_index(coverage(footprint, offset));
+      if (covered > 0) body(texel_index(view, i, j), covered, std::uint32_t(std::max(0, depth_bin(footprint, offset))));
+    });
+  });
+}
+
+/// Each texel's nearest depth step, or k_no_depth.
+inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const strands::Groom& groom,
+                                                 float steps_to_pieces) {
+  std::vector<std::uint32_t> nearest(std::size_t(view.resolution) * view.resolution, k_no_depth);
+  for_each_covered_texel(view, groom, steps_to_pieces,
+                         [&](std::size_t texel, std::uint32_t, std::uint32_t step) { lower_to(nearest[texel], step); });
+  return nearest;
 }
 
 /// How a lookup averages.

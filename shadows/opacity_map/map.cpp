@@ -1,21 +1,13 @@
 #include <cuticle/shadows/opacity_map/map.h>
 
-#include <atomic>
+#include <bit>
+
+#include <fmt/core.h>
 
 #include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::opacity_map {
 namespace {
-
-/// Deposits a piece into the intervals between slices; sums of integers do not depend on their order.
-void deposit(Map& map, std::span<const std::uint32_t> table, const Footprint<float>& footprint, int i, int j) {
-  const glm::vec2 offset = texel_offset(footprint.from, i, j);
-  const std::uint32_t amount = table[coverage_index(coverage(footprint, offset))];
-  const int bin = std::max(0, depth_bin(footprint, offset));
-  if (amount == 0 || bin >= int(map.layers)) return;
-  const std::size_t t = std::size_t(j) * map.view.resolution + std::size_t(i);
-  std::atomic_ref(map.sums[t * map.layers + std::size_t(bin)]).fetch_add(amount, std::memory_order_relaxed);
-}
 
 /// The sum at depth z of a texel, linear between its two nearest slices.
 float sum_at(const Map& map, std::size_t texel, float z) {
@@ -27,11 +19,50 @@ float sum_at(const Map& map, std::size_t texel, float z) {
 
 }  // namespace
 
+namespace {
+
+/// To the 11 significant bits of a half float, ties to even.
+std::uint32_t rounded_to_half(std::uint32_t sum) {
+  const int dropped = int(std::bit_width(sum)) - 11;
+  if (dropped <= 0) return sum;
+  const std::uint32_t half = 1u << (dropped - 1), odd = (sum >> dropped) & 1u;
+  return ((sum + half - 1 + odd) >> dropped) << dropped;
+}
+
+double scale_of(const strands::Groom& groom, double alpha, const Settings& settings) {
+  if (settings.form == Form::graphics_8bit) return 255;
+  return fixed_point_scale(alpha, settings.map.accumulation, groom.vertex_count() - groom.strand_count());
+}
+
+/// What the form's format leaves of the sums.
+void store(Form form, Map& map) {
+  const std::size_t bytes = form == Form::compute ? 4 : form == Form::graphics_half ? 2 : 1;
+  const std::size_t planes = form == Form::compute ? map.layers : k_target_planes;
+  map.bytes = bytes * planes * map.view.resolution * map.view.resolution;
+  if (form == Form::graphics_8bit)
+    for (std::uint32_t& sum : map.sums) {
+      map.clamped += sum > 255;
+      sum = std::min(sum, 255u);
+    }
+  if (form == Form::graphics_half)
+    for (std::uint32_t& sum : map.sums) sum = rounded_to_half(sum);
+}
+
+}  // namespace
+
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
   settings.map = map_settings(values);
   settings.slices = std::uint32_t(values.integer("slices"));
   settings.printed_spacing = values.choice("spacing") == "printed";
+  const std::string& form = values.choice("form");
+  settings.form = form == "compute"         ? Form::compute
+                  : form == "graphics_8bit" ? Form::graphics_8bit
+                                            : Form::graphics_half;
+  if (settings.form != Form::compute && settings.layers() > k_target_planes)
+    return usage_error(fmt::format("opacity_map: {} slices are outside 2 .. {} of form={}", settings.slices,
+                                   k_target_planes + 1, form),
+                       "form=compute, or fewer slices");
   CUTICLE_TRY(check_map_bytes("opacity_map", settings.layers(), settings.map.resolution));
   return settings;
 }
@@ -41,13 +72,14 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   Map map;
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, settings.intervals());
   map.layers = settings.layers();
-  map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
+  map.scale = scale_of(groom, alpha, settings);
   map.sums.resize(std::size_t(settings.map.resolution) * settings.map.resolution * map.layers);
   const std::vector<std::uint32_t> table = deposit_table(alpha, accumulation, map.scale);
-  for_each_piece(map.view, groom, 1.0f, [&](const Footprint<float>& footprint) {
-    for_each_texel(footprint, map.view.resolution, [&](int i, int j) { deposit(map, table, footprint, i, j); });
+  for_each_covered_texel(map.view, groom, 1.0f, [&](std::size_t texel, std::uint32_t covered, std::uint32_t step) {
+    if (step < map.layers) add_to(map.sums[texel * map.layers + step], table[covered]);
   });
   sum_along_depth(map.sums, map.layers);
+  store(settings.form, map);
   return map;
 }
 

@@ -13,16 +13,23 @@
 
 namespace cuticle::shadows::opacity_map {
 
+/// How sigma is summed and stored: integers of 32 bits by compute, or N18, four targets of four channels that are drawn
+/// into with additive blending, of 8 bits (sigma 0 .. 1) or of half floats.
+enum class Form { compute, graphics_8bit, graphics_half };
+/// Planes that four targets of four channels hold.
+inline constexpr std::uint32_t k_target_planes = 16;
+
 /// The method's parameters, in SI units; ranges are those of its parameter table.
 struct Settings {
   MapSettings map;
   std::uint32_t slices = 16;     ///< planes, the first of which holds nothing and is not stored
   bool printed_spacing = false;  ///< slices range / n apart, as printed in the source; else range / (n - 1)
+  Form form = Form::compute;
   std::uint32_t layers() const { return slices - 1; }
   /// Slice spacings from the near to the far plane of the hair.
   float intervals() const { return float(printed_spacing ? slices : slices - 1); }
 };
-/// Error: usage, when the map would pass 2 GiB.
+/// Error: usage, when the map would pass 2 GiB, or a drawn one its 16 planes.
 Result<Settings> settings_from(const registry::ParameterValues& values);
 
 /// A filled map: sigma at slice i + 1 of texel t is sums[t * layers + i] / scale.
@@ -30,9 +37,13 @@ struct Map {
   MapView view;
   std::uint32_t layers = 15;
   double scale = 1;
+  std::size_t bytes = 0;    ///< in the form's own format
+  std::size_t clamped = 0;  ///< numbers that the form's range cut off
   std::vector<std::uint32_t> sums;
 };
-/// Fills a map; the same integers at any thread count, and as the GPU's (OpacityMapGpu_SameGroom_SameIntegers).
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). The
+/// graphics forms are imitated: each deposit (8 bits) or the sum (half) is rounded as the format does
+/// (OpacityDrawn_EightBitsAndHalf_StayCloseToTheTwin).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.

@@ -7,6 +7,7 @@ namespace {
 
 using registry::ParameterType;
 constexpr std::string_view k_spacings[] = {"last_plane", "printed"};
+constexpr std::string_view k_forms[] = {"compute", "graphics_8bit", "graphics_half"};
 constexpr registry::Parameter k_parameters[] = {
     {"slices",
      ParameterType::integer,
@@ -23,6 +24,9 @@ constexpr registry::Parameter k_parameters[] = {
     k_accumulate,
     {"spacing", ParameterType::choice, "1", 0, 0, "last_plane", k_spacings,
      "last_plane: range / (slices - 1); printed: range / slices, which stops short of the last plane"},
+    {"form", ParameterType::choice, "1", 0, 0, "compute", k_forms,
+     "compute: 32-bit integers; graphics: four blended four-channel targets of 8 bits or half floats, at most 17 "
+     "slices"},
 };
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr std::string_view k_systems[] = {"N17"};
@@ -33,12 +37,12 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
                                const registry::ParameterValues& values) {
   CUTICLE_ASSIGN(const Settings settings, settings_from(values));
   return evaluate_by_map("opacity_map", casters, receivers, settings, build_map, look_up,
-                         [](const Map& map) { return 4 * map.sums.size(); });
+                         [](const Map& map) { return map.bytes; });
 }
 
-/// Fit, splat, scan, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
-  return 4 * shape.lights;
+/// Fit, splat, scan, lookup; drawn: fit and lookup. The clearing is a fill.
+std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape& shape) {
+  return (values.choice("form") == "compute" ? 4 : 2) * shape.lights;
 }
 
 }  // namespace

@@ -1,62 +1,61 @@
-#include <cuticle/shadows/opacity_map/opacity_map_gpu.h>
+// N17 on the GPU: clear (fills), fit, splat, scan, lookup; the integers of its map equal the CPU's. N18: fit, draw,
+// lookup.
+#include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/opacity_map/map.h>
 
-#include <bit>
-
+#include <opacity_draw_frag.spv.h>
+#include <opacity_draw_vert.spv.h>
 #include <opacity_lookup_comp.spv.h>
 #include <opacity_splat_comp.spv.h>
+#include <opacity_target_lookup_comp.spv.h>
 
 namespace cuticle::shadows::opacity_map {
+namespace {
 
-Result<void> OpacityMapGpu::make() {
-  const std::uint64_t texels = std::uint64_t(settings_.map.resolution) * settings_.map.resolution;
-  CUTICLE_ASSIGN(sums_, device_->make_buffer(4 * texels * settings_.layers()));
-  CUTICLE_TRY(deposits_.make(*device_, settings_.map.accumulation));
-  CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
-  CUTICLE_ASSIGN(fit_, make_fit_kernel(*device_));
-  CUTICLE_ASSIGN(splat_, make_map_kernel(*device_, opacity_splat_comp, 5));
-  CUTICLE_ASSIGN(scan_, make_scan_kernel(*device_));
-  CUTICLE_ASSIGN(lookup_, make_map_kernel(*device_, opacity_lookup_comp, 4));
-  return {};
+constexpr int k_sums = k_own;
+
+/// N18: what is drawn, and the lookup of the targets.
+MapDescription describe_drawn(const Settings& settings) {
+  MapDescription map;
+  map.settings = settings.map;
+  map.intervals = settings.intervals();
+  map.layers = settings.layers();
+  map.own = {float(settings.map.accumulation.k)};
+  map.drawing = {opacity_draw_vert, opacity_draw_frag, k_target_planes / 4,
+                 settings.form == Form::graphics_8bit ? gpu::TextureFormat::rgba8 : gpu::TextureFormat::rgba16f};
+  map.passes = {{"shadow.lookup",
+                 opacity_target_lookup_comp,
+                 {k_vertices, k_box, k_transmittance},
+                 MapRun::per_vertex,
+                 /*reads_targets=*/true}};
+  return map;
 }
 
-Result<std::unique_ptr<GpuShadow>> OpacityMapGpu::create(std::shared_ptr<gpu::Device> device,
-                                                         const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  std::unique_ptr<OpacityMapGpu> shadow(new OpacityMapGpu(std::move(device), settings));
-  CUTICLE_TRY(shadow->make());
-  return std::unique_ptr<GpuShadow>(std::move(shadow));
+MapDescription describe(const Settings& settings) {
+  if (settings.form != Form::compute) return describe_drawn(settings);
+  const std::uint64_t texels = std::uint64_t(settings.map.resolution) * settings.map.resolution;
+  MapDescription map;
+  map.settings = settings.map;
+  map.intervals = settings.intervals();
+  map.layers = settings.layers();
+  map.buffers = {{texels * settings.layers()}};
+  map.passes = {
+      {"shadow.splat", opacity_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}, MapRun::per_segment},
+      {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
+      {"shadow.lookup", opacity_lookup_comp, {k_vertices, k_box, k_sums, k_transmittance}, MapRun::per_vertex}};
+  return map;
 }
 
-Result<void> OpacityMapGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha,
-                                   glm::dvec3 to_light, const gpu::Buffer& transmittance) {
-  if (dispatches_per_frame(strands) == 0) {  // nothing casts a shadow
-    if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
-    return {};
-  }
-  CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
-  CUTICLE_TRY(deposits_.update(*device_, alpha, strands.segment_count));
-  const MapPush push =
-      map_push(light_axes(direction), settings_.map, settings_.intervals(), settings_.layers(), deposits_.scale());
-  const std::uint32_t texels = settings_.map.resolution * settings_.map.resolution;
-  commands.begin_pass("shadow.clear");
-  commands.fill(sums_, 0);
-  commands.fill(box_, ~0u);
-  commands.end_pass();
-  dispatch_map(commands, "shadow.fit", fit_, {strands.vertices, &box_}, push, strands.vertex_count);
-  dispatch_map(commands, "shadow.splat", splat_,
-               {strands.vertices, strands.segments, &box_, &deposits_.buffer(), &sums_}, push, strands.segment_count);
-  dispatch_map(commands, "shadow.scan", scan_, {&sums_}, push, texels);
-  dispatch_map(commands, "shadow.lookup", lookup_, {strands.vertices, &box_, &sums_, &transmittance}, push,
-               strands.vertex_count);
-  return {};
+MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  if (settings.form != Form::compute) return {};  // equal within the rounding of the targets only
+  return {build_map(groom, alpha, axes, settings).sums};
 }
 
-std::uint32_t OpacityMapGpu::dispatches_per_frame(const GpuStrands& strands) const {
-  return strands.segment_count == 0 || strands.vertex_count == 0 ? 0 : 4;
-}
+}  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"opacity_map", &OpacityMapGpu::create};
+  static const GpuMethod method{"opacity_map", create_map<settings_from, describe>,
+                                words_of_map<settings_from, words_of>};
   return method;
 }
 

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cuticle/shadows/method.h>
 #include <cuticle/shadows/opacity_map/map.h>
+#include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
 using namespace cuticle;
@@ -14,19 +14,14 @@ using namespace cuticle::shadows;
 
 namespace {
 
-Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set, double alpha = 0.4,
-                          glm::dvec3 light = {0, 1, 0}) {
-  const Method& method = **find_method("opacity_map");
-  auto values = registry::parse_assignments(method.entry.parameters, set);
-  if (!values) return values.error();
-  return method.evaluate({&groom, alpha, light}, {points, {}}, *values);
+Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set,
+                          double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
+  return tests::run_shadow("opacity_map", groom, points, set, alpha, light);
 }
-float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
-  auto result = run(groom, std::span(&point, 1), set, alpha, light);
-  EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  return result ? result->values[0] : -1;
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4) {
+  return tests::shadow_at("opacity_map", groom, point, set, alpha);
 }
-double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+using tests::mean;
 opacity_map::Map map_of(const strands::Groom& groom, glm::dvec3 to_light) {
   return opacity_map::build_map(groom, 0.4, light_axes(to_light), {});
 }
@@ -40,7 +35,8 @@ strands::Groom upright() {
 
 }  // namespace
 
-// The optical depth of a layer of fibres crossed square on is their area per area times alpha (fibres at random places).
+// The optical depth of a layer of fibres crossed square on is their area per area times alpha (fibres at random
+// places).
 TEST(OpacityMap, RandomSlab_FollowsTheExponentialLaw) {
   const float radius = 2e-5f;
   const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, radius, 7);
@@ -137,7 +133,8 @@ TEST(OpacityMap, FixedPointScale_LeavesRoomForEverySegment) {
 
 TEST(OpacityMap, ALotOfOpaqueFibres_SumsDoNotWrap) {
   strands::Groom groom;
-  for (int i = 0; i < 5000; ++i) tests::add_strand(groom, {{-0.05f, 1e-5f * float(i), 0}, {0.05f, 1e-5f * float(i), 0}}, 0.02f);
+  for (int i = 0; i < 5000; ++i)
+    tests::add_strand(groom, {{-0.05f, 1e-5f * float(i), 0}, {0.05f, 1e-5f * float(i), 0}}, 0.02f);
   EXPECT_LT(one(groom, {0, -1, 0}, "resolution=16,slices=2", 1), 1e-4f);
 }
 
@@ -153,4 +150,39 @@ TEST(OpacityMap, BadInput_IsRefused) {
   EXPECT_FALSE(run(upright(), std::span(&good, 1), "slices=1"));
   EXPECT_FALSE(run(upright(), std::span(&good, 1), "slices=256,resolution=4096"));
   EXPECT_FALSE(run(upright(), std::span(&good, 1), "filter_radius_mm=900,resolution=1024"));
+}
+
+TEST(OpacityMap, EightBits_CutSigmaOffAtOneAndCountIt) {
+  strands::Groom groom;
+  for (int i = 0; i < 4; ++i)
+    tests::add_strand(groom, {{-0.05f, 0.01f * float(i), 0}, {0.05f, 0.01f * float(i), 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, -0.01f, -0.05f}, {0.05f, -0.01f, -0.05f}}, 0.0001f);
+  const glm::vec3 behind(0, -0.05f, 0);
+  const auto cut = run(groom, std::span(&behind, 1), "form=graphics_8bit", 0.9);
+  const auto whole = run(groom, std::span(&behind, 1), "", 0.9);
+  ASSERT_TRUE(cut && whole);
+  EXPECT_NEAR(cut->values[0], std::exp(-5.5), 1e-5);
+  EXPECT_NEAR(whole->values[0], 1e-4, 1e-6);
+  EXPECT_GT(cut->clamped, 0u);
+  EXPECT_EQ(whole->clamped, 0u);
+  EXPECT_EQ(cut->cost.bytes, 16u * 256 * 256);
+  EXPECT_EQ(whole->cost.bytes, 4u * 15 * 256 * 256);
+}
+
+TEST(OpacityMap, HalfFloats_ChangeSigmaByLessThanAThousandth) {
+  const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  const auto half = run(groom, groom.positions, "form=graphics_half"), whole = run(groom, groom.positions, "");
+  double worst = 0;
+  for (std::size_t i = 0; i < groom.positions.size(); ++i)
+    worst = std::max(worst, std::abs(std::log(double(half->values[i])) - std::log(double(whole->values[i]))));
+  EXPECT_GT(worst, 0);
+  EXPECT_LT(worst, 5e-3);
+}
+
+TEST(OpacityMap, MorePlanesThanTheTargetsHold_AreRefused) {
+  const glm::vec3 point(0);
+  EXPECT_TRUE(run(upright(), std::span(&point, 1), "form=graphics_half,slices=17"));
+  const auto refused = run(upright(), std::span(&point, 1), "form=graphics_half,slices=18");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::usage);
 }

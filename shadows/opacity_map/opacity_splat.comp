@@ -7,15 +7,11 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) buffer Sums { uint sums[]; };
 
-void deposit(Footprint footprint, int i, int j) {
-  const vec2 offset = texel_offset(footprint.from, i, j);
-  const uint amount = table[coverage_index(coverage(footprint, offset))];
-  const int bin = max(0, depth_bin(footprint, offset));
-  if (amount == 0u || bin >= int(push.layers)) return;
-  atomicAdd(sums[(uint(j) * push.resolution + uint(i)) * push.layers + uint(bin)], amount);
+void deposit(uint texel, uint covered, uint depth_step) {
+  if (depth_step < push.layers) atomicAdd(sums[texel * push.layers + depth_step], table[covered]);
 }
 
 void main() {
   const uint s = invocation();
-  if (s < push.count) walk_segment(s, 1.0);
+  if (s < push.count) walk_segment(s, push.pieces_per_step);
 }

@@ -17,7 +17,8 @@ struct GroomOnDevice {
   shadows::GpuStrands strands;
   strands::Groom groom;
 
-  explicit GroomOnDevice(strands::Groom hair) : device(gpu::Device::open().value()), groom(std::move(hair)) {
+  explicit GroomOnDevice(strands::Groom hair, std::shared_ptr<gpu::Device> on = gpu::Device::open().value())
+      : device(std::move(on)), groom(std::move(hair)) {
     std::vector<glm::vec4> packed;
     std::vector<std::uint32_t> first;
     for (std::size_t v = 0; v < groom.vertex_count(); ++v) packed.emplace_back(groom.positions[v], groom.radii[v]);

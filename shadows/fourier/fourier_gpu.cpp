@@ -1,0 +1,27 @@
+// Fourier opacity maps on the GPU: clear (fills), fit, splat, lookup; the integers of the map equal the CPU's.
+#include <cuticle/shadows/fourier/fourier_map.h>
+#include <cuticle/shadows/map_shadow_gpu.h>
+
+#include <fourier_lookup_comp.spv.h>
+
+namespace cuticle::shadows::fourier {
+namespace {
+
+MapDescription describe(const Settings& settings) {
+  MapDescription map = describe_series(settings.map, settings.functions(), weights(settings), fourier_lookup_comp);
+  map.own = {float(settings.smoothing)};
+  return map;
+}
+
+MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  return {build_map(groom, alpha, axes, settings).sums};
+}
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"fourier", create_map<settings_from, describe>, words_of_map<settings_from, words_of>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::fourier

@@ -1,0 +1,30 @@
+#pragma once
+// Fourier opacity maps (Jansen and Bavoil 2010): the coefficients of a texel's opacity over depth.
+#include <span>
+#include <vector>
+
+#include <cuticle/shadows/map_series.h>
+
+namespace cuticle::shadows::fourier {
+
+/// The method's parameters, in SI units.
+struct Settings {
+  MapSettings map;
+  std::uint32_t harmonics = 3;
+  double smoothing = 0;
+  std::uint32_t functions() const { return 2 * harmonics + 1; }
+};
+/// Error: usage, when the map would pass 2 GiB.
+Result<Settings> settings_from(const registry::ParameterValues& values);
+
+/// 1, then cos and sin of each harmonic, at every depth step.
+std::vector<float> weights(const Settings& settings);
+
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
+SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
+
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.
+std::vector<float> look_up(const SeriesMap& map, const Settings& settings, float filter,
+                           std::span<const glm::vec3> points);
+
+}  // namespace cuticle::shadows::fourier

@@ -1,0 +1,243 @@
+// Every method with passes on the device against its twin on the CPU, in every setting of its table of choices.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/shadows/clouds.h>
+#include <cuticle/shadows/light_frame.h>
+#include <cuticle/shadows/opacity_map/map.h>
+#include <cuticle/tests/support/groom_on_device.h>
+#include <cuticle/tests/support/shadow_runs.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+std::shared_ptr<gpu::Device> device() {
+  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
+  return shared;
+}
+const Method& method_of(const GpuMethod& gpu) { return **find_method(gpu.name); }
+
+/// The study's cases, the first two with other filters, and every other choice of a parameter that offers some; maps of
+/// 96^2.
+std::vector<std::string> settings_of(const Method& method) {
+  const auto has = [&](std::string_view name) { return bool(registry::find_parameter(method.entry.parameters, name)); };
+  std::vector<std::string> sets;
+  for (const registry::StudyCase& study_case : method.entry.study_cases) sets.emplace_back(study_case.settings);
+  for (const registry::Parameter& parameter : method.entry.parameters)
+    for (const std::string_view choice : parameter.choices) {
+      const std::string set = std::string(parameter.name) + "=" + std::string(choice);
+      if (choice != parameter.default_text && std::find(sets.begin(), sets.end(), set) == sets.end())
+        sets.push_back(set);
+    }
+  if (has("filter_radius_mm")) sets[0] += ",filter_radius_mm=2";
+  if (has("filter_texels")) sets[1] += ",filter_texels=0";
+  for (std::string& set : sets) set += has("resolution") ? ",resolution=96" : "";
+  return sets;
+}
+
+strands::Groom along_the_light() {
+  strands::Groom groom;
+  for (int i = 0; i < 50; ++i) {
+    const float x = 0.001f * float(i);
+    tests::add_strand(groom, {{x, 0.1f, 0}, {x, 0.05f, 1e-6f}, {x, 0, 0}}, 0.001f);
+  }
+  return groom;
+}
+strands::Groom points() {
+  const float radius = 5e-4f;
+  return point_casters(tests::coat(300, 6, 0.03, 1e-4f, 9).positions, std::span(&radius, 1));
+}
+
+struct Scene {
+  std::string name;
+  tests::GroomOnDevice groom;
+  glm::dvec3 light;
+  double alpha;
+  Scene(std::string called, strands::Groom hair, glm::dvec3 to_light, double opacity)
+      : name(std::move(called)), groom(std::move(hair), device()), light(to_light), alpha(opacity) {}
+};
+std::span<Scene> scenes() {
+  static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {1, 1, 0.3}, 0.4},
+                        {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {-0.5, 0.3, 1}, 1},
+                        {"along the light", along_the_light(), {0, 1, 0}, 0.4},
+                        {"points", points(), {0, 0.1, -1}, 0.4}};
+  return all;
+}
+
+struct Frame {
+  MapWords words;
+  std::vector<float> transmittance;
+  std::uint32_t planned = 0, recorded = 0;
+};
+Frame run(GpuShadow& shadow, Scene& scene) {
+  gpu::Commands commands = device()->record();
+  EXPECT_TRUE(shadow.record(commands, scene.groom.strands, scene.alpha, scene.light, scene.groom.transmittance));
+  const auto cost = device()->submit(std::move(commands));
+  EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
+  Frame frame;
+  frame.planned = shadow.dispatches_per_frame(scene.groom.strands);
+  for (const gpu::PassCost& pass : cost->passes) frame.recorded += pass.dispatches;
+  for (const gpu::Buffer* buffer : shadow.map_buffers())
+    frame.words.push_back(gpu::read_buffer<std::uint32_t>(*device(), *buffer, buffer->size() / 4).value());
+  const std::size_t vertices = scene.groom.groom.vertex_count();
+  frame.transmittance = gpu::read_buffer<float>(*device(), scene.groom.transmittance, vertices).value();
+  return frame;
+}
+
+/// What one setting of a method gave on one scene, on both sides.
+struct Comparison {
+  std::string what;
+  std::size_t words = 0, filled = 0, different = 0;
+  double worst = 0;
+};
+Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values, GpuShadow& shadow, Scene& scene) {
+  const Frame frame = run(shadow, scene);
+  const Casters casters{&scene.groom.groom, scene.alpha, scene.light};
+  Comparison comparison;
+  const MapWords expected = gpu.cpu_map != nullptr ? gpu.cpu_map(casters, values).value() : MapWords{};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    for (std::size_t word = 0; word < expected[i].size(); ++word) {
+      ++comparison.words;
+      comparison.filled += expected[i][word] != 0 && expected[i][word] != ~0u;
+      comparison.different += frame.words[i][word] != expected[i][word];
+    }
+  const auto cpu = method_of(gpu).evaluate(casters, {scene.groom.groom.positions, {}}, values).value();
+  for (std::size_t v = 0; v < cpu.values.size(); ++v) {
+    const double difference = std::abs(double(cpu.values[v]) - double(frame.transmittance[v]));
+    comparison.worst = difference <= comparison.worst ? comparison.worst : difference;  // NaN is taken
+  }
+  return comparison;
+}
+
+/// Every setting of every method on every scene, run once.
+const std::vector<Comparison>& comparisons() {
+  static const std::vector<Comparison> all = [] {
+    std::vector<Comparison> list;
+    for (const GpuMethod* gpu : gpu_methods())
+      for (const std::string& set : settings_of(method_of(*gpu))) {
+        const auto values = tests::values_of(gpu->name, set).value();
+        const auto shadow = gpu->create(device(), values).value();
+        for (Scene& scene : scenes()) {
+          list.push_back(compare(*gpu, values, *shadow, scene));
+          list.back().what = std::string(gpu->name) + " " + set + ", " + scene.name;
+        }
+      }
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace
+
+TEST(MapGpu, SameGroom_SameIntegers) {
+  ASSERT_GT(comparisons().size(), 80u);
+  for (const Comparison& comparison : comparisons()) {
+    EXPECT_EQ(comparison.different, 0u) << comparison.what << ", of " << comparison.filled;
+    EXPECT_TRUE(comparison.filled > 0 || comparison.words == 0) << comparison.what;
+  }
+}
+
+TEST(MapGpu, Lookup_AgreesWithTheCpu) {
+  for (const Comparison& comparison : comparisons())
+    if (comparison.words > 0) {
+      const bool six_moments = comparison.what.find("power_6") != std::string::npos;
+      EXPECT_LT(comparison.worst, six_moments ? 0.012 : 2e-5) << comparison.what;
+    }
+}
+
+// N18: the drawn targets against integers that are rounded as their format does; steep segments are not cut into
+// pieces.
+TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
+  for (const std::string form : {"graphics_8bit", "graphics_half"})
+    for (std::size_t s = 0; s < 2; ++s) {
+      Scene& scene = scenes()[s];
+      const auto values = tests::values_of("opacity_map", "slices=17,resolution=96,form=" + form).value();
+      const auto settings = opacity_map::settings_from(values).value();
+      const LightAxes axes = light_axes(unit_to_light(scene.light).value());
+      const opacity_map::Map twin = opacity_map::build_map(scene.groom.groom, scene.alpha, axes, settings);
+      const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
+      run(*shadow, scene);
+      double worst = 0, sum = 0;
+      std::size_t filled = 0;
+      for (std::size_t target = 0; target < 4; ++target) {
+        const std::vector<float> texels = device()->download(*shadow->map_targets()[target]).value();
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+          const double expected = twin.sums[16 * (i / 4) + 4 * target + i % 4] / twin.scale;
+          const double difference = std::abs(double(texels[i]) - expected);
+          worst = std::max(worst, difference);
+          sum += difference;
+          filled += expected > 0;
+        }
+      }
+      std::printf("%s, %s: sigma differs by %.5f at most, %.6f in the mean of %zu\n", form.c_str(), scene.name.c_str(),
+                  worst, sum / double(filled), filled);
+      ASSERT_GT(filled, 1000u);
+      EXPECT_LT(worst, 0.018);
+      EXPECT_LT(sum / double(filled), 5e-4);
+    }
+}
+
+// A segment seen end-on is drawn as one fragment at its nearer end, where the twin cuts it into pieces.
+TEST(OpacityDrawn, Transmittance_AgreesWithTheTwin) {
+  for (const Comparison& comparison : comparisons())
+    if (comparison.words == 0) {
+      std::printf("%s: T differs by %.5f at most\n", comparison.what.c_str(), comparison.worst);
+      const bool along = comparison.what.find("along the light") != std::string::npos;
+      EXPECT_LT(comparison.worst, along ? 0.2 : 8e-3) << comparison.what;
+    }
+}
+
+TEST(MapGpu, TwoRuns_BitIdentical) {
+  for (const GpuMethod* gpu : gpu_methods()) {
+    const auto shadow = gpu->create(device(), registry::default_values(method_of(*gpu).entry.parameters)).value();
+    const Frame first = run(*shadow, scenes()[0]), second = run(*shadow, scenes()[0]);
+    EXPECT_EQ(first.words, second.words) << gpu->name;
+    EXPECT_EQ(first.transmittance, second.transmittance) << gpu->name;
+    EXPECT_GT(shadow->bytes(), 0u) << gpu->name;
+  }
+}
+
+TEST(MapGpu, Dispatches_EqualThePlan) {
+  registry::FrameShape shape;
+  shape.lights = 1;
+  for (const GpuMethod* gpu : gpu_methods()) {
+    const registry::Entry& entry = method_of(*gpu).entry;
+    const auto values = registry::default_values(entry.parameters);
+    const Frame frame = run(*gpu->create(device(), values).value(), scenes()[2]);
+    EXPECT_EQ(frame.recorded, frame.planned) << gpu->name;
+    EXPECT_EQ(frame.recorded, entry.dispatches(values, shape)) << gpu->name;
+  }
+}
+
+TEST(MapGpu, BadLightOrAlpha_IsRefused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  tests::GroomOnDevice& groom = scenes()[2].groom;
+  for (const GpuMethod* gpu : gpu_methods()) {
+    const auto shadow = gpu->create(device(), registry::default_values(method_of(*gpu).entry.parameters)).value();
+    gpu::Commands commands = device()->record();
+    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {0, 0, 0}, groom.transmittance)) << gpu->name;
+    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {0, nan, 0}, groom.transmittance)) << gpu->name;
+    EXPECT_FALSE(shadow->record(commands, groom.strands, nan, {0, 1, 0}, groom.transmittance)) << gpu->name;
+  }
+}
+
+// The largest map of a method's table passes 2 GiB, which is refused, or the limits of the device, which says so.
+TEST(MapGpu, MapBeyondTheDevice_IsRefused) {
+  for (const GpuMethod* gpu : gpu_methods()) {
+    auto values = registry::default_values(method_of(*gpu).entry.parameters);
+    for (const registry::Parameter& parameter : method_of(*gpu).entry.parameters)
+      if (parameter.type == registry::ParameterType::integer)
+        values.set(parameter.name, std::int64_t(parameter.maximum));
+    const auto shadow = gpu->create(device(), values);
+    if (shadow && (*shadow)->bytes() <= device()->info().heap_bytes) continue;
+    ASSERT_FALSE(shadow) << gpu->name;
+    EXPECT_TRUE(shadow.error().kind == ErrorKind::out_of_memory || shadow.error().kind == ErrorKind::usage)
+        << gpu->name;
+  }
+}

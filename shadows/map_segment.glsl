@@ -1,0 +1,33 @@
+// A strand segment in the map, for compute and vertex shaders.
+#include "cuticle/shadows/map_geometry.glsl"
+#include "cuticle/shadows/splat.glslh"
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
+
+struct MapSegment {
+  vec3 a, b;
+  float half_width;
+  bool is_first, is_last;  // of its strand
+};
+
+vec3 place(MapPlacement placement, vec3 p) {
+  const vec3 point = place_in_map(placement, in_light_axes(p));
+  return vec3(snap(point.x), snap(point.y), point.z);
+}
+
+/// Segment s of `count`.
+MapSegment map_segment(uint s, uint count) {
+  const uint v = segments[s];
+  const MapPlacement placement = placement_of(least);
+  precise float radius_sum = vertices[v].w + vertices[v + 1u].w;
+  precise float half_width = 0.5 * radius_sum * placement.scale.x;
+  MapSegment segment;
+  segment.a = place(placement, vertices[v].xyz);
+  segment.b = place(placement, vertices[v + 1u].xyz);
+  segment.half_width = half_width;
+  segment.is_first = s == 0u || segments[s - 1u] + 1u != v;
+  segment.is_last = s + 1u == count || segments[s + 1u] != v + 1u;
+  return segment;
+}

@@ -1,0 +1,33 @@
+#pragma once
+// Maps of optical depth weighted by functions of depth: what moments and Fourier coefficients share on the CPU.
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <cuticle/shadows/map_settings.h>
+#include <cuticle/shadows/map_view.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::shadows {
+
+/// Pieces per depth step of a steep segment: it is cut where it passes 1/64 of the whole depth.
+inline constexpr float k_series_pieces_per_step = 0.015625f;
+
+/// Function i of depth 0 .. 1 at the middle of every depth step, value i of step s at s * functions + i; all in -1 ..
+/// 1, the first of them 1.
+std::vector<float> series_weights(std::size_t functions, const std::function<double(std::size_t, double)>& function);
+
+/// A filled map: the sum over a texel's hair of sigma times function i is int(sums[texel * functions + i]) / scale.
+struct SeriesMap {
+  MapView view;
+  double scale = 1;
+  std::size_t functions = 1;
+  std::vector<std::uint32_t> sums;
+  float sum(std::size_t texel, std::size_t i) const { return float(std::int32_t(sums[texel * functions + i])); }
+};
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). Half of the
+/// range of fixed_point_scale is left to the sign.
+SeriesMap build_series(const strands::Groom& groom, double alpha, const LightAxes& axes, const MapSettings& settings,
+                       std::size_t functions, const std::vector<float>& weights);
+
+}  // namespace cuticle::shadows

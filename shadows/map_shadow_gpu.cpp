@@ -1,0 +1,221 @@
+#include <cuticle/shadows/map_shadow_gpu.h>
+
+#include <algorithm>
+#include <bit>
+
+#include <cuticle/shadows/map_series.h>
+#include <cuticle/shadows/series.glslh>
+
+#include <map_fit_comp.spv.h>
+#include <map_series_comp.spv.h>
+
+namespace cuticle::shadows {
+namespace {
+
+const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertex};
+
+class MapShadowGpu : public GpuShadow {
+ public:
+  MapShadowGpu(std::shared_ptr<gpu::Device> device, MapDescription description)
+      : device_(std::move(device)), description_(std::move(description)) {}
+  Result<void> make();
+  Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
+                      const gpu::Buffer& transmittance) override;
+  std::uint32_t dispatches_per_frame(const GpuStrands& strands) const override;
+  std::size_t bytes() const override;
+  std::vector<const gpu::Buffer*> map_buffers() const override;
+  std::vector<const gpu::Texture*> map_targets() const override;
+
+ private:
+  Result<void> make_drawing();
+  Result<void> make_kernels();
+  void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
+  MapPush push_for(const LightAxes& axes) const;
+  void clear(gpu::Commands& commands) const;
+  std::uint32_t invocations(const GpuStrands& strands, MapRun run) const;
+  void run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel, const GpuStrands& strands,
+           MapPush push, const gpu::Buffer& transmittance) const;
+
+  std::shared_ptr<gpu::Device> device_;
+  MapDescription description_;
+  DepositBuffer deposits_;
+  gpu::Buffer box_;
+  std::vector<gpu::Buffer> own_;
+  std::vector<gpu::Texture> targets_;
+  gpu::GraphicsPipeline drawing_;
+  gpu::Kernel fit_;
+  std::vector<gpu::Kernel> kernels_;  // one per pass
+};
+
+Result<void> MapShadowGpu::make() {
+  CUTICLE_EXPECT(description_.own.size() <= 3, "three numbers fit into the push constants");
+  for (const MapBuffer& buffer : description_.buffers) {
+    CUTICLE_ASSIGN(gpu::Buffer made, device_->make_buffer(4 * buffer.words));
+    own_.push_back(std::move(made));
+  }
+  CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
+  CUTICLE_TRY(deposits_.make(*device_, description_.settings.accumulation, description_.after_deposits));
+  if (description_.drawing.targets > 0) CUTICLE_TRY(make_drawing());
+  return make_kernels();
+}
+
+Result<void> MapShadowGpu::make_drawing() {
+  const MapDrawing& drawing = description_.drawing;
+  gpu::GraphicsDescription pipeline;
+  pipeline.vertex_spirv = drawing.vertex_code;
+  pipeline.fragment_spirv = drawing.fragment_code;
+  pipeline.interface = {4, 0, sizeof(MapPush)};
+  pipeline.color_formats.assign(drawing.targets, drawing.format);
+  pipeline.blend = gpu::BlendMode::additive;
+  CUTICLE_ASSIGN(drawing_, device_->make_graphics(pipeline));
+  for (std::uint32_t i = 0; i < drawing.targets; ++i) {
+    const glm::ivec2 size(int(description_.settings.resolution));
+    CUTICLE_ASSIGN(gpu::Texture target,
+                   device_->make_texture({size, drawing.format, gpu::Filter::nearest, 1, /*render_target=*/true}));
+    targets_.push_back(std::move(target));
+  }
+  return {};
+}
+
+Result<void> MapShadowGpu::make_kernels() {
+  CUTICLE_ASSIGN(fit_, device_->make_kernel(map_fit_comp, {std::uint32_t(k_fit.buffers.size()), 0, sizeof(MapPush)}));
+  for (const MapPass& pass : description_.passes) {
+    const std::uint32_t textures = pass.reads_targets ? description_.drawing.targets : 0;
+    const gpu::ShaderInterface interface { std::uint32_t(pass.buffers.size()), textures, sizeof(MapPush) };
+    CUTICLE_ASSIGN(gpu::Kernel kernel, device_->make_kernel(pass.code, interface));
+    kernels_.push_back(std::move(kernel));
+  }
+  return {};
+}
+
+MapPush MapShadowGpu::push_for(const LightAxes& axes) const {
+  const MapSettings& settings = description_.settings;
+  MapPush push{{axes.right, 0},
+               {axes.up, 0},
+               {axes.forward, 0},
+               description_.intervals,
+               float(settings.filter_texels),
+               float(settings.filter_radius),
+               float(-settings.accumulation.k / deposits_.scale()),
+               settings.resolution,
+               description_.layers,
+               0,
+               description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0),
+               description_.pieces_per_step,
+               {}};
+  std::copy(description_.own.begin(), description_.own.end(), push.own);
+  return push;
+}
+
+void MapShadowGpu::clear(gpu::Commands& commands) const {
+  commands.begin_pass("shadow.clear");
+  for (std::size_t i = 0; i < own_.size(); ++i) commands.fill(own_[i], description_.buffers[i].clear);
+  commands.fill(box_, ~0u);
+  commands.end_pass();
+}
+
+std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, MapRun run) const {
+  const std::uint32_t side = description_.settings.resolution;
+  switch (run) {
+    case MapRun::per_segment:
+      return strands.segment_count;
+    case MapRun::per_texel:
+      return side * side;
+    case MapRun::per_vertex:
+      return strands.vertex_count;
+    case MapRun::one_group:
+      return 64;
+  }
+  return 0;
+}
+
+void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel,
+                       const GpuStrands& strands, MapPush push, const gpu::Buffer& transmittance) const {
+  const gpu::Buffer* common[] = {strands.vertices, strands.segments, &box_, &deposits_.buffer(), &transmittance};
+  std::vector<const gpu::Buffer*> bound;
+  for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
+  push.count = invocations(strands, pass.run);
+  const std::uint32_t groups = (push.count + 63) / 64, across = std::min(groups, 32768u);
+  commands.begin_pass(pass.name);
+  commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},
+                    gpu::bytes_of(push), across, (groups + across - 1) / across);
+  commands.end_pass();
+}
+
+void MapShadowGpu::draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const {
+  std::vector<gpu::Commands::Target> targets;
+  for (const gpu::Texture& target : targets_) targets.push_back({.color = &target});
+  push.count = strands.segment_count;
+  commands.begin_pass("shadow.draw");
+  commands.begin_rendering(targets, nullptr);
+  commands.draw(drawing_, {strands.vertices, strands.segments, &box_, &deposits_.buffer()}, {}, gpu::bytes_of(push),
+                6 * strands.segment_count);
+  commands.end_rendering();
+  commands.end_pass();
+}
+
+Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
+                                  const gpu::Buffer& transmittance) {
+  if (dispatches_per_frame(strands) == 0) {  // nothing casts a shadow
+    if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
+    return {};
+  }
+  CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
+  CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
+  const MapPush push = push_for(light_axes(direction));
+  clear(commands);
+  run(commands, k_fit, fit_, strands, push, transmittance);
+  if (!targets_.empty()) draw(commands, strands, push);
+  for (std::size_t i = 0; i < kernels_.size(); ++i)
+    run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
+  return {};
+}
+
+std::uint32_t MapShadowGpu::dispatches_per_frame(const GpuStrands& strands) const {
+  return strands.segment_count == 0 || strands.vertex_count == 0 ? 0 : std::uint32_t(1 + description_.passes.size());
+}
+
+std::size_t MapShadowGpu::bytes() const {
+  const std::size_t side = description_.settings.resolution;
+  const std::size_t texel = description_.drawing.format == gpu::TextureFormat::rgba8 ? 4 : 8;
+  std::size_t bytes = targets_.size() * texel * side * side;
+  for (const MapBuffer& buffer : description_.buffers) bytes += buffer.kept ? 4 * buffer.words : 0;
+  return bytes;
+}
+
+std::vector<const gpu::Buffer*> MapShadowGpu::map_buffers() const {
+  std::vector<const gpu::Buffer*> buffers;
+  for (const gpu::Buffer& buffer : own_) buffers.push_back(&buffer);
+  return buffers;
+}
+
+std::vector<const gpu::Texture*> MapShadowGpu::map_targets() const {
+  std::vector<const gpu::Texture*> targets;
+  for (const gpu::Texture& target : targets_) targets.push_back(&target);
+  return targets;
+}
+
+}  // namespace
+
+MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
+                               std::span<const std::uint32_t> lookup) {
+  MapDescription map;
+  map.settings = settings;
+  map.intervals = float(k_series_steps);
+  map.layers = functions;
+  map.pieces_per_step = k_series_pieces_per_step;
+  map.signed_sums = true;
+  for (const float weight : weights) map.after_deposits.push_back(std::bit_cast<std::uint32_t>(weight));
+  map.buffers = {{std::uint64_t(settings.resolution) * settings.resolution * functions}};
+  map.passes = {{"shadow.splat", map_series_comp, {k_vertices, k_segments, k_box, k_deposits, k_own}},
+                {"shadow.lookup", lookup, {k_vertices, k_box, k_own, k_transmittance}, MapRun::per_vertex}};
+  return map;
+}
+
+Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description) {
+  auto shadow = std::make_unique<MapShadowGpu>(std::move(device), std::move(description));
+  CUTICLE_TRY(shadow->make());
+  return std::unique_ptr<GpuShadow>(std::move(shadow));
+}
+
+}  // namespace cuticle::shadows

@@ -1,0 +1,75 @@
+#pragma once
+// A method of maps on the device, described by the buffers of its map and the passes that fill it and look it up.
+#include <initializer_list>
+
+#include <cuticle/shadows/light_frame.h>
+#include <cuticle/shadows/map_gpu.h>
+#include <cuticle/shadows/map_settings.h>
+#include <cuticle/shadows/method_gpu.h>
+
+namespace cuticle::shadows {
+
+/// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0.
+enum MapBinding : int { k_vertices = -5, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
+
+/// One of the method's buffers of 32-bit words.
+struct MapBuffer {
+  std::uint64_t words = 0;
+  std::uint32_t clear = 0;  ///< every word, at the start of each frame
+  bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
+};
+enum class MapRun { per_segment, per_texel, per_vertex, one_group };
+struct MapPass {
+  std::string_view name;  ///< "shadow.splat"
+  std::span<const std::uint32_t> code;
+  std::vector<int> buffers;  ///< MapBinding, in the order of the shader's bindings
+  MapRun run = MapRun::per_segment;
+  bool reads_targets = false;  ///< the targets follow the buffers as textures
+};
+/// The graphics form: two triangles a segment, whose fragments are added into square targets, cleared to 0 before.
+struct MapDrawing {
+  std::span<const std::uint32_t> vertex_code, fragment_code;  ///< both bound to vertices, segments, box, deposits
+  std::uint32_t targets = 0;
+  gpu::TextureFormat format = gpu::TextureFormat::rgba8;
+};
+struct MapDescription {
+  MapSettings settings;
+  float intervals = 1;                        ///< depth steps of the view
+  std::uint32_t layers = 1;                   ///< numbers a texel
+  std::uint32_t flags = 0;                    ///< the method's own, beside k_poisson_flag
+  float pieces_per_step = 1;                  ///< a steep segment is cut so that its pieces are at most 1 / this deep
+  std::vector<float> own;                     ///< at most 3 numbers for its shaders
+  std::vector<std::uint32_t> after_deposits;  ///< words that follow the table of deposits
+  bool signed_sums = false;                   ///< half of the sums' range is left to the sign
+  std::vector<MapBuffer> buffers;
+  MapDrawing drawing;           ///< "shadow.draw", after "shadow.fit", where it has targets
+  std::vector<MapPass> passes;  ///< after "shadow.clear" (fills), "shadow.fit" and the drawing
+};
+
+/// The passes of a map. All records of one submission must share alpha and the number of segments, because the table of
+/// deposits is uploaded when they change. The light's view is fitted to the vertices as they are on the device; a
+/// filter in metres is cut off at 64 texels. Where nothing casts, the transmittance is filled with 1. Error:
+/// out_of_memory where the map passes the device's limits.
+Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description);
+
+/// A map of functions of depth (map_series.h), with `lookup` bound to vertices, box, sums, transmittance.
+MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
+                               std::span<const std::uint32_t> lookup);
+
+/// GpuMethod::create of a method, from its settings_from(values) and describe(settings).
+template <auto settings_from, auto describe>
+Result<std::unique_ptr<GpuShadow>> create_map(std::shared_ptr<gpu::Device> device,
+                                              const registry::ParameterValues& values) {
+  CUTICLE_ASSIGN(const auto settings, settings_from(values));
+  return make_map_shadow(std::move(device), describe(settings));
+}
+
+/// GpuMethod::cpu_map of a method, from its settings_from(values) and words_of(groom, alpha, axes, settings).
+template <auto settings_from, auto words_of>
+Result<MapWords> words_of_map(const Casters& casters, const registry::ParameterValues& values) {
+  CUTICLE_ASSIGN(const auto settings, settings_from(values));
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
+  return words_of(*casters.groom, casters.alpha, light_axes(to_light), settings);
+}
+
+}  // namespace cuticle::shadows

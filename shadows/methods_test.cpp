@@ -1,0 +1,183 @@
+// What every shadow method holds to, by a walk over the registry: bad input is refused, hard input gives a number.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/shadows/channels.h>
+#include <cuticle/tests/support/shadow_runs.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+/// Few rays over a small disc for the truth, small maps and grids for the rest.
+registry::ParameterValues small_values(const Method& method) {
+  auto values = registry::default_values(method.entry.parameters);
+  const auto set = [&](std::string_view name, registry::Value value) {
+    if (values.all().contains(name)) values.set(name, std::move(value));
+  };
+  set("rays", std::int64_t(16));
+  set("footprint_radius_mm", 0.1);
+  if (values.all().contains("resolution")) set("resolution", std::min<std::int64_t>(64, values.integer("resolution")));
+  return values;
+}
+Result<Transmittance> run(const Method& method, const strands::Groom& groom, std::span<const glm::vec3> points,
+                          double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
+  return method.evaluate({&groom, alpha, light}, {points, {}}, small_values(method));
+}
+
+strands::Groom bars(float radius = 0.002f) {
+  strands::Groom groom;
+  for (int i = 0; i < 5; ++i) {
+    const float y = 0.01f * float(i);
+    tests::add_strand(groom, {{-0.05f, y, 0}, {0, y, 0}, {0.05f, y, 0}}, radius);
+  }
+  return groom;
+}
+strands::Groom upright() {
+  strands::Groom groom;
+  for (int i = 0; i < 9; ++i) {
+    const float x = 0.01f * float(i % 3), z = 0.01f * float(i / 3);
+    tests::add_strand(groom, {{x, 0.1f, z}, {x, 0.05f, z}, {x, 0, z}}, 0.002f);
+  }
+  return groom;
+}
+strands::Groom single() {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0.05f, 0, 0}}, 0.002f);
+  return groom;
+}
+strands::Groom at_one_place() {
+  strands::Groom groom;
+  tests::add_strand(groom, {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, 0.001f);
+  tests::add_strand(groom, {{1, 2, 3}}, 0.001f);
+  return groom;
+}
+
+/// The groom's vertices, and points in front of it, behind it, beside it and far away.
+std::vector<glm::vec3> receivers_of(const strands::Groom& groom) {
+  std::vector<glm::vec3> points = groom.positions;
+  for (const float distance : {1e-3f, 1.0f, 1e4f})
+    for (const glm::vec3 direction : {glm::vec3(0, 1, 0), {0, -1, 0}, {1, 0, 0}, {0, 0, 1}})
+      points.push_back(groom.positions[0] + direction * distance);
+  return points;
+}
+void expect_transmittances(const Method& method, const strands::Groom& groom, double alpha, glm::dvec3 light,
+                           const char* what) {
+  const std::vector<glm::vec3> points = receivers_of(groom);
+  const auto result = run(method, groom, points, alpha, light);
+  ASSERT_TRUE(result) << method.entry.name << ", " << what << ": " << (result ? "" : result.error().message);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_TRUE(result->values[i] >= 0 && result->values[i] <= 1)
+        << method.entry.name << ", " << what << ": " << result->values[i] << " at point " << i;
+}
+
+}  // namespace
+
+TEST(ShadowMethods, HardInput_GivesATransmittance) {
+  for (const Method* method : methods()) {
+    expect_transmittances(*method, bars(), 0.4, {1, 1, 0.3}, "slanted light");
+    expect_transmittances(*method, bars(), 1, {0, 1, 0}, "opaque");
+    expect_transmittances(*method, upright(), 0.4, {0, 1, 0}, "light along all strands");
+    expect_transmittances(*method, upright(), 1, {0, -1, 0}, "light along all opaque strands");
+    expect_transmittances(*method, single(), 0.4, {0, 1, 0}, "a single strand: no depth");
+    expect_transmittances(*method, single(), 0.4, {1, 0, 0}, "a single strand: no width");
+    expect_transmittances(*method, at_one_place(), 0.4, {1, 1, 1}, "all at one place");
+    expect_transmittances(*method, bars(1), 0.4, {0, 1, 0}, "fibres wider than the groom");
+  }
+}
+
+TEST(ShadowMethods, ZeroRadius_CastsNothing) {
+  const strands::Groom groom = bars(0);
+  const glm::vec3 behind(0, -0.01f, 0);
+  for (const Method* method : methods()) {
+    const auto result = run(*method, groom, std::span(&behind, 1));
+    ASSERT_TRUE(result) << method->entry.name;
+    EXPECT_EQ(result->values[0], 1.0f) << method->entry.name;
+  }
+}
+
+TEST(ShadowMethods, OpacityZero_CastsNothing) {
+  const strands::Groom groom = bars();
+  const glm::vec3 behind(0, -0.01f, 0);
+  for (const Method* method : methods()) {
+    const auto result = run(*method, groom, std::span(&behind, 1), 0);
+    ASSERT_TRUE(result) << method->entry.name;
+    EXPECT_EQ(result->values[0], 1.0f) << method->entry.name;
+  }
+}
+
+TEST(ShadowMethods, BehindOpaqueHair_IsDark) {
+  const strands::Groom groom = bars(0.01f);
+  const glm::vec3 behind(0, -0.05f, 0);
+  for (const Method* method : methods()) {
+    if (method->entry.name == "none") continue;
+    const auto result = run(*method, groom, std::span(&behind, 1), 1);
+    ASSERT_TRUE(result) << method->entry.name;
+    EXPECT_LT(result->values[0], 0.1f) << method->entry.name;
+  }
+}
+
+TEST(ShadowMethods, BeforeAllHair_IsLit) {
+  const strands::Groom groom = bars();
+  const glm::vec3 before(0, 0.2f, 0);
+  for (const Method* method : methods()) {
+    const auto result = run(*method, groom, std::span(&before, 1), 1);
+    ASSERT_TRUE(result) << method->entry.name;
+    EXPECT_EQ(result->values[0], 1.0f) << method->entry.name;
+  }
+}
+
+// A light is a direction: one at no distance has none, and one inside the hair cannot be asked for.
+TEST(ShadowMethods, LightWithoutDirection_IsRefused) {
+  const strands::Groom groom = bars();
+  const glm::vec3 point(0);
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Method* method : methods())
+    for (const glm::dvec3 light : {glm::dvec3(0), {1e-13, 0, 0}, {infinity, 0, 0}, {0, nan, 0}}) {
+      const auto result = run(*method, groom, std::span(&point, 1), 0.4, light);
+      ASSERT_FALSE(result) << method->entry.name;
+      EXPECT_EQ(result.error().kind, ErrorKind::usage) << method->entry.name;
+    }
+}
+
+TEST(ShadowMethods, BadGroomPointOrAlpha_IsRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const glm::vec3 good(0), bad(nan, 0, 0);
+  strands::Groom broken = bars();
+  broken.positions[1].y = nan;
+  for (const Method* method : methods()) {
+    EXPECT_FALSE(run(*method, broken, std::span(&good, 1))) << method->entry.name;
+    EXPECT_FALSE(run(*method, bars(), std::span(&bad, 1))) << method->entry.name;
+    EXPECT_FALSE(run(*method, bars(), std::span(&good, 1), 1.5)) << method->entry.name;
+    EXPECT_FALSE(run(*method, bars(), std::span(&good, 1), double(nan))) << method->entry.name;
+  }
+}
+
+TEST(ShadowMethods, NoGroom_LetsAllThrough) {
+  const glm::vec3 point(0);
+  for (const Method* method : methods()) {
+    const auto result = run(*method, {}, std::span(&point, 1));
+    ASSERT_TRUE(result) << method->entry.name;
+    EXPECT_EQ(result->values[0], 1.0f) << method->entry.name;
+  }
+}
+
+TEST(Channels, EachOpacity_IsEvaluatedOnItsOwn) {
+  const strands::Groom groom = bars();
+  const glm::vec3 behind(0, -0.01f, 0);
+  const Method& method = **find_method("opacity_map");
+  const auto coloured = evaluate_channels(method, {&groom, 0.9, {0, 1, 0}}, {0.2, 0.4, 0.2},
+                                          {std::span(&behind, 1), {}}, small_values(method));
+  ASSERT_TRUE(coloured);
+  const float red = run(method, groom, std::span(&behind, 1), 0.2)->values[0];
+  const float green = run(method, groom, std::span(&behind, 1), 0.4)->values[0];
+  EXPECT_EQ(coloured->values[0], glm::vec3(red, green, red));
+  EXPECT_GT(red, green);
+  EXPECT_GT(coloured->cost.bytes, 0u);
+  EXPECT_FALSE(evaluate_channels(method, {&groom, 0.9, {0, 1, 0}}, {0.2, 0.4, 1.2}, {std::span(&behind, 1), {}},
+                                 small_values(method)));
+}

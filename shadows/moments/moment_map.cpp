@@ -1,0 +1,61 @@
+#include <cuticle/shadows/moments/moment_map.h>
+
+#include <cuticle/shadows/detail/map_method.h>
+#include <cuticle/shadows/moments/moments.glslh>
+#include <cuticle/shadows/series.glslh>
+
+namespace cuticle::shadows::moments {
+namespace {
+
+float share_before(const SeriesMap& map, const Settings& settings, std::size_t texel, float depth) {
+  const float whole = map.sum(texel, 0), bias = float(settings.bias), overestimation = float(settings.overestimation);
+  const auto moment = [&](std::size_t i) { return map.sum(texel, i) / whole; };
+  if (settings.basis == Basis::trigonometric_4)
+    return circle_share(glm::vec2(moment(1), moment(2)), glm::vec2(moment(3), moment(4)), bias, depth, overestimation);
+  PowerMoments<float> moments{};
+  for (std::size_t i = 0; i < map.functions; ++i) moments.b[i] = moment(i);
+  return power_share(biased(moments, bias), 2 * depth - 1, overestimation, int(map.functions + 1) / 2);
+}
+
+/// The sum before depth z of a texel.
+float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z) {
+  const float whole = map.sum(texel, 0), depth = z / float(k_series_steps);
+  if (!(depth > 0) || !(whole > 0)) return 0;
+  return depth >= 1 ? whole : whole * share_before(map, settings, texel, depth);
+}
+
+}  // namespace
+
+double default_bias(Basis basis) { return basis == Basis::power_4 ? 1e-4 : basis == Basis::power_6 ? 1e-3 : 4e-4; }
+
+Result<Settings> settings_from(const registry::ParameterValues& values) {
+  Settings settings;
+  settings.map = map_settings(values);
+  const std::string& basis = values.choice("basis");
+  settings.basis = basis == "power_4" ? Basis::power_4 : basis == "power_6" ? Basis::power_6 : Basis::trigonometric_4;
+  settings.bias = values.real("bias") > 0 ? values.real("bias") : default_bias(settings.basis);
+  settings.overestimation = values.real("overestimation");
+  CUTICLE_TRY(check_map_bytes("moments", settings.functions(), settings.map.resolution));
+  return settings;
+}
+
+std::vector<float> weights(const Settings& settings) {
+  const bool trigonometric = settings.basis == Basis::trigonometric_4;
+  return series_weights(settings.functions(), [=](std::size_t i, double depth) {
+    if (!trigonometric || i == 0) return std::pow(2 * depth - 1, double(i));
+    const glm::dvec2 turned = circle_point(double((i + 1) / 2) * depth);
+    return i % 2 == 1 ? turned.x : turned.y;
+  });
+}
+
+SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  return build_series(groom, alpha, axes, settings.map, settings.functions(), weights(settings));
+}
+
+std::vector<float> look_up(const SeriesMap& map, const Settings& settings, float filter,
+                           std::span<const glm::vec3> points) {
+  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, settings, texel, z); };
+  return look_up_points(map.view, settings.map, map.scale, filter, float(k_series_steps), points, sum);
+}
+
+}  // namespace cuticle::shadows::moments

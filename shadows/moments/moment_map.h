@@ -1,0 +1,35 @@
+#pragma once
+// Moment shadow maps of opacity: moments of the distribution of optical depth over depth in each texel.
+#include <span>
+#include <vector>
+
+#include <cuticle/shadows/map_series.h>
+
+namespace cuticle::shadows::moments {
+
+enum class Basis { power_4, power_6, trigonometric_4 };
+
+/// The method's parameters, in SI units.
+struct Settings {
+  MapSettings map;
+  Basis basis = Basis::power_4;
+  double bias = 0;               ///< in use: default_bias where the parameter is 0
+  double overestimation = 0.25;  ///< share of the hair at the very depth asked for that counts as before it
+  std::uint32_t functions() const { return basis == Basis::power_6 ? 7 : 5; }
+};
+/// Enough for the rounding of the stored integers (README.md).
+double default_bias(Basis basis);
+/// Error: usage, when the map would pass 2 GiB.
+Result<Settings> settings_from(const registry::ParameterValues& values);
+
+/// 1, then the powers of depth -1 .. 1, or cosine and sine of one and two turns, at every depth step.
+std::vector<float> weights(const Settings& settings);
+
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
+SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
+
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.
+std::vector<float> look_up(const SeriesMap& map, const Settings& settings, float filter,
+                           std::span<const glm::vec3> points);
+
+}  // namespace cuticle::shadows::moments

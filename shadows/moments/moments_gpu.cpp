@@ -1,0 +1,30 @@
+// Moments on the GPU: clear (fills), fit, splat, lookup; the integers of the map equal the CPU's.
+#include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/moments/moment_map.h>
+
+#include <moments_lookup_comp.spv.h>
+
+namespace cuticle::shadows::moments {
+namespace {
+
+constexpr std::uint32_t k_trigonometric_flag = 2;  // k_trigonometric of moments_lookup.comp
+
+MapDescription describe(const Settings& settings) {
+  MapDescription map = describe_series(settings.map, settings.functions(), weights(settings), moments_lookup_comp);
+  map.flags = settings.basis == Basis::trigonometric_4 ? k_trigonometric_flag : 0;
+  map.own = {float(settings.bias), float(settings.overestimation)};
+  return map;
+}
+
+MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  return {build_map(groom, alpha, axes, settings).sums};
+}
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"moments", create_map<settings_from, describe>, words_of_map<settings_from, words_of>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::moments

@@ -1,0 +1,36 @@
+#pragma once
+// An ordinary shadow map: the depth of each texel's nearest fibre, tested against a receiver's.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <cuticle/shadows/map_settings.h>
+#include <cuticle/shadows/map_view.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::shadows::shadow_map {
+
+/// The method's parameters, in SI units.
+struct Settings {
+  MapSettings map;
+  double bias = 1e-3;           ///< metres
+  bool opaque = true;           ///< a fibre lets nothing pass; else hair absorbs along its depth
+  double fibre_spacing = 1e-3;  ///< metres of depth for each fibre that absorbs
+};
+/// Error: usage, when the map would pass 2 GiB.
+Result<Settings> settings_from(const registry::ParameterValues& values);
+
+struct Map {
+  MapView view;
+  float crossing = 0;                  ///< optical depth of one crossing
+  std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
+};
+/// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
+Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
+
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.
+std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
+
+}  // namespace cuticle::shadows::shadow_map

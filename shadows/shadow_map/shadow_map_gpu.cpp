@@ -1,0 +1,43 @@
+// The shadow map on the GPU: clear (fills), fit, nearest, lookup; the integers of the map equal the CPU's.
+#include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/shadow_map/depth_map.h>
+#include <cuticle/shadows/shadow_map/depth.glslh>
+#include <cuticle/shadows/splat.glslh>
+
+#include <shadow_map_lookup_comp.spv.h>
+
+namespace cuticle::shadows::shadow_map {
+namespace {
+
+constexpr std::uint32_t k_opaque_flag = 2;  // k_opaque of shadow_map_lookup.comp
+constexpr int k_nearest = k_own;
+
+MapDescription describe(const Settings& settings) {
+  MapDescription map;
+  map.settings = settings.map;
+  map.intervals = float(k_depth_steps);
+  map.flags = settings.opaque ? k_opaque_flag : 0;
+  map.pieces_per_step = k_pieces_per_step;
+  map.own = {float(settings.bias), float(settings.fibre_spacing)};
+  map.buffers = {{std::uint64_t(settings.map.resolution) * settings.map.resolution, k_no_depth}};
+  map.passes = {{"shadow.nearest", map_nearest_code(), {k_vertices, k_segments, k_box, k_nearest}},
+                {"shadow.lookup",
+                 shadow_map_lookup_comp,
+                 {k_vertices, k_box, k_deposits, k_nearest, k_transmittance},
+                 MapRun::per_vertex}};
+  return map;
+}
+
+MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+  return {build_map(groom, alpha, axes, settings).nearest};
+}
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"shadow_map", create_map<settings_from, describe>,
+                                words_of_map<settings_from, words_of>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::shadow_map

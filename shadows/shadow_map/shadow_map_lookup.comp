@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per vertex: the mean over the filter's disc of the light behind each texel's nearest fibre.
+layout(local_size_x = 64) in;
+#include "cuticle/shadows/map_filter.glsl"
+#include "cuticle/shadows/shadow_map/depth.glslh"
+#include "cuticle/shadows/splat.glslh"
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
+layout(std430, binding = 2) readonly buffer Table { uint table[]; };
+layout(std430, binding = 3) readonly buffer Nearest { uint nearest[]; };
+layout(std430, binding = 4) writeonly buffer Transmittance { float transmittance[]; };
+
+const uint k_opaque = 2u;  // k_opaque_flag of shadow_map_gpu.cpp
+float steps_per_metre, crossing;
+
+float exponent_at(uint texel, float z) {
+  if (nearest[texel] == k_no_depth) return 0.0;
+  const float behind = steps_behind(z, nearest[texel], push.own[0], steps_per_metre);
+  return -depth_behind(behind, (push.flags & k_opaque) != 0u, crossing, push.own[1] * steps_per_metre);
+}
+
+void main() {
+  const uint v = invocation();
+  if (v >= push.count) return;
+  const MapPlacement placement = placement_of(least);
+  steps_per_metre = placement.scale.z;
+  crossing = -push.per_unit * float(table[k_coverage_steps]);
+  transmittance[v] = transmittance_at(placement, vertices[v].xyz, k_deepest);
+}
