@@ -57,6 +57,17 @@ strands::Groom at_one_place() {
   return groom;
 }
 
+/// Over the values with 0.05 < truth < 0.95.
+double mean_difference(std::span<const float> values, std::span<const float> truth) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (truth[i] > 0.05f && truth[i] < 0.95f) {
+      sum += std::abs(double(values[i]) - double(truth[i]));
+      count += 1;
+    }
+  return sum / count;
+}
+
 /// The groom's vertices, and points in front of it, behind it, beside it and far away.
 std::vector<glm::vec3> receivers_of(const strands::Groom& groom) {
   std::vector<glm::vec3> points = groom.positions;
@@ -164,6 +175,37 @@ TEST(ShadowMethods, NoGroom_LetsAllThrough) {
     ASSERT_TRUE(result) << method->entry.name;
     EXPECT_EQ(result->values[0], 1.0f) << method->entry.name;
   }
+}
+
+// The accuracy that the README files state: `methods_test --gtest_filter=*AgainstTruth` prints it for every study case.
+TEST(ShadowMethods, StudyCases_AgainstTruth) {
+  const auto truth_method = find_method("truth");
+  if (!truth_method) GTEST_SKIP() << "this build has no Embree";
+  const strands::Groom groom = tests::coat(4000, 8, 0.03, 1.5e-4f, 3);
+  std::vector<glm::vec3> points;
+  std::vector<std::uint32_t> strands;
+  for (std::uint32_t v = 0; v < groom.vertex_count(); v += 67) {
+    points.push_back(groom.positions[v]);
+    strands.push_back(v / 8);
+  }
+  const Casters casters{&groom, 0.4, {1, 1, 0.3}};
+  const Receivers receivers{points, strands};
+  const auto truth_values = tests::values_of("truth", "rays=256,footprint_radius_mm=3").value();
+  const std::vector<float> truth = (*truth_method)->evaluate(casters, receivers, truth_values)->values;
+  const double none = mean_difference(std::vector<float>(points.size(), 1.0f), truth);
+  for (const Method* method : methods())
+    for (const registry::StudyCase& study_case : method->entry.study_cases) {
+      auto values = tests::values_of(method->entry.name, std::string(study_case.settings)).value();
+      if (values.all().contains("filter_radius_mm")) values.set("filter_radius_mm", 3.0);
+      if (values.all().contains("fibre_spacing_mm")) values.set("fibre_spacing_mm", 10.0);
+      const auto result = method->evaluate(casters, receivers, values);
+      ASSERT_TRUE(result) << method->entry.name;
+      const double error = mean_difference(result->values, truth);
+      std::printf("%-14s %-24s mean |error| %.4f, %zu KiB\n", std::string(method->entry.name).c_str(),
+                  std::string(study_case.settings).c_str(), error, result->cost.bytes / 1024);
+      EXPECT_LT(error, none) << method->entry.name << " " << study_case.settings;
+    }
+  std::printf("%-39s mean |error| %.4f\n", "none", none);
 }
 
 TEST(Channels, EachOpacity_IsEvaluatedOnItsOwn) {
