@@ -13,8 +13,8 @@ enum class Basis { power_4, power_6, trigonometric_4 };
 struct Settings {
   MapSettings map;
   Basis basis = Basis::power_4;
-  double bias = 0;               ///< in use: default_bias where the parameter is 0
-  double overestimation = 0.25;  ///< share of the hair at the very depth asked for that counts as before it
+  double bias = 0;              ///< in use: default_bias where the parameter is 0
+  double overestimation = 0.5;  ///< share of the hair at the very depth asked for that counts as before it
   std::uint32_t functions() const { return basis == Basis::power_6 ? 7 : 5; }
 };
 /// Enough for the rounding of the stored integers (README.md).

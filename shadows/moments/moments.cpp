@@ -23,7 +23,7 @@ constexpr registry::Parameter k_parameters[] = {
      "1",
      0,
      1,
-     "0.25",
+     "0.5",
      {},
      "between the least (0) and the most (1) optical depth that the moments allow"},
     k_resolution,

@@ -29,7 +29,7 @@ constexpr registry::Parameter k_parameters[] = {
      "slices"},
 };
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
-constexpr std::string_view k_systems[] = {"N17"};
+constexpr std::string_view k_systems[] = {"N17", "N18", "N20"};
 constexpr registry::StudyCase k_cases[] = {
     {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
 
