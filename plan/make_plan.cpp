@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/plan/plan.h>
+#include <cuticle/sim/solver.h>
 
 namespace cuticle::plan {
 
@@ -16,6 +17,7 @@ struct Candidate {
   const Entry* entry;
   ParameterValues values;
   std::string not_chosen;
+  bool fused = false;  ///< its work is in the solver's dispatches
 };
 
 ParameterValues values_in(const std::map<std::string, ParameterValues, std::less<>>& blocks, const Entry& entry) {
@@ -32,11 +34,17 @@ Candidate one_of(const Entry& entry, const std::optional<scene::Block>& chosen, 
       chosen ? fmt::format("the scene's {} is '{}'", what, chosen->name) : fmt::format("the scene names no {}", what)};
 }
 
+bool fuses_effects(const scene::Scene& scene) {
+  if (!scene.simulation.solver) return false;
+  const auto solver = sim::find_effect(scene.simulation.solver->name);
+  return solver && (*solver)->fuses_effects;
+}
+
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> all;
   for (const Entry* entry : catalogue().solvers) all.push_back(one_of(*entry, scene.simulation.solver, "solver"));
   for (const Entry* entry : catalogue().effects)
-    all.push_back({entry, values_in(scene.simulation.effects, *entry), ""});
+    all.push_back({entry, values_in(scene.simulation.effects, *entry), "", fuses_effects(scene)});
   for (const Entry* entry : catalogue().methods) all.push_back(one_of(*entry, scene.shadow, "shadow method"));
   for (const Entry* entry : catalogue().passes) all.push_back({entry, values_in(scene.passes, *entry), ""});
   return all;
@@ -77,8 +85,9 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     if (!refused.empty())
       plan.left_out.push_back({&entry, refused});
     else
-      plan.passes.push_back(
-          {&entry, verdict.reason, entry.dispatches ? entry.dispatches(candidate.values, shape) : 0, entry.draws});
+      plan.passes.push_back({&entry, verdict.reason,
+                             entry.dispatches && !candidate.fused ? entry.dispatches(candidate.values, shape) : 0,
+                             entry.draws});
   }
   sort(plan.passes);
   return plan;

@@ -49,6 +49,12 @@ glm::vec4 packed(const glm::dquat& q) { return glm::vec4(glm::dvec4(q.x, q.y, q.
 
 }  // namespace
 
+std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most) {
+  const double rounded = std::ceil(duration / inner_step * (1 - 1e-9));  // 1/30 s is 8 steps of 1/240 s, not 9
+  if (!(rounded > 1)) return 1;  // also for a duration that is no number, which the solver then refuses
+  return static_cast<std::uint32_t>(std::min(rounded, double(most)));
+}
+
 Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::uint32_t substeps) {
   CUTICLE_TRY(check(input));
   const bool jump = input.teleport || input.duration == 0;

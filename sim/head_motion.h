@@ -21,6 +21,9 @@ struct Substep {
   glm::vec3 translation{0};               ///< the head's translation at the end of the frame, world
 };
 
+/// ceil(duration / inner_step), between 1 and `most`: past that the step stretches.
+std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most);
+
 /// Follows the head from frame to frame.
 class HeadMotion {
  public:

@@ -50,13 +50,15 @@ class Solver {
   virtual Result<State> state() = 0;
 };
 
-/// A solver (entry.name "classic") or an effect (entry.name "gravity"); effects have no `create`.
+/// A solver (entry.name "classic", "exact") or an effect (entry.name "gravity"); effects have no `create`.
 struct Effect {
   registry::Entry entry;
   Result<std::unique_ptr<Solver>> (*create)(const strands::Groom& rest, const registry::ParameterValues& solver,
                                             const EffectBlocks& effects) = nullptr;
   /// Substeps that the solver takes for a frame of this duration (seconds): FrameShape::substeps. Null for effects.
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
+  /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
+  bool fuses_effects = false;
 };
 std::span<const Effect* const> effects();
 Result<const Effect*> find_effect(std::string_view name);

@@ -20,29 +20,7 @@ std::span<const Entry> entries();  // written by CMake (bsdf/CMakeLists.txt)
 
 namespace {
 
-constexpr std::array<std::string_view, instruction_set_count> set_names = {"baseline", "avx2", "avx512"};
 constexpr std::size_t block = 4096;  // points in one call of a kernel, and the least that a thread takes
-
-#if defined(__x86_64__)
-// What -march=x86-64-v3 and -v4 may use beside the vectors themselves came with them; clang 14 does not know the
-// levels' names.
-bool has_avx2() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-         __builtin_cpu_supports("bmi2");
-}
-bool has_avx512() {
-  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
-#endif
-
-bool processor_has(InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx2) return has_avx2();
-  if (set == InstructionSet::avx512) return has_avx512();
-#endif
-  return set == InstructionSet::baseline;
-}
 
 const batch::Entry* find_entry(std::string_view model) {
   for (const batch::Entry& entry : batch::entries())
@@ -120,8 +98,6 @@ void in_blocks(std::size_t total, const Body& body) {
 }
 
 }  // namespace
-
-std::string_view name_of(InstructionSet set) { return set_names[std::size_t(set)]; }
 
 bool is_supported(InstructionSet set) {
   const auto built = [&](const batch::Entry& entry) { return entry.kernels[std::size_t(set)] != nullptr; };

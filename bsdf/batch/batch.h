@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <cuticle/bsdf/model.h>
+#include <cuticle/core/instruction_set.h>
 #include <cuticle/core/result.h>
 #include <cuticle/bsdf/shared/packing.glslh>
 
@@ -17,11 +18,6 @@ namespace batch {
 struct Kernels;
 }
 
-/// In rising order: what every x86-64 (or any other) processor has; AVX2 with FMA (x86-64-v3); AVX-512 (x86-64-v4).
-enum class InstructionSet { baseline, avx2, avx512 };
-constexpr std::size_t instruction_set_count = 3;
-/// "baseline", "avx2", "avx512".
-std::string_view name_of(InstructionSet set);
 /// Whether this processor has it and this build was made with it.
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();

@@ -6,10 +6,7 @@
 
 #include <cuticle/bsdf/batch/kernel.h>
 #include <cuticle/bsdf/shared/directions.glslh>
-
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
+#include <cuticle/core/flush_to_zero.h>
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
@@ -18,20 +15,6 @@ namespace cuticle::bsdf::CUTICLE_BATCH_MODEL {
 namespace {
 
 using namespace cuticle::bsdf::batch;
-
-#ifdef __SSE__
-/// Products of two lobes' tails are denormal: slow, and worth nothing.
-class FlushToZero {
- public:
-  [[gnu::always_inline]] FlushToZero() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040); }
-  [[gnu::always_inline]] ~FlushToZero() { _mm_setcsr(saved_); }
-
- private:
-  unsigned saved_;
-};
-#else
-class FlushToZero {};
-#endif
 
 FN glm::vec<3, Real> value_at(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
   if constexpr (requires { evaluate_directions(packed, quantity, d); })

@@ -170,6 +170,7 @@ class ClassicSolver final : public Solver {
 
 Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
                                        const EffectBlocks& effects) {
+  CUTICLE_TRY(check_effects(effects));
   CUTICLE_TRY(strands::validate(rest));
   return std::unique_ptr<Solver>(std::make_unique<ClassicSolver>(rest, make_settings(solver, effects)));
 }

@@ -117,6 +117,7 @@ class ClassicGpuSolver final : public GpuSolver {
 
 Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
                                               const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  CUTICLE_TRY(check_effects(effects));
   CUTICLE_TRY(strands::validate(rest));
   if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
   auto made = std::make_unique<ClassicGpuSolver>(std::move(device), rest, make_settings(solver, effects));

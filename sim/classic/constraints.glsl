@@ -23,8 +23,7 @@ void sweep_lengths(uint anchor, uint last) {
   }
 }
 
-// By bits: a compiler may assume that there is no NaN.
-bool finite(vec3 v) { return all(lessThan(floatBitsToUint(v) & 0x7f800000u, uvec3(0x7f800000u))); }
+#include "cuticle/sim/finite.glsl"
 
 bool update_velocity(uint i) {
   vec3 moved = positions[i].xyz - starts[i].xyz + head_step;

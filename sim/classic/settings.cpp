@@ -12,19 +12,20 @@ std::uint32_t whole(const registry::ParameterValues& values, std::string_view na
   return static_cast<std::uint32_t>(values.integer(name));
 }
 
-std::uint32_t count(double duration, double inner_step, std::uint32_t most) {
-  const double rounded = std::ceil(duration / inner_step * (1 - 1e-9));  // 1/30 s is 8 steps of 1/240 s, not 9
-  if (!(rounded > 1)) return 1;  // also for a duration that is no number, which the solver then refuses
-  return static_cast<std::uint32_t>(std::min(rounded, double(most)));
-}
-
 }  // namespace
 
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
-  return count(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
+  return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
 }
 std::uint32_t substeps(const Settings& settings, double duration) {
-  return count(duration, settings.inner_step, settings.max_substeps);
+  return inner_steps(duration, settings.inner_step, settings.max_substeps);
+}
+
+Result<void> check_effects(const EffectBlocks& effects) {
+  for (const auto& [name, values] : effects)
+    if (name != "gravity" && name != "colliders")
+      return usage_error("the solver 'classic' has no effect '" + name + "'", "choose the solver 'exact'");
+  return {};
 }
 
 Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {

@@ -19,9 +19,10 @@ struct Settings {
   glm::dvec3 gravity{0};                          ///< m/s^2; zero without the effect
   std::optional<colliders::ContactSettings> contact;  ///< present with the effect
 };
+/// Error: usage, naming an effect that this solver does not know.
+Result<void> check_effects(const EffectBlocks& effects);
 Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
 
-/// ceil(duration / inner_step), between 1 and max_substeps: past that the step stretches.
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
 std::uint32_t substeps(const Settings& settings, double duration);
 

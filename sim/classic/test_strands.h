@@ -52,8 +52,15 @@ inline EffectBlocks gravity() { return {{"gravity", settings_of("gravity")}}; }
 inline EffectBlocks gravity_and_colliders(const std::string& colliders = {}) {
   return {{"gravity", settings_of("gravity")}, {"colliders", settings_of("colliders", colliders)}};
 }
-inline std::unique_ptr<Solver> make_classic(const strands::Groom& groom, const std::string& solver, const EffectBlocks& effects) {
-  return (*find_effect("classic"))->create(groom, settings_of("classic", solver), effects).value();
+inline std::unique_ptr<Solver> make_solver(std::string_view name, const strands::Groom& groom, const std::string& settings,
+                                           const EffectBlocks& effects) {
+  return (*find_effect(name))->create(groom, settings_of(name, settings), effects).value();
+}
+inline std::unique_ptr<Solver> make_classic(const strands::Groom& groom, const std::string& settings, const EffectBlocks& effects) {
+  return make_solver("classic", groom, settings, effects);
+}
+inline std::unique_ptr<Solver> make_exact(const strands::Groom& groom, const std::string& settings, const EffectBlocks& effects) {
+  return make_solver("exact", groom, settings, effects);
 }
 
 /// A head that turns to and fro about the vertical, 60 degrees each way, while it walks away from the origin.

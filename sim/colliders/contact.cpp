@@ -20,7 +20,8 @@ void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactS
 }  // namespace
 
 ContactSettings make_contact_settings(const registry::ParameterValues& values) {
-  return {static_cast<float>(values.real("pearl_radius")), values.boolean("fit_pearls")};
+  return {static_cast<float>(values.real("pearl_radius")), values.boolean("fit_pearls"),
+          static_cast<float>(values.real("friction"))};
 }
 
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres) {

@@ -13,6 +13,7 @@ namespace cuticle::sim::colliders {
 struct ContactSettings {
   float pearl_radius = 0;  ///< metres, of the sphere on every particle
   bool fit_pearls = true;  ///< grow each pearl until its straight segments clear the sphere
+  float friction = 0;      ///< Coulomb's coefficient
 };
 ContactSettings make_contact_settings(const registry::ParameterValues& values);
 

@@ -10,13 +10,15 @@ constexpr Parameter k_parameters[] = {
     {.name = "pearl_radius", .type = ParameterType::real, .unit = "m", .minimum = 0, .maximum = 1, .default_text = "0.001",
      .summary = "radius of the sphere on every particle"},
     {.name = "fit_pearls", .type = ParameterType::boolean, .default_text = "true",
-     .summary = "grow each pearl until its straight segments clear the collider"},
+     .summary = "grow each pearl until its straight segments clear the collider (classic; exact clears segments without)"},
+    {.name = "friction", .type = ParameterType::real, .unit = "1", .minimum = 0, .maximum = 10, .default_text = "0",
+     .summary = "Coulomb's coefficient between hair and collider (exact; classic slides freely)"},
 };
 constexpr std::string_view k_demands[] = {"simulation", "colliders"};
 constexpr std::string_view k_systems[] = {"G8"};
-constexpr std::string_view k_after[] = {"classic"};
+constexpr std::string_view k_after[] = {"classic", "exact"};
 
-/// Contact and lengths in turn, once per substep.
+/// Contact and lengths in turn, once per substep (none of its own with a solver that fuses its effects).
 std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) { return shape.substeps; }
 
 }  // namespace

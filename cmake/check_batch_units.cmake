@@ -1,5 +1,5 @@
 # Fails where a unit of one instruction set leaves code that the linker could take for that of another: weak or global functions.
-# cmake -DNM=nm -DOBJECTS="a.o|b.o" -P check_units.cmake
+# cmake -DNM=nm -DOBJECTS="a.o|b.o" -P check_batch_units.cmake
 string(REPLACE "|" ";" objects "${OBJECTS}")
 list(LENGTH objects count)
 if(count EQUAL 0)

@@ -1,0 +1,75 @@
+// What the solvers cost on two threads: bench_sim [reference.json] prints ms a frame (best of many), raw and scaled to
+// the machine of that file, and the largest stretch. 1,000 and 10,000 strands of 32 vertices.
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/sim/telemetry.h>
+#include "calibration.h"
+
+namespace {
+
+using namespace cuticle;
+
+struct Case {
+  std::string name, solver, settings;
+  int strands, threads;
+  bool sphere = false, wind = false;
+};
+
+strands::Groom straight_strands(int count) {
+  strands::Groom groom;
+  for (int s = 0; s < count; ++s) {
+    const float angle = 0.001f * float(s);
+    for (int i = 0; i < 32; ++i)
+      groom.positions.push_back(glm::vec3(std::cos(angle), 0, std::sin(angle)) * (0.3f * float(i) / 31));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+
+registry::ParameterValues values_of(const std::string& effect, const std::string& settings) {
+  return registry::parse_assignments((*sim::find_effect(effect))->entry.parameters, settings).value();
+}
+
+void run(const Case& c, double scale) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, std::size_t(c.threads));
+  const strands::Groom groom = straight_strands(c.strands);
+  sim::EffectBlocks effects{{"gravity", values_of("gravity", "")}};
+  if (c.sphere) effects["colliders"] = values_of("colliders", "pearl_radius=0");
+  if (c.wind) effects["wind"] = values_of("wind", "");
+  const auto solver = (*sim::find_effect(c.solver))->create(groom, values_of(c.solver, c.settings), effects).value();
+  const Sphere ball{{0.1, -0.2, 0}, 0.05};
+  sim::FrameInput input;
+  if (c.sphere) input.colliders = {&ball, 1};
+  const double best = bench::best_ms(c.strands > 1000 ? 60 : 300, [&] {
+    if (!solver->advance(input)) std::abort();
+  });
+  const sim::Telemetry telemetry = sim::measure(groom, solver->state().value());
+  fmt::print("{},{},{},{:.3f},{:.3f},{:.1e}\n", c.name, c.strands, c.threads, best, best / scale,
+             telemetry.largest_stretch - 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  double scale = 1;
+  if (argc > 1) scale = bench::exp_ms() / nlohmann::json::parse(std::ifstream(argv[1]))["exp_ms"].get<double>();
+  const std::string four = "damping=0,shape_stiffness=0,clamped_vertices=1,inner_step=0.00417,max_substeps=4";
+  fmt::print("case,strands,threads,best_ms,best_scaled_ms,largest_stretch\n");
+  for (int threads : {1, 2}) {
+    run({"exact, 4 substeps", "exact", four, 1000, threads}, scale);
+    run({"exact, 4 substeps, sphere", "exact", four, 1000, threads, true}, scale);
+    run({"exact, 4 substeps, wind", "exact", four, 1000, threads, false, true}, scale);
+    run({"exact, 4 substeps, pull to the rest pose", "exact", "inner_step=0.00417,max_substeps=4", 1000, threads},
+        scale);
+    run({"exact, 4 substeps", "exact", four, 10000, threads}, scale);
+  }
+  run({"classic, 4 substeps of 4 sweeps", "classic", four, 1000, 2}, scale);
+}

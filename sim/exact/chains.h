@@ -1,0 +1,62 @@
+#pragma once
+// Strands as chains of links below their anchors, in blocks of 16 that have equally many links: the arrays of the CPU's
+// units and of the kernel (rows of exact/kernel.h).
+#include <cstdint>
+#include <vector>
+
+#include <cuticle/sim/exact/settings.h>
+#include <cuticle/strands/groom.h>
+
+#include <cuticle/sim/exact/kernel.h>
+
+namespace cuticle::sim::exact {
+
+/// Where a strand's chain is. `anchor`: the last vertex that the head carries, counted from the strand's first.
+struct ChainPlace {
+  std::uint32_t block = 0, lane = 0, anchor = 0;
+  bool has_links = false;
+};
+
+/// Where a block's rows begin (in rows of 16 numbers), and how many of its lanes are strands; the rest repeat lane 0.
+struct BlockPlace {
+  std::uint32_t links = 0, first_vertex = 0, strands = 0, unused = 0;
+};
+
+/// Segments no longer than 1e-7 of the strand are welded: their ends are one vertex of the chain. Masses are half of
+/// the adjacent rest lengths.
+template <class Real>
+struct Chains {
+  std::vector<ChainPlace> places;              ///< one per strand
+  std::vector<std::uint32_t> links_of_vertex;  ///< one per vertex of the groom: its vertex in the chain, 0 = carried
+  std::vector<BlockPlace> blocks;
+  std::vector<Real> rest, state, strand;
+  std::uint32_t longest = 0;  ///< links of the longest chain
+
+  ChainBlock<Real> block(std::size_t index, Real* scratch);
+  /// A row of a chain's vertex (0: the anchor).
+  Real* state_at(std::size_t block, std::size_t vertex, std::size_t field) {
+    return state.data() + ((blocks[block].first_vertex + vertex) * state_row::count + field) * k_lanes;
+  }
+  const Real* rest_at(std::size_t block, std::size_t vertex, std::size_t field) const {
+    return rest.data() + ((blocks[block].first_vertex + vertex) * rest_row::count + field) * k_lanes;
+  }
+  Real* strand_at(std::size_t block, std::size_t field) {
+    return strand.data() + (block * strand_row::count + field) * k_lanes;
+  }
+};
+
+/// The vector that begins at a row.
+template <class Real>
+glm::dvec3 vector_at(const Real* row, std::size_t lane) {
+  return {row[lane], row[k_lanes + lane], row[2 * k_lanes + lane]};
+}
+template <class Real>
+void put_vector(Real* row, std::size_t lane, const glm::dvec3& v) {
+  for (std::size_t c = 0; c < 3; ++c) row[c * k_lanes + lane] = Real(v[int(c)]);
+}
+
+/// At rest in rest space.
+template <class Real>
+Chains<Real> make_chains(const strands::Groom& groom, const Settings& settings);
+
+}  // namespace cuticle::sim::exact

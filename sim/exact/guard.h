@@ -1,0 +1,17 @@
+#pragma once
+// What is not finite is put back, strand by strand.
+#include <cuticle/sim/exact/placing.h>
+
+#include <cuticle/sim/exact/chains.h>
+
+namespace cuticle::sim::exact {
+
+/// As strand_row::guarded: the lane was put back; it starts anew with the first order too.
+constexpr int k_was_reset = 2;
+
+/// Lanes of a block of which any number is not finite go to the rest pose carried by the head, with the head's
+/// velocity, and are marked by k_was_reset.
+template <class Real>
+void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const Placing& placing);
+
+}  // namespace cuticle::sim::exact

@@ -1,0 +1,33 @@
+#pragma once
+// Where the head is at the end of a frame and how it moved: for the vertices that it carries.
+#include <span>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cuticle/sim/head_motion.h>
+
+#include <cuticle/sim/exact/kernel.h>
+
+namespace cuticle::sim::exact {
+
+/// From a unit quaternion (xyz, w).
+glm::dmat3 matrix_of(const glm::vec4& rotation);
+
+/// The units of the widest instruction set that this processor has.
+const Kernels& best_kernels();
+
+class Placing {
+ public:
+  /// The substeps of a frame, at least one.
+  void advance(std::span<const Substep> parts);
+  glm::dvec3 turned(const glm::dvec3& rest) const { return rotation_ * rest; }
+  glm::dvec3 world(const glm::dvec3& rest) const { return translation_ + rotation_ * rest; }
+  /// Of a place that the head carries, over the last substep in which time passed, m/s.
+  glm::dvec3 velocity(const glm::dvec3& rest) const { return moving_ + turning_ * rest; }
+
+ private:
+  glm::dmat3 rotation_{1}, turning_{0};
+  glm::dvec3 translation_{0}, moving_{0};
+};
+
+}  // namespace cuticle::sim::exact

@@ -1,0 +1,108 @@
+#include <cuticle/sim/exact/settings.h>
+
+#include <cuticle/sim/exact/placing.h>
+
+namespace cuticle::sim::exact {
+namespace {
+
+std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
+  return static_cast<std::uint32_t>(values.integer(name));
+}
+
+/// Steps whose durations differ more than this start anew with the first order: BDF2 loses its stability past 1 +
+/// sqrt 2.
+constexpr double k_largest_ratio = 2;
+
+template <class Real>
+void set_scheme(ChainStep<Real>& step, double duration, double previous) {
+  const double ratio = previous > 0 ? duration / previous : 0;
+  const bool second = ratio >= 1 / k_largest_ratio && ratio <= k_largest_ratio;
+  step.duration = Real(duration);
+  step.first_order = second ? Real(0) : Real(1);
+  step.history = Real(ratio * ratio / (1 + 2 * ratio));
+  step.gain = Real((1 + ratio) / (1 + 2 * ratio));
+}
+
+template <class Real>
+void set_rotations(ChainStep<Real>& step, const glm::dmat3& begin, const glm::dmat3& end) {
+  using Vector = glm::vec<3, Real>;
+  step.begin_x = Vector(begin[0]);
+  step.begin_y = Vector(begin[1]);
+  step.begin_z = Vector(begin[2]);
+  step.end_x = Vector(end[0]);
+  step.end_y = Vector(end[1]);
+  step.end_z = Vector(end[2]);
+}
+
+/// The pull towards the rest pose carries the weight that the strand has there; the head turns that force along.
+glm::dvec3 unbalanced_gravity(const Settings& settings, const glm::dmat3& rotation) {
+  const bool balanced = settings.sag_free && settings.shape_stiffness > 0;
+  return balanced ? settings.gravity - rotation * settings.gravity : settings.gravity;
+}
+
+}  // namespace
+
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
+  return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
+}
+std::uint32_t substeps(const Settings& settings, double duration) {
+  return inner_steps(duration, settings.inner_step, settings.max_substeps);
+}
+
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  Settings settings;
+  settings.inner_step = solver.real("inner_step");
+  settings.max_substeps = whole(solver, "max_substeps");
+  settings.clamped_vertices = whole(solver, "clamped_vertices");
+  settings.damping = solver.real("damping");
+  settings.shape_stiffness = solver.real("shape_stiffness");
+  settings.shape_tip = solver.real("shape_tip");
+  settings.sag_free = solver.boolean("sag_free");
+  settings.double_precision = solver.boolean("double_precision");
+  if (auto gravity = effects.find("gravity"); gravity != effects.end())
+    settings.gravity = gravity->second.rgb("acceleration");
+  if (auto wind = effects.find("wind"); wind != effects.end()) settings.wind = wind::make_wind(wind->second);
+  if (auto contact = effects.find("colliders"); contact != effects.end())
+    settings.contact = colliders::make_contact_settings(contact->second);
+  return settings;
+}
+
+template <class Real>
+std::vector<ChainStep<Real>> ChainClock::steps(const Settings& settings, std::span<const Substep> parts) {
+  using Vector = glm::vec<3, Real>;
+  std::vector<ChainStep<Real>> steps;
+  for (const Substep& part : parts) {
+    const double duration = double(part.duration);
+    if (!(duration > 0)) continue;
+    time_ += duration;
+    const wind::Push push = settings.wind ? wind::push_at(*settings.wind, time_) : wind::Push{};
+    const glm::dmat3 end = matrix_of(part.rotation_end);
+    ChainStep<Real> step{};
+    set_scheme(step, duration, previous_duration_);
+    set_rotations(step, matrix_of(part.rotation_begin), end);
+    step.head_step = Vector(part.translation_step);
+    step.acceleration = Vector(unbalanced_gravity(settings, end) + push.acceleration);
+    step.drag = Real(settings.damping + push.drag);
+    if (settings.contact) {
+      step.friction = Real(settings.contact->friction);
+      step.pearl = Real(settings.contact->pearl_radius);
+    }
+    previous_duration_ = duration;
+    steps.push_back(step);
+  }
+  return steps;
+}
+template std::vector<ChainStep<float>> ChainClock::steps<float>(const Settings&, std::span<const Substep>);
+template std::vector<ChainStep<double>> ChainClock::steps<double>(const Settings&, std::span<const Substep>);
+
+template <class Real>
+std::vector<LinkSphere<Real>> link_spheres(const Settings& settings, std::span<const Sphere> spheres) {
+  std::vector<LinkSphere<Real>> result;
+  if (!settings.contact) return result;
+  for (const Sphere& sphere : spheres) result.push_back({glm::vec<3, Real>(sphere.center), Real(sphere.radius)});
+  return result;
+}
+template std::vector<LinkSphere<float>> link_spheres<float>(const Settings&, std::span<const Sphere>);
+template std::vector<LinkSphere<double>> link_spheres<double>(const Settings&, std::span<const Sphere>);
+
+}  // namespace cuticle::sim::exact

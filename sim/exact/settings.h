@@ -1,0 +1,44 @@
+#pragma once
+// The exact solver's parameters as numbers, and the constants of a frame's substeps: shared by the CPU and the kernel.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cuticle/sim/colliders/contact.h>
+#include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/wind/wind.h>
+#include <cuticle/sim/exact/link_contact.glslh>
+
+namespace cuticle::sim::exact {
+
+/// Parameters of the solver and of the effects that act in it; see entry.cpp for units, ranges and defaults.
+struct Settings {
+  double inner_step = 0;
+  std::uint32_t max_substeps = 1, clamped_vertices = 1;
+  double damping = 0, shape_stiffness = 0, shape_tip = 0;
+  bool sag_free = false, double_precision = false;
+  glm::dvec3 gravity{0};                              ///< m/s^2; zero without the effect
+  std::optional<wind::Wind> wind;                     ///< present with the effect
+  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+};
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
+std::uint32_t substeps(const Settings& settings, double duration);
+
+/// Follows time from frame to frame: what a substep needs to know of the one before, and of the wind.
+class ChainClock {
+ public:
+  /// The substeps of a frame as constants; none when no time passes.
+  template <class Real>
+  std::vector<ChainStep<Real>> steps(const Settings& settings, std::span<const Substep> parts);
+
+ private:
+  double time_ = 0, previous_duration_ = 0;
+};
+
+/// Centres in rest space.
+template <class Real>
+std::vector<LinkSphere<Real>> link_spheres(const Settings& settings, std::span<const Sphere> spheres);
+
+}  // namespace cuticle::sim::exact
