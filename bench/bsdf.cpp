@@ -240,9 +240,10 @@ class Subject {
 
   /// S where the first parameter has a value for each point (the same one, so that the errors are those of S).
   void batch_varying(const BatchEvaluator& evaluator, std::string_view path, std::vector<Row>& rows) {
-    if (model_.entry.parameters[0].type != registry::ParameterType::real) return;
-    const std::string_view name = model_.entry.parameters[0].name;
-    const std::vector<float> values(most_points, float(values_.real(name)));
+    const registry::Parameter& first = model_.entry.parameters[0];
+    const bool is_rgb = first.type == registry::ParameterType::rgb;
+    const std::string name = fmt::format("{}{}", first.name, is_rgb ? ".r" : "");
+    const std::vector<float> values(most_points, float(is_rgb ? values_.rgb(first.name).r : values_.real(first.name)));
     const auto run = [&](std::size_t n) {
       const std::array<VaryingParameter, 1> varying = {{{name, std::span(values).first(n)}}};
       return evaluator.evaluate_varying(on_.batch_points(n), varying, on_.out.out(n)).ok();

@@ -82,13 +82,13 @@ struct Model {
   std::span<const std::string_view> lobes;  ///< "R", "TT", "TRT"
   Conventions conventions;
   /// Evaluates into `out` (one rgb per point) in the precision named. Values are finite at every point of the domain.
-  void (*evaluate_f32)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
-  void (*evaluate_f64)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out);
+  void (*evaluate_f32)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out) = nullptr;
+  void (*evaluate_f64)(const registry::ParameterValues&, const Request&, std::span<glm::dvec3> out) = nullptr;
   /// Draws incident directions; the same number of queries and results.
   void (*sample_f32)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
   void (*sample_f64)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
   /// What the model's GLSL `evaluate_packed` reads (CUTICLE_PACKED_COUNT floats).
-  std::vector<float> (*pack)(const registry::ParameterValues&);
+  std::vector<float> (*pack)(const registry::ParameterValues&) = nullptr;
   /// Named starting points, "blonde" -> "eta=1.55,sigma_a=...".
   std::span<const registry::StudyCase> presets = {};
   /// Whether these values make it a near-field model, a function of h; null: never.
@@ -135,8 +135,8 @@ Result<void> evaluate(const Model& model, const registry::ParameterValues& value
 Result<bool> azimuthal_means(const Model& model, const registry::ParameterValues& values, int lobe,
                              std::span<const AzimuthInterval> intervals, std::span<AzimuthMean> out);
 
-/// Draws directions on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: usage, where
-/// the model has no sampler; as check_queries.
+/// Draws directions on the CPU (f32 or f64) with all threads; the same bits for any number of them. Errors: usage,
+/// where the model has no sampler; as check_queries.
 Result<void> sample(const Model& model, const registry::ParameterValues& values, Precision precision,
                     std::span<const SampleQuery> queries, std::span<Sample> out);
 

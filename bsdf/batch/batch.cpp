@@ -224,7 +224,8 @@ Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::sp
                                    model_->entry.name));
   for (const VaryingParameter& parameter : varying)
     CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{parameter.name, parameter.values.size()}}));
-  CUTICLE_ASSIGN(const batch::RowColumns columns, batch::RowColumns::make(*model_, values_, varying));
+  CUTICLE_ASSIGN(const batch::RowColumns columns,
+                 batch::RowColumns::make(*model_, values_, kernels_->numbers_in_row(), varying));
   in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
     const batch::RowBlock rows = columns.block(first, std::size_t(count));
     const batch::VaryingPointers from{rows.pointers, pointers(points, first)};

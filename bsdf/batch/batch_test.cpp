@@ -1,62 +1,25 @@
 // Arrays against the scalar formulas for every instruction set of this processor: values, edges, sizes, threads.
 #include <cuticle/bsdf/batch/batch.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/random.h>
 #include <cuticle/core/registry/parameter.h>
+#include <cuticle/tests/support/batch_data.h>
 
 namespace cuticle::bsdf {
 namespace {
 
 using ::testing::HasSubstr;
+using tests::Arrays, tests::Data;
 constexpr double pi = std::numbers::pi;
-
-struct Arrays {
-  std::vector<float> x, y, z;
-  explicit Arrays(std::size_t count) : x(count), y(count), z(count) {}
-  VectorSpans in() const { return {x, y, z}; }
-  OutputSpans out() { return {x, y, z}; }
-};
-
-/// Directions over the whole sphere, a quarter of them nearly along the fibre, offsets, random numbers.
-struct Data {
-  Arrays light, viewer;
-  std::vector<float> h;
-  std::array<std::vector<float>, 5> u;
-  explicit Data(std::size_t count) : light(count), viewer(count), h(count) {
-    RandomStream random(7);
-    for (auto& numbers : u)
-      for (std::size_t i = 0; i < count; ++i) numbers.push_back(float(random.next_word() >> 8) * 0x1p-24f);
-    for (std::size_t i = 0; i < count; ++i) {
-      set(light, i, random);
-      set(viewer, i, random);
-      h[i] = float(2 * random.next_unit() - 1);
-    }
-  }
-  static void set(Arrays& to, std::size_t i, RandomStream& random) {
-    const double s = i % 4 ? 2 * random.next_unit() - 1 : 1 - 1e-6 * random.next_unit(),
-                 phi = 2 * pi * random.next_unit();
-    to.x[i] = float(s);
-    to.y[i] = float(std::sqrt(1 - s * s) * std::cos(phi));
-    to.z[i] = float(std::sqrt(1 - s * s) * std::sin(phi));
-  }
-  BatchPoints points() const { return {light.in(), viewer.in(), h}; }
-  BatchQueries queries() const { return {viewer.in(), h, {u[0], u[1], u[2], u[3], u[4]}}; }
-  Point point(std::size_t i) const {
-    const auto theta = [&](const Arrays& v) {
-      return std::atan2(double(v.x[i]), std::hypot(double(v.y[i]), double(v.z[i])));
-    };
-    const auto phi = [&](const Arrays& v) { return std::atan2(double(v.z[i]), double(v.y[i])); };
-    return {.theta_i = theta(light), .theta_o = theta(viewer), .phi = phi(viewer) - phi(light), .h = double(h[i])};
-  }
-};
 
 glm::vec3 vector_at(const Arrays& v, std::size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
 
@@ -331,6 +294,52 @@ TEST_P(BatchSet, FarModels_AgreeWithDouble) {
     EXPECT_LT(errors.at(1), 1.5e-4);
     EXPECT_LT(density_errors.at(0.99), 9e-6);
     EXPECT_LT(density_errors.at(1), 1.5e-4);
+  }
+}
+
+/// A far model with every parameter off its default, all but one, which takes either of two values.
+struct Varying {
+  const char *model, *settings, *name;
+  double values[2];
+};
+constexpr std::array<Varying, 5> varying_models = {{
+    {"marschner", "eta=1.3,sigma_a=0.1/0.5/2,alpha=-0.05", "beta", {0.2, 0.4}},
+    {"karis", "color=0.9/0.5/0.1,roughness=0.4", "shift", {0.1, -0.05}},
+    {"kajiya_kay", "diffuse=0.1/0.2/0.3,specular=0.4/0.5/0.6", "exponent", {30, 7}},
+    {"hairworks",
+     "root_color=0.1/0.2/0.3,tip_color=0.7/0.6/0.5,along=0.3,root_reach=0.8,diffuse_blend=0.4,normal_theta=0.5,"
+     "normal_phi=1,specular_color=0.3/0.2/0.1,exponent=40,secondary_scale=0.7,secondary_width=2.5",
+     "secondary_shift",
+     {0.1, -0.05}},
+    {"scheuermann",
+     "base=0.9/0.8/0.7,occlusion=0.6,diffuse=0.1/0.2/0.3,primary=0.4/0.3/0.2,primary_exponent=80,primary_shift=0.1,"
+     "secondary=0.2/0.3/0.1,secondary_exponent=20,secondary_shift=-0.2,shift_texture=0.7",
+     "mask",
+     {0.6, 0.2}},
+}};
+
+TEST_P(BatchSet, ParametersOfFarModelsThatVary_GiveTheValuesOfEach) {
+  const Data data(600);
+  const BatchPoints points{data.light.in(), data.viewer.in(), {}};
+  for (const Varying& v : varying_models) {
+    const Model& model = **find_model(v.model);
+    std::vector<float> values;
+    std::vector<Arrays> each;
+    std::optional<BatchEvaluator> batch;
+    for (double value : v.values) {
+      const std::string settings = fmt::format("{},{}={}", v.settings, v.name, value);
+      batch = *BatchEvaluator::make(model, *parse_settings(model, "", settings), GetParam());
+      ASSERT_TRUE(batch->evaluate(points, each.emplace_back(600).out()).ok());
+    }
+    for (std::size_t i = 0; i < 600; ++i) values.push_back(float(v.values[i % 2]));
+    const std::array<VaryingParameter, 1> varying = {{{v.name, values}}};
+    Arrays color(600);
+    ASSERT_TRUE(batch->evaluate_varying(points, varying, color.out()).ok());
+    const float largest = *std::ranges::max_element(each[0].y);
+    for (std::size_t i = 0; i < 600; ++i) {
+      const float expected = each[i % 2].y[i];
+      EXPECT_NEAR(color.y[i], expected, 1e-4f * expected + 1e-6f * largest) << v.model << " " << i;
+    }
   }
 }
 

@@ -92,6 +92,11 @@ constexpr bool takes_rows = requires(const ParameterRow<Real>& row, const Direct
 };
 
 template <class Real>
+int row_numbers() {
+  return numbers_in_row(ParameterRow<Real>{});
+}
+
+template <class Real>
 void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& in, const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
   const RowPointers parameters = rows;
@@ -100,7 +105,7 @@ void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& 
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
     ParameterRow<Real> row;
-    for (int k = 0; k < CUTICLE_ROW_COUNT; ++k) row.value[k] = parameters.value[k][i];
+    for (int k = 0; k < numbers_in_row(row); ++k) row.value[k] = parameters.value[k][i];
     const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, directions_at(from, i));
     to.red[i] = value.x;
     to.green[i] = value.y;
@@ -171,12 +176,14 @@ bool holds(const Packed<float>& packed) { return holds_for(packed); }
 
 template <class Real>
 constexpr Kernels make_kernels() {
-  Kernels kernels{holds, evaluate, pdf, nullptr, nullptr, evaluate_one, pdf_of_one, nullptr, nullptr, nullptr};
+  Kernels kernels{
+      .holds = holds, .evaluate = evaluate, .pdf = pdf, .evaluate_one = evaluate_one, .pdf_of_one = pdf_of_one};
   if constexpr (draws_directions<Real>) kernels.sample = sample<Real>;
   if constexpr (draws_directions<Real>) kernels.sample_one = sample_one<Real>;
   if constexpr (integrates<Real>) kernels.evaluate_integral = evaluate_integral<Real>;
   if constexpr (integrates<Real>) kernels.pdf_integral = pdf_integral<Real>;
   if constexpr (takes_rows<Real>) kernels.evaluate_rows = evaluate_rows<Real>;
+  if constexpr (takes_rows<Real>) kernels.numbers_in_row = row_numbers<Real>;
   return kernels;
 }
 

@@ -23,6 +23,7 @@ struct VectorPointers {
 /// One array for each number of ParameterRow; the first `count` are read.
 struct RowPointers {
   const float* value[CUTICLE_ROW_COUNT];
+  int count;
 };
 
 struct VaryingPointers {
@@ -37,18 +38,21 @@ struct OnePoint {
 };
 
 struct Kernels {
-  bool (*holds)(const Packed<float>&);  ///< whether the loops hold for these parameters
-  void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
-  void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density);
-  void (*sample)(const Packed<float>&, int count, const QueryPointers&, const VectorPointers&);  ///< null: no sampler
-  void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&, const ColorPointers&);  ///< null: none
-  void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]);
-  float (*pdf_of_one)(const Packed<float>&, const OnePoint&);
+  bool (*holds)(const Packed<float>&) = nullptr;  ///< whether the loops hold for these parameters
+  void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
+  void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density) = nullptr;
+  void (*sample)(const Packed<float>&, int count, const QueryPointers&,
+                 const VectorPointers&) = nullptr;  ///< null: no sampler
+  void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&,
+                        const ColorPointers&) = nullptr;  ///< null: none
+  int (*numbers_in_row)() = nullptr;                      ///< that it reads
+  void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]) = nullptr;
+  float (*pdf_of_one)(const Packed<float>&, const OnePoint&) = nullptr;
   void (*sample_one)(const Packed<float>&, const float viewer[3], float h, const float u[5],
-                     float light[3]);  ///< null: no sampler
+                     float light[3]) = nullptr;  ///< null: no sampler
   /// Where `holds` says no: points one after the other, each an integral whose nodes are a vector; null: none.
-  void (*evaluate_integral)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&);
-  void (*pdf_integral)(const Packed<float>&, int count, const DirectionPointers&, float* density);
+  void (*evaluate_integral)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
+  void (*pdf_integral)(const Packed<float>&, int count, const DirectionPointers&, float* density) = nullptr;
 };
 
 /// A model's kernels, from the plainest instruction set to the widest; null where the build has none.

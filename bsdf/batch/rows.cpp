@@ -13,7 +13,7 @@ struct Column {
   float constant;
 };
 
-std::vector<Column> columns_of(const Model& model, const registry::ParameterValues& values) {
+std::vector<Column> columns_of(const Model& model, const registry::ParameterValues& values, std::size_t count) {
   std::vector<Column> columns;
   for (const registry::Parameter& parameter : model.entry.parameters) {
     const std::string name(parameter.name);
@@ -23,18 +23,19 @@ std::vector<Column> columns_of(const Model& model, const registry::ParameterValu
         columns.push_back(
             {fmt::format("{}.{}", name, std::string_view("rgb")[std::size_t(c)]), float(values.rgb(name)[c])});
   }
-  columns.resize(std::min(columns.size(), std::size_t(CUTICLE_ROW_COUNT)));
+  columns.resize(std::min(columns.size(), count));
   return columns;
 }
 
 }  // namespace
 
-Result<RowColumns> RowColumns::make(const Model& model, const registry::ParameterValues& values,
+Result<RowColumns> RowColumns::make(const Model& model, const registry::ParameterValues& values, int numbers,
                                     std::span<const VaryingParameter> varying) {
-  const std::vector<Column> columns = columns_of(model, values);
+  const std::vector<Column> columns = columns_of(model, values, std::size_t(numbers));
   std::vector<std::string_view> known;
   for (const Column& column : columns) known.push_back(column.name);
   RowColumns rows;
+  rows.count_ = columns.size();
   for (std::size_t k = 0; k < columns.size(); ++k) rows.constants_[k] = columns[k].constant;
   for (const VaryingParameter& parameter : varying) {
     const auto at = std::ranges::find(known, parameter.name);
@@ -47,8 +48,9 @@ Result<RowColumns> RowColumns::make(const Model& model, const registry::Paramete
 
 RowBlock RowColumns::block(std::size_t first, std::size_t count) const {
   RowBlock block;
-  block.constants.resize(CUTICLE_ROW_COUNT * count);
-  for (std::size_t k = 0; k < CUTICLE_ROW_COUNT; ++k) {
+  block.pointers.count = int(count_);
+  block.constants.resize(count_ * count);
+  for (std::size_t k = 0; k < count_; ++k) {
     float* const own = block.constants.data() + k * count;
     if (arrays_[k].empty()) std::fill(own, own + count, constants_[k]);
     block.pointers.value[k] = arrays_[k].empty() ? own : arrays_[k].data() + first;

@@ -5,7 +5,6 @@
 
 #include <cuticle/bsdf/chiang/conversions.h>
 #include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/core/real.h>
 #include <cuticle/bsdf/chiang/chiang.glslh>
 
 namespace cuticle::bsdf::chiang {
@@ -128,30 +127,25 @@ bool near_field(const registry::ParameterValues& values) { return values.choice(
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "chiang",
-                .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
-                .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
-                .parameters = parameters,
-                .study_cases = tiers},
-      .lobes = lobe_names,
-      .conventions = {.field = "near or far",
-                      .cosine = "not included",
-                      .tilt_sign =
-                          "positive alpha moves the R lobe toward theta_i + theta_o < 0, the root; opposite to pbrt "
-                          "and Tungsten (conversions.h)",
-                      .roughness = "the paper's perceptual beta_m and beta_n",
-                      .absorption = "per fibre radius"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .near_field = near_field,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "chiang",
+                 .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
+                 .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
+                 .parameters = parameters,
+                 .study_cases = tiers},
+       .lobes = lobe_names,
+       .conventions = {.field = "near or far",
+                       .cosine = "not included",
+                       .tilt_sign =
+                           "positive alpha moves the R lobe toward theta_i + theta_o < 0, the root; opposite to pbrt "
+                           "and Tungsten (conversions.h)",
+                       .roughness = "the paper's perceptual beta_m and beta_n",
+                       .absorption = "per fibre radius"},
+       .presets = presets,
+       .near_field = near_field,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

@@ -10,24 +10,18 @@
 
 #include <cuticle/bsdf/chiang/conversions.h>
 #include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/model_values.h>
+#include <cuticle/tests/support/hard_cases.h>
 
 namespace cuticle::bsdf {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 const Model& model() { return **find_model("chiang"); }
 double value(const std::string& settings, Quantity quantity, std::string_view lobe, const Point& point) {
   return tests::model_value("chiang", settings, quantity, lobe, point).x;
 }
-std::vector<glm::dvec3> values_at(const std::string& settings, Quantity quantity, int lobe,
-                                  const std::vector<Point>& points, Precision precision = Precision::f64) {
-  std::vector<glm::dvec3> out(points.size());
-  EXPECT_TRUE(evaluate(model(), *parse_settings(model(), "", settings), precision, {quantity, lobe, points}, out).ok());
-  return out;
-}
+constexpr tests::ValuesOf values_at{"chiang"};
 
 /// The integral of a quantity times cos(theta_i) over theta_i and phi, by midpoints; red.
 double sphere_integral(const std::string& settings, Quantity quantity, int lobe, double theta_o, double h, int across,
@@ -168,31 +162,18 @@ TEST(ChiangFarField, NarrowestRoughness_LosesNoPeak) {
 std::string hard_settings(std::mt19937& random, const char* field) {
   constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
                                   alphas = {-0.17, 0, 0.05, 0.17};
-  const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
-  return fmt::format("eta={},sigma_a={},beta_m={},beta_n={},alpha={},field={}", pick(etas), pick(sigmas), pick(betas),
-                     pick(betas), pick(alphas), field);
-}
-Point hard_point(std::mt19937& random) {
-  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90},
-                                  phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
-  const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
-  const auto angle = [&] {
-    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
-  };
-  const double offset = random() % 4 ? uniform() : (random() % 2 ? -1 : 1);
-  return {angle(), angle(), angle(), (random() % 2 ? 180 * uniform() : phis[random() % 8]) * degree, offset};
+  return fmt::format("eta={},sigma_a={},beta_m={},beta_n={},alpha={},field={}", tests::pick(random, etas),
+                     tests::pick(random, sigmas), tests::pick(random, betas), tests::pick(random, betas),
+                     tests::pick(random, alphas), field);
 }
 void expect_finite(int sets, int points_each, const char* field, Precision precision) {
   std::mt19937 random(2016);
   for (int set = 0; set < sets; ++set) {
     const std::string settings = hard_settings(random, field);
-    std::vector<Point> points;
-    for (int i = 0; i < points_each; ++i) points.push_back(hard_point(random));
+    const std::vector<Point> points = tests::hard_points(random, points_each);
     for (std::size_t quantity = 0; quantity < quantity_count; ++quantity)
       for (int lobe = -1; lobe < 4; ++lobe)
-        for (const glm::dvec3& v : values_at(settings, Quantity(quantity), lobe, points, precision))
-          for (int c = 0; c < 3; ++c)
-            ASSERT_TRUE(std::isfinite(v[c]) && v[c] >= 0) << settings << " quantity " << quantity << " lobe " << lobe;
+        tests::expect_finite_and_not_negative({"chiang"}, settings, Quantity(quantity), lobe, points, precision);
   }
 }
 class ChiangDomain : public testing::TestWithParam<Precision> {};

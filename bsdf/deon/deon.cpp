@@ -5,7 +5,6 @@
 
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/bsdf/shared/rough_packing.h>
-#include <cuticle/core/real.h>
 #include <cuticle/bsdf/deon/deon.glslh>
 
 namespace cuticle::bsdf::deon {
@@ -120,30 +119,25 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "deon",
-                .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
-                .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
-                .parameters = parameters,
-                .systems = system_rows,
-                .study_cases = tiers},
-      .lobes = lobe_names,
-      .conventions =
-          {.field = "far",
-           .cosine = "not included",
-           .tilt_sign =
-               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
-           .roughness = "standard deviation in theta_i and in phi",
-           .absorption = "per fibre radius"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "deon",
+                 .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
+                 .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
+                 .parameters = parameters,
+                 .systems = system_rows,
+                 .study_cases = tiers},
+       .lobes = lobe_names,
+       .conventions =
+           {.field = "far",
+            .cosine = "not included",
+            .tilt_sign =
+                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
+            .roughness = "standard deviation in theta_i and in phi",
+            .absorption = "per fibre radius"},
+       .presets = presets,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

@@ -13,6 +13,7 @@
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/tests/support/condition_number.h>
 #include <cuticle/tests/support/csv_table.h>
+#include <cuticle/tests/support/hard_cases.h>
 #include <cuticle/bsdf/deon/deon.glslh>
 
 namespace cuticle::bsdf {
@@ -20,23 +21,12 @@ namespace {
 
 using ::testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 constexpr const char* fine = "azimuthal_tolerance=1e-12";
 
 const Model& model() { return **find_model("deon"); }
 
-std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
-                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
-  std::vector<glm::dvec3> out(points.size());
-  const auto values = parse_settings(model(), "", settings);
-  EXPECT_TRUE(values.ok()) << settings;
-  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, points}, out).ok());
-  return out;
-}
-double value_at(const std::string& settings, Quantity quantity, int lobe, const Point& point,
-                Precision precision = Precision::f64) {
-  return evaluate_at(settings, quantity, lobe, {point}, precision)[0].x;
-}
+constexpr tests::ValuesOf evaluate_at{"deon"};
+constexpr tests::ValueOf value_at{"deon"};
 
 /// A row of azimuthal.csv as settings, lobe and point.
 struct AzimuthalCase {
@@ -208,21 +198,10 @@ TEST(Deon, Lobes_AddUpToTheSum) {
 std::string hard_settings(std::mt19937& random) {
   constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
                                   alphas = {-0.17, 0, 0.05, 0.17};
-  const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
   return fmt::format(
       "eta={},sigma_a={},beta_m={},beta_n={},alpha={},azimuthal_tolerance=1e-3,r_lobe={},attenuation_angle={}",
-      pick(etas), pick(sigmas), pick(betas), pick(betas), pick(alphas), random() % 2 ? "separable" : "non_separable",
-      random() % 2 ? "theta_o" : "theta_d");
-}
-Point hard_point(std::mt19937& random) {
-  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90},
-                                  phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
-  const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
-  const auto angle = [&] {
-    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
-  };
-  const double offset = random() % 4 ? uniform() : (random() % 2 ? -1 : 1);
-  return {angle(), angle(), angle(), (random() % 2 ? 180 * uniform() : phis[random() % 8]) * degree, offset};
+      tests::pick(random, etas), tests::pick(random, sigmas), tests::pick(random, betas), tests::pick(random, betas),
+      tests::pick(random, alphas), random() % 2 ? "separable" : "non_separable", random() % 2 ? "theta_o" : "theta_d");
 }
 
 class DeonDomain : public testing::TestWithParam<Precision> {};
@@ -231,17 +210,10 @@ TEST_P(DeonDomain, EveryValue_IsFiniteAndNotNegative) {
   std::mt19937 random(20110627);
   for (int set = 0; set < 60; ++set) {
     const std::string settings = hard_settings(random);
-    std::vector<Point> points;
-    for (int i = 0; i < 20; ++i) points.push_back(hard_point(random));
+    const std::vector<Point> points = tests::hard_points(random, 20);
     for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A, Quantity::pdf, Quantity::error})
-      for (int lobe = -1; lobe < 4; ++lobe) {
-        const auto values = evaluate_at(settings, quantity, lobe, points, GetParam());
-        for (std::size_t i = 0; i < values.size(); ++i)
-          for (int c = 0; c < 3; ++c)
-            ASSERT_TRUE(std::isfinite(values[i][c]) && values[i][c] >= 0)
-                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " "
-                << points[i].theta_o << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
-      }
+      for (int lobe = -1; lobe < 4; ++lobe)
+        tests::expect_finite_and_not_negative(evaluate_at, settings, quantity, lobe, points, GetParam());
   }
 }
 

@@ -75,6 +75,14 @@ TEST(DualScattering, BlackFibre_SendsBackItsReflection) {
   EXPECT_NEAR(average.backward.deviation.x, 0.1, 3e-3);
 }
 
+// TT, which leaves away from the light, has most of what a clear fibre scatters.
+TEST(DualScattering, ClearFibre_LetsMostLightThrough) {
+  const Model& deon = **find_model("deon");
+  const AverageScattering average =
+      *average_scattering(deon, *parse_settings(deon, "", "sigma_a=0.05,azimuthal_tolerance=1e-3"), 0.2);
+  EXPECT_GT(average.forward.share.x, 2 * average.backward.share.x);
+}
+
 AverageScattering shares_of(double forward, double backward) {
   AverageScattering average;
   average.forward.share = glm::dvec3(forward);

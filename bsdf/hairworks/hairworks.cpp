@@ -146,30 +146,25 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry =
-          {.kind = registry::EntryKind::model,
-           .name = "hairworks",
-           .summary =
-               "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
-           .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
-           .parameters = parameters,
-           .systems = system_rows},
-      .lobes = lobe_names,
-      .conventions =
-          {.field = "far",
-           .cosine = "not included",
-           .tilt_sign = "positive secondary_shift moves the secondary highlight toward theta_i + theta_o > 0, the tip",
-           .roughness = "exponent of the highlight: 1 / variance in theta_i",
-           .absorption = "none: colours instead"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry =
+           {.kind = registry::EntryKind::model,
+            .name = "hairworks",
+            .summary =
+                "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
+            .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
+            .parameters = parameters,
+            .systems = system_rows},
+       .lobes = lobe_names,
+       .conventions =
+           {.field = "far",
+            .cosine = "not included",
+            .tilt_sign = "positive secondary_shift moves the secondary highlight toward theta_i + theta_o > 0, the tip",
+            .roughness = "exponent of the highlight: 1 / variance in theta_i",
+            .absorption = "none: colours instead"},
+       .presets = presets,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

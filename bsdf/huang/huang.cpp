@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/core/real.h>
 #include <cuticle/bsdf/huang/huang.glslh>
 
 namespace cuticle::bsdf::huang {
@@ -53,10 +52,6 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"32768 paths", "samples=32768"},
 }};
 
-constexpr std::array<Exception, 1> exceptions = {{
-    {"reciprocity", "S cos(theta_o) times the width seen from the viewer is what is symmetric", "aspect!=1"},
-}};
-
 bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
@@ -87,29 +82,23 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "huang",
-                .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
-                .source = "Huang, Hullin and Hanika 2022",
-                .parameters = parameters,
-                .systems = system_rows,
-                .study_cases = tiers},
-      .lobes = lobe_names,
-      .conventions = {.field = "far",
-                      .cosine = "not included",
-                      .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
-                      .roughness = "alpha of GGX's slopes",
-                      .absorption = "per semi-major axis"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .near_field = is_near,
-      .from_fibre = map_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "huang",
+                 .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
+                 .source = "Huang, Hullin and Hanika 2022",
+                 .parameters = parameters,
+                 .systems = system_rows,
+                 .study_cases = tiers},
+       .lobes = lobe_names,
+       .conventions = {.field = "far",
+                       .cosine = "not included",
+                       .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
+                       .roughness = "alpha of GGX's slopes",
+                       .absorption = "per semi-major axis"},
+       .presets = presets,
+       .near_field = is_near,
+       .from_fibre = map_fibre});
   return model;
 }
 

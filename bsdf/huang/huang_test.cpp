@@ -21,14 +21,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 
 const Model& model() { return **find_model("huang"); }
-std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
-                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
-  std::vector<glm::dvec3> out(points.size());
-  const auto values = parse_settings(model(), "", settings);
-  EXPECT_TRUE(values.ok()) << settings;
-  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, points}, out).ok());
-  return out;
-}
+constexpr tests::ValuesOf evaluate_at{"huang"};
 double value_at(const std::string& settings, Quantity quantity, std::string_view lobe, const Point& point) {
   return tests::model_value("huang", settings, quantity, lobe, point).x;
 }
@@ -155,7 +148,7 @@ TEST(Huang, ReportedError_BoundsTheDifferenceFromManyPaths) {
       }
     }
   }
-  EXPECT_GE(within, 0.985 * all) << all;
+  EXPECT_GE(within, 0.99 * all) << all;
 }
 
 /// What passes from one direction to the other is symmetric where scales are not tilted: S cos(theta_o) times the width

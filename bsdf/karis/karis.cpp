@@ -45,20 +45,13 @@ glm::dvec3 density_of(const glm::dvec3& color) {
   return {density(color.r), density(color.g), density(color.b)};
 }
 
-struct Formulas {
-  static Packed<double> pack(const registry::ParameterValues& values) {
-    return pack_karis(
-        make_karis<double>(density_of(values.rgb("color")), values.real("roughness"), values.real("shift")));
-  }
-  template <class Real>
-  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
-    return evaluate_packed(packed, quantity, lobe, at);
-  }
-  template <class Real>
-  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
-    return sample_packed(packed, at);
-  }
-};
+Packed<double> pack_double(const registry::ParameterValues& values) {
+  return pack_karis(
+      make_karis<double>(density_of(values.rgb("color")), values.real("roughness"), values.real("shift")));
+}
+
+using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
+                            decltype([](const auto&... a) { return sample_packed(a...); })>;
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(std::sqrt(fibre.longitudinal_deviation), 0.032, 1.0);
@@ -77,26 +70,21 @@ FibreMapping from_fibre(const Fibre& fibre) {
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "karis",
-                .summary = "closed forms fitted to R, TT and TRT for real-time shading",
-                .source = "Karis 2016, SIGGRAPH course Physically based shading",
-                .parameters = parameters},
-      .lobes = lobe_names,
-      .conventions = {.field = "far",
-                      .cosine = "not included",
-                      .tilt_sign = "positive shift moves the R lobe toward theta_i + theta_o < 0, the root",
-                      .roughness = "root of the standard deviation in sin theta_i",
-                      .absorption = "color = exp(-4 sigma_a), sigma_a per fibre radius"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "karis",
+                 .summary = "closed forms fitted to R, TT and TRT for real-time shading",
+                 .source = "Karis 2016, SIGGRAPH course Physically based shading",
+                 .parameters = parameters},
+       .lobes = lobe_names,
+       .conventions = {.field = "far",
+                       .cosine = "not included",
+                       .tilt_sign = "positive shift moves the R lobe toward theta_i + theta_o < 0, the root",
+                       .roughness = "root of the standard deviation in sin theta_i",
+                       .absorption = "color = exp(-4 sigma_a), sigma_a per fibre radius"},
+       .presets = presets,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/core/real.h>
 #include <cuticle/bsdf/marschner/marschner.glslh>
 
 namespace cuticle::bsdf::marschner {
@@ -117,17 +116,10 @@ Marschner<double> make(const registry::ParameterValues& values) {
   return m;
 }
 
-struct Formulas {
-  static Packed<double> pack(const registry::ParameterValues& values) { return pack_marschner(make(values)); }
-  template <class Real>
-  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
-    return evaluate_packed(packed, quantity, lobe, at);
-  }
-  template <class Real>
-  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
-    return sample_packed(packed, at);
-  }
-};
+Packed<double> pack_double(const registry::ParameterValues& values) { return pack_marschner(make(values)); }
+
+using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
+                            decltype([](const auto&... a) { return sample_packed(a...); })>;
 
 /// Means over intervals of one theta_d after another; what two neighbours share is found once.
 class AzimuthalMeans {
@@ -203,31 +195,26 @@ constexpr std::array<Exception, 6> exceptions = {{
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "marschner",
-                .summary = "smooth fibre, circular or elliptical: R, TT and TRT with exact roots, or as printed",
-                .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
-                .parameters = parameters,
-                .systems = system_rows,
-                .study_cases = tiers},
-      .lobes = lobe_names,
-      .conventions =
-          {.field = "far",
-           .cosine = "not included",
-           .tilt_sign =
-               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
-           .roughness = "standard deviation in theta_i",
-           .absorption = "per fibre radius"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions,
-      .azimuthal_means = azimuthal_means};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "marschner",
+                 .summary = "smooth fibre, circular or elliptical: R, TT and TRT with exact roots, or as printed",
+                 .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
+                 .parameters = parameters,
+                 .systems = system_rows,
+                 .study_cases = tiers},
+       .lobes = lobe_names,
+       .conventions =
+           {.field = "far",
+            .cosine = "not included",
+            .tilt_sign =
+                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
+            .roughness = "standard deviation in theta_i",
+            .absorption = "per fibre radius"},
+       .presets = presets,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions,
+       .azimuthal_means = azimuthal_means});
   return model;
 }
 

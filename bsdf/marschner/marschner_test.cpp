@@ -10,6 +10,7 @@
 
 #include <cuticle/bsdf/model.h>
 #include <cuticle/tests/support/csv_table.h>
+#include <cuticle/tests/support/hard_cases.h>
 
 namespace cuticle::bsdf {
 namespace {
@@ -20,17 +21,8 @@ constexpr double degree = pi / 180;
 
 const Model& model() { return **find_model("marschner"); }
 
-std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
-                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
-  std::vector<glm::dvec3> out(points.size());
-  const auto values = parse_settings(model(), "", settings);
-  EXPECT_TRUE(values.ok());
-  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, points}, out).ok());
-  return out;
-}
-double value_at(const std::string& settings, Quantity quantity, int lobe, const Point& point) {
-  return evaluate_at(settings, quantity, lobe, {point})[0].x;
-}
+constexpr tests::ValuesOf evaluate_at{"marschner"};
+constexpr tests::ValueOf value_at{"marschner"};
 
 TEST(Marschner, Azimuthal_AgreesWithMpmath) {
   for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/marschner/reference/azimuthal.csv")) {
@@ -151,18 +143,8 @@ TEST(Marschner, Albedo_IsTheIntegralOfS) {
 std::string hard_settings(std::mt19937& random) {
   constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
                                   alphas = {-0.17, 0, 0.05, 0.17};
-  const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
-  return fmt::format("eta={},sigma_a={},beta={},alpha={}", pick(etas), pick(sigmas), pick(betas), pick(alphas));
-}
-Point hard_point(std::mt19937& random) {
-  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90},
-                                  phis = {0, 1e-9, 18.62, 90, 120, 179.999, 180, 360};
-  const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
-  const auto angle = [&] {
-    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
-  };
-  const double offset = random() % 4 ? uniform() : (random() % 2 ? -1 : 1);
-  return {angle(), angle(), angle(), (random() % 2 ? 180 * uniform() : phis[random() % 8]) * degree, offset};
+  return fmt::format("eta={},sigma_a={},beta={},alpha={}", tests::pick(random, etas), tests::pick(random, sigmas),
+                     tests::pick(random, betas), tests::pick(random, alphas));
 }
 
 class MarschnerDomain : public testing::TestWithParam<Precision> {};
@@ -171,17 +153,10 @@ TEST_P(MarschnerDomain, EveryValue_IsFiniteAndNotNegative) {
   std::mt19937 random(20030727);
   for (int set = 0; set < 100; ++set) {
     const std::string settings = hard_settings(random);
-    std::vector<Point> points;
-    for (int i = 0; i < 300; ++i) points.push_back(hard_point(random));
+    const std::vector<Point> points = tests::hard_points(random, 300);
     for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A})
-      for (int lobe = 0; lobe < 3; ++lobe) {
-        const auto values = evaluate_at(settings, quantity, lobe, points, GetParam());
-        for (std::size_t i = 0; i < values.size(); ++i)
-          for (int c = 0; c < 3; ++c)
-            ASSERT_TRUE(std::isfinite(values[i][c]) && values[i][c] >= 0)
-                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " "
-                << points[i].theta_o << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
-      }
+      for (int lobe = 0; lobe < 3; ++lobe)
+        tests::expect_finite_and_not_negative(evaluate_at, settings, quantity, lobe, points, GetParam());
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <cuticle/bsdf/model.h>
 #include <cuticle/tests/support/csv_table.h>
+#include <cuticle/tests/support/model_values.h>
 
 namespace cuticle::bsdf {
 namespace {
@@ -16,14 +17,7 @@ namespace {
 constexpr double pi = std::numbers::pi, degree = pi / 180;
 const Model& model() { return **find_model("marschner"); }
 
-double value_at(const std::string& settings, Quantity quantity, int lobe, const Point& point,
-                Precision precision = Precision::f64) {
-  const auto values = parse_settings(model(), "", settings);
-  EXPECT_TRUE(values.ok()) << settings;
-  std::vector<glm::dvec3> out(1);
-  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, {&point, 1}}, out).ok());
-  return out[0].x;
-}
+constexpr tests::ValueOf value_at{"marschner"};
 
 Point point_of(const tests::CsvRow& row) {
   return {row.number("theta_i"), row.number("theta_o"), row.number("theta_d"),

@@ -115,28 +115,23 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "scheuermann",
-                .summary =
-                    "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
-                .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
-                .parameters = parameters,
-                .systems = system_rows},
-      .lobes = lobe_names,
-      .conventions = {.field = "far",
-                      .cosine = "not included",
-                      .tilt_sign = "positive shift reflects toward the root, theta_i + theta_o = -2 atan(shift)",
-                      .roughness = "exponent of the highlight: 4 / variance in theta_i",
-                      .absorption = "none: colours instead"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "scheuermann",
+                 .summary =
+                     "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
+                 .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
+                 .parameters = parameters,
+                 .systems = system_rows},
+       .lobes = lobe_names,
+       .conventions = {.field = "far",
+                       .cosine = "not included",
+                       .tilt_sign = "positive shift reflects toward the root, theta_i + theta_o = -2 atan(shift)",
+                       .roughness = "exponent of the highlight: 4 / variance in theta_i",
+                       .absorption = "none: colours instead"},
+       .presets = presets,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

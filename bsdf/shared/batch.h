@@ -91,4 +91,15 @@ void sample_points(const registry::ParameterValues& values, std::span<const Samp
   }
 }
 
+/// The model with the functions that its formulas give: evaluate, sample and pack.
+template <class Formulas>
+Model with_functions(Model model) {
+  model.evaluate_f32 = evaluate_points<Formulas, Single>;
+  model.evaluate_f64 = evaluate_points<Formulas, double>;
+  model.sample_f32 = sample_points<Formulas, Single>;
+  model.sample_f64 = sample_points<Formulas, double>;
+  model.pack = pack_floats<Formulas>;
+  return model;
+}
+
 }  // namespace cuticle::bsdf

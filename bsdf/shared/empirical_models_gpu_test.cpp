@@ -1,23 +1,13 @@
 // The kernels of Kajiya-Kay, Scheuermann and HairWorks on the device against double on the CPU.
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/tests/support/model_on_device.h>
 
 namespace cuticle::bsdf {
 namespace {
-
-/// A model's kernel on the device, made once.
-GpuEvaluator& evaluator_of(const Model& model) {
-  static const std::shared_ptr<gpu::Device> device = *gpu::Device::open();
-  static std::map<std::string_view, GpuEvaluator> evaluators;
-  const auto found = evaluators.find(model.entry.name);
-  if (found != evaluators.end()) return found->second;
-  return evaluators.emplace(model.entry.name, *GpuEvaluator::make(*device, model)).first->second;
-}
 
 class EmpiricalModelsGpu : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Models, EmpiricalModelsGpu, testing::Values("kajiya_kay", "scheuermann", "hairworks"));
@@ -40,7 +30,7 @@ double difference(GpuEvaluator& evaluator, const Model& model, Quantity quantity
 
 TEST_P(EmpiricalModelsGpu, EveryQuantityAndLobe_AgreesWithDouble) {
   const Model& model = **find_model(GetParam());
-  GpuEvaluator& evaluator = evaluator_of(model);
+  GpuEvaluator& evaluator = tests::evaluator_of(model);
   std::vector<Point> points;
   for (int i = 0; i < 1000; ++i)
     points.push_back({.theta_i = std::sin(i * 1.1) * 1.57,
@@ -56,7 +46,7 @@ TEST_P(EmpiricalModelsGpu, EveryQuantityAndLobe_AgreesWithDouble) {
 
 TEST_P(EmpiricalModelsGpu, EdgesOfTheDomain_AreFinite) {
   const Model& model = **find_model(GetParam());
-  GpuEvaluator& evaluator = evaluator_of(model);
+  GpuEvaluator& evaluator = tests::evaluator_of(model);
   std::vector<Point> points;
   constexpr double right = std::numbers::pi / 2;
   for (double theta_i : {-right, 0.0, right})

@@ -6,8 +6,7 @@
 
 #include <cuticle/bsdf/shared/batch.h>
 #include <cuticle/bsdf/shared/rough_packing.h>
-#include <cuticle/core/quadrature.h>
-#include <cuticle/core/real.h>
+#include <cuticle/bsdf/yan_fur/way_out.h>
 #include <cuticle/bsdf/yan_fur/yan_fur.glslh>
 
 namespace cuticle::bsdf::yan_fur {
@@ -83,13 +82,12 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
     {"tolerance 1e-8", "azimuthal_tolerance=1e-8"},
 }};
-constexpr std::array<Exception, 3> exceptions = {{
+constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity",
      "attenuation belongs to theta_o, which keeps energy, and scattered light leaves by Lambert's law; "
      "attenuation_angle=theta_d is reciprocal",
      "attenuation_angle=theta_o"},
     {"white_furnace", "paths of different widths take their shares at different theta_d", "attenuation_angle=theta_d"},
-    {"absorbing_furnace", "as white_furnace; the albedo is that of theta_o", "attenuation_angle=theta_d"},
 }};
 
 /// Width of the von Mises-Fisher lobe whose mean cosine is `mean`, in (0, 1): 1/tanh(1/v) - v = mean, bisected in v.
@@ -111,16 +109,6 @@ void pack_thrown(double g, double mean_depth, double* lobe, double& directed) {
   pack_longitudinal(width_of_mean(std::max(forward, 0.01)), 0, lobe);
   directed = forward * std::exp(-0.3 * mean_depth);
 }
-/// Transmittance of the cuticle for even light from inside: that from outside over eta^2, in the mean over the cosine.
-double mean_escape(double eta, double layers) {
-  Glass<double> glass{eta * eta, (eta - 1) * (eta + 1), glm::dvec3(0)};
-  const FurPaths<double> paths = make_paths(glass, Medulla<double>{}, layers, 0.0, 1.0);
-  const auto transmitted = [&](double cosine) {
-    const double refracted = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
-    return 2 * cosine * cuticle_reflectance(paths, cosine, refracted).y;
-  };
-  return integrate(gauss_legendre(32), 0, 1, transmitted) / (eta * eta);
-}
 void pack_medulla(const registry::ParameterValues& values, double* out) {
   const double g = values.real("g");
   out[0] = values.real("kappa");
@@ -129,7 +117,9 @@ void pack_medulla(const registry::ParameterValues& values, double* out) {
   out[3] = g * (0.65 + 0.25 * g);
   out[4] = -3.4 + 2.6 * g - 1.1 * g * g;
   out[5] = 1.37 - 0.85 * g + 0.25 * g * g;
-  out[6] = mean_escape(values.real("eta"), values.real("layers"));
+  const glm::dvec3 left = share_let_out({values.real("eta"), values.real("layers"), values.rgb("sigma_a"),
+                                         values.real("kappa"), values.real("sigma_ms"), values.real("sigma_ma")});
+  for (int c = 0; c < 3; ++c) out[6 + c] = left[c];
 }
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
@@ -140,7 +130,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
   pack_longitudinal(beta_m * 1.5, -3 * alpha, packed.value + 8);
   const double mean_depth = values.real("sigma_ms") * values.real("kappa") * 1.5707963267948966;
-  pack_thrown(values.real("g"), mean_depth, packed.value + 12, packed.value[43]);
+  pack_thrown(values.real("g"), mean_depth, packed.value + 12, packed.value[45]);
   pack_detector(beta_n, packed.value + 16);
   pack_detector(beta_n * std::sqrt(2.0), packed.value + 20);
   pack_detector(beta_n * std::sqrt(3.0), packed.value + 24);
@@ -148,11 +138,11 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   packed.value[29] = (eta - 1) * (eta + 1);
   for (int c = 0; c < 3; ++c) packed.value[30 + c] = values.rgb("sigma_a")[c];
   pack_medulla(values, packed.value + 33);
-  packed.value[40] = tolerance;
-  packed.value[41] = detector_reach(tolerance);
-  packed.value[42] = values.real("layers");
-  packed.value[44] = values.choice("field") == "near";
-  packed.value[45] = values.choice("attenuation_angle") == "theta_d";
+  packed.value[42] = tolerance;
+  packed.value[43] = detector_reach(tolerance);
+  packed.value[44] = values.real("layers");
+  packed.value[46] = values.choice("field") == "near";
+  packed.value[47] = values.choice("attenuation_angle") == "theta_d";
   return packed;
 }
 
@@ -176,31 +166,26 @@ using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return 
 Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
 
 const Model& entry() {
-  static const Model model{
-      .entry = {.kind = registry::EntryKind::model,
-                .name = "yan_fur",
-                .summary = "fur: rough cortex around a scattering medulla, near and far field",
-                .source = "Yan et al. 2017; M of d'Eon et al. 2011",
-                .parameters = parameters,
-                .systems = system_rows,
-                .study_cases = tiers},
-      .lobes = lobe_names,
-      .conventions =
-          {.field = "far or near, by the parameter field",
-           .cosine = "not included",
-           .tilt_sign =
-               "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
-           .roughness = "standard deviation in theta_i and in phi",
-           .absorption = "per fibre radius"},
-      .evaluate_f32 = evaluate_points<Formulas, Single>,
-      .evaluate_f64 = evaluate_points<Formulas, double>,
-      .sample_f32 = sample_points<Formulas, Single>,
-      .sample_f64 = sample_points<Formulas, double>,
-      .pack = pack_floats<Formulas>,
-      .presets = presets,
-      .near_field = is_near,
-      .from_fibre = from_fibre,
-      .exceptions = exceptions};
+  static const Model model = with_functions<Formulas>(
+      {.entry = {.kind = registry::EntryKind::model,
+                 .name = "yan_fur",
+                 .summary = "fur: rough cortex around a scattering medulla, near and far field",
+                 .source = "Yan et al. 2017; M of d'Eon et al. 2011",
+                 .parameters = parameters,
+                 .systems = system_rows,
+                 .study_cases = tiers},
+       .lobes = lobe_names,
+       .conventions =
+           {.field = "far or near, by the parameter field",
+            .cosine = "not included",
+            .tilt_sign =
+                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
+            .roughness = "standard deviation in theta_i and in phi",
+            .absorption = "per fibre radius"},
+       .presets = presets,
+       .near_field = is_near,
+       .from_fibre = from_fibre,
+       .exceptions = exceptions});
   return model;
 }
 

@@ -10,28 +10,18 @@
 
 #include <cuticle/tests/support/csv_table.h>
 #include <cuticle/tests/support/direction_grid.h>
+#include <cuticle/tests/support/hard_cases.h>
 
 namespace cuticle::bsdf {
 namespace {
 
 using ::testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 const Model& model() { return **find_model("yan_fur"); }
 
-std::vector<glm::dvec3> evaluate_at(const std::string& settings, Quantity quantity, int lobe,
-                                    const std::vector<Point>& points, Precision precision = Precision::f64) {
-  std::vector<glm::dvec3> out(points.size());
-  const auto values = parse_settings(model(), "", settings);
-  EXPECT_TRUE(values.ok()) << settings;
-  EXPECT_TRUE(evaluate(model(), *values, precision, {quantity, lobe, points}, out).ok());
-  return out;
-}
-double value_at(const std::string& settings, Quantity quantity, int lobe, const Point& point,
-                Precision precision = Precision::f64) {
-  return evaluate_at(settings, quantity, lobe, {point}, precision)[0].x;
-}
+constexpr tests::ValuesOf evaluate_at{"yan_fur"};
+constexpr tests::ValueOf value_at{"yan_fur"};
 
 /// A row of shares.csv: settings, lobe, point and value of A.
 TEST(YanFur, Shares_AgreeWithMpmath) {
@@ -42,8 +32,10 @@ TEST(YanFur, Shares_AgreeWithMpmath) {
     const Point point{.theta_d = row.number("theta_d"), .h = row.number("h")};
     const int lobe = int(row.number("lobe"));
     const double truth = row.number("a");
-    EXPECT_NEAR(value_at(settings, Quantity::A, lobe, point), truth, 2e-13 * truth) << settings << " lobe " << lobe;
-    EXPECT_NEAR(value_at(settings, Quantity::A, lobe, point, Precision::f32), truth, 2e-5 * truth)
+    // What is left of scattered light is a double integral, by Gauss's rule.
+    EXPECT_NEAR(value_at(settings, Quantity::A, lobe, point), truth, (lobe < 3 ? 2e-13 : 6e-5) * truth)
+        << settings << " lobe " << lobe;
+    EXPECT_NEAR(value_at(settings, Quantity::A, lobe, point, Precision::f32), truth, (lobe < 3 ? 2e-5 : 7e-5) * truth)
         << settings << " lobe " << lobe;
   }
 }
@@ -83,6 +75,14 @@ TEST(YanFur, Albedo_IsTheIntegralOfSInBothFields) {
                 value_at(settings + ",field=near", Quantity::albedo, lobe, view), 2e-4)
         << lobe;
   EXPECT_NEAR(furnace(settings, 3, view), value_at(settings, Quantity::albedo, 3, view), 2e-4);
+}
+
+TEST(YanFur, AlbedoAtThetaD_IsTheIntegralOfS) {
+  const std::string settings =
+      "beta_m=0.5,beta_n=0.3,g=0.8,sigma_ms=1,sigma_ma=0.4,attenuation_angle=theta_d,field=near";
+  const Point view{.theta_o = 0.5, .h = 0.4};
+  for (int lobe = 0; lobe < 6; ++lobe)
+    EXPECT_NEAR(furnace(settings, lobe, view), value_at(settings, Quantity::albedo, lobe, view), 3e-4) << lobe;
 }
 
 TEST(YanFur, FarField_IsTheMeanOfTheNearField) {
@@ -160,20 +160,12 @@ TEST_P(FurSampler, WeightsOnTheAverage_AreTheAlbedo) {
 std::string hard_settings(std::mt19937& random) {
   constexpr std::array<double, 4> etas = {1.05, 1.55, 2, 3}, sigmas = {0, 0.2, 5, 100}, betas = {1e-3, 0.02, 0.3, 1},
                                   kappas = {0, 0.3, 0.8, 0.99}, gs = {-0.9, 0, 0.4, 0.9}, layers = {0.1, 1, 3, 10};
-  const auto pick = [&](const std::array<double, 4>& choices) { return choices[random() % 4]; };
   return fmt::format(
       "eta={},sigma_a={},sigma_ms={},sigma_ma={},kappa={},g={},layers={},beta_m={},beta_n={},azimuthal_tolerance=1e-2,"
       "field={}",
-      pick(etas), pick(sigmas), pick(sigmas), pick(sigmas), pick(kappas), pick(gs), pick(layers), pick(betas),
-      pick(betas), random() % 3 ? "near" : "far");
-}
-Point hard_point(std::mt19937& random) {
-  constexpr std::array<double, 8> angles = {0, 1e-9, 0.3, 30, 60, 89, 89.999, 90};
-  const auto uniform = [&] { return double(random()) / 4294967296.0 * 2 - 1; };
-  const auto angle = [&] {
-    return (random() % 2 ? 90 * uniform() : (random() % 2 ? -1 : 1) * angles[random() % 8]) * degree;
-  };
-  return {angle(), angle(), angle(), 2 * angle(), random() % 4 ? uniform() : (random() % 2 ? -1 : 1)};
+      tests::pick(random, etas), tests::pick(random, sigmas), tests::pick(random, sigmas), tests::pick(random, sigmas),
+      tests::pick(random, kappas), tests::pick(random, gs), tests::pick(random, layers), tests::pick(random, betas),
+      tests::pick(random, betas), random() % 3 ? "near" : "far");
 }
 class FurDomain : public testing::TestWithParam<Precision> {};
 INSTANTIATE_TEST_SUITE_P(Precisions, FurDomain, testing::Values(Precision::f32, Precision::f64));
@@ -181,18 +173,11 @@ TEST_P(FurDomain, EveryValue_IsFiniteAndNotNegative) {
   std::mt19937 random(20170720);
   for (int set = 0; set < 40; ++set) {
     const std::string settings = hard_settings(random);
-    std::vector<Point> points;
-    for (int i = 0; i < 12; ++i) points.push_back(hard_point(random));
+    const std::vector<Point> points = tests::hard_points(random, 12);
     for (Quantity quantity :
          {Quantity::S, Quantity::M, Quantity::N, Quantity::A, Quantity::albedo, Quantity::pdf, Quantity::error})
-      for (int lobe = -1; lobe < 6; ++lobe) {
-        const auto values = evaluate_at(settings, quantity, lobe, points, GetParam());
-        for (std::size_t i = 0; i < values.size(); ++i)
-          for (int c = 0; c < 3; ++c)
-            ASSERT_TRUE(std::isfinite(values[i][c]) && values[i][c] >= 0)
-                << settings << " quantity " << int(quantity) << " lobe " << lobe << " at " << points[i].theta_i << " "
-                << points[i].theta_o << " " << points[i].theta_d << " " << points[i].phi << " " << points[i].h;
-      }
+      for (int lobe = -1; lobe < 6; ++lobe)
+        tests::expect_finite_and_not_negative(evaluate_at, settings, quantity, lobe, points, GetParam());
   }
 }
 

@@ -62,6 +62,16 @@ TEST(Partition, OfEvenAndUnevenLobes_CoversWhatItMust) {
   EXPECT_NEAR(energy(0.9), 4 * pi, 1e-6);
 }
 
+// The azimuths of huang's samples are Cauchy's: half a per mille lies beyond a radian, on rings of a thousandth of one.
+TEST(Partition, OfLobesWithTailsAlongRings_CoversTheRings) {
+  const bsdf::Model& model = **bsdf::find_model("huang");
+  const Subject subject = subject_of(model, *bsdf::parse_settings(model, "", "field=near"), bsdf::Precision::f64);
+  const std::optional<Scatterer> fibre =
+      subject.make({Absorption::given, Roughness::narrowest, Tilt::given, Effort::draft});
+  const bsdf::Point view{.theta_o = 0, .h = -0.95, .phi_o = 0.7};
+  EXPECT_NEAR(integrate_sphere(fibre->pdf, view, partition_for(*fibre, view)).value.x, 1, 3e-4);
+}
+
 TEST(SphereQuadrature, BelowTheIntegrandsOwnError_DoesNotDivide) {
   const Batch rough = [](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = glm::dvec3(1 + 0.1 * std::sin(300 * points[i].phi));
@@ -186,6 +196,24 @@ TEST(EachCheck, ReciprocityOfAFactorOfOneDirection_Fails) {
 // Helmholtz's law has S cos(theta_o) symmetric, which a factor of cos(theta_i) is.
 TEST(EachCheck, ReciprocityOfLambertsLaw_Passes) {
   EXPECT_EQ(state_of("reciprocity", [](const bsdf::Point& at) { return std::cos(at.theta_i); }), State::passed);
+}
+
+// Of an ellipse the viewer sees cos(theta_o) times a width, so S has to be symmetric times both.
+TEST(EachCheck, ReciprocityOfAnEllipse_IsThatOfTheAreaSeen) {
+  const auto verdict = [](double aspect) {
+    Scatterer scatterer;
+    scatterer.aspect = aspect;
+    scatterer.scattering = [](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const bsdf::Point& at = points[i];
+        out[i] = glm::dvec3(std::cos(at.theta_i) *
+                            std::hypot(std::sin(at.phi_o - at.phi), 0.6 * std::cos(at.phi_o - at.phi)));
+      }
+    };
+    return checks()[2].run(fixed_subject(scatterer, false, true, false), {.quick = true}).state;
+  };
+  EXPECT_EQ(verdict(0.6), State::passed);
+  EXPECT_EQ(verdict(1), State::failed);
 }
 
 TEST(EachCheck, TailsThatAreCut_Fail) {

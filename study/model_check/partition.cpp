@@ -11,6 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double tails[] = {-8, -4, -2, 0, 2, 4, 8};  // in ranges of a lobe's middle half
+constexpr double outermost = 8;
 // A closed form may have caustics, which many samples find; an average over the fibre has none, and its samples cost
 // more.
 constexpr std::size_t samples_of_caustics = 4096, samples_of_averages = 1024;
@@ -25,10 +26,27 @@ std::vector<double> even(double low, double high, int parts) {
 /// Middle and range of the middle half of the values.
 struct Extent {
   double middle = 0, range = 0;
+  bool reaches(double value) const { return std::abs(value - middle) <= outermost * range; }
 };
 Extent extent_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return {values[values.size() / 2], values[values.size() * 3 / 4] - values[values.size() / 4]};
+}
+
+/// Where some samples leave a lobe in one direction alone, as those of a Cauchy distribution do, its tails hold energy
+/// all along that ring or arc, which is as narrow as the lobe: places across it that stand for its whole length.
+void add_long_tails(const std::vector<Seed>& lobe, const Extent& along, const Extent& around,
+                    std::vector<Seed>& seeds) {
+  const bool ring = std::any_of(lobe.begin(), lobe.end(), [&](const Seed& seed) {
+    return along.reaches(seed.theta) && !around.reaches(seed.phi);
+  });
+  const bool arc = std::any_of(lobe.begin(), lobe.end(), [&](const Seed& seed) {
+    return !along.reaches(seed.theta) && around.reaches(seed.phi);
+  });
+  for (double t : tails) {
+    if (ring) seeds.push_back({along.middle + t * along.range, around.middle, along.range, pi});
+    if (arc) seeds.push_back({along.middle, around.middle + t * around.range, pi, around.range});
+  }
 }
 
 /// A lobe's samples, and places around it where too few of them fall to show its tails. Few samples may come from a
@@ -46,6 +64,7 @@ void add_lobe(const std::vector<Seed>& lobe, std::vector<Seed>& seeds) {
   const std::size_t stride = broad ? std::max<std::size_t>(1, lobe.size() / 64) : 1;
   for (std::size_t i = 0; i < lobe.size(); i += stride)
     seeds.push_back({lobe[i].theta, lobe[i].phi, along.range, around.range});
+  add_long_tails(lobe, along, around, seeds);
   for (double t : tails)
     for (double p : tails)
       seeds.push_back({along.middle + t * along.range, around.middle + p * around.range, along.range, around.range});

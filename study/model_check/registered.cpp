@@ -94,14 +94,17 @@ bool carries_all_orders(const bsdf::Model& model) {
   return std::any_of(model.lobes.begin(), model.lobes.end(), is_rest);
 }
 
+/// Of the cross-section; 1 where the model has no ellipse.
+double aspect_of(const ParameterValues& values) { return values.all().contains("aspect") ? values.real("aspect") : 1; }
+
 /// The dielectric cylinder that the values describe, where the model follows the paths of one and nothing else.
 std::optional<Cylinder> cylinder_of(const bsdf::Model& model, const ParameterValues& values) {
   const auto& all = values.all();
-  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a"), aspect = all.find("aspect");
+  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a");
   const bool paths_only = std::all_of(model.lobes.begin(), model.lobes.end(),
                                       [](std::string_view lobe) { return is_path(lobe) || is_rest(lobe); });
   if (eta == all.end() || sigma_a == all.end() || !paths_only) return {};
-  if (aspect != all.end() && aspect->second != registry::Value(1.0)) return {};
+  if (aspect_of(values) != 1) return {};
   return Cylinder{values.real("eta"), values.rgb("sigma_a"), carries_all_orders(model) ? 0 : int(model.lobes.size())};
 }
 
@@ -125,6 +128,7 @@ Scatterer scatterer_of(const bsdf::Model& model, const ParameterValues& values, 
                       {"error", batch(Quantity::error)}};
   scatterer.error = batch(Quantity::error);
   scatterer.cylinder = cylinder_of(model, values);
+  scatterer.aspect = aspect_of(values);
   if (!model.sample_f64) return scatterer;
   scatterer.pdf = batch(Quantity::pdf);
   scatterer.sample = [&model, values, precision](std::span<const bsdf::SampleQuery> queries,

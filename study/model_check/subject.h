@@ -35,6 +35,7 @@ struct Scatterer {
   Draw sample;                                        ///< incident directions
   std::vector<std::pair<std::string, Batch>> others;  ///< further quantities, hunted for values that are not finite
   std::optional<Cylinder> cylinder;                   ///< its mean attenuation is that of the model
+  double aspect = 1;                                  ///< minor over major axis of an elliptical cross-section
 };
 
 /// What a check asks for; `given` leaves the subject's own setting.

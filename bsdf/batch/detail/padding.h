@@ -30,8 +30,8 @@ class Padding {
             {in(p.u[0]), in(p.u[1]), in(p.u[2]), in(p.u[3]), in(p.u[4])}};
   }
   RowPointers in(const RowPointers& p) {
-    RowPointers rows;
-    for (std::size_t k = 0; k < CUTICLE_ROW_COUNT; ++k) rows.value[k] = in(p.value[k]);
+    RowPointers rows{{}, p.count};
+    for (int k = 0; k < p.count; ++k) rows.value[k] = in(p.value[k]);
     return rows;
   }
   VaryingPointers in(const VaryingPointers& p) { return {in(p.rows), in(p.directions)}; }
@@ -40,7 +40,7 @@ class Padding {
 
  private:
   int count_, used_ = 0;
-  std::array<std::array<float, whole_vectors>, 20> arrays_{};
+  std::array<std::array<float, whole_vectors>, CUTICLE_ROW_COUNT + 10> arrays_{};  // rows, directions, results
 };
 
 inline DirectionPointers moved(const DirectionPointers& p, int by) {
@@ -54,8 +54,8 @@ inline QueryPointers moved(const QueryPointers& p, int by) {
           {p.u[0] + by, p.u[1] + by, p.u[2] + by, p.u[3] + by, p.u[4] + by}};
 }
 inline RowPointers moved(const RowPointers& p, int by) {
-  RowPointers rows;
-  for (std::size_t k = 0; k < CUTICLE_ROW_COUNT; ++k) rows.value[k] = p.value[k] + by;
+  RowPointers rows{{}, p.count};
+  for (int k = 0; k < p.count; ++k) rows.value[k] = p.value[k] + by;
   return rows;
 }
 

@@ -19,14 +19,16 @@ struct RowBlock {
 /// ".b".
 class RowColumns {
  public:
-  /// Error: usage, where a name is none of the columns, listing them.
-  static Result<RowColumns> make(const Model& model, const registry::ParameterValues& values,
+  /// `numbers`: the leading columns, those that the model reads. Error: usage, where a name is none of them, listing
+  /// them.
+  static Result<RowColumns> make(const Model& model, const registry::ParameterValues& values, int numbers,
                                  std::span<const VaryingParameter> varying);
   RowBlock block(std::size_t first, std::size_t count) const;
 
  private:
   std::array<std::span<const float>, CUTICLE_ROW_COUNT> arrays_;  ///< empty: constant
   std::array<float, CUTICLE_ROW_COUNT> constants_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace cuticle::bsdf::batch

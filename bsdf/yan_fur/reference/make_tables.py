@@ -1,9 +1,10 @@
 """Writes shares.csv: what each path of the double cylinder takes, with 30 digits by mpmath, by following the paper's sequence of
-events one by one: the residual is summed crossing by crossing."""
+events one by one: the residual is summed crossing by crossing. What is left of scattered light is a double integral, to 10 digits."""
 import csv
+import functools
 import pathlib
 
-from mpmath import asin, cos, exp, mp, mpf, quad, sin, sqrt
+from mpmath import acos, asin, cos, exp, mp, mpc, mpf, pi, quad, sin, sqrt, workdps
 
 mp.dps = 30
 FOLDER = pathlib.Path(__file__).parent
@@ -17,6 +18,33 @@ def reflectance(eta, cosine, layers):
     return layers * f / (1 + (layers - 1) * f)
 
 
+@functools.cache
+def left(eta, sigma_a, kappa, sigma_ms, sigma_ma, layers):
+    """Of light that the medulla scatters, from the first time on: visit by visit, each direction from the medulla until the light
+    leaves (the real part) or is scattered again (the imaginary one)."""
+    extinction = sigma_ms + sigma_ma
+    depth = 2 * kappa * sigma_ms
+    visit = 1 / (1 + sigma_ma * 2 * kappa * (1 - 1 / depth + exp(-depth) / (1 - exp(-depth))))
+
+    def ends(s, theta):
+        half, cos_t, c = sqrt(kappa ** 2 - s ** 2), sqrt(1 - s ** 2), cos(theta)
+        outside = 1 - eta ** 2 * (1 - (c * cos_t) ** 2)
+        mirrored = reflectance(eta, sqrt(outside), layers) if outside > 0 else mpf(1)
+        once = exp(-sigma_a * (cos_t - half) / c)
+        passed = exp(-extinction * 2 * half / c)
+        met = once ** 2 * mirrored * (1 - passed) * sigma_ms / extinction
+        return mpc(once * (1 - mirrored), met * visit) / (1 - once ** 2 * mirrored * passed)
+
+    def at_offset(s):
+        least = sqrt(1 - 1 / eta ** 2) / sqrt(1 - s ** 2)
+        places = [0, acos(least), pi / 2] if least < 1 else [0, pi / 2]
+        return quad(lambda theta: cos(theta) ** 2 * ends(s, theta), places)
+
+    with workdps(12):
+        mean = quad(at_offset, [0, 1 / eta, kappa] if kappa > 1 / eta else [0, kappa]) / (kappa * pi / 4)
+        return visit * mean.real / (1 - mean.imag)
+
+
 def shares(eta, sigma_a, kappa, sigma_ms, sigma_ma, layers, theta, h):
     f = reflectance(eta, cos(theta) * sqrt(1 - h ** 2), layers)
     inclined = 1 / cos(asin(sin(theta) / eta))
@@ -24,13 +52,10 @@ def shares(eta, sigma_a, kappa, sigma_ms, sigma_ma, layers, theta, h):
     half = sqrt(max(mpf(0), kappa ** 2 - sin_t ** 2))
     side = exp(-sigma_a * inclined * (sqrt(1 - sin_t ** 2) - half))
     passed = exp(-2 * inclined * half * (sigma_ms + sigma_ma))
-    thrown = 1 - exp(-2 * inclined * half * sigma_ms)
-    out = quad(lambda m: 2 * m * (1 - reflectance(eta, m, layers)), [0, 1]) / eta ** 2
-    half_way = exp(-(1 - kappa ** 2) * sigma_a - kappa ** 2 * sigma_ma)
-    left = sum(half_way * out * (half_way ** 2 * (1 - out)) ** n for n in range(400))
+    thrown = (1 - passed) * sigma_ms / (sigma_ms + sigma_ma) * left(eta, sigma_a, kappa, sigma_ms, sigma_ma, layers)
     inside, residual = 1 - f, mpf(0)
     for crossing in range(200):
-        straight, scattered = inside * side ** 2 * passed * (1 - f), inside * side * thrown * left
+        straight, scattered = inside * side ** 2 * passed * (1 - f), inside * side * thrown
         if crossing == 0:
             tt, tts = straight, scattered
         elif crossing == 1:

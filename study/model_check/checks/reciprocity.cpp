@@ -1,6 +1,7 @@
 // Reciprocity of the far field, as a report: by how much S(a -> b) and S(b -> a) differ. The separable models of the
-// literature have S itself symmetric; light that follows Helmholtz's law, S cos(theta_o) (docs/conventions.md: no
-// cosine belongs to S). The two agree in the mirror direction, and either is accepted.
+// literature have S itself symmetric; light that follows Helmholtz's law, S times the area seen from the viewer, which
+// is cos(theta_o) and, for an ellipse, its width (docs/conventions.md: no cosine belongs to S). The two agree in the
+// mirror direction of a circular fibre, and either is accepted.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +36,7 @@ struct Difference {
   std::string_view form;
 };
 
-/// S, or S cos(theta_o), at points with its errors.
+/// S, or S times the area seen, at points with its errors.
 struct Values {
   std::vector<glm::dvec3> value, error;
 };
@@ -46,10 +47,15 @@ Values values_of(const Scatterer& scatterer, const std::vector<bsdf::Point>& poi
   return values;
 }
 
-Values as_flux(Values values, const std::vector<bsdf::Point>& points) {
+/// Seen from the viewer, for each unit of length.
+double area_seen(double aspect, const bsdf::Point& point) {
+  return std::cos(point.theta_o) * std::hypot(std::sin(point.phi_o), aspect * std::cos(point.phi_o));
+}
+
+Values as_flux(Values values, double aspect, const std::vector<bsdf::Point>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    values.value[i] *= std::cos(points[i].theta_o);
-    values.error[i] *= std::cos(points[i].theta_o);
+    values.value[i] *= area_seen(aspect, points[i]);
+    values.error[i] *= area_seen(aspect, points[i]);
   }
   return values;
 }
@@ -73,7 +79,9 @@ Difference differences(const Values& values, std::string_view form) {
 /// Of the two forms the one that comes nearer.
 Difference nearer(const Scatterer& scatterer, const std::vector<bsdf::Point>& points) {
   const Values values = values_of(scatterer, points);
-  const Difference plain = differences(values, "S"), flux = differences(as_flux(values, points), "S cos(theta_o)");
+  const std::string_view seen = scatterer.aspect == 1 ? "S cos(theta_o)" : "S cos(theta_o) width(phi_o)";
+  const Difference plain = differences(values, "S"),
+                   flux = differences(as_flux(values, scatterer.aspect, points), seen);
   return flux.worst < plain.worst ? flux : plain;
 }
 
