@@ -37,6 +37,7 @@ find_package(OpenImageIO REQUIRED)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "" INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")
 find_package(Ceres REQUIRED)
 find_package(OpenSSL REQUIRED)
+find_package(TinyGLTF REQUIRED)
 
 # cuticle_part(NAME found? "what it is"): an option that defaults to whether its packages were found.
 macro(cuticle_part NAME FOUND WHAT)

@@ -10,7 +10,8 @@ import pytest
 from matplotlib import image
 
 HERE = pathlib.Path(__file__).parent
-FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar"], "02_shadow_slices": ["shadow_slices"]}
+FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar"], "02_shadow_slices": ["shadow_slices"],
+           "03_skinning": ["skinning"]}
 
 
 def test_Notebooks_All_AreListedHere():

@@ -29,6 +29,18 @@ registry::Fact motion_fact(const scene::Scene& scene) {
   return {true, fmt::format("joint '{}' moves the head", scene.motion->joint)};
 }
 
+registry::Fact head_fact(const scene::Scene& scene) {
+  if (!scene.head.present) return {false, "the scene has no head"};
+  return {true, scene.character ? "the character is drawn" : "the scene has a head"};
+}
+
+registry::Fact character_fact(const scene::Scene& scene) {
+  if (!scene.character) return {false, "the scene has no character"};
+  const std::string file = std::filesystem::path(scene.character->file).filename().string();
+  return {true, scene.character->clip.empty() ? fmt::format("hair follows the skin of {}", file)
+                                              : fmt::format("'{}' moves the skin of {}", scene.character->clip, file)};
+}
+
 void add_effects(const scene::Scene& scene, registry::Facts& facts) {
   for (const registry::Entry* effect : catalogue().effects) {
     const std::string name(effect->name);
@@ -53,7 +65,8 @@ registry::Facts facts_of(const scene::Scene& scene) {
                              ? fmt::format("the hair is simulated by '{}'", scene.simulation.solver->name)
                              : "the hair is not simulated"};
   facts["colliders"] = colliders_fact(scene);
-  facts["head"] = {scene.head.present, scene.head.present ? "the scene has a head" : "the scene has no head"};
+  facts["head"] = head_fact(scene);
+  facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
   return facts;
 }

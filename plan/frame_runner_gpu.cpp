@@ -75,6 +75,7 @@ struct FrameRunner::Impl {
     CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
                                                                .bounds = motion->bounds(),
                                                                .head = motion->head(),
+                                                               .character = motion->character(),
                                                                .camera = camera_at(scene.camera, rest_bounds, frame)},
                                                               trace));
     add_cost(cost, scene, result.cost);

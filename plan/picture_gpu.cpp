@@ -112,6 +112,7 @@ Result<void> Picture::make_passes() {
 }
 
 Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
+  if (input.character) CUTICLE_TRY(input.character->record(commands));
   CUTICLE_TRY(generator_->record_smooth(commands, *input.control_positions));
   return generator_->record_interpolate(commands);
 }
@@ -141,6 +142,8 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
   resources_.strands.bounds = input.bounds;
   resources_.head_transform = input.head;
   resources_.camera = input.camera;
+  resources_.head_positions = input.character ? &input.character->mesh_positions() : nullptr;
+  resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
   gpu::Commands commands = device_->record();
   CUTICLE_TRY(record_generate(commands, input));
   CUTICLE_TRY(record_shadows(commands));

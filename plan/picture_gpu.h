@@ -5,6 +5,7 @@
 
 #include <cuticle/core/image/image.h>
 #include <cuticle/core/progress.h>
+#include <cuticle/plan/character_motion_gpu.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
 #include <cuticle/render/pass_gpu.h>
@@ -17,6 +18,7 @@ struct PictureInput {
   const gpu::Buffer* control_positions = nullptr;
   strands::Bounds bounds;
   glm::dmat4 head{1};
+  CharacterMotion* character = nullptr;  ///< moved to the frame; null: the scene has none
   Camera camera;
 };
 

@@ -23,13 +23,18 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
                                                            const Plan& plan) {
   std::unique_ptr<StrandMotion> motion(new StrandMotion(std::move(device), scene, set, plan));
   CUTICLE_ASSIGN(motion->path_, HeadPath::create(scene, set.pivot));
-  if (!scene.simulation.solver) {
+  if (set.character) {
+    CUTICLE_ASSIGN(motion->character_, CharacterMotion::create(*motion->device_, scene, set));
+  } else if (!scene.simulation.solver) {
     CUTICLE_ASSIGN(motion->carried_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
   }
   return motion;
 }
 
-const gpu::Buffer& StrandMotion::positions() const { return solver_ ? solver_->positions() : carried_; }
+const gpu::Buffer& StrandMotion::positions() const {
+  if (character_) return character_->positions();
+  return solver_ ? solver_->positions() : carried_;
+}
 
 Result<void> StrandMotion::restart() {
   frame_ = -1;
@@ -58,6 +63,11 @@ Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const gl
 }
 
 Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
+  if (character_) {
+    character_->move_to(frame);
+    bounds_ = character_->bounds();
+    return gpu::SubmitCost{};
+  }
   if (frame_ < 0 || frame < frame_) CUTICLE_TRY(restart());
   gpu::SubmitCost cost;
   for (int next = solver_ ? frame_ + 1 : frame; next <= frame; ++next) {
@@ -93,8 +103,13 @@ Result<void> StrandMotion::measure() {
 
 Result<sim::State> StrandMotion::state() {
   if (solver_) return solver_->state();
+  if (character_) {
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(character_->record(commands));
+    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+  }
   CUTICLE_ASSIGN(const std::vector<glm::vec4> places,
-                 gpu::read_buffer<glm::vec4>(*device_, carried_, set_.control.vertex_count()));
+                 gpu::read_buffer<glm::vec4>(*device_, positions(), set_.control.vertex_count()));
   sim::State state;
   state.positions.assign(places.begin(), places.end());
   state.velocities.assign(places.size(), glm::vec3(0));

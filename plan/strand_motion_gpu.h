@@ -1,7 +1,9 @@
 #pragma once
-// Where the control hairs are in each frame: simulated on the device, or carried rigidly by the head.
+// Where the control hairs are in each frame: simulated on the device, carried rigidly by the head, or by a character's
+// skin.
 #include <memory>
 
+#include <cuticle/plan/character_motion_gpu.h>
 #include <cuticle/plan/head_path.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
@@ -18,10 +20,12 @@ class StrandMotion {
   /// cost alike. Returns the cost of the last of them.
   Result<gpu::SubmitCost> advance_to(int frame, Trace* trace);
 
-  /// World positions, vec4 per control vertex.
+  /// World positions, vec4 per control vertex. With a character: written when its motion is recorded.
   const gpu::Buffer& positions() const;
   const strands::Bounds& bounds() const { return bounds_; }
   const glm::dmat4& head() const { return head_; }
+  /// Null where the scene has no character.
+  CharacterMotion* character() const { return character_.get(); }
   Result<sim::State> state();
 
  private:
@@ -38,7 +42,8 @@ class StrandMotion {
   const StrandSet& set_;
   const Plan& plan_;
   HeadPath path_;
-  std::unique_ptr<sim::GpuSolver> solver_;  ///< null: carried rigidly
+  std::unique_ptr<sim::GpuSolver> solver_;      ///< null: carried
+  std::unique_ptr<CharacterMotion> character_;  ///< null: carried rigidly
   gpu::Buffer carried_;
   strands::Bounds bounds_;
   glm::dmat4 head_{1};

@@ -9,6 +9,7 @@
 
 #include <cuticle/plan/plan.h>
 #include <cuticle/sim/solver.h>
+#include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/growing.h>
 
@@ -25,16 +26,38 @@ std::vector<glm::vec3> roots_of(const strands::Groom& groom) {
   return roots;
 }
 
+/// What hair grows on: the procedural head, or all of a character's skin.
+Result<strands::Head> growth_mesh(const scene::Scene& scene, StrandSet& set) {
+  if (!scene.character) return strands::make_head();
+  CUTICLE_ASSIGN(strands::Character character,
+                 strands::read_character(scene.character->file, scene.character->convention));
+  for (const std::string& note : character.report.notes) set.notes.push_back(scene.character->file + ": " + note);
+  set.character = std::make_shared<const strands::Character>(std::move(character));
+  return strands::Head{.mesh = set.character->mesh, .scalp = set.character->mesh, .colliders = {}};
+}
+
+Result<void> bind_to_character(StrandSet& set) {
+  constexpr double k_far = 0.005;
+  CUTICLE_ASSIGN(strands::Binding binding, strands::bind_roots(set.control, set.character->mesh, k_far));
+  strands::move_roots_onto(set.control, set.character->mesh, binding.roots);
+  set.control_roots = std::move(binding.roots);
+  if (binding.report.far_strands > 0)
+    set.notes.push_back(
+        fmt::format("{} of {} roots lay more than {} m from the character's mesh, at most {:.3g} m: moved onto it",
+                    binding.report.far_strands, set.control.strand_count(), k_far, binding.report.distance.greatest));
+  return {};
+}
+
 Result<void> grow(const scene::Scene& scene, StrandSet& set) {
   if (!scene.head.mesh.empty())
     return bad_input("head.mesh: hair is grown on the procedural head only", "give groom.file, or leave head.mesh out");
-  strands::Head head = strands::make_head();
+  CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
   CUTICLE_ASSIGN(set.control, strands::plant_control_hairs(head, scene.groom.grow));
   for (const strands::Root& root : strands::scatter_roots(head.scalp, std::size_t(scene.strand_count), k_root_seed)) {
     set.hairs.push_back(head.scalp.triangles[root.triangle]);
     set.weights.push_back(root.weights);
   }
-  set.scalp = std::move(head.scalp);
+  if (!set.character) set.scalp = std::move(head.scalp);
   if (scene.head.present) set.head = std::move(head.mesh);
   if (scene.head_colliders) set.colliders = std::move(head.colliders);
   return {};
@@ -89,7 +112,10 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
     return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
   for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
   add_followers(std::size_t(scene.strand_count), set);
-  if (scene.head.present && scene.head.mesh.empty()) set.head = strands::make_head().mesh;
+  if (scene.character || (scene.head.present && scene.head.mesh.empty())) {
+    CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
+    if (scene.head.present) set.head = std::move(head.mesh);
+  }
   if (!scene.head_colliders) return {};
   CUTICLE_ASSIGN(Sphere sphere, fit_sphere(roots));
   sphere.radius *= 0.97;  // below the roots, so that hair starts outside
@@ -145,6 +171,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
     CUTICLE_TRY(grow(scene, set));
   else
     CUTICLE_TRY(read(scene, set));
+  if (set.character) CUTICLE_TRY(bind_to_character(set));
   set.radius = float(drawn_radius(scene, set));
   if (scene.head.present && !scene.head.mesh.empty()) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));

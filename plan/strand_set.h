@@ -1,11 +1,13 @@
 #pragma once
 // The hair of a scene before the first frame: control hairs, the strands drawn between them, and what they grow on.
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/scene/scene.h>
+#include <cuticle/strands/character/character.h>
 #include <cuticle/strands/groom.h>
 #include <cuticle/strands/mesh.h>
 
@@ -17,7 +19,9 @@ struct StrandSet {
   std::vector<glm::vec3> weights;                   ///< per drawn strand, sum 1
   float radius = strands::k_default_radius;         ///< of a drawn strand, metres: as wide as the fibres it stands for
   strands::Mesh head, scalp;                        ///< drawn; empty where the scene has none
-  std::vector<Sphere> colliders;                    ///< in the head's rest space
+  std::shared_ptr<const strands::Character> character;  ///< what the control hairs follow; null: the head
+  std::vector<strands::Root> control_roots;             ///< on the character's mesh, one per control hair
+  std::vector<Sphere> colliders;                        ///< in the head's rest space
   glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots
   std::vector<std::string> notes;  ///< what was guessed, one sentence each
 };

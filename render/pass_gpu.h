@@ -26,6 +26,8 @@ struct FrameResources {
   const strands::Mesh* head = nullptr;    ///< rest pose
   const strands::Mesh* scalp = nullptr;   ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
+  /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
+  const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
   const gpu::Texture *color = nullptr,
                      *depth = nullptr;     ///< targets, at supersampled size, samples as the device offers
   const gpu::Texture* resolved = nullptr;  ///< single-sample, supersampled size

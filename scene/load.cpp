@@ -1,4 +1,5 @@
 // Reads a checked scene file into a Scene. What `check` has refused cannot appear here.
+#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
@@ -35,10 +36,19 @@ struct Reader {
     const auto found = value.find(key);
     return {found == value.end() ? empty : *found, where, folder};
   }
+  /// A name whose leading ${VARIABLE} is replaced by the environment variable of that name.
+  Result<std::string> expanded(const std::string& name, std::string_view path) const {
+    const std::size_t end = name.find('}');
+    if (!name.starts_with("${") || end == std::string::npos) return name;
+    const std::string variable = name.substr(2, end - 2);
+    if (const char* value = std::getenv(variable.c_str())) return value + name.substr(end + 1);
+    return bad_input(fmt::format("{}: {}: the environment variable {} is not set", where, path, variable));
+  }
   /// The absolute name of a file that exists; empty when the key is absent.
   Result<std::string> file(const char* key, std::string_view path) const {
     if (!has(key)) return std::string();
-    const std::filesystem::path name = std::filesystem::path(folder) / value[key].get<std::string>();
+    CUTICLE_ASSIGN(const std::string given, expanded(value[key].get<std::string>(), path));
+    const std::filesystem::path name = std::filesystem::path(folder) / given;
     std::error_code code;
     if (std::filesystem::is_regular_file(name, code)) return name.lexically_normal().string();
     return bad_input(fmt::format("{}: {}: no file '{}'", where, path, name.lexically_normal().string()),
@@ -101,6 +111,39 @@ Result<void> read_motion(const Reader& root, Scene& scene) {
   reader.get("start_time_s", motion.start_time);
   reader.get("amplitude", motion.amplitude);
   scene.motion = motion;
+  return {};
+}
+
+/// What a character takes the place of, or cannot have yet.
+Result<void> check_character(const Reader& root) {
+  for (const char* key : {"motion", "simulation", "colliders"})
+    if (root.has(key))
+      return bad_input(fmt::format("{}: a scene with 'character' has no '{}'", root.where, key),
+                       "hair follows the character's skin; leave one of them out");
+  if (root.child("head").has("mesh"))
+    return bad_input(fmt::format("{}: a scene with 'character' has no 'head.mesh'", root.where),
+                     "leave one of them out");
+  return {};
+}
+
+Result<void> read_character(const Reader& root, Scene& scene) {
+  if (!root.has("character")) return {};
+  CUTICLE_TRY(check_character(root));
+  const Reader reader = root.child("character");
+  CharacterSource character;
+  CUTICLE_ASSIGN(character.file, reader.file("file", "character.file"));
+  reader.get("clip", character.clip);
+  reader.get("start_time_s", character.start_time);
+  std::string skinning = "dual_quaternion";
+  reader.get("skinning", skinning);
+  character.dual_quaternions = skinning == "dual_quaternion";
+  CUTICLE_ASSIGN(const std::string convention, reader.file("convention", "character.convention"));
+  if (!convention.empty()) {
+    CUTICLE_ASSIGN(character.convention, strands::read_convention(convention));
+  }
+  scene.character = std::move(character);
+  scene.head.present = true;
+  root.child("head").get("present", scene.head.present);
   return {};
 }
 
@@ -205,6 +248,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   CUTICLE_TRY(read_groom(root.child("groom"), scene));
   CUTICLE_TRY(read_head(root, scene));
   CUTICLE_TRY(read_motion(root, scene));
+  CUTICLE_TRY(read_character(root, scene));
   read_material(root.child("material"), catalogue, scene);
   read_simulation(root, catalogue, scene);
   read_colliders(root.child("colliders"), scene);

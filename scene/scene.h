@@ -8,6 +8,7 @@
 
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/view.h>
+#include <cuticle/strands/character/convention.h>
 #include <cuticle/strands/growing/growing.h>
 
 namespace cuticle::scene {
@@ -43,6 +44,13 @@ struct MotionSource {
   double start_time = 0;  ///< seconds into the clip
   double amplitude = 1;   ///< rotation scaled about the first frame
 };
+struct CharacterSource {
+  std::string file;  ///< glTF 2.0, absolute path
+  std::string clip;  ///< repeats; empty: the character rests
+  bool dual_quaternions = true;
+  double start_time = 0;           ///< seconds into the clip
+  strands::Convention convention;  ///< of the file
+};
 struct MaterialSource {
   Block model;  ///< bsdf model with its parameters
   std::string layout = "nalu";
@@ -69,6 +77,7 @@ struct Scene {
   GroomSource groom;
   HeadSource head;
   std::optional<MotionSource> motion;
+  std::optional<CharacterSource> character;  ///< what hair grows on instead of a head; moves by itself
   MaterialSource material;
   SimulationSource simulation;
   std::vector<Sphere> colliders;  ///< in the head's rest space; "head": true in the file adds the head's own spheres

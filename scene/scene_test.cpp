@@ -143,6 +143,19 @@ TEST(Scene, MissingFile_IsNamedWithItsKey) {
   expect_refused(R"("motion": {"bvh": "gone.bvh"})", {"motion.bvh", "/gone.bvh"});
 }
 
+TEST(Scene, VariableInAFileName_IsReplacedOrNamed) {
+  expect_refused(R"("character": {"file": "${CUTICLE_NOT_SET}/a.glb"})",
+                 {"character.file", "CUTICLE_NOT_SET is not set"});
+  setenv("CUTICLE_SCENE_TEST", "/nowhere", 1);
+  expect_refused(R"("character": {"file": "${CUTICLE_SCENE_TEST}/a.glb"})", {"no file '/nowhere/a.glb'"});
+}
+
+TEST(Scene, CharacterBesideWhatItReplaces_IsRefused) {
+  expect_refused(R"("character": {"file": "a.glb"}, "simulation": {"solver": {"classic": {}}})",
+                 {"character", "simulation"});
+  expect_refused(R"("character": {"file": "a.glb", "skinning": "cubic"})", {"character.skinning", "dual_quaternion"});
+}
+
 TEST(Scene, NotJson_NamesTheByte) {
   const auto scene = parse_scene(R"({"schema_version": 1,)", "/", "s.json", catalogue());
   ASSERT_FALSE(scene);

@@ -84,6 +84,16 @@ Spec motion() {
                  real("amplitude", 0, 10, "factor on the rotation away from frame 0")});
 }
 
+Spec character() {
+  Spec skinning = text("skinning", "how joints move the mesh; dual_quaternion unless given");
+  skinning.choices = {"linear_blend", "dual_quaternion"};
+  return object(
+      "character", "a skinned growth mesh instead of a head; hair grows on all of it, or a groom file is bound to it",
+      {required(file("file", "glTF 2.0: .glb or .gltf")), text("clip", "animation that repeats; absent: at rest"),
+       std::move(skinning), real("start_time_s", 0, 1e6, "time in the clip of frame 0"),
+       file("convention", "JSON: metres_per_unit, up, forward; absent: guessed unit, +y up, facing +z")});
+}
+
 Spec material(const Catalogue& catalogue) {
   Spec layout = text("layout", "layout of the lookup tables");
   for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
@@ -142,8 +152,8 @@ Spec specification(const Catalogue& catalogue) {
   return object(
       "", "A scene of Cuticle.",
       {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(),
-       motion(), material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue), camera(),
-       integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
+       motion(), character(), material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue),
+       camera(), integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
        integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
        real("fibre_count", 1, 1e9,
             "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),

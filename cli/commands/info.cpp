@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <cuticle/cli/command.h>
+#include <cuticle/cli/character_info.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/statistics.h>
 
@@ -87,14 +87,22 @@ int show_info(const std::string& path, const strands::ReadOptions& options, bool
 
 void add_info(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("info", "what a groom file holds: strands, lengths, spacing, units, degenerate strands");
+      app.add_subcommand("info", "what a groom or character file holds: strands, lengths, spacing, units; joints, clips, weights; what is amiss");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
-  command->add_option("file", *path, "groom: .hair or .tfx")->required();
+  command->add_option("file", *path, "groom: .hair or .tfx; character: .glb or .gltf")->required();
   command->add_option("--metres-per-unit", options->metres_per_unit, "scale of the file; 0 = guess");
   command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own");
-  command->callback([&context, path, options] {
-    context.action = [&context, path, options] { return show_info(*path, *options, context.json); };
+  auto character = std::make_shared<CharacterInfoRequest>();
+  command->add_option("--convention", character->convention, "JSON: a character's metres_per_unit, up, forward, bones by hand");
+  command->add_option("--skeleton", character->skeleton, "BVH whose bones are mapped onto the character's");
+  command->callback([&context, path, options, character] {
+    context.action = [&context, path, options, character] {
+      if (!is_character_file(*path)) return show_info(*path, *options, context.json);
+      character->file = *path;
+      character->metres_per_unit = options->metres_per_unit;
+      return show_character(*character, context.json);
+    };
   });
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/strands/motion/names.h>
 
 namespace cuticle::strands {
 
@@ -16,13 +17,6 @@ constexpr std::array<std::string_view, 6> k_channels = {"Xposition", "Yposition"
                                                         "Xrotation", "Yrotation", "Zrotation"};
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::tolower(static_cast<unsigned char>(a[i])) != std::tolower(static_cast<unsigned char>(b[i]))) return false;
-  return true;
-}
 
 class BvhParser {
  public:

@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <cuticle/strands/detail/groups_gpu.h>
+
 #include <interpolate_comp.spv.h>
 #include <smooth_comp.spv.h>
 
 namespace cuticle::strands {
 namespace {
 
-constexpr std::uint32_t k_threads = 64;  // of a workgroup, in both kernels
 constexpr float k_tip_radius = 0.5f;     // of the root's
 
 struct SmoothConstants {
@@ -20,17 +21,6 @@ struct InterpolateConstants {
   std::uint32_t strands, vertices;
   float radius, tip_radius;
 };
-
-// Workgroups for so many threads; past what Vulkan promises on one axis (65,535) spread over two.
-struct Groups {
-  std::uint32_t x = 0, y = 1;
-};
-Groups groups_for(std::size_t threads) {
-  constexpr std::size_t k_row = 32768;
-  const std::size_t count = (threads + k_threads - 1) / k_threads;
-  if (count <= k_row) return {std::uint32_t(count), 1};
-  return {std::uint32_t(k_row), std::uint32_t((count + k_row - 1) / k_row)};
-}
 
 Error bad_strand(std::size_t strand, std::string_view what) {
   return bad_input(fmt::format("drawn strand {}: {}", strand, what));

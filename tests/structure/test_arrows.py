@@ -7,7 +7,7 @@ from repository import ARROWS, BUILD, EXTRA, LEAVES, ROOT, WITH_GPU_HALF, closur
 
 HEAVY = {
     r"embree3/|embree4/": "strands/rays/", r"OpenImageIO/|OpenEXR/|Imath/": "core/image/", r"ceres/|openssl/": "lut/",
-    r"vtk\w+\.h": "viz/", r"vulkan/|volk\.h": "gpu/",
+    r"vtk\w+\.h": "viz/", r"vulkan/|volk\.h": "gpu/", r"tiny_gltf\.h": "strands/character/",
 }
 
 
@@ -66,7 +66,7 @@ def test_HeavyPackage_AppearsInOnePlaceOnly(pattern, home):
 
 
 def test_PublicHeaders_HoldNoHeavyType():
-    heavy = r'#\s*include\s*[<"](embree\d?/|OpenImageIO/|OpenEXR/|Imath/|ceres/|vtk\w+|vulkan/|volk|nlohmann/)'
+    heavy = r'#\s*include\s*[<"](embree\d?/|OpenImageIO/|OpenEXR/|Imath/|ceres/|vtk\w+|vulkan/|volk|nlohmann/|tiny_gltf)'
     wrong = [p for p in code_files() if p.endswith(".h") and "/detail/" not in p and module_of(p) in ARROWS
              and re.search(heavy, (ROOT / p).read_text())]
     assert wrong == []

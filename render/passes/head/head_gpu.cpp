@@ -68,8 +68,11 @@ class Head : public GpuPass {
     const glm::mat4 rest_to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) *
                                  resources.head_transform);
     begin_target(commands, resources);
-    commands.draw(pipeline_, {&geometry_.positions, &geometry_.normals, &geometry_.indices, &frame_}, {},
-                  gpu::bytes_of(rest_to_clip), geometry_.index_count);
+    const bool deforms = resources.head_positions != nullptr;
+    commands.draw(pipeline_,
+                  {deforms ? resources.head_positions : &geometry_.positions,
+                   deforms ? resources.head_normals : &geometry_.normals, &geometry_.indices, &frame_},
+                  {}, gpu::bytes_of(rest_to_clip), geometry_.index_count);
     commands.end_rendering();
     return {};
   }

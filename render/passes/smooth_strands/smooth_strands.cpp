@@ -6,6 +6,7 @@ namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color"};
 constexpr std::string_view k_systems[] = {"N4"};
+constexpr std::string_view k_after[] = {"carry"};
 
 std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
 
@@ -19,7 +20,8 @@ const Pass& entry() {
                           .demands = k_demands,
                           .stage = registry::Stage::generate,
                           .systems = k_systems,
-                          .dispatches = dispatches}};
+                          .dispatches = dispatches,
+                          .after = k_after}};
   return pass;
 }
 

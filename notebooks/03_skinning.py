@@ -1,0 +1,67 @@
+# ---
+# jupyter:
+#   jupytext:
+#     formats: py:percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # What a twist does to skin, and to the hair on it
+#
+# Linear blend skinning mixes matrices. Half way between a joint and one that is turned by an angle a about the limb, the mixed matrix is no
+# rotation: it shrinks the limb to |1 - t + t exp(ia)| of its radius, to a line at half a turn. Dual quaternions mix rigid motions, and keep
+# it round. Roots of hair on the limb go where the skin goes.
+#
+# The numbers come from `cuticle study skinning`, run here unless CUTICLE_SKINNING names a folder that holds its files.
+
+# %%
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+
+import matplotlib.pyplot as pyplot
+
+figures = pathlib.Path(os.environ.get("CUTICLE_FIGURES", "figures"))
+figures.mkdir(parents=True, exist_ok=True)
+folder = os.environ.get("CUTICLE_SKINNING")
+if not folder:
+    folder = tempfile.mkdtemp()
+    subprocess.run([os.environ.get("CUTICLE_PROGRAM", "cuticle"), "study", "skinning", "--out", folder], check=True, stdout=subprocess.DEVNULL)
+
+
+def table(name):
+    with open(pathlib.Path(folder) / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+rows, sections = table("study.csv"), table("sections.csv")
+kept = {method: [(float(r["angle_deg"]), float(r["volume_kept"]), float(r["volume_analytic"])) for r in rows if r["method"] == method]
+        for method in ("linear_blend", "dual_quaternion")}
+print({method: f"{curve[-1][1]:.5f} of the volume kept at half a turn" for method, curve in kept.items()})
+
+# %%
+figure, (volume, radius) = pyplot.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
+for (method, curve), marker in zip(kept.items(), "os"):
+    (line,) = volume.plot([p[0] for p in curve], [p[1] for p in curve], marker, fillstyle="none", label=method.replace("_", " "))
+    volume.plot([p[0] for p in curve], [p[2] for p in curve], "-", color=line.get_color(), linewidth=1, label="analytic")
+volume.set(xlabel="twist, degrees", ylabel="volume over that at rest", ylim=(0, 1.08), xticks=range(0, 181, 30))
+place = [float(s["place"]) for s in sections]
+for key, style in (("linear_blend", "-"), ("dual_quaternion", "-"), ("linear_analytic", "k:")):
+    radius.plot(place, [float(s[key]) for s in sections], style, label=key.replace("_", " "))
+radius.set(xlabel="place along the tube", ylabel="radius over that at rest", ylim=(0, 1.08), title="half a turn")
+for axes in (volume, radius):
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+figure.savefig(figures / "skinning.png", dpi=130)
+
+# %% [markdown]
+# ## What must hold
+
+# %%
+assert all(abs(p[1] - p[2]) < 1e-4 for curve in kept.values() for p in curve)
+assert abs(kept["linear_blend"][-1][1] - 1 / 3) < 1e-4

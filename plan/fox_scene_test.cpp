@@ -1,0 +1,84 @@
+// scenes/fox.json with Fox.glb of CUTICLE_TEST_DATA: over the Run clip the drawn fur begins on the skin, and the passes
+// are those of the plan.
+#include <cuticle/plan/frame_runner_gpu.h>
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include <cuticle/plan/strand_set.h>
+#include <cuticle/strands/binding/nearest_triangle.h>
+#include <cuticle/strands/statistics.h>
+
+namespace cuticle::plan {
+namespace {
+
+scene::Scene small_fox(bool dual_quaternions) {
+  auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/fox.json", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  scene->strand_count = 1500;
+  scene->material.lut_size = 16;
+  scene->camera.camera.resolution = {64, 48};
+  scene->character->dual_quaternions = dual_quaternions;
+  return std::move(*scene);
+}
+
+/// The skin of a frame, by the CPU.
+strands::Mesh skin_at(const strands::Character& character, const scene::Scene& scene, int frame) {
+  const int clip = strands::find_clip(character, scene.character->clip).value();
+  const double time = strands::looped(character.clips[std::size_t(clip)], frame / scene.frames_per_second);
+  strands::Mesh moved = character.mesh;
+  strands::skin(
+      character.mesh, character.influences, strands::joint_motions(strands::joint_matrices(character, clip, time)),
+      scene.character->dual_quaternions ? strands::Skinning::dual_quaternion : strands::Skinning::linear_blend, moved);
+  return moved;
+}
+
+class FoxScene : public testing::TestWithParam<bool> {};
+
+TEST_P(FoxScene, RootsOfDrawnFur_NeverLeaveTheSkin) {
+  const scene::Scene scene = small_fox(GetParam());
+  auto device = gpu::Device::open({.choice = "cpu", .validation = true});
+  ASSERT_TRUE(device);
+  auto runner = FrameRunner::create(*device, scene, silent_progress());
+  ASSERT_TRUE(runner) << runner.error().message;
+  const auto set = build_strand_set(scene);
+  ASSERT_TRUE(set);
+  double largest = 0;
+  for (int frame = 0; frame < 35; ++frame) {
+    const auto drawn = (*runner)->run(frame);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    const auto fur = (*runner)->drawn_strands();
+    ASSERT_TRUE(fur);
+    const strands::Mesh skin = skin_at(*set->character, scene, frame);
+    const strands::NearestTriangle nearest(skin);
+    strands::Groom points;
+    points.positions = skin.positions;
+    const strands::Bounds bounds = strands::bounds(points);
+    const double diagonal = double(glm::distance(bounds.lower, bounds.upper));
+    for (std::size_t s = 0; s < fur->strand_count(); ++s)
+      largest = std::max(largest, nearest.at(glm::dvec3(fur->strand(s)[0])).distance / diagonal);
+  }
+  EXPECT_LT(largest, 1e-6);
+}
+INSTANTIATE_TEST_SUITE_P(Methods, FoxScene, testing::Bool());
+
+TEST(FoxScene, PassesOfAFrame_AreThoseOfThePlan) {
+  auto device = gpu::Device::open({.choice = "cpu", .validation = true});
+  ASSERT_TRUE(device);
+  auto runner = FrameRunner::create(*device, small_fox(true), silent_progress());
+  ASSERT_TRUE(runner) << runner.error().message;
+  const auto drawn = (*runner)->run(7);
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  for (const char* name : {"skin", "carry", "smooth_strands", "interpolate_strands", "head", "lines"}) {
+    const PlannedPass* planned = find_pass((*runner)->plan(), name);
+    const auto ran = std::ranges::find(drawn->cost.passes, name, &gpu::PassCost::name);
+    ASSERT_TRUE(planned && ran != drawn->cost.passes.end()) << name;
+    EXPECT_EQ(ran->dispatches + ran->draws, planned->dispatches + planned->draws) << name;
+  }
+  EXPECT_EQ(find_pass((*runner)->plan(), "classic"), nullptr);
+}
+
+}  // namespace
+}  // namespace cuticle::plan
