@@ -60,7 +60,7 @@ TEST_P(BadScene, OfAnyKind_IsRefusedBySchemaAndLoader) {
 INSTANTIATE_TEST_SUITE_P(
     SceneSchema, BadScene,
     testing::Values("{}", R"({"schema_version": 2})", R"({"schema_version": 1, "lihgts": []})",
-                    R"({"schema_version": 1, "strand_vertices": 65})", R"({"schema_version": 1, "strand_count": 1.5})",
+                    R"({"schema_version": 1, "strand_vertices": 257})", R"({"schema_version": 1, "strand_count": 1.5})",
                     R"({"schema_version": 1, "camera": {"position_m": [0, 0]}})",
                     R"({"schema_version": 1, "shadow": {"method": {}}})",
                     R"({"schema_version": 1, "shadow": {"method": {"opacity_map": {"slices": 1}}}})",

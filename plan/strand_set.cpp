@@ -11,7 +11,7 @@
 #include <cuticle/sim/solver.h>
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/growing/growing.h>
+#include <cuticle/strands/growing/grow.h>
 
 namespace cuticle::plan {
 
@@ -24,6 +24,30 @@ std::vector<glm::vec3> roots_of(const strands::Groom& groom) {
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     if (groom.strand_size(s) > 0) roots.push_back(groom.strand(s)[0]);
   return roots;
+}
+
+/// What every strand's own hair is: itself.
+void draw_each_strand(StrandSet& set) {
+  for (const strands::Root& root : strands::identity_roots(set.control.strand_count())) {
+    set.hairs.push_back({root.triangle, root.triangle, root.triangle});
+    set.weights.push_back(root.weights);
+  }
+}
+
+void take_head(const scene::Scene& scene, strands::Head head, StrandSet& set) {
+  if (!set.character) set.scalp = std::move(head.scalp);
+  if (scene.head.present) set.head = std::move(head.mesh);
+  if (scene.head_colliders) set.colliders = std::move(head.colliders);
+}
+
+Result<void> grow_specified(const scene::Scene& scene, StrandSet& set) {
+  if (scene.character)
+    return bad_input("groom.specification: hair is grown on the procedural head only", "leave character out");
+  CUTICLE_ASSIGN(strands::Grown grown, strands::grow(*scene.groom.specification));
+  set.control = std::move(grown.drawn);
+  draw_each_strand(set);
+  take_head(scene, std::move(grown.head), set);
+  return {};
 }
 
 /// What hair grows on: the procedural head, or all of a character's skin.
@@ -51,15 +75,14 @@ Result<void> bind_to_character(StrandSet& set) {
 Result<void> grow(const scene::Scene& scene, StrandSet& set) {
   if (!scene.head.mesh.empty())
     return bad_input("head.mesh: hair is grown on the procedural head only", "give groom.file, or leave head.mesh out");
+  if (scene.groom.specification) return grow_specified(scene, set);
   CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
   CUTICLE_ASSIGN(set.control, strands::plant_control_hairs(head, scene.groom.grow));
   for (const strands::Root& root : strands::scatter_roots(head.scalp, std::size_t(scene.strand_count), k_root_seed)) {
     set.hairs.push_back(head.scalp.triangles[root.triangle]);
     set.weights.push_back(root.weights);
   }
-  if (!set.character) set.scalp = std::move(head.scalp);
-  if (scene.head.present) set.head = std::move(head.mesh);
-  if (scene.head_colliders) set.colliders = std::move(head.colliders);
+  take_head(scene, std::move(head), set);
   return {};
 }
 
@@ -103,10 +126,7 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
                  strands::read_groom(scene.groom.file, {scene.groom.metres_per_unit, scene.groom.radius}));
   set.control = std::move(file.groom);
   set.notes = std::move(file.notes);
-  for (const strands::Root& root : strands::identity_roots(set.control.strand_count())) {
-    set.hairs.push_back({root.triangle, root.triangle, root.triangle});
-    set.weights.push_back(root.weights);
-  }
+  draw_each_strand(set);
   const std::vector<glm::vec3> roots = roots_of(set.control);
   if (roots.size() != set.control.strand_count())
     return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));

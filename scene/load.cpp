@@ -88,8 +88,13 @@ Result<void> read_groom(const Reader& reader, Scene& scene) {
   reader.get("metres_per_unit", scene.groom.metres_per_unit);
   reader.get("radius_m", scene.groom.radius);
   scene.groom.grow = values_of(strands::growing_parameters(), reader.child("grow").value);
-  if (!scene.groom.file.empty() && reader.has("grow"))
-    return bad_input(fmt::format("{}: groom has both 'file' and 'grow'", reader.where), "keep one of them");
+  CUTICLE_ASSIGN(const std::string specification, reader.file("specification", "groom.specification"));
+  if (int(reader.has("file")) + int(reader.has("grow")) + int(reader.has("specification")) > 1)
+    return bad_input(fmt::format("{}: groom has more than one of 'file', 'grow' and 'specification'", reader.where),
+                     "keep one of them");
+  if (specification.empty()) return {};
+  CUTICLE_ASSIGN(scene.groom.specification, strands::load_specification(specification));
+  scene.strand_vertices = int(scene.groom.specification->strands.integer("vertices"));
   return {};
 }
 

@@ -9,7 +9,7 @@
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/view.h>
 #include <cuticle/strands/character/convention.h>
-#include <cuticle/strands/growing/growing.h>
+#include <cuticle/strands/growing/specification.h>
 
 namespace cuticle::scene {
 
@@ -32,6 +32,7 @@ struct GroomSource {
   double metres_per_unit = 0;      ///< 0 = guess, and say so
   double radius = 0;               ///< metres; 0 = the file's own, or strands::k_default_radius
   registry::ParameterValues grow;  ///< of strands::growing_parameters()
+  std::optional<strands::GroomingSpecification> specification;  ///< present: its strands are the hair, all of them
 };
 struct HeadSource {
   bool present = true;  ///< false: bare strands
@@ -87,7 +88,7 @@ struct Scene {
   double fibre_alpha = 0.4;     ///< opacity of one crossing
   CameraPath camera;
   double frames_per_second = 30;
-  int strand_vertices = 30;     ///< per drawn strand, 2 .. 64
+  int strand_vertices = 30;     ///< per drawn strand, 2 .. strands::k_most_vertices
   int strand_count = 4095;      ///< drawn strands
   double fibre_count = 100000;  ///< fibres that the drawn strands stand for; they are as wide as these together
   Outputs outputs;

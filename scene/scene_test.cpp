@@ -108,7 +108,7 @@ TEST(Scene, BlockWithoutOrWithTwoNames_IsRefused) {
 }
 
 TEST(Scene, NumberOutOfRange_NamesKeyValueAndRange) {
-  expect_refused(R"("strand_vertices": 1000)", {"strand_vertices", "1000", "2 .. 64"});
+  expect_refused(R"("strand_vertices": 1000)", {"strand_vertices", "1000", "2 .. 256"});
   expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, -2, 1]}])",
                  {"lights[0].irradiance[1]", "-2", "0 .. "});
 }

@@ -1,5 +1,7 @@
 #include <cuticle/scene/specification.h>
 
+#include <cuticle/strands/spline/smooth.h>
+
 namespace cuticle::scene {
 
 namespace {
@@ -68,7 +70,8 @@ Spec groom() {
   return object(
       "groom", "the hair: a file, or grown on the head",
       {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
-       real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow)});
+       real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow),
+       file("specification", "grooming specification (docs/grooming.schema.json) whose strands are the hair")});
 }
 
 Spec head() {
@@ -153,8 +156,10 @@ Spec specification(const Catalogue& catalogue) {
       "", "A scene of Cuticle.",
       {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(),
        motion(), character(), material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue),
-       camera(), integer("strand_count", 1, 10000000, "drawn strands; a file's own strands are all drawn"),
-       integer("strand_vertices", 2, 64, "vertices of each drawn strand"),
+       camera(),
+       integer("strand_count", 1, 10000000, "drawn strands; those of a file or a grooming specification are all drawn"),
+       integer("strand_vertices", 2, strands::k_most_vertices,
+               "vertices of each drawn strand; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
             "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
        real("frames_per_second", 1, 1000, "frame rate"), outputs(),

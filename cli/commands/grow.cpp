@@ -1,82 +1,147 @@
-#include <numeric>
+#include <filesystem>
 
 #include <fmt/core.h>
 
 #include <cuticle/cli/command.h>
+#include <cuticle/cli/preset_sheet.h>
 #include <cuticle/core/file.h>
 #include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/spline/smooth.h>
+#include <cuticle/strands/growing/grow.h>
 
 namespace cuticle::cli {
 
 namespace {
 
 struct Request {
-  std::string specification, settings, output;
-  int scalp_vertices = 300, strands = 4095, vertices = 30;
-  std::uint64_t seed = 1;
+  std::vector<std::string> specifications;
+  std::string settings, strand_settings, output, sheet;
+  double share = -1;
+  bool control = false, schema = false;
+  int compared_roots = 0;
 };
 
-Result<registry::ParameterValues> values_of(const Request& request) {
-  const auto table = strands::growing_parameters();
-  if (request.specification.empty()) return registry::parse_assignments(table, request.settings);
-  CUTICLE_ASSIGN(const std::string text, read_text_file(request.specification));
-  return registry::values_from_json(table, text, request.specification);
+Result<strands::GroomingSpecification> specification_of(const Request& request, const std::string& file) {
+  auto specification = strands::default_specification();
+  if (!file.empty()) {
+    CUTICLE_ASSIGN(specification, strands::load_specification(file));
+  } else {
+    CUTICLE_ASSIGN(specification.growing, registry::parse_assignments(strands::growing_parameters(), request.settings));
+    CUTICLE_ASSIGN(specification.strands,
+                   registry::parse_assignments(strands::strand_parameters(), request.strand_settings));
+  }
+  if (request.share >= 0) specification.strands.set("share", request.share);
+  return specification;
 }
 
-/// The drawn strands: control hairs planted, smoothed and interpolated.
-Result<strands::Groom> grow(const Request& request) {
-  CUTICLE_ASSIGN(const registry::ParameterValues values, values_of(request));
-  const strands::Head head = strands::make_head(request.scalp_vertices);
-  CUTICLE_ASSIGN(const strands::Groom control, strands::plant_control_hairs(head, values));
-  if (request.strands == 0) return control;
-  std::vector<std::uint32_t> hairs(head.scalp.positions.size());
-  std::iota(hairs.begin(), hairs.end(), 0u);
-  const auto roots = strands::scatter_roots(head.scalp, std::size_t(request.strands), request.seed);
-  return strands::interpolate(strands::smooth(control, request.vertices), head.scalp, roots, hairs);
+void tell(const std::string& what, const strands::GrowthReport& report, Progress& progress) {
+  progress.message(fmt::format(
+      "{}: curve at most {:.2g} mm, on average {:.2g} mm from the control polyline; {} vertices moved out of the head",
+      what, 1e3 * report.deviation.largest, 1e3 * report.deviation.mean, report.moved_out));
+  const strands::RootReport& roots = report.roots;
+  if (roots.degenerate_triangles + roots.bare_triangles + roots.bad_densities > 0)
+    progress.message(fmt::format("{}: {} degenerate and {} bare triangles, {} densities taken as 0", what,
+                                 roots.degenerate_triangles, roots.bare_triangles, roots.bad_densities));
 }
 
-/// The growing parameters, one line each.
-std::string parameters_help() {
-  std::string text = "growing parameters (name, default, range, unit):\n";
-  for (const registry::Parameter& parameter : strands::growing_parameters())
-    text += fmt::format("  {:<18}{:<8}{} .. {}{}  {}\n", parameter.name, parameter.default_text, parameter.minimum,
-                        parameter.maximum, parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit),
-                        parameter.summary);
+Result<void> write_grown(const Request& request, const std::string& file, const std::string& output,
+                         Progress& progress) {
+  CUTICLE_ASSIGN(const auto specification, specification_of(request, file));
+  CUTICLE_ASSIGN(const strands::Grown grown, strands::grow(specification));
+  tell(output, grown.report, progress);
+  const strands::Groom& groom = request.control ? grown.control : grown.drawn;
+  CUTICLE_ASSIGN(const std::vector<std::string> lost, strands::write_groom(output, groom));
+  for (const std::string& note : lost) progress.message(output + ": " + note);
+  progress.message(
+      fmt::format("{}: {} strands, {} vertices written", output, groom.strand_count(), groom.vertex_count()));
+  return {};
+}
+
+/// One specification goes to the file named, several to a folder, each under its own name.
+Result<void> write_all(const Request& request, Progress& progress) {
+  if (request.specifications.size() < 2)
+    return write_grown(request, request.specifications.empty() ? "" : request.specifications[0], request.output,
+                       progress);
+  CUTICLE_TRY(make_folder(request.output));
+  for (const std::string& file : request.specifications) {
+    const std::string name = std::filesystem::path(file).stem().string();
+    CUTICLE_TRY(write_grown(request, file, fmt::format("{}/{}.hair", request.output, name), progress));
+  }
+  return {};
+}
+
+/// How even each rule lays roots in a triangle, as CSV.
+int compare_roots(int count) {
+  const strands::Mesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}};
+  fmt::print("rule,roots,chi_square_of_64_cells,discrepancy\n");
+  for (std::size_t rule = 0; rule < std::size(strands::k_root_rules); ++rule) {
+    const auto placed = strands::place_roots(triangle, {.density = 2.0 * count, .rule = strands::RootRule(rule)});
+    if (!placed) return report(placed.error());
+    const strands::Evenness even = strands::evenness(placed->roots);
+    fmt::print("{},{},{:.2f},{:.6f}\n", strands::k_root_rules[rule], placed->roots.size(), even.chi_square,
+               even.discrepancy);
+  }
+  return Exit::ok;
+}
+
+int run(const Request& request, Context& context) {
+  if (request.schema) {
+    fmt::print("{}", strands::specification_schema());
+    return Exit::ok;
+  }
+  if (request.compared_roots > 0) return compare_roots(request.compared_roots);
+  if (!request.output.empty())
+    if (const auto written = write_all(request, *context.progress); !written) return report(written.error());
+  if (request.sheet.empty()) return Exit::ok;
+  const auto drawn = draw_preset_sheet(request.specifications, request.sheet, context);
+  return drawn ? int(Exit::ok) : report(drawn.error());
+}
+
+std::string table_help(const char* title, registry::ParameterTable table) {
+  std::string text = fmt::format("{} (name, default, range, unit):\n", title);
+  for (const registry::Parameter& parameter : table) {
+    const bool is_choice = parameter.type == registry::ParameterType::choice;
+    text += fmt::format("  {:<18}{:<8}{}{}  {}\n", parameter.name, parameter.default_text,
+                        is_choice ? std::string() : fmt::format("{} .. {}", parameter.minimum, parameter.maximum),
+                        parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit), parameter.summary);
+  }
   return text;
 }
 
-int run(const Request& request, Progress& progress) {
-  const auto groom = grow(request);
-  if (!groom) return report(groom.error());
-  const auto lost = strands::write_groom(request.output, *groom);
-  if (!lost) return report(lost.error());
-  for (const std::string& note : *lost) progress.message(request.output + ": " + note);
-  progress.message(
-      fmt::format("{}: {} strands, {} vertices written", request.output, groom->strand_count(), groom->vertex_count()));
-  return Exit::ok;
+std::string parameters_help() {
+  std::string text = table_help("growing: --set", strands::growing_parameters()) +
+                     table_help("strands: --strands", strands::strand_parameters()) +
+                     table_help("regions", strands::region_parameters()) +
+                     table_help("strokes", strands::stroke_parameters()) + table_help("bun", strands::bun_parameters());
+  for (const strands::Shaping* shaping : strands::shapings())
+    text += table_help(fmt::format("shaping.{}", shaping->entry.name).c_str(), shaping->entry.parameters);
+  return text;
 }
 
 }  // namespace
 
 void add_grow(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("grow", "hair on the procedural head, written as a groom in metres");
-  command->footer(parameters_help());
+  auto* command = app.add_subcommand("grow", "hair on the procedural head, written as a groom in metres or drawn");
+  command->footer(parameters_help);
   auto request = std::make_shared<Request>();
-  auto* specification =
-      command->add_option("specification", request->specification, "JSON object of growing parameters");
+  auto* specification = command->add_option("specification", request->specifications,
+                                            "grooming specifications (JSON); none: the defaults");
   command->add_option("--set", request->settings, "growing parameters as name=value,name=value")
       ->excludes(specification);
-  command->add_option("--out", request->output, "groom to write: .hair or .tfx")->required();
-  command->add_option("--scalp-vertices", request->scalp_vertices, "control hairs, about")
-      ->check(CLI::Range(8, 100000));
-  command->add_option("--strands", request->strands, "strands to write; 0 = the control hairs themselves")
-      ->check(CLI::Range(0, 10000000));
-  command->add_option("--vertices", request->vertices, "vertices per strand")->check(CLI::Range(2, 64));
-  command->add_option("--root-seed", request->seed, "seed of the places of the roots");
-  command->callback(
-      [&context, request] { context.action = [&context, request] { return run(*request, *context.progress); }; });
+  command->add_option("--strands", request->strand_settings, "strand parameters as name=value,name=value")
+      ->excludes(specification);
+  command->add_option("--share", request->share, "level of detail: share of the strands")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--out", request->output, "groom to write (.hair, .tfx); of several specifications: folder");
+  command->add_flag("--control", request->control, "write the control hairs instead of the strands between them");
+  command->add_option("--sheet", request->sheet, "picture to write: each specification from the front and from behind")
+      ->needs(specification);
+  command->add_flag("--schema", request->schema, "print the JSON Schema of grooming specifications instead");
+  command->add_option("--compare-roots", request->compared_roots, "print how even N roots lie in a triangle, by rule")
+      ->check(CLI::Range(1, 10000000));
+  command->callback([&context, request] {
+    if (request->output.empty() && request->sheet.empty() && !request->schema && request->compared_roots == 0)
+      throw CLI::RequiredError("--out or --sheet");
+    context.action = [&context, request] { return run(*request, context); };
+  });
 }
 
 }  // namespace cuticle::cli

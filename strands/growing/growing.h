@@ -1,9 +1,12 @@
 #pragma once
-// From a scalp to hair: control hairs planted on the vertices along the normals, combed, then interpolated to drawn strands.
+// From a scalp to hair: control hairs planted on the vertices along the normals, combed, then interpolated to drawn
+// strands.
 #include <cuticle/core/registry/parameter.h>
 #include <cuticle/core/result.h>
 #include <cuticle/core/view.h>
 #include <cuticle/strands/groom.h>
+#include <cuticle/strands/growing/grooming.h>
+#include <cuticle/strands/growing/roots.h>
 #include <cuticle/strands/mesh.h>
 
 namespace cuticle::strands {
@@ -12,7 +15,7 @@ namespace cuticle::strands {
 struct Head {
   Mesh mesh;
   Mesh scalp;
-  std::vector<Sphere> colliders;   ///< spheres that approximate the head, for the simulator
+  std::vector<Sphere> colliders;  ///< spheres that approximate the head, for the simulator
 };
 /// The procedural head: about 0.23 m tall, facing +z, y up, neck joint at the origin, scalp of `scalp_vertices` about.
 Head make_head(int scalp_vertices = 300);
@@ -21,17 +24,9 @@ Head make_head(int scalp_vertices = 300);
 registry::ParameterTable growing_parameters();
 
 /// N1, N6: one control hair per scalp vertex, along its normal, segment lengths growing away from the head, then combed
-/// and kept outside the head's colliders.
-Result<Groom> plant_control_hairs(const Head& head, const registry::ParameterValues& growing);
-
-/// N5: for each drawn strand a scalp triangle (by area) and barycentric weights from two folded random numbers (Philox, seeded).
-struct Root {
-  std::uint32_t triangle = 0;
-  glm::vec3 weights{1, 0, 0};      ///< of the triangle's three control hairs; sum 1
-};
-std::vector<Root> scatter_roots(const Mesh& scalp, std::size_t count, std::uint64_t seed);
-
-/// For a groom of its own (a file): each strand is its own control hair; `triangle` is then the strand, the weights are 1, 0, 0.
-std::vector<Root> identity_roots(std::size_t strand_count);
+/// and kept outside the head's colliders. `grooming` adds regions, comb strokes and a bun. Error: bad_input where the
+/// head lacks vertices or normals.
+Result<Groom> plant_control_hairs(const Head& head, const registry::ParameterValues& growing,
+                                  const Grooming& grooming = {});
 
 }  // namespace cuticle::strands

@@ -120,7 +120,8 @@ Mesh make_scalp(std::uint32_t rings) {
 Head make_head(int scalp_vertices) {
   CUTICLE_EXPECT(scalp_vertices >= 8 && scalp_vertices <= 100000, "scalp vertices outside 8 .. 100000");
   Head head;
-  head.mesh = make_head_mesh();
+  static const Mesh mesh = make_head_mesh();  // always the same, and not cheap
+  head.mesh = mesh;
   head.scalp = make_scalp(ring_count_for(scalp_vertices));
   head.colliders = {{{0, 0.150, 0.008}, 0.069},    // front of the skull
                     {{0, 0.148, -0.032}, 0.070},   // back of the skull

@@ -1,16 +1,13 @@
 // N1, N6: a control hair on every scalp vertex, grown by small steps along the normal, then the combed flow over the
 // head.
-#include <cuticle/strands/growing/growing.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <cuticle/strands/growing/grower.h>
 #include <cuticle/strands/growing/random.h>
-#include <cuticle/strands/growing/surface.h>
 
 namespace cuticle::strands {
 
@@ -40,145 +37,20 @@ constexpr Parameter k_parameters[] = {
      "1",
      {},
      "How far hair near the head follows the comb; 0 leaves it on the normal"},
-    {"droop", ParameterType::real, "1", 0, 1, "1", {}, "How far hair bends to the ground; 0 leaves it stiff"},
+    {"droop",
+     ParameterType::real,
+     "1",
+     -1,
+     1,
+     "1",
+     {},
+     "How far hair bends to the ground; 0 leaves it stiff, below 0 it rises"},
+    {"cut_height", ParameterType::real, "m", -2, 2, "-2", {}, "Hair ends where it first falls below this height"},
     {"volume", ParameterType::real, "m", 0.005, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
     {"fringe", ParameterType::real, "1", 0.05, 1, "1", {}, "Length at the front hairline over length elsewhere"},
     {"clump", ParameterType::real, "1", 0, 1, "0.25", {}, "How far tips gather to those of chosen neighbours"},
     {"radius", ParameterType::real, "m", 5e-6, 1e-3, "3.5e-5", {}, "Fibre radius"},
     {"seed", ParameterType::integer, "1", 0, 4294967295.0, "1", {}, "Seed of all chance"},
-};
-
-/// The parameters as numbers.
-struct Style {
-  explicit Style(const registry::ParameterValues& values)
-      : vertices(int(values.integer("control_vertices"))),
-        length(values.real("length")),
-        variation(values.real("length_variation")),
-        growth(values.real("segment_growth")),
-        parting(values.real("parting")),
-        comb(values.real("comb")),
-        droop(values.real("droop")),
-        volume(values.real("volume")),
-        fringe(values.real("fringe")),
-        clump(values.real("clump")),
-        radius(values.real("radius")),
-        seed(std::uint64_t(values.integer("seed"))) {}
-  int vertices;
-  double length, variation, growth, parting, comb, droop, volume, fringe, clump, radius;
-  std::uint64_t seed;
-};
-
-/// Head coordinates: about the middle of the scalp, in units of its width (1 unit = 0.15 m on an adult head).
-struct HeadFrame {
-  glm::dvec3 center{0};
-  double unit = 1;
-  glm::dvec3 place(const glm::dvec3& point) const { return (point - center) / unit; }
-};
-HeadFrame head_frame(const Mesh& scalp) {
-  glm::dvec3 lower(scalp.positions.front()), upper = lower;
-  for (const glm::vec3& position : scalp.positions) {
-    lower = glm::min(lower, glm::dvec3(position));
-    upper = glm::max(upper, glm::dvec3(position));
-  }
-  HeadFrame frame;
-  frame.unit = std::max(upper.x - lower.x, 1e-6);
-  frame.center = {0.5 * (lower.x + upper.x), upper.y - 0.55 * frame.unit, 0.5 * (lower.z + upper.z)};
-  return frame;
-}
-
-/// +1 or -1 per scalp vertex: the side of the middle plane that its triangles lie on (both copies on the parting
-/// differ).
-std::vector<double> sides(const Mesh& scalp, const HeadFrame& frame) {
-  std::vector<double> sums(scalp.positions.size(), 0);
-  for (const auto& triangle : scalp.triangles) {
-    double middle = 0;
-    for (std::uint32_t corner : triangle) middle += frame.place(scalp.positions[corner]).x;
-    for (std::uint32_t corner : triangle) sums[corner] += middle;
-  }
-  for (double& side : sums) side = side < 0 ? -1 : 1;
-  return sums;
-}
-
-/// Where the comb pulls at a place of the head: apart and back on the top, down and back at the sides.
-glm::dvec3 comb_direction(const glm::dvec3& place, double side, double parting) {
-  const double top = glm::smoothstep(0.0, 0.42, place.y);
-  const double part = parting * glm::smoothstep(-0.3, 0.2, place.z);
-  const double back_at_side = 0.9 * glm::smoothstep(0.02, 0.45, place.z);
-  const glm::dvec3 over_top(side * part, -0.1, -0.35 - 0.9 * (1 - part));
-  const glm::dvec3 at_side(0, -1, -back_at_side);
-  return glm::mix(at_side, over_top, top);
-}
-
-class Grower {
- public:
-  Grower(const Head& head, const Style& style)
-      : head_(head),
-        style_(style),
-        frame_(head_frame(head.scalp)),
-        sides_(sides(head.scalp, frame_)),
-        surface_(head.mesh, 0.05 * frame_.unit / 0.15) {}
-
-  double length_of(std::size_t vertex) const {
-    const glm::dvec3 place = frame_.place(head_.scalp.positions[vertex]);
-    const double front = glm::smoothstep(0.3, 0.5, place.z);
-    const double chance = 1 - style_.variation * random_stream(style_.seed, Chance::length, vertex).next_unit();
-    return style_.length * chance * glm::mix(1.0, style_.fringe, front);
-  }
-
-  /// A fine path along which the control vertices are then placed; longer than the hair, since chords are shorter than
-  /// arcs.
-  std::vector<glm::dvec3> path(std::size_t vertex, double length) const {
-    constexpr int steps = 100;
-    const double step = 1.3 * length / steps;
-    glm::dvec3 point(head_.scalp.positions[vertex]), direction(head_.scalp.normals[vertex]);
-    std::vector<glm::dvec3> points{point};
-    for (int i = 0; i < steps; ++i) {
-      direction = turned(point, direction, sides_[vertex], i * step, step);
-      point = outside(point + direction * step, i * step);
-      points.push_back(point);
-    }
-    return points;
-  }
-
-  /// Moves a point out of the head and its colliders. `travelled`: arc length from the root, metres.
-  glm::dvec3 outside(glm::dvec3 point, double travelled) const {
-    const double clearance = std::min(k_clearance, 0.5 * travelled);
-    const SurfaceHit hit = surface_.at(point);
-    if (hit.distance < clearance) point += hit.normal * (clearance - hit.distance);
-    for (const Sphere& sphere : head_.colliders) {
-      const glm::dvec3 offset = point - sphere.center;
-      const double distance = glm::length(offset);
-      if (distance > 0 && distance < sphere.radius) point = sphere.center + offset * (sphere.radius / distance);
-    }
-    return point;
-  }
-
- private:
-  static constexpr double k_clearance = 0.003;  ///< metres
-  static constexpr double k_stiffness = 0.009;  ///< length over which hair turns to where it is pulled, metres
-
-  glm::dvec3 turned(const glm::dvec3& point, const glm::dvec3& direction, double side, double travelled,
-                    double step) const {
-    const SurfaceHit hit = surface_.at(point);
-    // Hair that has travelled far lies over hair that has not.
-    const double height = style_.volume * (0.5 + std::min(travelled / 0.15, 1.0));
-    // Under jaw, ears and neck hair hangs free.
-    const double near =
-        (1 - glm::smoothstep(0.012, 0.04, hit.distance - height)) * glm::smoothstep(-0.7, -0.3, hit.normal.y);
-    const auto along_head = [&](const glm::dvec3& v) { return v - near * hit.normal * glm::dot(v, hit.normal); };
-    const glm::dvec3 combed = near * along_head(comb_direction(frame_.place(point), side, style_.parting));
-    const glm::dvec3 lifted = near * hit.normal * glm::clamp((height - hit.distance) / 0.01, -0.7, 1.0);
-    const glm::dvec3 pull = style_.comb * (combed + lifted) + style_.droop * 0.8 * along_head(glm::dvec3(0, -1, 0));
-    const double turn = (1 - std::exp(-step / k_stiffness)) * std::min(glm::length(pull), 1.0);
-    const glm::dvec3 mixed = (1 - turn) * direction + turn * glm::normalize(pull + 1e-9 * direction);
-    return glm::length(mixed) > 1e-6 ? glm::normalize(mixed) : direction;
-  }
-
-  const Head& head_;
-  const Style& style_;
-  HeadFrame frame_;
-  std::vector<double> sides_;
-  NearestSurface surface_;
 };
 
 /// N6: lengths of the segments, each `growth` times the one before, summing to `length`.
@@ -270,16 +142,18 @@ Groom to_groom(const Hairs& hairs, const Mesh& scalp, double radius) {
 
 registry::ParameterTable growing_parameters() { return k_parameters; }
 
-Result<Groom> plant_control_hairs(const Head& head, const registry::ParameterValues& growing) {
+Result<Groom> plant_control_hairs(const Head& head, const registry::ParameterValues& growing,
+                                  const Grooming& grooming) {
   CUTICLE_TRY(check_head(head));
   const Style style(growing);
-  const Grower grower(head, style);
+  const Grower grower(head, style, grooming);
   Hairs hairs(head.scalp.positions.size());
   std::vector<std::vector<double>> lengths(hairs.size());
   for (std::size_t v = 0; v < hairs.size(); ++v) {
     const double length = grower.length_of(v);
-    lengths[v] = segment_lengths(length, style.vertices - 1, style.growth);
-    hairs[v] = place_vertices(grower.path(v, length), lengths[v]);
+    const std::vector<glm::dvec3> path = grower.path(v, length);
+    lengths[v] = segment_lengths(grower.length_on(path, length), style.vertices - 1, style.growth);
+    hairs[v] = place_vertices(path, lengths[v]);
   }
   hairs = clumped(hairs, style);
   for (std::size_t v = 0; v < hairs.size(); ++v) restore_lengths(hairs[v], lengths[v], grower);

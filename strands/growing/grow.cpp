@@ -1,0 +1,94 @@
+#include <cuticle/strands/growing/grow.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include <cuticle/strands/growing/head_shape.h>
+#include <cuticle/strands/growing/surface.h>
+#include <cuticle/strands/spline/bezier.glslh>
+#include <cuticle/strands/tangent.glslh>
+
+namespace cuticle::strands {
+
+namespace {
+
+/// The place of a choice among those of its parameter, as an enumerator.
+template <class Enumeration>
+Enumeration chosen(const registry::ParameterValues& values, std::string_view name) {
+  const auto choices = registry::find_parameter(strand_parameters(), name).value()->choices;
+  return Enumeration(std::find(choices.begin(), choices.end(), values.choice(name)) - choices.begin());
+}
+
+Head head_for(const registry::ParameterValues& strands) {
+  Head head = make_head(int(strands.integer("control_hairs")));
+  if (strands.choice("surface") == "head") head.scalp = head.mesh;
+  return head;
+}
+
+Result<PlacedRoots> roots_for(const GroomingSpecification& specification, const Mesh& scalp) {
+  const registry::ParameterValues& strands = specification.strands;
+  const std::vector<float> map = density_map(specification.grooming, scalp);
+  return place_roots(scalp, {.density = strands.real("density"),
+                             .share = strands.real("share"),
+                             .density_map = map,
+                             .rule = chosen<RootRule>(strands, "roots"),
+                             .seed = std::uint64_t(strands.integer("seed"))});
+}
+
+std::vector<glm::vec3> normals_at(const Mesh& scalp, const std::vector<Root>& roots) {
+  std::vector<glm::vec3> normals;
+  for (const Root& root : roots) {
+    const auto& corners = scalp.triangles[root.triangle];
+    const glm::vec3 sum = blend_three<float>(scalp.normals[corners[0]], scalp.normals[corners[1]],
+                                             scalp.normals[corners[2]], root.weights);
+    normals.push_back(direction_or<float>(sum, glm::vec3(0, 1, 0)));
+  }
+  return normals;
+}
+
+/// Moves all but the roots out of the procedural head. Returns how many moved.
+std::size_t move_out(Groom& groom, const Mesh& mesh) {
+  constexpr double reach = 0.02, clearance = 0.0005;
+  const NearestSurface surface(mesh, reach);
+  std::size_t moved = 0;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (std::size_t v = groom.offsets[s] + 1; v < groom.offsets[s + 1]; ++v) {
+      glm::vec3& point = groom.positions[v];
+      if (head_distance(glm::dvec3(point)) >= 0) continue;
+      const SurfaceHit hit = surface.at(glm::dvec3(point));
+      if (hit.distance >= 0) continue;
+      point += glm::vec3(hit.normal * (clearance - hit.distance));
+      ++moved;
+    }
+  return moved;
+}
+
+Groom drawn_between(const Groom& smoothed, const Mesh& scalp, const std::vector<Root>& roots,
+                    const registry::ParameterValues& strands) {
+  std::vector<std::uint32_t> hairs(scalp.positions.size());
+  std::iota(hairs.begin(), hairs.end(), 0u);
+  return strands.choice("interpolation") == "nearest_hair" ? follow(smoothed, scalp, roots, hairs)
+                                                           : interpolate(smoothed, scalp, roots, hairs);
+}
+
+}  // namespace
+
+Result<Grown> grow(const GroomingSpecification& specification) {
+  const registry::ParameterValues& strands = specification.strands;
+  Grown grown;
+  grown.head = head_for(strands);
+  CUTICLE_ASSIGN(const PlacedRoots placed, roots_for(specification, grown.head.scalp));
+  if (placed.roots.empty())
+    return bad_input("strands: area x density x share gives no strand",
+                     "raise density or share, or give regions some density");
+  CUTICLE_ASSIGN(grown.control, plant_control_hairs(grown.head, specification.growing, specification.grooming));
+  const Groom smoothed = smooth(grown.control, int(strands.integer("vertices")), chosen<Curve>(strands, "curve"));
+  grown.report = {placed.report, deviation_from_controls(grown.control, smoothed), 0};
+  grown.drawn = drawn_between(smoothed, grown.head.scalp, placed.roots, strands);
+  shape(grown.drawn, specification.shaping, normals_at(grown.head.scalp, placed.roots),
+        std::uint64_t(strands.integer("seed")));
+  grown.report.moved_out = move_out(grown.drawn, grown.head.mesh);
+  return grown;
+}
+
+}  // namespace cuticle::strands

@@ -1,0 +1,101 @@
+// F10: random order, prefix by coverage, widths that keep the area, fewer vertices; error against the full groom.
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/strands/lod/lod.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+namespace cuticle::strands {
+namespace {
+
+/// A coat whose strands stand in random order.
+const Groom& coat() {
+  static const Groom groom = [] {
+    const Groom ordered = tests::coat(4000, 32, 0.05, 4e-5f, 3);
+    return selected(ordered, random_order(ordered.strand_count(), 7));
+  }();
+  return groom;
+}
+
+TEST(Order, Random_IsAPermutationAndFair) {
+  const auto order = random_order(1000, 5);
+  EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 1000u);
+  EXPECT_EQ(order, random_order(1000, 5));
+  EXPECT_NE(order, random_order(1000, 6));
+  double mean = 0;
+  for (std::size_t i = 0; i < 100; ++i) mean += order[i] / 100.0;
+  EXPECT_NEAR(mean, 499.5, 4 * 288.7 / 10);  // of 100 draws from 0 .. 999
+}
+
+TEST(Order, Selected_KeepsAllThatBelongsToAStrand) {
+  Groom groom;
+  tests::add_strand(groom, {{0, 0, 0}, {0, 1, 0}}, 1);
+  tests::add_strand(groom, {{5, 0, 0}, {5, 1, 0}, {5, 2, 0}}, 2);
+  groom.root_uv = {{0, 0}, {1, 1}};
+  groom.attributes["tint"] = {Attribute::Domain::vertex, 1, {1, 2, 3, 4, 5}};
+  groom.attributes["kind"] = {Attribute::Domain::strand, 1, {8, 9}};
+  const Groom one = selected(groom, {1});
+  ASSERT_TRUE(validate(one).ok());
+  EXPECT_EQ(one.positions[2], glm::vec3(5, 2, 0));
+  EXPECT_EQ(one.root_uv[0], glm::vec2(1, 1));
+  EXPECT_EQ(one.attributes.at("tint").values, (std::vector<float>{3, 4, 5}));
+  EXPECT_EQ(one.attributes.at("kind").values, (std::vector<float>{9}));
+}
+
+TEST(Level, FullCoverage_IsTheGroomItself) {
+  const LevelOfDetail level = level_of_detail(coat(), 1e5, 9e4);
+  EXPECT_EQ(level.strands, 4000u);
+  EXPECT_EQ(level.vertices, 32u);
+  EXPECT_EQ(level.width, 1);
+  EXPECT_EQ(at_level(coat(), level), coat());
+}
+
+TEST(Level, QuarterOfThePixels_QuarterOfTheStrandsHalfTheVertices) {
+  const LevelOfDetail level = level_of_detail(coat(), 25000, 1e5);
+  EXPECT_EQ(level.strands, 1000u);
+  EXPECT_EQ(level.vertices, 16u);
+  EXPECT_NEAR(level.width, 4, 0.2);
+}
+
+TEST(Level, FarOff_KeepsTheLeast_AndEmptyGroomsAreFine) {
+  EXPECT_EQ(level_of_detail(coat(), 0, 1e5).strands, 40u);
+  EXPECT_EQ(level_of_detail(coat(), 0, 1e5, 1e-9).strands, 1u);
+  EXPECT_EQ(level_of_detail(Groom(), 10, 1e5).strands, 0u);
+}
+
+TEST(Level, Width_ConservesTheArea) {
+  for (double pixels : {5e4, 1e4, 2e3}) {
+    LevelOfDetail level = level_of_detail(coat(), pixels, 1e5);
+    level.vertices = 32;
+    EXPECT_LT(level_error(coat(), at_level(coat(), level), 32).area, 2e-6) << pixels;
+    // Chords of fewer vertices are shorter.
+    EXPECT_LT(level_error(coat(), at_level(coat(), level_of_detail(coat(), pixels, 1e5)), 32).area, 2e-3) << pixels;
+  }
+}
+
+TEST(Level, Error_FallsAsTheRootOfTheStrandsAndIsZeroInFull) {
+  EXPECT_LT(level_error(coat(), coat(), 24).cells, 1e-12);
+  const auto error = [](double share) {
+    return level_error(coat(), at_level(coat(), level_of_detail(coat(), share, 1)), 24).cells;
+  };
+  const double half = error(0.5), sixteenth = error(1.0 / 16);
+  std::printf("difference of cells: %.3f with 1/2, %.3f with 1/16 of the strands\n", half, sixteenth);
+  // Of N strands n are drawn: the error goes as sqrt(N / n - 1).
+  EXPECT_NEAR(sixteenth / half, std::sqrt(15.0), 0.8);
+}
+
+TEST(Coverage, OfABoxSeenFromAfar_FallsWithTheSquareOfTheDistance) {
+  const Bounds box{{-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}};
+  Camera camera;
+  camera.position = {0, 0, 10};
+  const double near = covered_pixels(box, camera);
+  camera.position.z = 20;
+  EXPECT_NEAR(near / covered_pixels(box, camera), 4, 0.1);
+  camera.position.z = 0.05;
+  EXPECT_EQ(covered_pixels(box, camera), 640.0 * 640);
+}
+
+}  // namespace
+}  // namespace cuticle::strands
