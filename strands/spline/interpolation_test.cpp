@@ -40,7 +40,11 @@ struct ThreeHairs {
 };
 
 std::vector<Root> some_roots() {
-  return {{0, {0.5f, 0.25f, 0.25f}}, {0, {0.1f, 0.7f, 0.2f}}, {0, {0.2f, 0.2f, 0.6f}}, {0, {1, 0, 0}}, {0, {0.5f, 0.1f, 0.4f}}};
+  return {{0, {0.5f, 0.25f, 0.25f}},
+          {0, {0.1f, 0.7f, 0.2f}},
+          {0, {0.2f, 0.2f, 0.6f}},
+          {0, {1, 0, 0}},
+          {0, {0.5f, 0.1f, 0.4f}}};
 }
 
 glm::dmat3 turn_about_axis(const glm::dvec3& axis, double angle) {
