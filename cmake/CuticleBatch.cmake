@@ -1,7 +1,7 @@
 # Units of batch code: a source compiled once for each instruction set of core/instruction_set.h, in that order, the best that the
 # processor has taken at run time.
 set(CUTICLE_BATCH_SETS baseline)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CUTICLE_SANITIZE)  # the same source: instrumented once
   list(APPEND CUTICLE_BATCH_SETS avx2 avx512)
 endif()
 # g++ otherwise keeps a long block in the order of the source and waits for each result: a fifth to a quarter of the time.

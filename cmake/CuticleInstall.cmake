@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 
 get_property(cuticle_targets GLOBAL PROPERTY CUTICLE_TARGETS)
 install(TARGETS ${cuticle_targets} EXPORT cuticleTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS cuticle_pictures LIBRARY DESTINATION lib)
 install(TARGETS cuticle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT cuticleTargets NAMESPACE cuticle:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/cuticle)
 foreach(module core strands gpu bsdf lut shadows sim render scene plan study)

@@ -43,14 +43,9 @@ class Search {
     CUTICLE_ASSIGN(const TableSet baked, bake(model_, values_, *trend.layout, size, progress_));
     CUTICLE_ASSIGN(trend.worst.emplace_back(), try_format(baked, *choices_.formats.front()));
     for (std::size_t f = 1; f < choices_.formats.size() && trend.worst.back().error <= wanted_; ++f) {
-      CUTICLE_TRY(measured(baked, *choices_.formats[f]));
+      CUTICLE_TRY(try_format(baked, *choices_.formats[f]));
     }
     give_up_if_hopeless(trend, index);
-    return {};
-  }
-  Result<void> measured(const TableSet& baked, const Format& format) {
-    CUTICLE_ASSIGN(const WorstChannel worst, try_format(baked, format));
-    static_cast<void>(worst);
     return {};
   }
   Result<WorstChannel> try_format(TableSet set, const Format& format) {
@@ -118,7 +113,8 @@ std::size_t texture_bytes(const Layout& layout, int size, const Format& format) 
   std::size_t numbers = 0;
   for (const TableLayout& table : layout.tables) {
     const glm::ivec2 texels = table_size(table, size);
-    numbers += std::size_t(texels.x) * texels.y * table.channels.size();
+    const std::size_t channels = table.channels.size() == 3 ? 4 : table.channels.size();
+    numbers += std::size_t(texels.x) * texels.y * channels;
   }
   return numbers * std::size_t(format.bytes);
 }

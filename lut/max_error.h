@@ -19,7 +19,8 @@ struct WorstChannel {
 };
 WorstChannel worst_channel(const TableSet& set, ErrorMeasure measure);
 
-/// Bytes of the tables as textures: texels times channels times the format's bytes, without mip levels.
+/// Bytes of the tables as textures: texels times channels times the format's bytes, without mip levels. A table of
+/// three channels counts four, because devices filter no texture of three.
 std::size_t texture_bytes(const Layout& layout, int size, const Format& format);
 
 /// What may be chosen from; sizes rising, formats with the finest first.

@@ -140,7 +140,6 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
                    const Channel& channel, double u, double v);
 struct Format;  ///< how a file holds the numbers, <cuticle/lut/format.h>
 struct Target;  ///< an engine's own files, <cuticle/lut/target.h>
-struct Target;  ///< an engine's own files, <cuticle/lut/target.h>
 /// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
 double sample(const Table& table, int channel, double u, double v);
 /// The same for a level's stored numbers, without the scale.

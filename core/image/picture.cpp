@@ -1,14 +1,31 @@
 #include <algorithm>
-#include <memory>
 
+#include <dlfcn.h>
 #include <fmt/core.h>
-#include <OpenImageIO/imageio.h>
 
 #include <cuticle/core/file.h>
-#include <cuticle/core/image/image.h>
+#include <cuticle/core/image/detail/picture_library.h>
 
 namespace cuticle {
 namespace {
+
+using detail::PictureLibrary;
+
+/// Found by the run path that a program gets from linking cuticle::core_image; stays loaded.
+Result<const PictureLibrary*> load_library() {
+  constexpr const char* name = "libcuticle_pictures.so";
+  void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  if (!library)
+    return bad_input(fmt::format("{}: cannot be loaded ({})", name, dlerror()),
+                     "install it, or name its folder in LD_LIBRARY_PATH");
+  const auto entry = reinterpret_cast<const PictureLibrary* (*)()>(dlsym(library, "cuticle_picture_library"));
+  if (!entry) return internal_error(fmt::format("{}: {}", name, dlerror()));
+  return entry();
+}
+const Result<const PictureLibrary*>& picture_library() {
+  static const Result<const PictureLibrary*> library = load_library();
+  return library;
+}
 
 template <class Sample>
 std::vector<Sample> quantised(const std::vector<float>& pixels, float largest) {
@@ -20,47 +37,31 @@ std::vector<Sample> quantised(const std::vector<float>& pixels, float largest) {
   return samples;
 }
 
-Result<void> write_picture(const std::string& path, const OIIO::ImageSpec& spec, const void* samples) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
-  if (!output) return internal_error(fmt::format("{}: {}", path, OIIO::geterror()));
-  if (!output->open(path, spec) || !output->write_image(spec.format, samples) || !output->close())
-    return bad_input(fmt::format("{}: cannot write ({})", path, output->geterror()), "check the folder and the free space");
-  return {};
-}
-
 }  // namespace
 
 Result<void> write_png(const std::string& path, const Image& image, int bits) {
   if (bits != 8 && bits != 16) return usage_error(fmt::format("{}: PNG of {} bits; allowed: 8, 16", path, bits));
   if (image.width < 1 || image.height < 1 || image.channels() < 1 || image.channels() > 4)
-    return bad_input(fmt::format("{}: a picture of {}x{} and {} channels cannot be written as PNG (1 .. 4 channels)", path,
-                                 image.width, image.height, image.channels()));
-  OIIO::ImageSpec spec(image.width, image.height, image.channels(), bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
-  spec.attribute("oiio:UnassociatedAlpha", 1);
+    return bad_input(fmt::format("{}: a picture of {}x{} and {} channels cannot be written as PNG (1 .. 4 channels)",
+                                 path, image.width, image.height, image.channels()));
+  CUTICLE_ASSIGN(const PictureLibrary* library, picture_library());
   return write_through_temporary(path, [&](const std::string& name) -> Result<void> {
-    if (bits == 8) return write_picture(name, spec, quantised<std::uint8_t>(image.pixels, 255.0f).data());
-    return write_picture(name, spec, quantised<std::uint16_t>(image.pixels, 65535.0f).data());
+    const auto write = [&](const auto& samples) {
+      return library->write(name, {image.width, image.height, image.channels(), bits, samples.data()});
+    };
+    if (bits == 8) return write(quantised<std::uint8_t>(image.pixels, 255.0f));
+    return write(quantised<std::uint16_t>(image.pixels, 65535.0f));
   });
 }
 
 Result<Image> read_image(const std::string& path) {
-  OIIO::ImageSpec settings;
-  settings.attribute("oiio:UnassociatedAlpha", 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &settings);
-  if (!input) return bad_input(fmt::format("{}: not a readable picture ({})", path, OIIO::geterror()));
-  const OIIO::ImageSpec& spec = input->spec();
-  Image image = make_image(spec.width, spec.height, spec.channelnames);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-    return bad_input(fmt::format("{}: cannot read the pixels ({})", path, input->geterror()));
-  return image;
+  CUTICLE_ASSIGN(const PictureLibrary* library, picture_library());
+  return library->read(path);
 }
 
 Result<int> mip_levels(const std::string& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
-  if (!input) return bad_input(fmt::format("{}: not a readable picture ({})", path, OIIO::geterror()));
-  int levels = 1;
-  while (input->seek_subimage(0, levels)) ++levels;
-  return levels;
+  CUTICLE_ASSIGN(const PictureLibrary* library, picture_library());
+  return library->mip_levels(path);
 }
 
 }  // namespace cuticle

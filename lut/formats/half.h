@@ -6,6 +6,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <cuticle/core/file.h>
 #include <cuticle/core/image/image.h>
 #include <cuticle/lut/formats/bytes.h>
 
@@ -34,6 +35,13 @@ inline Image half_texels(std::span<const std::byte> bytes, int width, int height
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = glm::unpackHalf1x16(std::uint16_t(number_at(bytes, 2 * i, 2)));
   return image;
+}
+
+/// A format's `read` from the function that parses its bytes.
+template <Result<Image> (*parse)(std::span<const std::byte>, const std::string& file)>
+Result<Image> read_with(const std::string& path) {
+  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
+  return parse(bytes, path);
 }
 
 }  // namespace cuticle::lut

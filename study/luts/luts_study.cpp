@@ -6,6 +6,7 @@
 
 #include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
+#include <cuticle/lut/max_error.h>
 
 namespace cuticle::study {
 namespace {
@@ -20,17 +21,6 @@ struct Task {
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-/// Texels in the format: a half texture has four channels, a PNG as many as the table.
-std::size_t bytes_of(const lut::TableSet& set, std::string_view format) {
-  std::size_t bytes = 0;
-  for (const lut::Table& table : set.tables) {
-    const glm::ivec2 size = lut::table_size(*table.layout, set.size);
-    const std::size_t a_texel = format == "png8" ? table.scale.size() : format == "png16" ? 2 * table.scale.size() : 8;
-    bytes += std::size_t(size.x) * std::size_t(size.y) * a_texel;
-  }
-  return bytes;
-}
-
 void add_rows(LutsStudy& study, const LutRow& common, const lut::TableSet& set) {
   const auto add = [&](std::string channel, const lut::ChannelError& error) {
     LutRow& row = study.rows.emplace_back(common);
@@ -44,15 +34,14 @@ void add_rows(LutsStudy& study, const LutRow& common, const lut::TableSet& set) 
   if (set.scattering.size() > 1) add("S", set.scattering[1]);
 }
 
-Result<lut::TableSet> stored(const lut::TableSet& baked, std::string_view format, std::string_view fit,
+Result<lut::TableSet> stored(const lut::TableSet& baked, const lut::Format& format, std::string_view fit,
                              Progress& progress) {
-  CUTICLE_ASSIGN(const lut::Format* as, lut::find_format(format));
   if (fit == "texels") {
-    CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(baked, *as, progress));
+    CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(baked, format, progress));
     return std::move(fitted.set);
   }
   lut::TableSet set = baked;
-  CUTICLE_TRY(lut::certify(set, *as, progress));
+  CUTICLE_TRY(lut::certify(set, format, progress));
   return set;
 }
 
@@ -64,10 +53,11 @@ Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& requ
     for (const std::string& format : request.formats) {
       progress.update(
           fmt::format("{} {} {} {} {}", task.model->entry.name, task.layout->entry.name, task.size, format, fit), 0, 1);
-      CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, format, fit, silent_progress()));
+      CUTICLE_ASSIGN(const lut::Format* as, lut::find_format(format));
+      CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, *as, fit, silent_progress()));
       LutRow common{std::string(task.model->entry.name), std::string(task.layout->entry.name), format, fit, ""};
       common.size = task.size;
-      common.bytes = bytes_of(set, format);
+      common.bytes = lut::texture_bytes(*task.layout, task.size, *as);
       common.bake_ms = baked.bake_ms;
       CUTICLE_ASSIGN(common.ns, sampling_ns(set, request.points, request.repeats));
       add_rows(study, common, set);

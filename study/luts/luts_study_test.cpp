@@ -62,7 +62,7 @@ TEST(LutsStudy, MoreTexels_LessErrorAndMoreBytes) {
   EXPECT_LT(fine.rms_error, coarse.rms_error);
   EXPECT_EQ(coarse.bytes, 3u * 16 * 16 * 8);
   EXPECT_EQ(fine.bytes, 4 * coarse.bytes);
-  EXPECT_EQ(row_of("nalu", 16, "png8", "S").bytes, (4u + 4 + 3) * 16 * 16);
+  EXPECT_EQ(row_of("nalu", 16, "png8", "S").bytes, 3u * 16 * 16 * 4);
 }
 
 TEST(LutsStudy, EveryChannel_HasARowAndSToo) {

@@ -1,6 +1,7 @@
-"""Every header compiles alone, and the installed package serves a project of its own."""
+"""Every header compiles alone (in the build, or here), and the installed package serves a project of its own."""
 import concurrent.futures
 import os
+import re
 import subprocess
 
 from repository import ARROWS, BUILD, ROOT, code_files, module_of
@@ -8,6 +9,13 @@ from repository import ARROWS, BUILD, ROOT, code_files, module_of
 
 def public_headers():
     return [p for p in code_files() if p.endswith(".h") and "/detail/" not in p and module_of(p) in ARROWS]
+
+
+def included_first(path):
+    """Whether the source beside it begins with it, so that the build has compiled it alone."""
+    source = (ROOT / path).with_suffix(".cpp")
+    first = re.search(r"#\s*include\s*[<\"](.*?)[>\"]", source.read_text()) if source.exists() else None
+    return first is not None and first.group(1) == f"cuticle/{path}"
 
 
 def compile_alone(path):
@@ -18,8 +26,8 @@ def compile_alone(path):
 
 
 def test_Header_EachAlone_Compiles():
-    headers = public_headers()
-    assert len(headers) > 20
+    headers = [path for path in public_headers() if not included_first(path)]
+    assert 20 < len(headers) < len(public_headers())
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         assert [m for m in pool.map(compile_alone, headers) if m] == []
 

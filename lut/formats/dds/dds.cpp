@@ -71,11 +71,6 @@ Result<int> levels(const std::string& path) {
   return std::max(int(count), 1);  // 0: the field is not used
 }
 
-Result<Image> read(const std::string& path) {
-  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  return parse(bytes, path);
-}
-
 }  // namespace
 
 Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
@@ -88,9 +83,10 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 const Format& entry() {
-  static const Format format{
-      "dds", "dds", "DDS, DX10 header, R16G16B16A16_FLOAT", k_largest_half, false, 0, nearest_half, write,
-      read,  levels};
+  static const Format format{"dds",          "dds", "DDS, DX10 header, R16G16B16A16_FLOAT",
+                             k_largest_half, false, 0,
+                             nearest_half,   write, read_with<parse>,
+                             levels};
   return format;
 }
 

@@ -113,11 +113,6 @@ Result<int> levels(const std::string& path) {
   return std::max(int(count), 1);  // 0: the loader is asked to make them
 }
 
-Result<Image> read(const std::string& path) {
-  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  return parse(bytes, path);
-}
-
 }  // namespace
 
 Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
@@ -133,9 +128,10 @@ Result<Image> parse(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 const Format& entry() {
-  static const Format format{
-      "ktx2", "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level", k_largest_half, false, 0, nearest_half, write,
-      read,   levels};
+  static const Format format{"ktx2",         "ktx2", "KTX 2.0, R16G16B16A16_SFLOAT, one level",
+                             k_largest_half, false,  0,
+                             nearest_half,   write,  read_with<parse>,
+                             levels};
   return format;
 }
 
