@@ -7,6 +7,7 @@
 #include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/points_file.h>
 #include <cuticle/cli/shared_files.h>
+#include <cuticle/core/file.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/study/shadows/comparison.h>
 
@@ -14,16 +15,20 @@ namespace cuticle::cli {
 namespace {
 
 struct Options {
-  std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, points, out;
+  std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, spacings, points,
+                     out, weights = "at_vertices";
   strands::ReadOptions read;
-  double alpha = 0.4, filter_mm = 0, footprint_mm = 0, budget_ms = 0, max_error = 0;
+  study::Request request;
+  double alpha = 0.4, footprint_mm = 0;
   int rays = 1024;
-  std::size_t receivers = 1000;
+  std::size_t receivers = 2000;
+  bool quick = false;
 };
 
 Result<glm::dvec3> parse_light(const std::string& text) {
   CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers("--light", text));
-  if (numbers.size() != 3) return usage_error(fmt::format("--light: '{}' has {} numbers, not 3", text, numbers.size()), "--light 1,1,0.3");
+  if (numbers.size() != 3)
+    return usage_error(fmt::format("--light: '{}' has {} numbers, not 3", text, numbers.size()), "--light 1,1,0.3");
   return glm::dvec3(numbers[0], numbers[1], numbers[2]);
 }
 
@@ -33,19 +38,37 @@ Result<std::vector<std::int64_t>> parse_integers(const std::string& name, const 
   std::vector<std::int64_t> integers;
   for (const double number : numbers) {
     if (number < 0 || number > 1e9 || number != double(std::int64_t(number)))
-      return usage_error(fmt::format("{}: {} is not a whole number in the range of the methods", name, number), "cuticle methods");
+      return usage_error(fmt::format("{}: {} is not a whole number in the range of the methods", name, number),
+                         "cuticle methods");
     integers.push_back(std::int64_t(number));
   }
   return integers;
 }
 
-/// A lookup's filter is as wide as the truth's footprint unless it is given.
+/// Lookups' filters in metres; 0, and none given, is the truth's footprint.
+Result<std::vector<double>> parse_filters(const std::string& text, double footprint) {
+  if (text.empty()) return std::vector<double>{footprint};
+  CUTICLE_ASSIGN(std::vector<double> radii, parse_numbers("--filter", text));
+  for (double& radius : radii) {
+    if (!(radius >= 0 && radius <= 1000))
+      return usage_error(fmt::format("--filter: {} is outside 0 .. 1000 mm", radius), "--filter 0,2,5");
+    radius = radius > 0 ? 1e-3 * radius : footprint;
+  }
+  return radii;
+}
+
 Result<study::Sweep> parse_sweep(const Options& options, double footprint) {
   study::Sweep sweep;
   CUTICLE_ASSIGN(sweep.layers, parse_integers("--layers", options.layers));
   CUTICLE_ASSIGN(sweep.resolutions, parse_integers("--resolution", options.resolutions));
-  sweep.filter_radius = options.filter_mm > 0 ? 1e-3 * options.filter_mm : footprint;
+  CUTICLE_ASSIGN(sweep.filter_radii, parse_filters(options.filters, footprint));
+  if (!options.spacings.empty()) sweep.spacings = split_list(options.spacings);
+  sweep.skip_unfit = options.methods == "all";
   return sweep;
+}
+
+std::vector<std::string> method_names(const Options& options) {
+  return options.methods == "all" ? study::all_methods() : split_list(options.methods);
 }
 
 double footprint_of(const Options& options, const strands::Groom& groom) {
@@ -56,10 +79,12 @@ Result<std::vector<glm::vec3>> read_positions(const std::string& path) {
   constexpr double most = 1e6;
   constexpr PointColumn columns[] = {{"x", -most, most, "m"}, {"y", -most, most, "m"}, {"z", -most, most, "m"}};
   CUTICLE_ASSIGN(const PointsTable table, read_points(path, columns));
-  if (table.columns.size() != 3) return bad_input(fmt::format("{}: line 1: columns x, y and z are needed", path), "x,y,z");
+  if (table.columns.size() != 3)
+    return bad_input(fmt::format("{}: line 1: columns x, y and z are needed", path), "x,y,z");
   std::vector<glm::vec3> points(table.rows.size());
   for (std::size_t row = 0; row < points.size(); ++row)
-    for (std::size_t column = 0; column < 3; ++column) points[row][int(table.columns[column])] = float(table.rows[row][column]);
+    for (std::size_t column = 0; column < 3; ++column)
+      points[row][int(table.columns[column])] = float(table.rows[row][column]);
   return points;
 }
 
@@ -94,19 +119,22 @@ Result<int> print_at_points(const Options& options, const shadows::Casters& cast
   CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
   const double footprint = footprint_of(options, *casters.groom);
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, footprint));
-  CUTICLE_ASSIGN(auto candidates, study::candidates_of(split_list(options.methods), sweep));
+  CUTICLE_ASSIGN(auto candidates, study::candidates_of(method_names(options), sweep));
   CUTICLE_TRY(set_truth(options, footprint, candidates));
   std::vector<std::string> names;
   Columns columns;
   for (const study::Candidate& candidate : candidates) {
     CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {points}, candidate.values));
     columns.push_back(std::move(result.values));
-    const auto same = std::count_if(candidates.begin(), candidates.end(), [&](const auto& other) { return other.method == candidate.method; });
+    const auto same = std::count_if(candidates.begin(), candidates.end(),
+                                    [&](const auto& other) { return other.method == candidate.method; });
     names.push_back(column_name(candidate, same == 1));
   }
   print_points(names, points, columns);
   return int(Exit::ok);
 }
+
+constexpr std::size_t k_quick_receivers = 300;
 
 Result<study::Comparison> compare(const Options& options, const shadows::Casters& casters, Progress& progress) {
   study::ComparisonRequest request;
@@ -116,26 +144,58 @@ Result<study::Comparison> compare(const Options& options, const shadows::Casters
   request.to_light = casters.to_light;
   request.footprint_radius = footprint_of(options, *casters.groom);
   request.rays = options.rays;
-  request.receivers = options.receivers;
-  std::vector<std::string> methods = split_list(options.methods);
+  request.weights = options.weights == "per_fragment" ? study::Weights::per_fragment
+                    : options.weights == "per_vertex" ? study::Weights::per_vertex
+                                                      : study::Weights::at_vertices;
+  request.receivers = options.quick ? std::min(options.receivers, k_quick_receivers) : options.receivers;
+  std::vector<std::string> methods = method_names(options);
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
   return study::compare_with_truth(request, progress);
 }
 
-std::string choice_text(const study::ComparisonRow* choice) {
-  if (choice == nullptr) return "none does";
-  return fmt::format("{} {}: mean error {:.4f}, {:.2f} ms, {} bytes", choice->method, choice->settings, choice->error.mean,
-                     choice->cost.build_ms + choice->cost.lookup_ms, choice->cost.bytes);
+std::string row_text(const study::ComparisonRow& row) {
+  return fmt::format("{} {}: mean error {:.4f} +- {:.4f}, {:.3g} ms, {} bytes", row.method, row.settings,
+                     row.error.mean, row.error.mean_interval, row.total_ms, row.cost.bytes);
 }
 
-void print_comparison(const study::Comparison& comparison, const study::ComparisonRow* choice, bool json) {
-  if (!json) return fmt::print("{}", study::to_csv(comparison));
+/// What meets the request, or what comes nearest and why it does not.
+struct Verdict {
+  const study::ComparisonRow* choice = nullptr;
+  study::Nearest nearest;
+  std::string text() const {
+    if (choice != nullptr) return row_text(*choice);
+    return fmt::format("none does: nearest is {}, because {}", row_text(*nearest.row), nearest.because);
+  }
+};
+Verdict judge(const study::Comparison& comparison, const study::Request& request) {
+  Verdict verdict{study::best_choice(comparison, request), {}};
+  if (verdict.choice == nullptr) verdict.nearest = study::nearest_to(comparison, request);
+  return verdict;
+}
+
+/// The study's JSON with the choice, and what was asked for.
+std::string json_with_choice(const study::Comparison& comparison, const study::Request& request,
+                             const Verdict& verdict) {
   auto object = nlohmann::ordered_json::parse(study::to_json(comparison));
+  const auto index = [&](const study::ComparisonRow* row) { return std::size_t(row - comparison.rows.data()); };
+  object["request"] = {{"max_error", request.max_error}, {"budget_ms", request.budget_ms}};
   object["choice"] = nullptr;
-  if (choice != nullptr) object["choice"] = object["rows"][std::size_t(choice - comparison.rows.data())];
-  fmt::print("{}\n", object.dump(2));
+  if (verdict.choice != nullptr)
+    object["choice"] = object["rows"][index(verdict.choice)];
+  else
+    object["nearest"] = object["rows"][index(verdict.nearest.row)];
+  object["verdict"] = verdict.text();
+  return object.dump(2) + "\n";
+}
+
+Result<void> write_all(const Options& options, const study::Comparison& comparison, const std::string& json,
+                       Progress& progress) {
+  CUTICLE_TRY(study::write_comparison(comparison, options.out));
+  CUTICLE_TRY(write_text_file(options.out + "/study.json", json));
+  make_page("", options.out, progress);
+  return {};
 }
 
 Result<int> run(const Options& options, Context& context) {
@@ -144,40 +204,55 @@ Result<int> run(const Options& options, Context& context) {
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
   CUTICLE_ASSIGN(const study::Comparison comparison, compare(options, casters, *context.progress));
-  const study::ComparisonRow* choice = study::best_choice(comparison, options.max_error, options.budget_ms);
-  print_comparison(comparison, choice, context.json);
-  if (!options.out.empty()) {
-    CUTICLE_TRY(study::write_comparison(comparison, options.out));
-    make_page("", options.out, *context.progress);
-  }
-  if (options.max_error <= 0 && options.budget_ms <= 0) return int(Exit::ok);
-  fmt::print(stderr, "{}\n", choice_text(choice));
-  return int(choice == nullptr ? Exit::check_failed : Exit::ok);
+  for (const study::Refusal& refusal : comparison.refused)
+    context.progress->message(fmt::format("{} {}: refused: {}", refusal.method, refusal.settings, refusal.why));
+  const Verdict verdict = judge(comparison, options.request);
+  const std::string json = json_with_choice(comparison, options.request, verdict);
+  fmt::print("{}", context.json ? json : study::to_csv(comparison));
+  if (!options.out.empty()) CUTICLE_TRY(write_all(options, comparison, json, *context.progress));
+  if (options.request.max_error <= 0 && options.request.budget_ms <= 0) return int(Exit::ok);
+  fmt::print(stderr, "{}\n", verdict.text());
+  return int(verdict.choice == nullptr ? Exit::check_failed : Exit::ok);
 }
 
 void add_options(CLI::App& command, Options& options) {
   const double infinity = std::numeric_limits<double>::infinity();
   command.add_option("groom", options.groom, "groom: .hair or .tfx")->required();
   command.add_option("--light", options.light, "direction from the scene to the light, x,y,z");
-  command.add_option("--methods", options.methods, "a,b,c of `cuticle methods`");
+  command.add_option("--methods", options.methods, "a,b,c of `cuticle methods`, or all");
   command.add_option("--layers", options.layers, "slices or layers of the methods that have them, a,b,c");
   command.add_option("--resolution", options.resolutions, "resolutions of the methods that have one, a,b,c");
-  command.add_option("--filter-mm", options.filter_mm, "radius of a map's lookup; 0 = the footprint's")->check(CLI::Range(0.0, 1000.0));
-  command.add_option("--footprint-mm", options.footprint_mm, "radius that the truth is averaged over; 0 = two fibre spacings")->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--filter", options.filters, "radii that lookups average, mm, a,b,c; 0 = the footprint's");
+  command.add_option("--spacing", options.spacings, "spacings of the layers of the methods that have them, a,b,c");
+  command
+      .add_option("--footprint-mm", options.footprint_mm,
+                  "radius that the truth is averaged over; 0 = two fibre spacings")
+      ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
   add_groom_options(command, options.read.metres_per_unit, options.read.radius);
   command.add_option("--rays", options.rays, "rays of the truth for each point")->check(CLI::Range(1, 65536));
-  command.add_option("--receivers", options.receivers, "strand vertices that are compared")->check(CLI::Range(1, 1000000));
-  command.add_option("--budget-ms", options.budget_ms, "most time of build + lookup")->check(CLI::Range(0.0, infinity));
-  command.add_option("--max-error", options.max_error, "largest mean error of transmittance")->check(CLI::Range(0.0, 1.0));
-  command.add_option("--at", options.points, "CSV with columns x,y,z in metres: print each method's transmittance there");
-  command.add_option("--out", options.out, "folder for study.json, study.csv and the page");
+  command
+      .add_option(
+          "--weights", options.weights,
+          "at_vertices; or in the middle of segments, looked up there (per_fragment) or from both ends (per_vertex)")
+      ->check(CLI::IsMember({"at_vertices", "per_fragment", "per_vertex"}));
+  command.add_flag("--quick", options.quick, "at most 300 receivers");
+  command.add_option("--receivers", options.receivers, "strand vertices that are compared")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--budget-ms", options.request.budget_ms, "most time of build + lookup at every vertex")
+      ->check(CLI::Range(0.0, infinity));
+  command.add_option("--max-error", options.request.max_error, "largest mean error of transmittance")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--at", options.points,
+                     "CSV with columns x,y,z in metres: print each method's transmittance there");
+  command.add_option("--out", options.out, "folder for study.json, study.csv, receivers.csv and the page");
 }
 
 }  // namespace
 
 void add_shadows(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
+  auto* command =
+      app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
   auto options = std::make_shared<Options>();
   add_options(*command, *options);
   command->callback([&context, options] {

@@ -1,15 +1,20 @@
+#include <algorithm>
+#include <cstdlib>
+
 #include <fmt/core.h>
 
 #include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/shared_files.h>
 #include <cuticle/cli/study/study.h>
+#include <cuticle/core/file.h>
+#include <cuticle/study/shadows/marks.h>
 #include <cuticle/study/shadows/slices_study.h>
 
 namespace cuticle::cli {
 namespace {
 
 struct Options {
-  std::string groom, out;
+  std::string groom, marks, out;
   strands::ReadOptions read;
   bool quick = false;
 };
@@ -29,7 +34,27 @@ Result<study::Comparison> run_shadows(const Options& options, Progress& progress
   return comparison;
 }
 
+/// The folder of the grooms that files of marks name.
+std::string data_folder() {
+  const char* folder = std::getenv("CUTICLE_TEST_DATA");
+  return folder == nullptr ? "." : folder;
+}
+
+Result<int> measure(const Options& options, Context& context) {
+  CUTICLE_ASSIGN(const study::MarksFile file, study::read_marks(options.marks, data_folder()));
+  CUTICLE_ASSIGN(const study::MarksReport report, study::measure_marks(file, *context.progress));
+  CUTICLE_TRY(make_folder(options.out));
+  CUTICLE_TRY(write_text_file(options.out + "/marks.json", study::to_json(file, report)));
+  fmt::print("{}", context.json ? study::to_json(file, report) : study::to_text(file, report));
+  const bool all = std::all_of(report.results.begin(), report.results.end(), [](const auto& r) { return r.met(); });
+  return int(all ? Exit::ok : Exit::check_failed);
+}
+
 int study_shadows(const Options& options, Context& context) {
+  if (!options.marks.empty()) {
+    const auto code = measure(options, context);
+    return code ? *code : report(code.error());
+  }
   const auto comparison = run_shadows(options, *context.progress);
   if (!comparison) return report(comparison.error());
   fmt::print("{}", context.json ? study::to_json(*comparison) : study::to_csv(*comparison));
@@ -39,10 +64,14 @@ int study_shadows(const Options& options, Context& context) {
 }  // namespace
 
 void add_study_shadows(CLI::App& study, Context& context) {
-  auto* command = study.add_subcommand("shadows", "opacity maps and deep opacity maps, layers and resolution, against ray-traced truth");
+  auto* command = study.add_subcommand(
+      "shadows", "opacity maps and deep opacity maps, layers and resolution, against ray-traced truth");
   auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--groom", options->groom, "groom: .hair or .tfx; without it a coat of strands on a half sphere");
+  command->add_option(
+      "--marks", options->marks,
+      "measure the marks of a file instead (scenes/shadow_marks); grooms are found below CUTICLE_TEST_DATA");
   add_groom_options(*command, options->read.metres_per_unit, options->read.radius);
   command->add_flag("--quick", options->quick, "fewer settings, receivers and rays");
   command->callback(

@@ -34,6 +34,10 @@ def save_png(study, x, path):
             for row in rows:
                 axes.annotate(str(row.get(study.point_label, "")), (row[x.key], row[study.y.key]), xytext=(4, 4),
                               textcoords="offset points", fontsize=7, color=color)
+    if study.raw.get("pareto") and x.key == study.x.key:
+        front = study.front()
+        axes.step([row[x.key] for row in front], [row[study.y.key] for row in front], where="post", color="#bbbbbb", linewidth=5, zorder=0,
+                  label="front of all")
     for (dash, _), (name, value) in zip(DASHES, study.baselines):
         axes.axhline(value, linestyle=dash, color="black", linewidth=1, label=f"{name}: {value:.3g}")
     axes.set(xlabel=x.label, ylabel=study.y.label, xscale=x.scale, yscale=study.y.scale)
@@ -67,6 +71,10 @@ def interactive(study, x):
         figure.add_scatter(x=[row[x.key] for row in rows], y=[row[study.y.key] for row in rows], name=name, text=labels,
                            mode="lines+markers+text" if labels else "lines+markers", textposition="top right", textfont={"size": 10},
                            line={"color": color}, hovertext=[hover(row) for row in rows], hoverinfo="text")
+    if study.raw.get("pareto") and x.key == study.x.key:
+        front = study.front()
+        figure.add_scatter(x=[row[x.key] for row in front], y=[row[study.y.key] for row in front], mode="lines", name="front of all",
+                           line={"color": "rgba(120,120,120,0.35)", "width": 7, "shape": "hv"})
     values = [row[x.key] for row in study.raw["rows"]]
     for (_, dash), (name, value) in zip(DASHES, study.baselines):
         figure.add_scatter(x=[min(values), max(values)], y=[value, value], mode="lines", name=f"{name}: {value:.3g}",

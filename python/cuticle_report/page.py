@@ -36,6 +36,8 @@ class Section:
     columns: list = dataclasses.field(default_factory=list)
     rows: list = dataclasses.field(default_factory=list)
     figures: list = dataclasses.field(default_factory=list)  # plotly figures
+    bold_row: int = -1  # number of a row in bold
+    strong: str = ""  # a sentence in bold before the text
 
     @property
     def paragraphs(self):

@@ -2,10 +2,12 @@
 import dataclasses
 import pathlib
 
-from . import ReportError, curves, data, figures, page
+from . import ReportError, curves, data, figures, page, receivers
 
-COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "median_error", "p95_error", "p99_error", "max_error", "bias", "ns", "build_ms",
+COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "mean_interval", "median_error", "p95_error", "p99_error", "max_error", "bias", "ns", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
+
+MOST_CURVES = 16  # of one figure
 
 
 @dataclasses.dataclass
@@ -39,8 +41,21 @@ class Study:
         for row in self.raw["rows"]:
             name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
             named.setdefault(name, []).append(row)
+        if self.raw.get("pareto") and len(named) > MOST_CURVES:  # then the front of each method
+            methods = dict.fromkeys(row["method"] for row in self.raw["rows"])
+            return {name: dataclasses.replace(self, raw={"rows": [row for row in self.raw["rows"] if row["method"] == name]}).front()
+                    for name in methods}
         key = self.point_label if self.has_numeric_labels() else self.x.key
         return {name: sorted(rows, key=lambda row: row.get(key, 0)) for name, rows in named.items()}
+
+    def front(self):
+        """Rows that no other passes in both axes, by x."""
+        best, rows = float("inf"), []
+        for row in sorted(self.raw["rows"], key=lambda row: (row[self.x.key], row[self.y.key])):
+            if row[self.y.key] < best:
+                best = row[self.y.key]
+                rows.append(row)
+        return rows
 
     def has_numeric_labels(self):
         return not any(isinstance(row.get(self.point_label), str) for row in self.raw["rows"])
@@ -77,9 +92,12 @@ def words(study):
                      f"disc of radius {1e3 * raw['footprint_m']:.3g} mm.")
     if truth := raw.get("truth"):
         parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over the "
-                     f"{truth['counted']} with 0.05 < T < 0.95, where the truth's own standard error is {truth['mean_standard_error']:.2g}.")
+                     f"{truth['counted']} with 0.05 < T < 0.95, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
+                     f"Settings are chosen on one half of them, and errors are those of the other half, with 95 % intervals.")
     if raw.get("device"):
         parts.append(f"Times are wall clock on {raw['device']}.")
+    if refused := raw.get("refused"):
+        parts.append("\n\nRefused: " + "; ".join(f"{row['method']} {row['settings']}: {row['why']}" for row in refused) + ".")
     return " ".join(parts)
 
 
@@ -88,10 +106,20 @@ def rounded(value):
 
 
 def table(study):
-    """Columns that any row has, and the rows, baselines first."""
-    rows = study.raw["baselines"] + study.raw["rows"]
+    """Columns that any row has, the rows, baselines first, and the number of the chosen one, -1 for none."""
+    rows, choice = study.raw["baselines"] + study.raw["rows"], study.raw.get("choice")
     columns = [column for column in COLUMNS if any(column in row for row in rows)]
-    return columns, [[rounded(row.get(column, "")) for column in columns] for row in rows]
+    return columns, [[rounded(row.get(column, "")) for column in columns] for row in rows], rows.index(choice) if choice in rows else -1
+
+
+def verdict(study):
+    """The cheapest setting within what was asked for, or why there is none."""
+    asked, found = study.raw.get("request", {}), study.raw.get("verdict")
+    if not found or not (asked.get("max_error") or asked.get("budget_ms")):
+        return []
+    limits = [f"a mean error of at most {asked['max_error']:g}"] if asked.get("max_error") else []
+    limits += [f"at most {asked['budget_ms']:g} ms"] if asked.get("budget_ms") else []
+    return [page.Section("Asked for: " + " and ".join(limits), strong=found)]
 
 
 def make(folder):
@@ -104,8 +132,9 @@ def make(folder):
     plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
     for axis, file in plots:
         figures.save_png(study, axis, folder / file)
-    columns, rows = table(study)
-    sections = [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
-                page.Section("Numbers", "", columns=columns, rows=rows)] + curves.sections(study.raw, folder)
+    columns, rows, chosen = table(study)
+    sections = verdict(study) + [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+                page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
+    sections += receivers.sections(study.raw, folder) + curves.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))
     return study.title, sections

@@ -89,6 +89,24 @@ def test_StudyPlots_Png_HaveAFrameOfWhiteAroundEverything(study):
         assert pixels.min() < 0.3
 
 
+def test_StudyPage_WithARequestAndReceivers_HasTheChoiceInBoldAndTheHair(tmp_path):
+    raw = study_of()
+    for row in raw["rows"]:
+        row["resolution"] *= 1 + row["slices"]  # more curves than one figure shows
+    raw["rows"] = [row | {"resolution": row["resolution"] + k} for k in range(4) for row in raw["rows"]]
+    raw |= {"pareto": True, "choice": raw["rows"][5], "request": {"max_error": 0.02, "budget_ms": 0}, "verdict": "opacity_map slices=8: mean error 0.02"}
+    (tmp_path / "study.json").write_text(json.dumps(raw))
+    points = numpy.random.default_rng(1).random((200, 3))
+    lines = [f"{x},{y},{z},{t},0.01,{t / 2}" for (x, y, z), t in zip(points, points[:, 0])]
+    (tmp_path / "receivers.csv").write_text("\n".join(["x,y,z,truth,standard_error,opacity_map slices=8;resolution=128", *lines]) + "\n")
+    assert report(tmp_path).returncode == 0
+    html = (tmp_path / "index.html").read_text()
+    assert html.count('<tr class="chosen">') == 1
+    assert "<strong>opacity_map slices=8: mean error 0.02</strong>" in html and "a mean error of at most 0.02" in html
+    assert "On the hair" in html and image.imread(tmp_path / "hair.png").shape[1] > 800
+    assert "front of all" in html and "opacity_map, resolution" not in html.split("Plotly")[-1]
+
+
 def lobes_study():
     rows = [{"method": "marschner", "tier": tier, "precision": precision, "settings": "", "ns": ns, "median_error": error, "p99_error": 2 * error,
              "max_error": 9 * error, "reference": error == 0}
@@ -144,12 +162,16 @@ def test_DemoPage_WithAStudy_ShowsItsPlots(study, tmp_path):
     ([], "study.json", json.dumps({"title": "a"}), ["study.json", "'x'"]),
     ([], "study.json", json.dumps(study_of(rows=[])), ["study.json", "rows"]),
     ([], "study.json", json.dumps(study_of(rows=[{"method": "a", "mean_error": 1}])), ["row 0", "total_ms"]),
+    ([], "receivers.csv", "x,y,z\n1,2,3\n", ["receivers.csv"]),
+    ([], "receivers.csv", "x,y,z,truth,standard_error,a\n1,2,3,4,5,b\n", ["receivers.csv"]),
     (["--demo"], "demo.json", json.dumps({"sections": []}), ["demo.json", "title"]),
     (["--demo"], "demo.json", json.dumps({"title": "", "sections": [{"title": "a", "images": [{"file": "no.png"}]}]}), ["no.png"]),
     (["--demo"], "demo.json", json.dumps({"title": "", "sections": [{"title": "a", "table": {"columns": ["b"], "rows": [[1, 2]]}}]}), ["rows[0]"]),
 ])
 def test_Report_BadData_SaysWhereAndLeavesNoPage(tmp_path, mode, name, content, words):
     if content is not None:
+        if name == "receivers.csv":
+            (tmp_path / "study.json").write_text(json.dumps(study_of()))
         (tmp_path / name).write_text(content)
     done = report(*mode, tmp_path)
     assert done.returncode == 3

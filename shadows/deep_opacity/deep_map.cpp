@@ -63,17 +63,19 @@ void fill_layers(const strands::Groom& groom, std::span<const Word> table, Map& 
   });
 }
 
-/// The sum at depth z of a texel, linear within its layer.
-float sum_at(const Map& map, std::size_t texel, float z) {
-  if (map.nearest[texel] == k_no_depth) return 0;
-  const float depth = z - float(map.nearest[texel]);
+/// The sum at depth z of a texel whose nearest fibre lies at `nearest`, linear within its layer; sum_before(i): before
+/// the end of its layer i.
+float sum_at(const LayerEnds& ends, Word nearest, float z, const auto& sum_before) {
+  if (nearest == k_no_depth) return 0;
+  const float depth = z - float(nearest);
   if (!(depth > 0)) return 0;
-  const Word layer = layer_of(map.ends, Word(depth));
-  const float begin = float(layer_begin(map.ends, layer)), end = float(map.ends.end[layer]);
-  const Word* sums = &map.sums[texel * map.ends.count];
+  const Word layer = layer_of(ends, Word(depth));
+  const float begin = float(layer_begin(ends, layer)), end = float(ends.end[layer]);
   const float t = std::min(1.0f, (depth - begin) / (end - begin));
-  return between_planes(layer == 0 ? 0.0f : float(sums[layer - 1]), float(sums[layer]), t);
+  return between_planes(layer == 0 ? 0.0f : sum_before(layer - 1), sum_before(layer), t);
 }
+
+constexpr std::uint16_t k_no_depth_16 = 0xffff;
 
 }  // namespace
 
@@ -86,6 +88,7 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
                      : spacing == "equal"   ? Spacing::equal
                                             : Spacing::equal_opacity;
   settings.first_layer = values.real("first_layer");
+  settings.bytes = values.choice("storage") == "bytes";
   CUTICLE_TRY(check_map_bytes("deep_opacity", settings.layers + 1, settings.map.resolution));
   return settings;
 }
@@ -116,8 +119,36 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   return map;
 }
 
+ByteMap in_bytes(const Map& map, double k) {
+  ByteMap bytes;
+  const float per_unit = float(-k / map.scale);
+  for (int code = 0; code < 256; ++code)
+    bytes.sum_of[std::size_t(code)] = std::log(std::max(0.5f, float(code)) / 255) / per_unit;
+  bytes.visibility.resize(map.sums.size());
+  bytes.nearest.resize(map.nearest.size());
+  for_each_index(map.nearest.size(), [&](std::size_t texel) {
+    bytes.nearest[texel] = map.nearest[texel] == k_no_depth ? k_no_depth_16 : std::uint16_t(map.nearest[texel]);
+    for (std::size_t i = texel * map.ends.count; i < (texel + 1) * map.ends.count; ++i)
+      bytes.visibility[i] = std::uint8_t(std::lround(255 * std::exp(per_unit * float(map.sums[i]))));
+  });
+  return bytes;
+}
+
 std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, texel, z); };
+  const auto sum = [&](std::size_t texel, float z) {
+    const Word* sums = &map.sums[texel * map.ends.count];
+    return sum_at(map.ends, map.nearest[texel], z, [&](Word layer) { return float(sums[layer]); });
+  };
+  return look_up_points(map.view, settings.map, map.scale, filter, k_deepest, points, sum);
+}
+
+std::vector<float> look_up(const Map& map, const ByteMap& bytes, const Settings& settings, float filter,
+                           std::span<const glm::vec3> points) {
+  const auto sum = [&](std::size_t texel, float z) {
+    const std::uint8_t* codes = &bytes.visibility[texel * map.ends.count];
+    const Word nearest = bytes.nearest[texel] == k_no_depth_16 ? k_no_depth : Word(bytes.nearest[texel]);
+    return sum_at(map.ends, nearest, z, [&](Word layer) { return bytes.sum_of[codes[layer]]; });
+  };
   return look_up_points(map.view, settings.map, map.scale, filter, k_deepest, points, sum);
 }
 

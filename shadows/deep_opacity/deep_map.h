@@ -1,6 +1,7 @@
 #pragma once
 // G3: deep opacity maps (Yuksel and Keyser 2008): sigma in layers that start at the nearest fibre of each texel of the
 // light's view, T = exp(-k sigma).
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +23,7 @@ struct Settings {
   MapSettings map;
   std::uint32_t layers = 4;
   Spacing spacing = Spacing::equal_opacity;
+  bool bytes = false;      ///< T before each layer's end in 8 bits and the nearest depth in 16; else 32 bits each
   double first_layer = 0;  ///< of geometric spacing, as a share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond
 };
 /// Error: usage, when the map would pass 2 GiB.
@@ -38,11 +40,23 @@ struct Map {
   std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
   std::vector<std::uint32_t> sums;
 };
+/// What a lookup keeps of a map in bytes: T before the end of each layer, in 255ths, and the nearest depths (all ones:
+/// no fibre); `sum_of` gives back the sums that the roundings stand for.
+struct ByteMap {
+  std::vector<std::uint8_t> visibility;
+  std::vector<std::uint16_t> nearest;
+  std::array<float, 256> sum_of{};
+};
+ByteMap in_bytes(const Map& map, double k);
+
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
 /// its own nearest depth, which is never interpolated. `filter`: radius in texels.
 std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
+/// The same from what was kept of the map; `map` needs only its view, scale and ends.
+std::vector<float> look_up(const Map& map, const ByteMap& bytes, const Settings& settings, float filter,
+                           std::span<const glm::vec3> points);
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -39,6 +39,13 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
+/// Bytes are packed on the CPU only.
+Result<Settings> device_settings_from(const registry::ParameterValues& values) {
+  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
+  if (settings.bytes) return usage_error("deep_opacity: storage=bytes has no GPU half", "storage=words");
+  return settings;
+}
+
 MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   Map map = build_map(groom, alpha, axes, settings);
   return {std::move(map.sums), std::move(map.nearest), {map.ends.end, map.ends.end + map.ends.count}};
@@ -47,8 +54,8 @@ MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& ax
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"deep_opacity", create_map<settings_from, describe>,
-                                words_of_map<settings_from, words_of>};
+  static const GpuMethod method{"deep_opacity", create_map<device_settings_from, describe>,
+                                words_of_map<device_settings_from, words_of>};
   return method;
 }
 

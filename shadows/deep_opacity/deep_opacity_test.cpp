@@ -147,3 +147,21 @@ TEST(DeepOpacity, BadInput_IsRefused) {
   EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "layers=17"));
   EXPECT_FALSE(run(pile({0.05f}), std::span(&good, 1), "layers=16,resolution=4096,filter_radius_mm=900"));
 }
+
+TEST(DeepOpacity, StorageInBytes_IsCloseAndAQuarterOfTheSize) {
+  const strands::Groom groom = tests::coat(2000, 6, 0.03, 1e-4f, 3);
+  const Method& method = **find_method("deep_opacity");
+  const auto evaluate = [&](const std::string& set) {
+    const auto values = registry::parse_assignments(method.entry.parameters, "layers=16,resolution=128" + set).value();
+    return method.evaluate({&groom, 0.4, {1, 1, 0.3}}, {groom.positions, {}}, values).value();
+  };
+  const Transmittance words = evaluate(""), bytes = evaluate(",storage=bytes");
+  EXPECT_EQ(words.cost.bytes, 128u * 128 * 17 * 4);
+  EXPECT_EQ(bytes.cost.bytes, 128u * 128 * 18);
+  float worst = 0;
+  for (std::size_t i = 0; i < words.values.size(); ++i)
+    worst = std::max(worst, std::abs(words.values[i] - bytes.values[i]));
+  std::printf("8 bits: largest difference %.5f\n", double(worst));
+  EXPECT_LT(worst, 0.5f / 255 + 1e-4f) << "rounding to 255ths";
+  EXPECT_GT(worst, 0.0f);
+}

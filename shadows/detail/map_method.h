@@ -29,8 +29,8 @@ std::vector<float> look_up_points(const MapView& view, const MapSettings& settin
   return values;
 }
 
-/// build(groom, alpha, axes, settings) gives a map with its `view`, look_up(map, settings, filter, points) a float per
-/// point, bytes(map) its size. Errors: those of `check`, and of a filter too wide for the map.
+/// build(groom, alpha, axes, settings) gives a map with its `view` (or a Result of one), look_up(map, settings, filter,
+/// points) a float per point, bytes(map) its size. Errors: those of `check`, and of a filter too wide for the map.
 template <class Settings>
 Result<Transmittance> evaluate_by_map(std::string_view name, const Casters& casters, const Receivers& receivers,
                                       const Settings& settings, const auto& build, const auto& look_up,
@@ -39,7 +39,7 @@ Result<Transmittance> evaluate_by_map(std::string_view name, const Casters& cast
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
   Transmittance result;
   const auto start = std::chrono::steady_clock::now();
-  const auto map = build(*casters.groom, casters.alpha, light_axes(to_light), settings);
+  CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
   CUTICLE_ASSIGN(const float filter, filter_in_texels(name, settings.map, double(map.view.scale.x)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();

@@ -13,8 +13,8 @@ using namespace cuticle::shadows;
 
 namespace {
 
-Result<Transmittance> run(const strands::Groom& groom, const Receivers& receivers, const std::string& set, double alpha = 0.4,
-                          glm::dvec3 light = {0, 1, 0}) {
+Result<Transmittance> run(const strands::Groom& groom, const Receivers& receivers, const std::string& set,
+                          double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
   const Method& method = **find_method("truth");
   auto values = registry::parse_assignments(method.entry.parameters, set);
   if (!values) return values.error();
@@ -25,7 +25,9 @@ float one(const strands::Groom& groom, glm::vec3 point, const std::string& set, 
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? result->values[0] : -1;
 }
-double mean(std::span<const float> values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+double mean(std::span<const float> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
 strands::Groom bar() {
   strands::Groom groom;
   tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.005f);
@@ -45,6 +47,34 @@ TEST(ShadowTruth, RandomSlab_FollowsTheExponentialLaw) {
     ASSERT_TRUE(result);
     EXPECT_NEAR(mean(result->values) / std::exp(-alpha * area), 1, 0.01);
   }
+}
+
+// Rows of fibres a spacing apart cover a share f = 2 r / spacing of each layer: n layers alike give 1 - f + f (1 -
+// alpha)^n in the mean, and layers across those multiply.
+TEST(ShadowTruth, Lattice_IsTheProductOfItsTwoDirections) {
+  const double spacing = 0.002, radius = 2.5e-4, covered = 2 * radius / spacing;
+  strands::Groom groom;
+  for (int layer = 0; layer < 5; ++layer)
+    for (int i = -10; i < 10; ++i) {
+      const float at = float(spacing * i), height = 0.01f + 0.002f * float(layer);
+      if (layer < 3)
+        tests::add_strand(groom, {{at, height, -0.03f}, {at, height, 0}, {at, height, 0.03f}}, float(radius));
+      else
+        tests::add_strand(groom, {{-0.03f, height, at}, {0, height, at}, {0.03f, height, at}}, float(radius));
+    }
+  const glm::vec3 points[] = {{0.001f, 0, 0.001f}, {0.0003f, 0, 0.0017f}};
+  auto result = run(groom, {points}, "rays=65536,footprint_radius_mm=12");
+  ASSERT_TRUE(result);
+  const double expected = (1 - covered + covered * std::pow(0.6, 3)) * (1 - covered + covered * std::pow(0.6, 2));
+  for (const float value : result->values) EXPECT_NEAR(double(value) / expected, 1, 0.01);
+}
+
+TEST(ShadowTruth, BentStrand_JointsCountOnce) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0, 0.05f, 0}, {0, 0.05f, 0.05f}, {-0.002f, 0.055f, 0.05f}}, 0.005f);
+  EXPECT_NEAR(one(groom, {0.001f, 0, -0.001f}, k_point), 0.6, 1e-6);
+  EXPECT_NEAR(one(groom, {-0.003f, 0, 0.003f}, k_point), 0.6, 1e-6);
+  EXPECT_NEAR(one(groom, {-0.001f, 0, 0.051f}, k_point), 0.6, 1e-6);
 }
 
 TEST(ShadowTruth, EmptyGroom_LetsAllThrough) { EXPECT_EQ(one({}, {0, 0, 0}, k_point), 1.0f); }

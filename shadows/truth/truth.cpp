@@ -3,13 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
 
+#include <cuticle/shadows/footprint.h>
 #include <cuticle/shadows/light_frame.h>
 #include <cuticle/shadows/method.h>
-#include <cuticle/shadows/footprint.h>
 #include <cuticle/strands/rays/rays.h>
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
 #include <cuticle/core/shared/philox.glslh>
@@ -19,8 +19,21 @@ namespace {
 
 using registry::ParameterType;
 constexpr registry::Parameter k_parameters[] = {
-    {"rays", ParameterType::integer, "1", 1, 65536, "1024", {}, "rays per point, rounded up to a square: one in each cell of a grid"},
-    {"footprint_radius_mm", ParameterType::real, "mm", 0, 1000, "0", {},
+    {"rays",
+     ParameterType::integer,
+     "1",
+     1,
+     65536,
+     "1024",
+     {},
+     "rays per point, rounded up to a square: one in each cell of a grid"},
+    {"footprint_radius_mm",
+     ParameterType::real,
+     "mm",
+     0,
+     1000,
+     "0",
+     {},
      "radius of the disc around the point that rays start from; 0: two strand spacings (four across)"},
 };
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
@@ -32,8 +45,13 @@ struct Estimate {
 
 class Tracer {
  public:
-  Tracer(const strands::RayGroom& rays, const Casters& casters, const glm::dvec3& to_light, double radius, std::int64_t count)
-      : rays_(rays), casters_(casters), to_light_(to_light), axes_(plane_axes(to_light)), radius_(radius),
+  Tracer(const strands::RayGroom& rays, const Casters& casters, const glm::dvec3& to_light, double radius,
+         std::int64_t count)
+      : rays_(rays),
+        casters_(casters),
+        to_light_(to_light),
+        axes_(plane_axes(to_light)),
+        radius_(radius),
         side_(std::uint32_t(std::ceil(std::sqrt(double(count))))) {}
 
   Estimate at(const Receivers& receivers, std::size_t i, std::vector<strands::Crossing>& scratch) const {
@@ -49,7 +67,8 @@ class Tracer {
   }
 
  private:
-  /// Where a ray starts, relative to the point: a random place in the ray's cell of the disc, by rings and sectors of equal area.
+  /// Where a ray starts, relative to the point: a random place in the ray's cell of the disc, by rings and sectors of
+  /// equal area.
   glm::dvec3 start_of(std::uint32_t ray, std::uint32_t receiver) const {
     const PhiloxBlock words = philox(PhiloxBlock{ray, receiver, 0, 0}, 0x5eedu, 0);
     double u = 0, v = 0;
@@ -60,7 +79,8 @@ class Tracer {
     return r * (std::cos(angle) * axes_.first + std::sin(angle) * axes_.second);
   }
 
-  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start, std::vector<strands::Crossing>& crossings) const {
+  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start,
+                       std::vector<strands::Crossing>& crossings) const {
     rays_.all_crossings(glm::dvec3(receivers.points[i]) + start, to_light_, crossings);
     int count = 0;
     for (const strands::Crossing& crossing : crossings)
@@ -68,8 +88,10 @@ class Tracer {
     return std::pow(1 - casters_.alpha, count);
   }
 
-  /// A crossing of the point's own strand, its middle within two radii of the point: the fibre does not shadow its own surface.
-  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& start, const strands::Crossing& crossing) const {
+  /// A crossing of the point's own strand, its middle within two radii of the point: the fibre does not shadow its own
+  /// surface.
+  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& start,
+              const strands::Crossing& crossing) const {
     if (crossing.strand != receivers.strands[i]) return false;
     const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
     return glm::length(start + middle * to_light_) <= 2 * double(radius_of(crossing.strand));
@@ -99,7 +121,8 @@ void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& 
   });
 }
 
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers, const registry::ParameterValues& values) {
+Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
+                               const registry::ParameterValues& values) {
   CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
   Transmittance result;
@@ -121,9 +144,10 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
 }  // namespace
 
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method, "truth", "mean over a disc of rays to the light, every fibre crossing counted",
-                              "Embree; docs/conventions.md", k_parameters, k_demands, registry::Stage::shadow},
-                             evaluate};
+  static const Method method{
+      {registry::EntryKind::method, "truth", "mean over a disc of rays to the light, every fibre crossing counted",
+       "Embree; docs/conventions.md", k_parameters, k_demands, registry::Stage::shadow},
+      evaluate};
   return method;
 }
 

@@ -21,7 +21,12 @@ Result<void> set_known(Candidate& candidate, std::string_view name, const std::s
 }
 
 using Numbers = std::vector<std::int64_t>;
-const Numbers k_default_only = {-1};
+using Texts = std::vector<std::string>;
+/// One parameter and the texts that it takes in turn; no name: a single candidate without it.
+struct Axis {
+  std::string_view name;
+  Texts texts = {""};
+};
 
 /// The first of these parameters that the method has, or null.
 const registry::Parameter* first_of(const shadows::Method& method, std::initializer_list<std::string_view> names) {
@@ -30,24 +35,68 @@ const registry::Parameter* first_of(const shadows::Method& method, std::initiali
   return nullptr;
 }
 
-/// The numbers to sweep that the method's parameter takes; all of them, to be refused by name, where it takes none; a single
-/// -1 where the method has none of these parameters or nothing is to be swept.
-Numbers swept(const shadows::Method& method, const Numbers& numbers, std::initializer_list<std::string_view> names) {
+/// The numbers that the method's parameter takes. None of them: all, to be refused by name.
+Axis number_axis(const shadows::Method& method, const Numbers& numbers, std::initializer_list<std::string_view> names) {
   const registry::Parameter* parameter = first_of(method, names);
-  if (parameter == nullptr || numbers.empty()) return k_default_only;
-  Numbers taken;
-  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(taken),
-               [&](std::int64_t n) { return double(n) >= parameter->minimum && double(n) <= parameter->maximum; });
-  return taken.empty() ? numbers : taken;
+  if (parameter == nullptr || numbers.empty()) return {};
+  Axis taken{parameter->name, {}}, all = taken;
+  for (const std::int64_t n : numbers) {
+    all.texts.push_back(std::to_string(n));
+    if (double(n) >= parameter->minimum && double(n) <= parameter->maximum) taken.texts.push_back(std::to_string(n));
+  }
+  return taken.texts.empty() ? all : taken;
 }
 
-Result<Candidate> make_candidate(const shadows::Method& method, std::int64_t layers, std::int64_t resolution, double filter_radius) {
-  Candidate candidate{&method, registry::default_values(method.entry.parameters)};
-  if (layers >= 0) CUTICLE_TRY(set_known(candidate, "slices", std::to_string(layers)));
-  if (layers >= 0) CUTICLE_TRY(set_known(candidate, "layers", std::to_string(layers)));
-  if (resolution >= 0) CUTICLE_TRY(set_known(candidate, "resolution", std::to_string(resolution)));
-  if (filter_radius > 0) CUTICLE_TRY(set_known(candidate, "filter_radius_mm", std::to_string(1e3 * filter_radius)));
-  return candidate;
+/// The texts that the method's parameter takes, all where it takes none; nothing where the method does not have it.
+Axis text_axis(const shadows::Method& method, const Texts& texts, std::string_view name) {
+  const registry::Parameter* parameter = find_parameter(method, name);
+  if (parameter == nullptr || texts.empty()) return {};
+  Axis axis{name, {}};
+  for (const std::string& text : texts)
+    if (registry::parse_value(*parameter, text)) axis.texts.push_back(text);
+  return axis.texts.empty() ? Axis{name, texts} : axis;
+}
+
+/// Where layers are swept: slices or layers, and the method's own study cases where it has neither.
+std::vector<std::pair<Axis, std::string_view>> layer_axes(const shadows::Method& method, const Numbers& layers) {
+  const bool has_layers = first_of(method, {"slices", "layers"}) != nullptr;
+  if (layers.empty() || has_layers || method.entry.study_cases.empty())
+    return {{number_axis(method, layers, {"slices", "layers"}), ""}};
+  std::vector<std::pair<Axis, std::string_view>> axes;
+  for (const registry::StudyCase& study_case : method.entry.study_cases) axes.push_back({Axis{}, study_case.settings});
+  return axes;
+}
+
+/// Every combination of the axes over the values of `start`.
+Result<void> add_combinations(const Candidate& start, std::span<const Axis> axes, std::vector<Candidate>& candidates) {
+  if (axes.empty()) {
+    candidates.push_back(start);
+    return {};
+  }
+  for (const std::string& text : axes[0].texts) {
+    Candidate candidate = start;
+    if (!axes[0].name.empty()) CUTICLE_TRY(set_known(candidate, axes[0].name, text));
+    CUTICLE_TRY(add_combinations(candidate, axes.subspan(1), candidates));
+  }
+  return {};
+}
+
+Texts in_millimetres(std::span<const double> radii) {
+  Texts texts;
+  for (const double radius : radii) texts.push_back(std::to_string(1e3 * radius));
+  return texts;
+}
+
+Result<void> add_method(const shadows::Method& method, const Sweep& sweep, std::vector<Candidate>& candidates) {
+  for (const auto& [layers, settings] : layer_axes(method, sweep.layers)) {
+    Candidate start{&method, {}};
+    CUTICLE_ASSIGN(start.values, registry::parse_assignments(method.entry.parameters, settings));
+    const Axis axes[] = {number_axis(method, sweep.resolutions, {"resolution"}), layers,
+                         text_axis(method, sweep.spacings, "spacing"),
+                         text_axis(method, in_millimetres(sweep.filter_radii), "filter_radius_mm")};
+    CUTICLE_TRY(add_combinations(start, axes, candidates));
+  }
+  return {};
 }
 
 }  // namespace
@@ -56,20 +105,27 @@ Result<std::vector<Candidate>> candidates_of(std::span<const std::string> method
   std::vector<Candidate> candidates;
   for (const std::string& name : methods) {
     CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(name));
-    for (const std::int64_t resolution : swept(*method, sweep.resolutions, {"resolution"}))
-      for (const std::int64_t layers : swept(*method, sweep.layers, {"slices", "layers"})) {
-        CUTICLE_ASSIGN(Candidate candidate, make_candidate(*method, layers, resolution, sweep.filter_radius));
-        candidates.push_back(std::move(candidate));
-      }
+    std::vector<Candidate> of_method;
+    const auto added = add_method(*method, sweep, of_method);
+    if (!added && !sweep.skip_unfit) return added.error();
+    if (added) std::move(of_method.begin(), of_method.end(), std::back_inserter(candidates));
   }
   return candidates;
+}
+
+std::vector<std::string> all_methods() {
+  std::vector<std::string> names;
+  for (const shadows::Method* method : shadows::methods())
+    if (method->entry.name != "truth") names.emplace_back(method->entry.name);
+  return names;
 }
 
 std::string settings_text(const Candidate& candidate) {
   const registry::ParameterValues defaults = registry::default_values(candidate.method->entry.parameters);
   std::string text;
   for (const auto& [name, value] : candidate.values.all())
-    if (value != defaults.all().find(name)->second) text += (text.empty() ? "" : ",") + name + "=" + registry::to_text(value);
+    if (value != defaults.all().find(name)->second)
+      text += (text.empty() ? "" : ",") + name + "=" + registry::to_text(value);
   return text;
 }
 

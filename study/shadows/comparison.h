@@ -25,72 +25,109 @@ struct Candidate {
 struct Sweep {
   std::vector<std::int64_t> layers;       ///< "slices" or "layers"; empty: the method's default
   std::vector<std::int64_t> resolutions;  ///< "resolution"
-  double filter_radius = 0;               ///< metres, "filter_radius_mm"; 0: the method's default
+  std::vector<double> filter_radii;       ///< metres, "filter_radius_mm"; empty: the method's default
+  std::vector<std::string> spacings;      ///< "spacing"; empty: the method's default
+  bool skip_unfit = false;                ///< a method that takes none of the numbers is left out, not refused
 };
-/// Each method with every layers x resolution that it knows. Error: usage, for an unknown method or a value out of range.
+/// Each method with every combination of settings that it knows. A method without slices or layers comes in each of its
+/// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range.
 Result<std::vector<Candidate>> candidates_of(std::span<const std::string> methods, const Sweep& sweep);
+/// Names of all methods of this build but truth.
+std::vector<std::string> all_methods();
 /// What differs from the defaults, as `--set` would take it.
 std::string settings_text(const Candidate& candidate);
+
+/// Where transmittance is compared: at vertices; or in the middle of segments, looked up there (weights per fragment)
+/// or as the mean of that at both ends (weights per vertex).
+enum class Weights { at_vertices, per_fragment, per_vertex };
 
 /// What is compared, where, and how exact the truth is.
 struct ComparisonRequest {
   std::string name = "shadows", title = "Shadow methods against ray-traced truth";
   std::string groom_name;
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;                     ///< opacity of one crossing, 0 .. 1
-  glm::dvec3 to_light{1, 1, 0.3};         ///< made unit
-  double footprint_radius = 0;            ///< metres; 0 = shadows::default_footprint_radius
-  int rays = 1024;                        ///< of the truth, per receiver
-  std::size_t receivers = 1000;           ///< strand vertices, spread evenly; all if there are fewer
+  double alpha = 0.4;              ///< opacity of one crossing, 0 .. 1
+  glm::dvec3 to_light{1, 1, 0.3};  ///< made unit
+  double footprint_radius = 0;     ///< metres; 0 = shadows::default_footprint_radius
+  int rays = 1024;                 ///< of the truth, per receiver
+  std::size_t receivers = 1000;    ///< strand vertices, spread evenly; all if there are fewer
+  Weights weights = Weights::at_vertices;
   std::vector<Candidate> candidates;
 };
 
-/// Of |T - truth| over the receivers counted; bias is the mean of T - truth.
+/// Receivers are halved, so that settings are chosen on one half and their errors reported on the other.
+enum class Half { choosing, reporting, both };
+
+/// Of |T - truth| over the receivers counted; bias is the mean of T - truth. Intervals: half widths that hold 95 %.
 struct ErrorStatistics {
   double mean = 0, percentile_95 = 0, maximum = 0, bias = 0;
+  double mean_interval = 0, bias_interval = 0;
 };
 struct ComparisonRow {
-  std::string method, settings;           ///< settings as `--set` would take them: what differs from the defaults
+  std::string method, settings;  ///< settings as `--set` would take them: what differs from the defaults
   registry::ParameterValues values;
-  ErrorStatistics error;
-  shadows::Cost cost;
+  ErrorStatistics choosing, error;   ///< over either half; `error` is the one to report
+  shadows::Cost cost;                ///< lookup at the receivers
+  double total_ms = 0;               ///< build, and lookup at every vertex of the groom
+  std::vector<float> transmittance;  ///< at the receivers
+};
+/// A setting that its method did not take, and why.
+struct Refusal {
+  std::string method, settings, why;
 };
 struct Comparison {
   std::string name, title, groom_name;
   std::size_t strands = 0, vertices = 0;
-  double alpha = 0, spacing = 0, footprint_radius = 0;   ///< metres
+  double alpha = 0, spacing = 0, footprint_radius = 0;  ///< metres
   glm::dvec3 to_light{0, 1, 0};
   int rays = 0;
   std::size_t receivers = 0, counted = 0;  ///< asked for, and of those with 0.05 < truth < 0.95
   double truth_standard_error = 0;         ///< mean over the receivers counted
   shadows::Cost truth_cost;
-  ErrorStatistics none, best_constant;     ///< baselines: T = 1, and the constant with the least mean |error| (the median)
+  ErrorStatistics none, best_constant;  ///< baselines: T = 1, and the constant with the least mean |error| (the median)
   double best_constant_value = 0;
+  std::vector<glm::vec3> points;  ///< of the receivers, with their true transmittance and its standard error
+  std::vector<float> truth, truth_errors;
   std::vector<ComparisonRow> rows;
+  std::vector<Refusal> refused;
 };
 
-/// Runs the truth once and every candidate. Error: usage where this build has no truth (no Embree), or what a method refuses;
-/// bad_input where no receiver has 0.05 < truth < 0.95.
+/// Runs the truth once and every candidate. Error: usage where this build has no truth (no Embree), or where every
+/// candidate is refused; bad_input where a half has no receiver with 0.05 < truth < 0.95.
 Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress& progress);
 
-/// Vertices that stand for the groom: `count` of them, spread evenly over the list, with their strands.
+/// Vertices that stand for the groom: `count` of them, spread evenly over the list, with their numbers and strands.
 struct Probes {
   std::vector<glm::vec3> points;
-  std::vector<std::uint32_t> strands;
+  std::vector<std::uint32_t> vertices, strands;
 };
 Probes spread_probes(const strands::Groom& groom, std::size_t count);
 
-/// Statistics of values against the truth over the receivers with 0.05 < truth < 0.95.
-ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth);
+/// Statistics of values against the truth over the receivers of a half with 0.05 < truth < 0.95.
+ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half = Half::both);
 
-/// The row to take within the limits (mean error, build + lookup time), of which one that is 0 does not count: the least time
-/// where an error is given, else the least error. Null: none meets them.
-const ComparisonRow* best_choice(const Comparison& comparison, double max_error, double budget_ms);
+/// What a setting must keep; 0: not asked for.
+struct Request {
+  double max_error = 0;  ///< mean error, on both halves
+  double budget_ms = 0;  ///< build, and lookup at every vertex
+};
+/// The row to take within the request: the least time where an error is given, else the least error on the choosing
+/// half. Null: none meets it.
+const ComparisonRow* best_choice(const Comparison& comparison, const Request& request);
+/// The row that passes the request by the smallest factor, and the words why it fails. `comparison` has rows.
+struct Nearest {
+  const ComparisonRow* row = nullptr;
+  std::string because;
+};
+Nearest nearest_to(const Comparison& comparison, const Request& request);
 
 /// study/README.md describes both.
 std::string to_json(const Comparison& comparison);
 std::string to_csv(const Comparison& comparison);
-/// Writes study.json and study.csv into the folder.
+/// Receivers with their truth, and the transmittance of each method's best setting on the choosing half: x,y,z,truth,
+/// standard_error, then one column a method.
+std::string receivers_csv(const Comparison& comparison);
+/// Writes study.json, study.csv and receivers.csv into the folder.
 Result<void> write_comparison(const Comparison& comparison, const std::string& folder);
 
 }  // namespace cuticle::study

@@ -1,4 +1,6 @@
-// What study/README.md describes: study.json and study.csv.
+// What study/README.md describes: study.json, study.csv and receivers.csv.
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -11,18 +13,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json error_json(std::string_view method, const ErrorStatistics& error) {
-  return {{"method", method}, {"mean_error", error.mean}, {"p95_error", error.percentile_95}, {"max_error", error.maximum},
-          {"bias", error.bias}};
+  return {{"method", method},
+          {"mean_error", error.mean},
+          {"p95_error", error.percentile_95},
+          {"max_error", error.maximum},
+          {"bias", error.bias},
+          {"mean_interval", error.mean_interval},
+          {"bias_interval", error.bias_interval}};
 }
 
 Json row_json(const ComparisonRow& row) {
   Json json = error_json(row.method, row.error);
   json["settings"] = row.settings;
+  json["choosing_error"] = row.choosing.mean;
   json.update(Json::parse(registry::to_json(row.values)));
   if (json.contains("slices")) json["layers"] = json["slices"];
   json["build_ms"] = row.cost.build_ms;
   json["lookup_ms"] = row.cost.lookup_ms;
-  json["total_ms"] = row.cost.build_ms + row.cost.lookup_ms;
+  json["total_ms"] = row.total_ms;
   json["bytes"] = row.cost.bytes;
   json["device"] = row.cost.device;
   return json;
@@ -35,9 +43,12 @@ Json baselines_json(const Comparison& comparison) {
 }
 
 Json truth_json(const Comparison& comparison) {
-  return {{"rays", comparison.rays}, {"receivers", comparison.receivers}, {"counted", comparison.counted},
+  return {{"rays", comparison.rays},
+          {"receivers", comparison.receivers},
+          {"counted", comparison.counted},
           {"mean_standard_error", comparison.truth_standard_error},
-          {"ms", comparison.truth_cost.build_ms + comparison.truth_cost.lookup_ms}, {"device", comparison.truth_cost.device}};
+          {"ms", comparison.truth_cost.build_ms + comparison.truth_cost.lookup_ms},
+          {"device", comparison.truth_cost.device}};
 }
 
 std::string cell(const registry::ParameterValues& values, std::string_view name) {
@@ -51,22 +62,53 @@ std::string layers_of(const registry::ParameterValues& values) {
   return slices.empty() ? cell(values, "layers") : slices;
 }
 
-std::string csv_line(std::string_view method, std::string_view settings, const registry::ParameterValues& values,
-                     const ErrorStatistics& error, const shadows::Cost& cost) {
-  return fmt::format("{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\"\n", method, settings, layers_of(values),
-                     cell(values, "resolution"), error.mean, error.percentile_95, error.maximum, error.bias, cost.build_ms, cost.lookup_ms,
-                     cost.build_ms + cost.lookup_ms, cost.bytes, cost.device);
+std::string csv_line(const ComparisonRow& row) {
+  return fmt::format("{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\"\n",
+                     row.method, row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean,
+                     row.error.mean_interval, row.error.percentile_95, row.error.maximum, row.error.bias,
+                     row.choosing.mean, row.cost.build_ms, row.cost.lookup_ms, row.total_ms, row.cost.bytes,
+                     row.cost.device);
+}
+ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error) {
+  ComparisonRow row;
+  row.method = method;
+  row.choosing = row.error = error;
+  return row;
+}
+
+Json refused_json(const Comparison& comparison) {
+  Json list = Json::array();
+  for (const Refusal& refusal : comparison.refused)
+    list.push_back({{"method", refusal.method}, {"settings", refusal.settings}, {"why", refusal.why}});
+  return list;
+}
+
+/// The best row of each method on the choosing half, in the order of the rows.
+std::vector<const ComparisonRow*> best_of_each(const Comparison& comparison) {
+  std::vector<const ComparisonRow*> best;
+  for (const ComparisonRow& row : comparison.rows) {
+    const auto same =
+        std::find_if(best.begin(), best.end(), [&](const auto* other) { return other->method == row.method; });
+    if (same == best.end())
+      best.push_back(&row);
+    else if (row.choosing.mean < (*same)->choosing.mean)
+      *same = &row;
+  }
+  return best;
 }
 
 }  // namespace
 
 std::string to_json(const Comparison& comparison) {
   Json json{{"name", comparison.name}, {"title", comparison.title}};
-  json["x"] = {{"key", "total_ms"}, {"label", "build + lookup, ms"}, {"scale", "log"}};
+  json["x"] = {{"key", "total_ms"}, {"label", "build + lookup at every vertex, ms"}, {"scale", "log"}};
   json["y"] = {{"key", "mean_error"}, {"label", "mean |error| of transmittance"}, {"scale", "log"}};
   json["series"] = "resolution";
   json["label"] = "layers";
-  json["groom"] = {{"name", comparison.groom_name}, {"strands", comparison.strands}, {"vertices", comparison.vertices},
+  json["pareto"] = true;
+  json["groom"] = {{"name", comparison.groom_name},
+                   {"strands", comparison.strands},
+                   {"vertices", comparison.vertices},
                    {"spacing_m", comparison.spacing}};
   json["alpha"] = comparison.alpha;
   json["to_light"] = {comparison.to_light.x, comparison.to_light.y, comparison.to_light.z};
@@ -76,20 +118,40 @@ std::string to_json(const Comparison& comparison) {
   json["baselines"] = baselines_json(comparison);
   json["rows"] = Json::array();
   for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(row));
+  if (!comparison.refused.empty()) json["refused"] = refused_json(comparison);
   return json.dump(2) + "\n";
 }
 
 std::string to_csv(const Comparison& comparison) {
-  std::string text = "method,settings,layers,resolution,mean_error,p95_error,max_error,bias,build_ms,lookup_ms,total_ms,bytes,device\n";
-  text += csv_line("none", "", {}, comparison.none, {});
-  text += csv_line("best constant", "", {}, comparison.best_constant, {});
-  for (const ComparisonRow& row : comparison.rows) text += csv_line(row.method, row.settings, row.values, row.error, row.cost);
+  std::string text =
+      "method,settings,layers,resolution,mean_error,mean_interval,p95_error,max_error,bias,choosing_error,build_ms,"
+      "lookup_ms,total_ms,bytes,device\n";
+  text += csv_line(baseline_row("none", comparison.none));
+  text += csv_line(baseline_row("best constant", comparison.best_constant));
+  for (const ComparisonRow& row : comparison.rows) text += csv_line(row);
   return text;
+}
+
+std::string receivers_csv(const Comparison& comparison) {
+  const auto columns = best_of_each(comparison);
+  std::string text = "x,y,z,truth,standard_error";
+  for (const ComparisonRow* row : columns) {
+    std::string settings = row->settings;
+    std::replace(settings.begin(), settings.end(), ',', ';');
+    text += fmt::format(",{} {}", row->method, settings);
+  }
+  for (std::size_t i = 0; i < comparison.points.size(); ++i) {
+    const glm::vec3& p = comparison.points[i];
+    text += fmt::format("\n{},{},{},{:.6g},{:.3g}", p.x, p.y, p.z, comparison.truth[i], comparison.truth_errors[i]);
+    for (const ComparisonRow* row : columns) text += fmt::format(",{:.6g}", row->transmittance[i]);
+  }
+  return text + "\n";
 }
 
 Result<void> write_comparison(const Comparison& comparison, const std::string& folder) {
   CUTICLE_TRY(make_folder(folder));
   CUTICLE_TRY(write_text_file(folder + "/study.csv", to_csv(comparison)));
+  CUTICLE_TRY(write_text_file(folder + "/receivers.csv", receivers_csv(comparison)));
   return write_text_file(folder + "/study.json", to_json(comparison));
 }
 

@@ -24,7 +24,8 @@ Result<Comparison> run_slices_study(const SlicesStudy& study, Progress& progress
   request.title = "Opacity maps and deep opacity maps against ray-traced truth";
   if (request.footprint_radius <= 0) request.footprint_radius = shadows::default_footprint_radius(*request.groom);
   const std::string methods[] = {"opacity_map", "deep_opacity"};
-  CUTICLE_ASSIGN(request.candidates, candidates_of(methods, {study.layers, study.resolutions, request.footprint_radius}));
+  CUTICLE_ASSIGN(request.candidates,
+                 candidates_of(methods, {study.layers, study.resolutions, {request.footprint_radius}, {}}));
   return compare_with_truth(request, progress);
 }
 
@@ -35,7 +36,8 @@ struct CoatStrand {
 };
 /// A root on the upper half sphere (uniform by area) and where the strand bends to.
 CoatStrand coat_strand(std::uint32_t index) {
-  const PhiloxBlock a = philox(PhiloxBlock{index, 0, 0, 0}, 0xc0a7u, 0), b = philox(PhiloxBlock{index, 1, 0, 0}, 0xc0a7u, 0);
+  const PhiloxBlock a = philox(PhiloxBlock{index, 0, 0, 0}, 0xc0a7u, 0),
+                    b = philox(PhiloxBlock{index, 1, 0, 0}, 0xc0a7u, 0);
   double height = 0, turn = 0, x = 0, z = 0;
   unit_interval(a.a, height);
   unit_interval(a.b, turn);

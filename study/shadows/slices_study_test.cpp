@@ -1,9 +1,12 @@
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/shadows/footprint.h>
+#include <cuticle/study/shadows/marks.h>
 #include <cuticle/study/shadows/slices_study.h>
 
 using namespace cuticle;
@@ -36,7 +39,8 @@ TEST(SlicesStudy, MoreSlices_LessError) {
 
 TEST(SlicesStudy, DeepLayers_BeatAsManySlicesAndImproveWithTheirNumber) {
   const auto& rows = coat_comparison().rows;
-  for (int i = 0; i < 6; ++i) std::printf("%s %s: %.4f\n", rows[i].method.c_str(), rows[i].settings.c_str(), rows[i].error.mean);
+  for (int i = 0; i < 6; ++i)
+    std::printf("%s %s: %.4f\n", rows[i].method.c_str(), rows[i].settings.c_str(), rows[i].error.mean);
   EXPECT_LT(rows[4].error.mean, 0.5 * rows[3].error.mean) << "4 layers against 1";
   EXPECT_LT(rows[5].error.mean, rows[4].error.mean) << "16 layers against 4";
   EXPECT_LT(rows[4].error.mean, 0.75 * rows[0].error.mean) << "4 layers against 4 slices";
@@ -62,37 +66,55 @@ TEST(SlicesStudy, Files_HoldWhatTheReadmeSays) {
   const std::string folder = testing::TempDir() + "/slices_study";
   ASSERT_TRUE(write_comparison(coat_comparison(), folder));
   const auto json = nlohmann::json::parse(read_text_file(folder + "/study.json").value());
-  for (const char* key : {"name", "title", "x", "y", "series", "label", "groom", "alpha", "to_light", "footprint_m", "truth", "device", "baselines", "rows"})
+  for (const char* key : {"name", "title", "x", "y", "series", "label", "groom", "alpha", "to_light", "footprint_m",
+                          "truth", "device", "baselines", "rows"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char* key : {"method", "settings", "layers", "resolution", "mean_error", "p95_error", "max_error", "bias", "total_ms", "bytes", "device"})
+  for (const char* key : {"method", "settings", "layers", "resolution", "mean_error", "p95_error", "max_error", "bias",
+                          "total_ms", "bytes", "device"})
     EXPECT_TRUE(json["rows"][0].contains(key)) << key;
   EXPECT_TRUE(std::filesystem::exists(folder + "/study.csv"));
+  const std::string receivers = read_text_file(folder + "/receivers.csv").value();
+  EXPECT_TRUE(receivers.starts_with("x,y,z,truth,standard_error,opacity_map "));
+  EXPECT_EQ(std::size_t(std::count(receivers.begin(), receivers.end(), '\n')), coat_comparison().points.size() + 1);
 }
 
 TEST(BestChoice, Limits_AreKeptOrNoneDoes) {
   Comparison comparison;
   comparison.rows.resize(3);
   for (int i = 0; i < 3; ++i) {
-    comparison.rows[std::size_t(i)].error.mean = 0.3 / (i + 1);
-    comparison.rows[std::size_t(i)].cost.lookup_ms = 10.0 * (i + 1);
+    ComparisonRow& row = comparison.rows[std::size_t(i)];
+    row.error.mean = row.choosing.mean = 0.3 / (i + 1);
+    row.total_ms = 10.0 * (i + 1);
   }
-  EXPECT_EQ(best_choice(comparison, 0.2, 0), &comparison.rows[1]);
-  EXPECT_EQ(best_choice(comparison, 0, 25), &comparison.rows[1]);
-  EXPECT_EQ(best_choice(comparison, 0, 0), &comparison.rows[2]);
-  EXPECT_EQ(best_choice(comparison, 0.1, 25), nullptr);
+  EXPECT_EQ(best_choice(comparison, {0.2, 0}), &comparison.rows[1]);
+  EXPECT_EQ(best_choice(comparison, {0, 25}), &comparison.rows[1]);
+  EXPECT_EQ(best_choice(comparison, {0, 0}), &comparison.rows[2]);
+  EXPECT_EQ(best_choice(comparison, {0.1, 25}), nullptr);
+  const Nearest nearest = nearest_to(comparison, {0.09, 25});
+  EXPECT_EQ(nearest.row, &comparison.rows[2]);
+  EXPECT_EQ(nearest.because, "its mean error is 0.1000, more than 0.09 and it takes 30 ms, more than 25");
+  comparison.rows[1].error.mean = 0.21;
+  EXPECT_EQ(best_choice(comparison, {0.2, 0}), &comparison.rows[2]) << "met on one half only";
 }
 
 TEST(Candidates, SweptMethods_TakeWhatTheyKnow) {
   const std::string methods[] = {"none", "opacity_map"};
-  const auto candidates = candidates_of(methods, {{4, 8}, {64, 128, 256}, 0.001});
+  const auto candidates = candidates_of(methods, {{4, 8}, {64, 128, 256}, {0.001}, {}});
   ASSERT_TRUE(candidates);
   ASSERT_EQ(candidates->size(), 7u);
   EXPECT_EQ(settings_text((*candidates)[0]), "");
   EXPECT_EQ(settings_text((*candidates)[1]), "filter_radius_mm=1,resolution=64,slices=4");
-  EXPECT_FALSE(candidates_of(methods, {{1}, {}, 0}));
-  const auto fewer = candidates_of(methods, {{1, 4}, {}, 0});
+  EXPECT_FALSE(candidates_of(methods, {{1}, {}, {}, {}}));
+  const auto skipped = candidates_of(methods, {{1}, {}, {}, {}, true});
+  ASSERT_TRUE(skipped);
+  EXPECT_EQ(skipped->size(), 1u);
+  const auto fewer = candidates_of(methods, {{1, 4}, {}, {}, {}});
   ASSERT_TRUE(fewer);
   EXPECT_EQ(fewer->size(), 2u) << "one is no number of slices";
+  const std::string spaced[] = {"opacity_map", "deep_opacity", "voxel"};
+  const auto spacings = candidates_of(spaced, {{4}, {}, {}, {"geometric", "equal", "printed"}});
+  ASSERT_TRUE(spacings);
+  EXPECT_EQ(spacings->size(), 5u) << "one, two, and the two cases of a method without layers";
   const std::string unknown[] = {"opacity"};
   EXPECT_FALSE(candidates_of(unknown, {}));
 }
@@ -105,6 +127,15 @@ TEST(ErrorStatistics, KnownValues_CountOnlyPartlyLitReceivers) {
   EXPECT_DOUBLE_EQ(statistics.maximum, 0.25);
 }
 
+TEST(ErrorStatistics, Halves_ShareNoReceiver) {
+  const std::vector<float> truth{0.5f, 0.5f, 0.5f, 0.5f}, values{0.6f, 0.8f, 0.6f, 0.8f};
+  EXPECT_NEAR(error_statistics(values, truth, Half::choosing).mean, 0.1, 1e-6);
+  EXPECT_NEAR(error_statistics(values, truth, Half::reporting).mean, 0.3, 1e-6);
+  const ErrorStatistics both = error_statistics(values, truth);
+  EXPECT_NEAR(both.mean, 0.2, 1e-6);
+  EXPECT_NEAR(both.mean_interval, 1.96 * 0.1 / std::sqrt(3.0), 1e-6);
+}
+
 TEST(Probes, MoreThanThereAre_AreAllVerticesWithTheirStrands) {
   const strands::Groom groom = study_coat(3);
   const Probes probes = spread_probes(groom, 1000);
@@ -112,6 +143,46 @@ TEST(Probes, MoreThanThereAre_AreAllVerticesWithTheirStrands) {
   EXPECT_EQ(probes.strands[7], 0u);
   EXPECT_EQ(probes.strands[8], 1u);
   EXPECT_EQ(probes.strands[23], 2u);
+}
+
+TEST(CompareWithTruth, AFilterAsWideAsTheFootprint_FinerMapsAreNoWorse) {
+  const strands::Groom groom = study_coat(4000);
+  ComparisonRequest request;
+  request.groom = &groom;
+  request.rays = 256;
+  request.receivers = 300;
+  const std::string methods[] = {"exact_list", "deep_shadow", "voxel"};
+  const double footprint = shadows::default_footprint_radius(groom);
+  request.candidates = candidates_of(methods, {{}, {32, 64, 128, 256}, {footprint}, {}}).value();
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  for (std::size_t i = 0; i < comparison->rows.size(); ++i) {
+    const ComparisonRow& row = comparison->rows[i];
+    std::printf("%s %s: %.4f +- %.4f\n", row.method.c_str(), row.settings.c_str(), row.error.mean,
+                row.error.mean_interval);
+    const double coarser = i % 4 == 0 ? 1 : comparison->rows[i - 1].error.mean;
+    EXPECT_LT(row.error.mean, coarser + row.error.mean_interval);
+  }
+}
+
+TEST(CompareWithTruth, WeightsPerVertex_AreTheMeanOfTheEnds) {
+  const strands::Groom groom = study_coat(4000);
+  ComparisonRequest request;
+  request.groom = &groom;
+  request.rays = 64;
+  request.receivers = 300;
+  const std::string methods[] = {"opacity_map"};
+  request.candidates = candidates_of(methods, {{4}, {128}, {}, {}}).value();
+  double errors[2];
+  for (int i = 0; i < 2; ++i) {
+    request.weights = i == 0 ? Weights::per_fragment : Weights::per_vertex;
+    const auto comparison = compare_with_truth(request, silent_progress());
+    ASSERT_TRUE(comparison) << comparison.error().message;
+    ASSERT_EQ(comparison->rows[0].transmittance.size(), comparison->truth.size());
+    errors[i] = comparison->rows[0].error.mean;
+  }
+  EXPECT_NE(errors[0], errors[1]);
+  EXPECT_NEAR(errors[0], errors[1], 0.1);
 }
 
 TEST(CompareWithTruth, NothingShadowed_IsRefused) {
@@ -122,4 +193,62 @@ TEST(CompareWithTruth, NothingShadowed_IsRefused) {
   const auto comparison = compare_with_truth(request, silent_progress());
   ASSERT_FALSE(comparison);
   EXPECT_EQ(comparison.error().kind, ErrorKind::bad_input);
+}
+
+TEST(Followers, OfASeed_AreTheSameAndWithinTheirBall) {
+  const strands::Groom guides = study_coat(50), groom = with_followers(guides, 4, 0.002, 7);
+  ASSERT_EQ(groom.strand_count(), 250u);
+  EXPECT_EQ(groom, with_followers(guides, 4, 0.002, 7));
+  EXPECT_NE(groom, with_followers(guides, 4, 0.002, 8));
+  double largest = 0;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (std::size_t v = 0; v < 8; ++v) {
+      const glm::dvec3 move = glm::dvec3(groom.strand(s)[v]) - glm::dvec3(guides.strand(s / 5)[v]);
+      largest = std::max(largest, std::sqrt(move.x * move.x + move.y * move.y + move.z * move.z));
+    }
+  EXPECT_LE(largest, 0.002 + 1e-7);
+  EXPECT_GT(largest, 0.0017);
+}
+
+namespace {
+
+Result<MarksFile> marks_of(const std::string& marks) {
+  const std::string path = testing::TempDir() + "/marks.json";
+  EXPECT_TRUE(write_text_file(
+      path, R"({"name": "small", "alpha": 0.4, "rays": 64, "receivers": 200, "lights": [[1, 1, 0.3], [0, 1, 0]],
+    "hair": {"coat_strands": 2000, "fibre_radius_m": 0.0003}, "marks": [)" +
+                marks + "]}"));
+  return read_marks(path, ".");
+}
+
+}  // namespace
+
+TEST(Marks, EachIsItsBestSettingWithinTheBytes) {
+  const auto file = marks_of(R"(
+    {"name": "lax", "method": "opacity_map", "error": 0.9, "settings": [{"slices": ["4", "32"], "resolution": ["64"]}]},
+    {"name": "small", "method": "opacity_map", "error": 0.9, "bytes": 50000, "settings": [{"slices": ["4", "32"], "resolution": ["64"]}]},
+    {"name": "strict", "method": "opacity_map", "error": 1e-9, "settings": [{"slices": ["4"]}]},
+    {"name": "none", "method": "opacity_map", "error": 0.9, "bytes": 10, "settings": [{"slices": ["4"]}]})");
+  ASSERT_TRUE(file) << file.error().message;
+  const auto report = measure_marks(*file, silent_progress());
+  ASSERT_TRUE(report) << report.error().message;
+  ASSERT_EQ(report->results.size(), 4u);
+  EXPECT_TRUE(report->results[0].met());
+  EXPECT_NE(report->results[0].settings.find("slices=32"), std::string::npos);
+  EXPECT_EQ(report->results[1].bytes, 3u * 64 * 64 * 4);
+  EXPECT_GT(report->results[1].error, report->results[0].error);
+  EXPECT_GT(report->results[0].interval, 0);
+  EXPECT_FALSE(report->results[2].met());
+  EXPECT_FALSE(report->results[3].met());
+  EXPECT_EQ(nlohmann::json::parse(to_json(*file, *report))["lights"].size(), 2u);
+}
+
+TEST(Marks, BadFiles_AreRefusedByName) {
+  for (const std::string marks :
+       {R"({"name": "a"})", R"({"name": "a", "method": "opacity_mop", "error": 1, "settings": [{}]})",
+        R"({"name": "a", "method": "opacity_map", "error": 1, "settings": [{"slices": ["1"]}]})", ""}) {
+    const auto file = marks_of(marks);
+    ASSERT_FALSE(file) << marks;
+    EXPECT_NE(file.error().message.find("marks.json"), std::string::npos) << file.error().message;
+  }
 }

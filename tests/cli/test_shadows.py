@@ -39,8 +39,22 @@ def test_Shadows_AnErrorThatCanBeMet_NamesTheCheapest(groom):
     assert data["footprint_m"] > 0 and data["truth"]["mean_standard_error"] > 0
 
 
-def test_Shadows_AnErrorThatCannotBeMet_NoneDoes(groom):
-    assert "none does" in refused(1, *options(groom), "--max-error", "0.000001")
+def test_Shadows_AnErrorThatCannotBeMet_NoneDoesAndTheNearestIsNamed(groom):
+    said = refused(1, *options(groom), "--layers", "3,48", "--max-error", "0.000001")
+    assert "none does: nearest is opacity_map" in said and "slices=48" in said and "more than 1e-06" in said
+    assert "because it takes" in refused(1, *options(groom), "--budget-ms", "1e-9")
+
+
+def test_Shadows_AllMethods_EachHasItsRows(groom):
+    known = {entry["name"] for entry in json.loads(run("methods", "--json").stdout)} - {"truth"}
+    table = rows(*options(groom), "--methods", "all", "--layers", "1,4", "--quick")
+    assert {row["method"] for row in table} == known | {"best constant"}
+    assert all(float(row["mean_error"]) <= float(row["max_error"]) for row in table)
+
+
+def test_Shadows_FiltersAndSpacings_AreSwept(groom):
+    table = rows(*options(groom), "--methods", "deep_opacity", "--filter", "0.5,2", "--spacing", "equal,geometric")
+    assert len({row["settings"] for row in table}) == 4 + 1, "and the baselines without any"
 
 
 def test_Shadows_AtPoints_OneColumnAMethod(groom, tmp_path):
@@ -57,11 +71,25 @@ def test_Shadows_Folder_HoldsTheStudysData(groom, tmp_path):
     rows(*options(groom), "--out", folder)
     assert json.loads((folder / "study.json").read_text())["rows"]
     assert (folder / "study.csv").read_text().startswith("method,settings,")
+    assert (folder / "receivers.csv").read_text().startswith("x,y,z,truth,standard_error,none ")
+    assert (folder / "index.html").exists() and (folder / "hair.png").exists()
+
+
+def test_StudyShadows_Marks_EndWithOneWhereOneIsNotMet(tmp_path):
+    marks = tmp_path / "marks.json"
+    setting = {"method": "opacity_map", "settings": [{"resolution": ["32"]}]}
+    text = {"name": "small", "alpha": 0.4, "rays": 16, "receivers": 60, "lights": [[0, 1, 0]], "hair": {"coat_strands": 1000, "fibre_radius_m": 0.0005}}
+    for code, error in ((0, 1), (1, 1e-9)):
+        marks.write_text(json.dumps(text | {"marks": [setting | {"name": "a mark", "error": error}]}))
+        done = run("study", "shadows", "--marks", marks, "--out", tmp_path / "out")
+        assert done.returncode == code and "a mark" in done.stdout, done.stderr
+        assert json.loads((tmp_path / "out" / "marks.json").read_text())["marks"][0]["met"] == (code == 0)
 
 
 @pytest.mark.parametrize("code,extra,word", [
     (2, ["--light", "0,0,0"], "light"), (2, ["--light", "1,0"], "--light"), (2, ["--methods", "opacity_mop"], "opacity_map"),
-    (2, ["--layers", "1"], "slices"), (2, ["--layers", "2.5"], "--layers"), (3, ["--at", "missing.csv"], "missing.csv"),
+    (2, ["--layers", "1"], "slices"), (2, ["--layers", "2.5"], "--layers"), (2, ["--filter", "-1"], "--filter"),
+    (2, ["--methods", "deep_opacity", "--spacing", "linear"], "geometric"), (3, ["--at", "missing.csv"], "missing.csv"),
 ])
 def test_Shadows_BadInput_IsRefused(groom, code, extra, word):
     assert word in refused(code, *options(groom), *extra)

@@ -1,0 +1,71 @@
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cuticle/shadows/method.h>
+#include <cuticle/tests/support/synthetic_grooms.h>
+
+using namespace cuticle;
+using namespace cuticle::shadows;
+
+namespace {
+
+Result<Transmittance> run(const strands::Groom& groom, std::span<const glm::vec3> points, const std::string& set,
+                          double alpha = 0.4, glm::dvec3 light = {0, 1, 0}) {
+  const Method& method = **find_method("exact_list");
+  auto values = registry::parse_assignments(method.entry.parameters, set);
+  if (!values) return values.error();
+  return method.evaluate({&groom, alpha, light}, {points, {}}, *values);
+}
+float one(const strands::Groom& groom, glm::vec3 point, const std::string& set = "", double alpha = 0.4) {
+  auto result = run(groom, std::span(&point, 1), set, alpha);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? result->values[0] : -1;
+}
+double mean(std::span<const float> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+}  // namespace
+
+TEST(ExactList, HalfWayThroughASlab_HalfTheDepthCounts) {
+  const strands::Groom groom = tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7);
+  for (const double height : {-0.001, 0.025}) {
+    const double area = 4e-5 * tests::length_per_area(groom, 0.02, height);
+    const auto points = tests::grid_below(height);
+    auto result = run(groom, points, "accumulate=poisson,filter_texels=3");
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(mean(result->values) / std::exp(-0.4 * area), 1, 0.01);
+  }
+}
+
+TEST(ExactList, ThreeFibresInALine_EachPointKnowsThoseBeforeIt) {
+  strands::Groom groom;
+  for (const float y : {0.05f, 0.04f, 0.0f}) tests::add_strand(groom, {{-0.05f, y, 0}, {0.05f, y, 0}}, 0.005f);
+  EXPECT_EQ(one(groom, {0, 0.051f, 0}), 1.0f);
+  EXPECT_NEAR(one(groom, {0, 0.0499f, 0}), 0.6, 1e-4);
+  EXPECT_NEAR(one(groom, {0, 0.0399f, 0}), 0.36, 1e-4);
+  EXPECT_NEAR(one(groom, {0, -1, 0}), 0.216, 1e-4);
+}
+
+TEST(ExactList, EmptyGroomClearAndOpaqueFibres_StatedValues) {
+  strands::Groom groom;
+  EXPECT_EQ(one(groom, {0, 0, 0}), 1.0f);
+  tests::add_strand(groom, {{-0.05f, 0, 0}, {0.05f, 0, 0}}, 0.005f);
+  EXPECT_EQ(one(groom, {0, -1, 0}, "", 0), 1.0f);
+  EXPECT_LT(one(groom, {0, -1, 0}, "", 1), 1e-4f);
+}
+
+TEST(ExactList, OneAndThreeThreads_SameBits) {
+  const strands::Groom groom = tests::coat(2000, 6, 0.03, 1e-4f, 3);
+  std::vector<float> values[2];
+  for (int i = 0; i < 2; ++i) {
+    tbb::global_control threads(tbb::global_control::max_allowed_parallelism, i == 0 ? 1 : 3);
+    auto result = run(groom, groom.positions, "resolution=128", 0.4, {1, 1, 0.3});
+    ASSERT_TRUE(result);
+    values[i] = result->values;
+  }
+  EXPECT_EQ(values[0], values[1]);
+}

@@ -1,0 +1,129 @@
+#include <cuticle/shadows/voxel/volume.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <cuticle/shadows/detail/map_walk.h>
+#include <cuticle/shadows/light_frame.h>
+
+namespace cuticle::shadows::voxel {
+namespace {
+
+constexpr double k_largest_depth = 16 * std::numbers::ln2;  // of an opaque crossing, as in maps
+
+void deposit_segment(Volume& volume, const strands::Groom& groom, std::uint32_t v, const glm::vec3& to_light,
+                     float units, bool anisotropic) {
+  const VolumePlacement<float>& placement = volume.placement;
+  const glm::vec3 a = groom.positions[v], b = groom.positions[v + 1], along = b - a;
+  const std::uint32_t pieces = volume_pieces(placement, exact_length(along));
+  const float shown = shown_length(along, to_light, anisotropic);
+  const std::uint32_t amount = piece_deposit(placement, units, groom.radii[v] + groom.radii[v + 1], shown, pieces);
+  for (std::uint32_t i = 0; i < pieces; ++i) {
+    const std::uint32_t cell = cell_number(placement, piece_in_cells(placement, a, b, i, pieces));
+    add_to(volume.sums[cell], amount);
+  }
+}
+
+/// Trilinear between the middles of cells, 0 outside; `p` in cells.
+float sample(const Volume& volume, const glm::vec3& p) {
+  const glm::vec3& size = volume.placement.size;
+  const float x0 = std::floor(p.x - 0.5f), y0 = std::floor(p.y - 0.5f), z0 = std::floor(p.z - 0.5f);
+  float sum = 0;
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 cell(x0 + float(i & 1), y0 + float((i >> 1) & 1), z0 + float(i >> 2));
+    if (cell.x < 0 || cell.y < 0 || cell.z < 0 || cell.x >= size.x || cell.y >= size.y || cell.z >= size.z) continue;
+    const float weight =
+        (1 - std::abs(p.x - 0.5f - cell.x)) * (1 - std::abs(p.y - 0.5f - cell.y)) * (1 - std::abs(p.z - 0.5f - cell.z));
+    sum += weight * float(volume.sums[cell_number(volume.placement, cell)]);
+  }
+  return sum;
+}
+
+/// Where a ray is inside the box; `leave` is not above `enter` where it misses it.
+struct Span {
+  float enter = 0, leave = std::numeric_limits<float>::max();
+};
+Span span_inside(float lower, const glm::vec3& upper, const glm::vec3& p, const glm::vec3& direction) {
+  Span span;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float to_lower = lower - p[axis], to_upper = upper[axis] - p[axis];
+    if (direction[axis] == 0) {
+      if (to_lower > 0 || to_upper < 0) span.leave = 0;
+      continue;
+    }
+    const float a = to_lower / direction[axis], b = to_upper / direction[axis];
+    span.enter = std::max(span.enter, std::min(a, b));
+    span.leave = std::min(span.leave, std::max(a, b));
+  }
+  return span;
+}
+
+/// From a point to the end of the volume along a unit direction: trilinear samples half a cell apart.
+float optical_depth(const Volume& volume, const glm::vec3& p, const glm::vec3& direction) {
+  constexpr float k_step = 0.5f;
+  const glm::vec3 start = in_cells(volume.placement, p);
+  const Span inside = span_inside(-0.5f, volume.placement.size + 0.5f, start, direction);
+  const glm::vec3 entry = start + inside.enter * direction;
+  float sum = 0;
+  for (float t = 0.5f * k_step; t < inside.leave - inside.enter; t += k_step)
+    sum += sample(volume, entry + t * direction);
+  return sum * k_step / float(k_units);
+}
+
+/// Starts of the rays of a lookup, relative to its point, spread over the disc by the golden angle.
+std::vector<glm::vec3> ray_starts(const Volume& volume, double radius, const glm::dvec3& unit_to_light) {
+  const int count = ray_count(float(radius) * volume.placement.per_metre);
+  if (count == 1) return {glm::vec3(0)};
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  const PlaneAxes axes = plane_axes(unit_to_light);
+  std::vector<glm::vec3> starts;
+  for (int i = 0; i < count; ++i) {
+    const double r = radius * std::sqrt((i + 0.5) / count), angle = golden_angle * i;
+    starts.emplace_back(r * (std::cos(angle) * axes.first + std::sin(angle) * axes.second));
+  }
+  return starts;
+}
+
+}  // namespace
+
+Settings settings_from(const registry::ParameterValues& values) {
+  return {std::uint32_t(values.integer("resolution")), values.choice("form") == "anisotropic",
+          values.choice("accumulate") == "poisson", 1e-3 * values.real("filter_radius_mm")};
+}
+
+float units_per_crossing(double alpha, const Settings& settings) {
+  const double depth = settings.poisson ? alpha : std::min(k_largest_depth, -std::log1p(-alpha));
+  return float(double(k_units) * depth);
+}
+
+Volume build_volume(const strands::Groom& groom, double alpha, const glm::dvec3& unit_to_light,
+                    const Settings& settings) {
+  const strands::Bounds box = strands::bounds(groom);
+  Volume volume{volume_placement(box.lower, box.upper, settings.resolution), {}};
+  const glm::vec3& size = volume.placement.size;
+  volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+  const float units = units_per_crossing(alpha, settings);
+  const glm::vec3 to_light(unit_to_light);
+  for_each_index(groom.strand_count(), [&](std::size_t s) {
+    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
+      deposit_segment(volume, groom, v, to_light, units, settings.anisotropic);
+  });
+  return volume;
+}
+
+std::vector<float> look_up(const Volume& volume, const Settings& settings, const glm::dvec3& unit_to_light,
+                           std::span<const glm::vec3> points) {
+  const auto starts = ray_starts(volume, settings.filter_radius, unit_to_light);
+  const glm::vec3 direction(unit_to_light);
+  std::vector<float> values(points.size());
+  for_each_index(points.size(), [&](std::size_t i) {
+    float sum = 0;
+    for (const glm::vec3& start : starts) sum += std::exp(-optical_depth(volume, points[i] + start, direction));
+    values[i] = sum / float(starts.size());
+  });
+  return values;
+}
+
+}  // namespace cuticle::shadows::voxel

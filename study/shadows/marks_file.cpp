@@ -1,0 +1,134 @@
+// Reads scenes/shadow_marks/*.json (study/README.md describes them).
+#include <algorithm>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cuticle/core/file.h>
+#include <cuticle/shadows/footprint.h>
+#include <cuticle/strands/formats/formats.h>
+#include <cuticle/study/shadows/marks.h>
+#include <cuticle/study/shadows/slices_study.h>
+// After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
+#include <cuticle/core/shared/philox.glslh>
+
+namespace cuticle::study {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A point spread evenly over the unit ball: the first of some in the cube that lies inside.
+glm::vec3 in_ball(std::uint32_t guide, std::uint32_t follower, std::uint32_t seed) {
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    const PhiloxBlock words = philox(PhiloxBlock{guide, follower, attempt, 0}, seed, 0x0f0110u);
+    glm::vec3 point(0);
+    unit_interval(words.a, point.x);
+    unit_interval(words.b, point.y);
+    unit_interval(words.c, point.z);
+    point = 2.0f * point - 1.0f;
+    if (point.x * point.x + point.y * point.y + point.z * point.z <= 1) return point;
+  }
+}
+
+void append(strands::Groom& groom, std::span<const glm::vec3> points, float radius, const glm::vec3& move) {
+  for (const glm::vec3& point : points) groom.positions.push_back(point + move);
+  groom.radii.resize(groom.positions.size(), radius);
+  groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+}
+
+Result<strands::Groom> read_parts(const Json& json, const std::string& data) {
+  const strands::ReadOptions options{json.at("metres_per_unit").get<double>(), json.at("fibre_radius_m").get<double>()};
+  strands::Groom groom;
+  for (const Json& part : json.at("parts")) {
+    CUTICLE_ASSIGN(const auto file, strands::read_groom(data + "/" + part.get<std::string>(), options));
+    for (std::size_t s = 0; s < file.groom.strand_count(); ++s)
+      append(groom, file.groom.strand(s), float(options.radius), glm::vec3(0));
+  }
+  return with_followers(groom, json.at("followers").get<int>(), json.at("follower_radius_m").get<double>(),
+                        json.at("seed").get<std::uint32_t>());
+}
+
+Result<strands::Groom> read_hair(const Json& json, const std::string& data) {
+  if (json.contains("parts")) return read_parts(json, data);
+  strands::Groom coat = study_coat(json.at("coat_strands").get<int>());
+  std::fill(coat.radii.begin(), coat.radii.end(), json.at("fibre_radius_m").get<float>());
+  return coat;
+}
+
+/// `settings` maps a parameter to the texts that it takes in turn; every combination is a candidate.
+/// Lookups average the truth's footprint where no filter is given.
+Result<void> add_settings(const shadows::Method& method, const Json& settings, double footprint_radius,
+                          std::vector<Candidate>& candidates) {
+  std::vector<std::string> sets = {""};
+  for (const auto& [name, texts] : settings.items()) {
+    std::vector<std::string> longer;
+    for (const std::string& set : sets)
+      for (const Json& text : texts)
+        longer.push_back(fmt::format("{}{}{}={}", set, set.empty() ? "" : ",", name, text.get<std::string>()));
+    sets = std::move(longer);
+  }
+  for (const std::string& set : sets) {
+    CUTICLE_ASSIGN(auto values, registry::parse_assignments(method.entry.parameters, set));
+    if (!settings.contains("filter_radius_mm") && values.all().contains("filter_radius_mm"))
+      values.set("filter_radius_mm", 1e3 * footprint_radius);
+    candidates.push_back({&method, std::move(values)});
+  }
+  return {};
+}
+
+Result<Mark> read_mark(const Json& json, double footprint_radius) {
+  Mark mark{json.at("name").get<std::string>(),
+            json.at("method").get<std::string>(),
+            json.at("error").get<double>(),
+            json.value("bytes", std::size_t(0)),
+            {}};
+  CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(mark.method));
+  for (const Json& settings : json.at("settings"))
+    CUTICLE_TRY(add_settings(*method, settings, footprint_radius, mark.candidates));
+  return mark;
+}
+
+Result<MarksFile> marks_from(const Json& json, const std::string& data) {
+  MarksFile file;
+  file.name = json.at("name").get<std::string>();
+  CUTICLE_ASSIGN(file.groom, read_hair(json.at("hair"), data));
+  file.alpha = json.at("alpha").get<double>();
+  file.footprint_radius = json.contains("footprint_radius_m") ? json.at("footprint_radius_m").get<double>()
+                                                              : shadows::default_footprint_radius(file.groom);
+  file.rays = json.at("rays").get<int>();
+  file.receivers = json.at("receivers").get<std::size_t>();
+  for (const Json& light : json.at("lights"))
+    file.lights.emplace_back(light.at(0).get<double>(), light.at(1).get<double>(), light.at(2).get<double>());
+  for (const Json& mark : json.at("marks")) {
+    CUTICLE_ASSIGN(Mark read, read_mark(mark, file.footprint_radius));
+    file.marks.push_back(std::move(read));
+  }
+  if (file.lights.empty() || file.marks.empty()) return bad_input("'lights' and 'marks' must not be empty");
+  return file;
+}
+
+}  // namespace
+
+strands::Groom with_followers(const strands::Groom& guides, int count, double radius, std::uint32_t seed) {
+  strands::Groom groom;
+  for (std::uint32_t s = 0; s < guides.strand_count(); ++s) {
+    const float fibre = guides.radii[guides.offsets[s]];
+    append(groom, guides.strand(s), fibre, glm::vec3(0));
+    for (int i = 0; i < count; ++i)
+      append(groom, guides.strand(s), fibre, float(radius) * in_ball(s, std::uint32_t(i), seed));
+  }
+  return groom;
+}
+
+Result<MarksFile> read_marks(const std::string& path, const std::string& data) {
+  CUTICLE_ASSIGN(const std::string text, read_text_file(path));
+  try {
+    Result<MarksFile> file = marks_from(Json::parse(text), data);
+    if (!file) return Error{file.error().kind, path + ": " + file.error().message, file.error().hint};
+    return file;
+  } catch (const Json::exception& error) {
+    return bad_input(fmt::format("{}: {}", path, error.what()), "study/README.md");
+  }
+}
+
+}  // namespace cuticle::study
