@@ -1,5 +1,7 @@
 #include <cuticle/cli/groom_options.h>
 
+#include <cuticle/cli/usd_files.h>
+
 namespace cuticle::cli {
 
 void add_groom_options(CLI::App& command, double& metres_per_unit, double& radius) {
@@ -10,9 +12,13 @@ void add_groom_options(CLI::App& command, double& metres_per_unit, double& radiu
 }
 
 Result<strands::Groom> load_groom(const std::string& path, const strands::ReadOptions& options, Progress& progress) {
-  CUTICLE_ASSIGN(auto file, strands::read_groom(path, options));
+  CUTICLE_ASSIGN(auto file, read_groom_file(path, options));
   for (const std::string& note : file.notes) progress.message(note);
   return std::move(file.groom);
+}
+
+std::string groom_help(bool to_write) {
+  return "groom: " + strands::list_of_extensions(to_write) + (to_write ? ", .usd, .usdc (usd-core)" : ", .usd, .usdc, .usdz, .abc (usd-core)");
 }
 
 }  // namespace cuticle::cli

@@ -11,4 +11,7 @@ void add_groom_options(CLI::App& command, double& metres_per_unit, double& radiu
 /// The groom in a file; what was guessed goes to `progress`. Errors: as strands::read_groom.
 Result<strands::Groom> load_groom(const std::string& file, const strands::ReadOptions& options, Progress& progress);
 
+/// "groom: .hair, .tfx, ..": the help of an option that names a file to read or to write.
+std::string groom_help(bool to_write);
+
 }  // namespace cuticle::cli

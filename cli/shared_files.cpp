@@ -52,17 +52,19 @@ std::string share_file(const std::string& name) {
   return (folders.front() / name).string();
 }
 
+int run_python(const std::string& module, const std::vector<std::string>& arguments) {
+  setenv("PYTHONPATH", share_file("python").c_str(), 1);
+  std::vector<std::string> all = {python_program(), "-m", module};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return run_program(all);
+}
+
 int make_page(const std::string& mode, const std::string& folder, Progress& progress) {
-  const std::string package = share_file("python");
-  setenv("PYTHONPATH", package.c_str(), 1);
-  std::vector<std::string> arguments = {python_program(), "-m", "cuticle_report"};
-  if (!mode.empty()) arguments.push_back(mode);
-  arguments.push_back(folder);
-  const int code = run_program(arguments);
+  const int code = run_python("cuticle_report", mode.empty() ? std::vector{folder} : std::vector{mode, folder});
   if (code == 0)
     progress.message(fmt::format("page: {}/index.html", folder));
   else
-    progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete", arguments[0], code, folder));
+    progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete", python_program(), code, folder));
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Files that travel with the program (scenes) and the Python package that makes pages.
 #include <string>
+#include <vector>
 
 #include <cuticle/core/progress.h>
 
@@ -8,6 +9,9 @@ namespace cuticle::cli {
 
 /// Full path of a file that travels with the program: in CUTICLE_SHARE, beside the program (../share/cuticle), or in the source tree.
 std::string share_file(const std::string& name);
+
+/// Runs `python -m MODULE arguments` of the package beside the program. Its exit code; 127 where Python cannot be started.
+int run_python(const std::string& module, const std::vector<std::string>& arguments);
 
 /// Runs `python -m cuticle_report [mode] folder`, which makes index.html and the plots from the data there. Where Python or the package
 /// is missing, says so and leaves the data. Gives the exit code 0, also then.

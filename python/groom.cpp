@@ -45,7 +45,7 @@ void add_groom(nb::module_& module) {
       .def_ro("notes", &GroomFile::notes)
       .def("__len__", [](const GroomFile& file) { return file.groom.strand_count(); });
   module.def("load_groom", &load, nb::arg("path"), nb::arg("metres_per_unit") = 0.0, nb::arg("radius") = 0.0,
-             "Reads .hair or .tfx. metres_per_unit 0: guessed (see notes); radius 0: the file's own, or 35e-6 m.");
+             "Reads a groom file by its ending. metres_per_unit 0: as it states, or guessed (see notes); radius 0: the file's own, or 35e-6 m.");
 }
 
 }  // namespace cuticle::python

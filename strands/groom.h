@@ -47,6 +47,9 @@ struct UnitGuess {
 UnitGuess guess_units(const Groom& groom_in_file_units);
 /// Scales positions and radii.
 void scale(Groom& groom, double factor);
+/// Adds the strands of another groom. Root uv, roots and attributes are kept where both have them in the same form. The
+/// vertices of both together must be at most 0xffffffff.
+void append(Groom& groom, const Groom& part);
 /// Default fibre radius, metres (35 micrometres: the middle of the 17-50 of human hair), used where a file has none.
 inline constexpr float k_default_radius = 35e-6f;
 

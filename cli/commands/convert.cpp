@@ -1,7 +1,8 @@
 #include <fmt/core.h>
 
 #include <cuticle/cli/command.h>
-#include <cuticle/strands/formats/formats.h>
+#include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/usd_files.h>
 
 namespace cuticle::cli {
 
@@ -14,10 +15,10 @@ struct Request {
 };
 
 int convert(const Request& request, Progress& progress) {
-  const auto file = strands::read_groom(request.input, request.read);
+  const auto file = read_groom_file(request.input, request.read);
   if (!file) return report(file.error());
   for (const std::string& note : file->notes) progress.message(request.input + ": " + note);
-  const auto lost = strands::write_groom(request.output, file->groom, request.output_metres_per_unit);
+  const auto lost = write_groom_file(request.output, file->groom, request.output_metres_per_unit);
   if (!lost) return report(lost.error());
   for (const std::string& note : *lost) progress.message(request.output + ": " + note);
   progress.message(fmt::format("{}: {} strands, {} vertices written", request.output, file->groom.strand_count(),
@@ -30,10 +31,11 @@ int convert(const Request& request, Progress& progress) {
 void add_convert(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("convert", "a groom file from one format to another; what cannot be kept is said");
   auto request = std::make_shared<Request>();
-  command->add_option("input", request->input, "groom: .hair or .tfx")->required();
-  command->add_option("output", request->output, "groom: .hair or .tfx")->required();
+  command->add_option("input", request->input, groom_help(false))->required();
+  command->add_option("output", request->output, groom_help(true))->required();
   command->add_option("--metres-per-unit", request->read.metres_per_unit, "scale of the input; 0 = guess");
   command->add_option("--radius", request->read.radius, "fibre radius in metres; 0 = the input's own");
+  command->add_flag("--repair", request->read.repair, "mend points that are not finite or coincide, strands of one point or no length");
   command->add_option("--output-metres-per-unit", request->output_metres_per_unit, "scale of the output; 1 = metres");
   command->callback(
       [&context, request] { context.action = [&context, request] { return convert(*request, *context.progress); }; });

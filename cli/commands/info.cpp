@@ -2,7 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cuticle/cli/character_info.h>
-#include <cuticle/strands/formats/formats.h>
+#include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/usd_files.h>
+#include <cuticle/strands/refusals.h>
 #include <cuticle/strands/statistics.h>
 
 namespace cuticle::cli {
@@ -26,6 +28,23 @@ ordered_json to_json(const std::vector<strands::DegenerateStrand>& degenerate) {
   return list;
 }
 
+ordered_json to_json(const std::vector<strands::Refusal>& refusals) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [engine, what] : refusals) list.push_back({{"engine", engine}, {"what", what}});
+  return list;
+}
+
+/// What was mended; null where that was not asked for.
+ordered_json to_json(const std::optional<strands::Repairs>& repairs) {
+  if (!repairs) return nullptr;
+  return {{"points_not_finite", repairs->points_not_finite},
+          {"coincident_points", repairs->coincident_points},
+          {"strands_of_one_point", repairs->strands_of_one_point},
+          {"strands_without_length", repairs->strands_without_length},
+          {"points_added", repairs->points_added},
+          {"values_replaced", repairs->values_replaced}};
+}
+
 ordered_json to_json(const std::string& path, const strands::GroomFile& file, const strands::GroomStatistics& figures) {
   ordered_json attributes = ordered_json::array();
   for (const auto& [name, attribute] : file.groom.attributes) attributes.push_back(name);
@@ -42,6 +61,8 @@ ordered_json to_json(const std::string& path, const strands::GroomFile& file, co
           {"has_root_uv", !file.groom.root_uv.empty()},
           {"attributes", attributes},
           {"degenerate_strands", to_json(figures.degenerate)},
+          {"refused_by", to_json(strands::refusals(file.groom))},
+          {"repaired", to_json(file.repairs)},
           {"notes", file.notes}};
 }
 
@@ -67,13 +88,18 @@ void print_text(const strands::GroomFile& file, const strands::GroomStatistics& 
   print_spread("segment", figures.segment);
   print_spread("radius", figures.radius);
   fmt::print("{:<22}{:.4g} m between neighbouring fibres\n", "spacing", figures.spacing);
+  std::string attributes = file.groom.root_uv.empty() ? "" : "root_uv ";
+  for (const auto& [name, attribute] : file.groom.attributes) attributes += name + " ";
+  fmt::print("{:<22}{}\n", "attributes", attributes.empty() ? "none" : attributes);
   fmt::print("{:<22}{} metres per unit\n", "units", file.metres_per_unit);
   for (const std::string& note : file.notes) fmt::print("{:<22}{}\n", "note", note);
+  for (const auto& [engine, what] : strands::refusals(file.groom))
+    fmt::print("{:<22}{}: {}\n", "refused by", engine, what);
   print_degenerate(figures.degenerate);
 }
 
 int show_info(const std::string& path, const strands::ReadOptions& options, bool json) {
-  const auto file = strands::read_groom(path, options);
+  const auto file = read_groom_file(path, options);
   if (!file) return report(file.error());
   const strands::GroomStatistics figures = strands::statistics(file->groom);
   if (json)
@@ -90,9 +116,10 @@ void add_info(CLI::App& app, Context& context) {
       app.add_subcommand("info", "what a groom or character file holds: strands, lengths, spacing, units; joints, clips, weights; what is amiss");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
-  command->add_option("file", *path, "groom: .hair or .tfx; character: .glb or .gltf")->required();
+  command->add_option("file", *path, groom_help(false) + "; character: .glb or .gltf")->required();
   command->add_option("--metres-per-unit", options->metres_per_unit, "scale of the file; 0 = guess");
   command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own");
+  command->add_flag("--repair", options->repair, "mend what is damaged instead of refusing it, and count it");
   auto character = std::make_shared<CharacterInfoRequest>();
   command->add_option("--convention", character->convention, "JSON: a character's metres_per_unit, up, forward, bones by hand");
   command->add_option("--skeleton", character->skeleton, "BVH whose bones are mapped onto the character's");

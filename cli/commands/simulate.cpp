@@ -11,7 +11,7 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 #include <cuticle/sim/telemetry.h>
 #include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/vtp.h>
+#include <cuticle/strands/formats/vtp/vtp.h>
 #endif
 
 namespace cuticle::cli {

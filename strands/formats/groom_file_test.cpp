@@ -1,32 +1,25 @@
-// Whole files: units, radius, what a format cannot hold, nothing left behind after a refusal.
-#include <filesystem>
+// Whole files: units, radius, what a format cannot hold, nothing left behind after a refusal; projects of several files.
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/formats/tfxproj/project.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
+#include <cuticle/tests/support/temporary_folder.h>
 
 namespace cuticle::strands {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
-class GroomFiles : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("cuticle_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const char* name) const { return (folder_ / name).string(); }
-  fs::path folder_;
-};
+class GroomFiles : public tests::TemporaryFolder {};
 
 /// 0.2 m wide, strands of 0.3 m.
 Groom groom_in_metres(float radius) {
@@ -84,9 +77,10 @@ TEST_F(GroomFiles, WhatTheFormatCannotHold_IsSaid) {
 }
 
 TEST_F(GroomFiles, UnknownExtension_IsRefused) {
-  std::ofstream(path("a.abc")) << "text";
-  EXPECT_THAT(read_groom(path("a.abc")).error().message, HasSubstr(".hair, .tfx"));
-  EXPECT_THAT(write_groom(path("b.abc"), groom_in_metres(1e-5f)).error().message, HasSubstr(".hair, .tfx"));
+  std::ofstream(path("a.xyz")) << "text";
+  EXPECT_THAT(read_groom(path("a.xyz")).error().message, AllOf(HasSubstr(".hair"), HasSubstr(".tfxproj"), HasSubstr(".npy")));
+  EXPECT_THAT(write_groom(path("b.xyz"), groom_in_metres(1e-5f)).error().message,
+              AllOf(HasSubstr(".hair"), Not(HasSubstr(".tfxproj")), Not(HasSubstr(".npy"))));
 }
 
 TEST_F(GroomFiles, RefusedGroom_LeavesNoFile) {
@@ -113,6 +107,83 @@ TEST_F(GroomFiles, AbsurdOptions_AreUsageErrors) {
 
 TEST_F(GroomFiles, MissingFile_IsNamed) {
   EXPECT_THAT(read_groom(path("nowhere.hair")).error().message, HasSubstr("nowhere.hair"));
+}
+
+constexpr std::string_view k_project =
+    "version 3.0\n# a comment: tail.tfx\nproject_name Two parts\r\n"
+    "top.tfx 4 0.4 5.0 top.tfxsim top\r\n  tail.tfx 2 0.4 5.0\nhead.sdkmesh\ncollision_sphere 0 0 0 1\n";
+
+TEST(Project, TwoParts_NamedInOrder) {
+  const auto parts = parse_project(k_project, "a.tfxproj");
+  ASSERT_TRUE(parts.ok()) << parts.error().message;
+  EXPECT_THAT(parts->files, ElementsAre("top.tfx", "tail.tfx"));
+  EXPECT_EQ(parts->followers, 4u);
+}
+
+struct Refused {
+  const char* text;
+  const char* why;
+};
+class RefusedProject : public testing::TestWithParam<Refused> {};
+INSTANTIATE_TEST_SUITE_P(All, RefusedProject,
+                         testing::Values(Refused{"top.tfx\n", "no line 'version'"},
+                                         Refused{"version x\ntop.tfx\n", "line 1: version 'x'"},
+                                         Refused{"version 9\ntop.tfx\n", "allowed 1 <= version < 5"},
+                                         Refused{"version 3\n", "names no .tfx"},
+                                         Refused{"version 3\n../top.tfx\n", "line 2: part '../top.tfx' lies outside"},
+                                         Refused{"version 3\n/etc/top.tfx\n", "outside"},
+                                         Refused{"version 3\na.tfx\na.tfx\n", "line 3: part 'a.tfx' is named twice"}));
+
+TEST_P(RefusedProject, BadText_NamesFileLineAndReason) {
+  const auto parts = parse_project(GetParam().text, "a.tfxproj");
+  ASSERT_FALSE(parts.ok());
+  EXPECT_THAT(parts.error().message, HasSubstr("a.tfxproj"));
+  EXPECT_THAT(parts.error().message, HasSubstr(GetParam().why));
+}
+
+class ProjectFiles : public tests::TemporaryFolder {
+ protected:
+  void SetUp() override {
+    write("top.tfx", {{0, 0, 0}, {0, -0.2f, 0}});
+    write("tail.tfx", {{0.2f, 0, 0}, {0.2f, -0.1f, 0}, {0.2f, -0.3f, 0}});
+    std::ofstream(path("a.tfxproj")) << k_project;
+  }
+  void write(const char* name, std::initializer_list<glm::vec3> strand) const {
+    Groom groom;
+    tests::add_strand(groom, strand, 5e-5f);
+    ASSERT_TRUE(write_groom(path(name), groom).ok());
+  }
+};
+
+TEST_F(ProjectFiles, ReadGroom_JoinsThePartsOfAnyStrandSize) {
+  const auto file = read_groom(path("a.tfxproj"), {.metres_per_unit = 1});
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_THAT(file->groom.offsets, ElementsAre(0u, 2u, 5u));
+  EXPECT_EQ(file->groom.positions.back(), glm::vec3(0.2f, -0.3f, 0));
+  EXPECT_THAT(file->notes, Contains("tail.tfx: 1 strands"));
+  EXPECT_THAT(file->notes, Contains(HasSubstr("4 follow hairs")));
+}
+
+TEST_F(ProjectFiles, MissingPart_IsNamed) {
+  fs::remove(path("tail.tfx"));
+  EXPECT_THAT(read_groom(path("a.tfxproj")).error().message, HasSubstr("tail.tfx"));
+}
+
+TEST_F(ProjectFiles, RootUvOfOnePartOnly_IsDropped) {
+  Groom groom;
+  tests::add_strand(groom, {{0, 0, 0}, {0, -0.2f, 0}}, 5e-5f);
+  groom.root_uv = {{0.5f, 0.5f}};
+  ASSERT_TRUE(write_groom(path("top.tfx"), groom).ok());
+  const auto file = read_groom(path("a.tfxproj"), {.metres_per_unit = 1});
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_TRUE(file->groom.root_uv.empty());
+}
+
+TEST_F(ProjectFiles, ProjectOf_FindsTheFileThatNamesThePart) {
+  EXPECT_EQ(project_of(path("tail.tfx")), path("a.tfxproj"));
+  EXPECT_EQ(project_of(path("other.tfx")), "");
+  std::ofstream(path("a.tfxproj")) << "not a project";
+  EXPECT_EQ(project_of(path("tail.tfx")), "");
 }
 
 }  // namespace

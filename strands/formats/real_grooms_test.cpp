@@ -47,13 +47,18 @@ TEST_P(RealGrooms, Units_AreGuessedAsCentimetres) {
   EXPECT_EQ(file->metres_per_unit, 0.01) << file->notes.front();
 }
 
-TEST_P(RealGrooms, WrittenAsHairAndRead_SamePositions) {
+TEST_P(RealGrooms, ThroughEveryWrittenFormat_SameCountsAndPositions) {
   const auto file = read_groom(data(GetParam().path));
-  ASSERT_TRUE(file.ok());
-  const auto again = parse_hair(format_hair(file->groom), "again.hair");
-  ASSERT_TRUE(again.ok());
-  EXPECT_EQ(again->positions, file->groom.positions);
-  EXPECT_EQ(again->offsets, file->groom.offsets);
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  for (const Format* format : formats()) {
+    if (!format->format) continue;
+    Groom held = file->groom;
+    drop_what_it_cannot_hold(held, *format);
+    const auto again = format->parse(format->format(held, 1).value(), "again", Damage::refuse);
+    ASSERT_TRUE(again.ok()) << again.error().message;
+    EXPECT_EQ(again->groom.positions, held.positions) << format->name;
+    EXPECT_EQ(again->groom.offsets, held.offsets) << format->name;
+  }
 }
 
 TEST(RealProjects, Ponytail_FourPartsInOneGroom) {

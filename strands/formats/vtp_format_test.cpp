@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/formats/vtp.h>
+#include <cuticle/strands/formats/vtp/vtp.h>
 
 namespace cuticle::strands {
 namespace {

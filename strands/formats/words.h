@@ -1,7 +1,13 @@
 #pragma once
-// Words of a text line, for the readers of text formats.
+// Words of a text, for the readers of text formats.
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include <cuticle/core/result.h>
 
 namespace cuticle::strands {
 
@@ -20,6 +26,28 @@ inline std::string_view next_word(std::string_view& line) {
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;
+}
+
+/// The number that the whole word is, also "nan" and "inf"; what is too small for a double is 0, too large is infinite.
+inline std::optional<double> to_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || end != word.data() + word.size() || code == std::errc::invalid_argument) return {};
+  if (code == std::errc::result_out_of_range) return word.find("e-") == word.npos ? HUGE_VAL : 0.0;
+  return value;
+}
+
+/// bad_input "FILE: line N: PROBLEM".
+inline Error line_error(const std::string& where, std::size_t line, const std::string& problem) {
+  return bad_input(where + ": line " + std::to_string(line) + ": " + problem);
+}
+
+/// Whether a name can stand in every text format: [A-Za-z_][A-Za-z0-9_]*.
+inline bool is_plain_word(std::string_view name) {
+  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
+  return !name.empty() && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 }  // namespace cuticle::strands

@@ -29,7 +29,11 @@ def line_of(*numbers):
     ("one_point.hair", hair_file(1, 1, body=line_of(0, 0, 0), segments=0), ["one_point.hair"]),
     ("short.tfx", struct.pack("<fII", 3.0, 5, 16), ["short.tfx"]),
     ("huge.tfx", struct.pack("<f4I", 4.0, 0xFFFFFFFF, 0xFFFFFFFF, 160, 0).ljust(160, b"\0"), ["huge.tfx"]),
-    ("unknown.abc", b"data", ["unknown.abc", ".hair"]),
+    ("unknown.xyz", b"data", ["unknown.xyz", ".hair"]),
+    ("two_points.ply", b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 1 1\n",
+     ["two_points.ply", "strands"]),
+    ("empty.npz", b"PK\5\6".ljust(22, b"\0"), ["empty.npz", "positions"]),
+    ("huge.data", struct.pack("<II", 0xFFFFFFFF, 2), ["huge.data", "4294967295"]),
 ])
 def test_Groom_Damaged_IsRefusedByName(tmp_path, name, content, words):
     path = tmp_path / name

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <cuticle/core/result.h>
-#include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/formats/format.h>
 
 namespace cuticle::strands {
 
@@ -21,7 +21,7 @@ Result<ProjectParts> parse_project(std::string_view text, const std::string& whe
 
 /// All parts of a project as one groom, in file units, in the order of the file; notes say what each part holds. Root
 /// uv and attributes are kept where every part has them.
-Result<GroomFile> read_project(const std::string& path);
+Result<ParsedGroom> read_project(const std::string& path, Damage damage);
 
 /// The project beside a .tfx file that names it as a part, or "" when there is none. Unreadable projects are passed
 /// over.

@@ -1,4 +1,4 @@
-#include <cuticle/strands/formats/project.h>
+#include <cuticle/strands/formats/tfxproj/project.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/mapped_file.h>
+#include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/formats/words.h>
 
 namespace cuticle::strands {
@@ -15,10 +17,6 @@ namespace cuticle::strands {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error line_error(const std::string& where, int line, const std::string& what) {
-  return bad_input(fmt::format("{}: line {}: {}", where, line, what));
-}
 
 bool is_part(std::string_view word) { return word.size() > 4 && word.substr(word.size() - 4) == ".tfx"; }
 
@@ -50,35 +48,9 @@ Result<void> read_part(std::string_view name, std::string_view line, const std::
   return {};
 }
 
-/// Whether every groom so far has the attribute in the same form.
-bool same_form(const Attribute& a, const Attribute& b) { return a.domain == b.domain && a.components == b.components; }
-
-void keep_common_attributes(Groom& groom, const Groom& part) {
-  std::erase_if(groom.attributes, [&part](const auto& entry) {
-    const auto other = part.attributes.find(entry.first);
-    return other == part.attributes.end() || !same_form(entry.second, other->second);
-  });
-  for (auto& [name, attribute] : groom.attributes) {
-    const std::vector<float>& more = part.attributes.at(name).values;
-    attribute.values.insert(attribute.values.end(), more.begin(), more.end());
-  }
-}
-
-void append(Groom& groom, const Groom& part) {
-  const std::uint32_t first = groom.offsets.back();
-  for (std::size_t s = 1; s < part.offsets.size(); ++s) groom.offsets.push_back(first + part.offsets[s]);
-  groom.positions.insert(groom.positions.end(), part.positions.begin(), part.positions.end());
-  groom.radii.insert(groom.radii.end(), part.radii.begin(), part.radii.end());
-  if (groom.root_uv.empty() || part.root_uv.empty())
-    groom.root_uv.clear();
-  else
-    groom.root_uv.insert(groom.root_uv.end(), part.root_uv.begin(), part.root_uv.end());
-  keep_common_attributes(groom, part);
-}
-
-Result<Groom> read_part_file(const std::string& path) {
-  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  return parse_tfx(bytes, path);
+Result<Groom> read_part_file(const std::string& path, Damage damage) {
+  CUTICLE_ASSIGN(const FileBytes bytes, map_file(path));
+  return parse_tfx(bytes.span(), path, damage);
 }
 
 Result<void> check_room(const Groom& groom, const Groom& part, const std::string& where) {
@@ -107,12 +79,12 @@ Result<ProjectParts> parse_project(std::string_view text, const std::string& whe
   return parts;
 }
 
-Result<GroomFile> read_project(const std::string& path) {
+Result<ParsedGroom> read_project(const std::string& path, Damage damage) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
   CUTICLE_ASSIGN(const ProjectParts parts, parse_project(text, path));
-  GroomFile file;
+  ParsedGroom file;
   for (const std::string& name : parts.files) {
-    CUTICLE_ASSIGN(Groom part, read_part_file((fs::path(path).parent_path() / name).string()));
+    CUTICLE_ASSIGN(Groom part, read_part_file((fs::path(path).parent_path() / name).string(), damage));
     CUTICLE_TRY(check_room(file.groom, part, path));
     file.notes.push_back(fmt::format("{}: {} strands", name, part.strand_count()));
     if (name == parts.files.front())
@@ -142,5 +114,17 @@ std::string project_of(const std::string& tfx_path) {
   }
   return "";
 }
+
+namespace tfxproj {
+const Format& entry() {
+  static constexpr std::string_view extensions[] = {"tfxproj"};
+  static const Format format{.name = "tfxproj",
+                             .extensions = extensions,
+                             .summary = "a TressFX project: its .tfx parts as one groom",
+                             .holds = {},
+                             .read = read_project};
+  return format;
+}
+}  // namespace tfxproj
 
 }  // namespace cuticle::strands

@@ -1,9 +1,15 @@
 // TressFX .tfx, versions 3 (float3 positions at byte 296) and 4 (float4 positions and root uv at stated offsets).
 #include <cuticle/strands/formats/formats.h>
 
+#include <filesystem>
+
 #include <fmt/core.h>
 
+#include <cuticle/core/file.h>
+#include <cuticle/core/mapped_file.h>
+#include <cuticle/strands/finite.h>
 #include <cuticle/strands/formats/bytes.h>
+#include <cuticle/strands/formats/tfx/bones.h>
 
 namespace cuticle::strands {
 
@@ -76,33 +82,47 @@ std::vector<std::uint32_t> even_offsets(const Header& header) {
   return offsets;
 }
 
-/// Whether w follows the usual rule: 0 (pinned) at the root, 1 elsewhere.
-bool is_usual_pin(const std::vector<float>& w, std::uint32_t strand_size) {
-  for (std::size_t v = 0; v < w.size(); ++v)
-    if (w[v] != (v % strand_size == 0 ? 0.0f : 1.0f)) return false;
-  return true;
+/// The usual w: 0 (pinned) at the root, 1 elsewhere.
+float usual_pin(std::size_t vertex, std::size_t strand_size) { return vertex % strand_size == 0 ? 0.0f : 1.0f; }
+
+/// Points of version 4, and whether every w follows the usual rule.
+bool read_pinned_positions(const ByteView& bytes, const Header& header, Groom& groom) {
+  reserve_large(groom.positions, header.vertices());
+  bool usual = true;
+  const std::byte* at = bytes.data() + header.positions;
+  for (std::uint32_t strand = 0; strand < header.strands; ++strand)
+    for (std::uint32_t i = 0; i < header.strand_size; ++i, at += header.vertex_bytes()) {
+      float point[4];
+      std::memcpy(point, at, sizeof(point));
+      groom.positions.emplace_back(point[0], point[1], point[2]);
+      usual &= point[3] == usual_pin(i, header.strand_size);
+    }
+  return usual;
 }
 
-Result<void> read_positions(const ByteView& bytes, const Header& header, Groom& groom) {
-  const std::size_t step = header.vertex_bytes() / 4;
+Result<void> read_version_4(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
+  const std::uint64_t count = header.vertices();
+  const bool usual = read_pinned_positions(bytes, header, groom);
+  if (usual && (damage == Damage::keep || all_finite({&groom.positions.front().x, 3 * count}))) return {};
   CUTICLE_ASSIGN(const std::vector<float> numbers,
-                 read_floats(bytes, "positions", header.positions, header.vertices() * step));
-  std::vector<float> w;
-  groom.positions.reserve(header.vertices());
-  for (std::size_t i = 0; i < numbers.size(); i += step) {
-    groom.positions.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    if (step == 4) w.push_back(numbers[i + 3]);
-  }
-  if (step == 4 && !is_usual_pin(w, header.strand_size))
-    groom.attributes["movability"] = {Attribute::Domain::vertex, 1, std::move(w)};
+                 read_array<float>(bytes, "positions", header.positions, 4 * count, damage));
+  std::vector<float> w(count);
+  for (std::uint64_t v = 0; v < count; ++v) w[v] = numbers[4 * v + 3];
+  groom.attributes["movability"] = {Attribute::Domain::vertex, 1, std::move(w)};
   return {};
 }
 
-Result<void> read_root_uv(const ByteView& bytes, const Header& header, Groom& groom) {
+Result<void> read_positions(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
+  CUTICLE_TRY(require_floats(bytes, "positions", header.positions, header.vertices() * header.vertex_bytes() / 4));
+  if (header.version == 4) return read_version_4(bytes, header, damage, groom);
+  CUTICLE_ASSIGN(groom.positions,
+                 read_array<glm::vec3>(bytes, "positions", header.positions, header.vertices(), damage));
+  return {};
+}
+
+Result<void> read_root_uv(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
   if (header.uv == 0) return {};
-  CUTICLE_ASSIGN(const std::vector<float> numbers,
-                 read_floats(bytes, "root uv", header.uv, 2 * std::uint64_t(header.strands)));
-  for (std::size_t s = 0; s < header.strands; ++s) groom.root_uv.emplace_back(numbers[2 * s], numbers[2 * s + 1]);
+  CUTICLE_ASSIGN(groom.root_uv, read_array<glm::vec2>(bytes, "root uv", header.uv, header.strands, damage));
   return {};
 }
 
@@ -133,9 +153,32 @@ Result<void> check_writable(const Groom& groom, int version) {
   return {};
 }
 
+constexpr std::string_view k_extensions[] = {"tfx"};
+constexpr NamedAttribute k_attributes[] = {{"movability", 1}};
+
+Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& where, Damage damage) {
+  CUTICLE_ASSIGN(Groom groom, parse_tfx(bytes, where, damage));
+  return ParsedGroom{std::move(groom)};
+}
+
+/// The file, and its bones where a .tfxbone of the same name lies beside it.
+Result<ParsedGroom> read(const std::string& path, Damage damage) {
+  CUTICLE_ASSIGN(const FileBytes bytes, map_file(path));
+  CUTICLE_ASSIGN(ParsedGroom parsed, parse(bytes.span(), path, damage));
+  const std::string companion = std::filesystem::path(path).replace_extension(".tfxbone").string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(companion, ignored)) return parsed;
+  CUTICLE_ASSIGN(const std::vector<std::byte> bone_bytes, read_file(companion));
+  CUTICLE_ASSIGN(const BoneWeights weights, parse_tfxbone(bone_bytes, companion));
+  CUTICLE_TRY(add_bones(weights, companion, parsed));
+  return parsed;
+}
+
+Result<std::vector<std::byte>> format(const Groom& groom, double) { return format_tfx(groom, 4); }
+
 }  // namespace
 
-Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& where) {
+Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& where, Damage damage) {
   const ByteView bytes(data, where);
   CUTICLE_ASSIGN(const Header header, read_header(bytes));
   if (header.vertices() > 0xffffffffull)
@@ -143,26 +186,42 @@ Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& wher
                        fmt::format("{} points in all, allowed 2 .. {}", header.vertices(), 0xffffffffull));
   Groom groom;
   groom.offsets = even_offsets(header);
-  CUTICLE_TRY(read_positions(bytes, header, groom));
+  CUTICLE_TRY(read_positions(bytes, header, damage, groom));
+  reserve_large(groom.radii, groom.positions.size());
   groom.radii.assign(groom.positions.size(), 0.0f);
-  CUTICLE_TRY(read_root_uv(bytes, header, groom));
+  CUTICLE_TRY(read_root_uv(bytes, header, damage, groom));
   return groom;
 }
 
 Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version) {
   CUTICLE_TRY(check_writable(groom, version));
   std::vector<std::byte> bytes = format_header(groom, version);
+  bytes.reserve(bytes.size() + 16 * groom.vertex_count() + 8 * groom.root_uv.size());
+  if (version == 3) {
+    append_all(bytes, std::span<const glm::vec3>(groom.positions));
+    return bytes;
+  }
   const auto movability = groom.attributes.find("movability");
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
     append(bytes, groom.positions[v]);
-    if (version == 3) continue;
     append(bytes, movability != groom.attributes.end() ? movability->second.values[v]
-                  : v % groom.strand_size(0) == 0      ? 0.0f
-                                                       : 1.0f);
+                                                       : usual_pin(v, groom.strand_size(0)));
   }
-  if (version == 4)
-    for (const glm::vec2& uv : groom.root_uv) append(bytes, uv);
+  append_all(bytes, std::span<const glm::vec2>(groom.root_uv));
   return bytes;
 }
+
+namespace tfx {
+const Format& entry() {
+  static const Format format{.name = "tfx",
+                             .extensions = k_extensions,
+                             .summary = "AMD TressFX, versions 3 and 4 (read), 4 (written); a .tfxbone beside it is read",
+                             .holds = {.differing_sizes = false, .root_uv = true, .named = k_attributes},
+                             .parse = parse,
+                             .format = strands::format,
+                             .read = read};
+  return format;
+}
+}  // namespace tfx
 
 }  // namespace cuticle::strands

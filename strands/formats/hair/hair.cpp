@@ -40,9 +40,10 @@ Result<void> check_signature(const ByteView& bytes) {
   return {};
 }
 
-Result<void> check_counts(const ByteView& bytes, const Header& header) {
+Result<void> check_counts(const ByteView& bytes, const Header& header, Damage damage) {
   const std::uint64_t room = bytes.size() - header_size;
-  const std::uint64_t per_strand = header.has(segments) ? 26 : 24;
+  const std::uint64_t points_per_strand = damage == Damage::keep ? 1 : 2;
+  const std::uint64_t per_strand = 12 * points_per_strand + (header.has(segments) ? 2 : 0);
   if (header.arrays & ~std::uint32_t(all))
     return bytes.error("arrays", arrays_at, fmt::format("{:#x} has unknown bits, allowed 0 .. 0x1f", header.arrays));
   if (!header.has(points)) return bytes.error("arrays", arrays_at, "bit 1 (points) is not set: there are no positions");
@@ -50,7 +51,7 @@ Result<void> check_counts(const ByteView& bytes, const Header& header) {
     return bytes.error("hair_count", strand_count_at,
                        fmt::format("{} strands of {} points in all; at least 1, and {} bytes hold at most {} strands",
                                    header.strands, header.points, bytes.size(), room / per_strand));
-  const std::uint64_t least = 2 * std::uint64_t(header.strands);
+  const std::uint64_t least = points_per_strand * header.strands;
   if (header.points < least || header.points > room / 12)
     return bytes.error("point_count", point_count_at,
                        fmt::format("{} points, allowed {} .. {} for {} strands in {} bytes", header.points, least,
@@ -58,47 +59,46 @@ Result<void> check_counts(const ByteView& bytes, const Header& header) {
   return {};
 }
 
-Result<Header> read_header(const ByteView& bytes) {
+Result<Header> read_header(const ByteView& bytes, Damage damage) {
   CUTICLE_TRY(check_signature(bytes));
   Header header;
   header.strands = bytes.at<std::uint32_t>(strand_count_at);
   header.points = bytes.at<std::uint32_t>(point_count_at);
   header.arrays = bytes.at<std::uint32_t>(arrays_at);
   header.segments = bytes.at<std::uint32_t>(default_segments_at);
-  CUTICLE_TRY(check_counts(bytes, header));
+  CUTICLE_TRY(check_counts(bytes, header, damage));
   CUTICLE_ASSIGN(std::vector<float> defaults,
-                 read_floats(bytes, "d_thickness, d_transparency, d_color", default_thickness_at, 5));
+                 read_array<float>(bytes, "d_thickness, d_transparency, d_color", default_thickness_at, 5));
   header.thickness = defaults[0];
   header.transparency = defaults[1];
   header.color.assign(defaults.begin() + 2, defaults.end());
   return header;
 }
 
-/// Segments of strand s, at the field that states them.
-struct SegmentField {
-  std::uint32_t count = 0;
-  std::string name;
-  std::uint64_t offset = 0;
-};
-SegmentField segment_field(const ByteView& bytes, const Header& header, std::uint32_t strand) {
-  if (!header.has(segments)) return {header.segments, "d_segments", default_segments_at};
-  const std::uint64_t offset = header_size + 2 * std::uint64_t(strand);
-  return {bytes.at<std::uint16_t>(offset), fmt::format("segments[{}]", strand), offset};
+/// Segments of a strand.
+std::uint32_t segments_of(const ByteView& bytes, const Header& header, std::uint32_t strand) {
+  return header.has(segments) ? bytes.at<std::uint16_t>(header_size + 2 * std::uint64_t(strand)) : header.segments;
 }
 
-Result<std::vector<std::uint32_t>> read_offsets(const ByteView& bytes, const Header& header) {
+/// At the field that states the segments of a strand.
+Error segments_error(const ByteView& bytes, const Header& header, std::uint32_t strand, const std::string& problem) {
+  if (!header.has(segments)) return bytes.error("d_segments", default_segments_at, problem);
+  return bytes.error(fmt::format("segments[{}]", strand), header_size + 2 * std::uint64_t(strand), problem);
+}
+
+Result<std::vector<std::uint32_t>> read_offsets(const ByteView& bytes, const Header& header, Damage damage) {
   std::vector<std::uint32_t> offsets{0};
   offsets.reserve(std::size_t(header.strands) + 1);
   for (std::uint32_t s = 0; s < header.strands; ++s) {
-    const SegmentField field = segment_field(bytes, header, s);
-    if (field.count < 1 || field.count > 65535)
-      return bytes.error(field.name, field.offset,
-                         fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535", s, field.count,
-                                     std::uint64_t(field.count) + 1));
-    const std::uint64_t end = std::uint64_t(offsets.back()) + field.count + 1;
+    const std::uint32_t count = segments_of(bytes, header, s);
+    if ((count < 1 && damage == Damage::refuse) || count > 65535)
+      return segments_error(bytes, header, s,
+                            fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535", s, count,
+                                        std::uint64_t(count) + 1));
+    const std::uint64_t end = std::uint64_t(offsets.back()) + count + 1;
     if (end > header.points)
-      return bytes.error(field.name, field.offset,
-                         fmt::format("strands 0 .. {} have {} points, point_count is {}", s, end, header.points));
+      return segments_error(bytes, header, s,
+                            fmt::format("strands 0 .. {} have {} points, point_count is {}", s, end, header.points));
     offsets.push_back(std::uint32_t(end));
   }
   if (offsets.back() != header.points)
@@ -108,28 +108,28 @@ Result<std::vector<std::uint32_t>> read_offsets(const ByteView& bytes, const Hea
 }
 
 /// Reads one array and moves `offset` past it.
-Result<std::vector<float>> next_floats(const ByteView& bytes, const char* field, std::uint64_t& offset,
-                                       std::uint64_t count) {
+template <class T>
+Result<std::vector<T>> next_array(const ByteView& bytes, const char* field, std::uint64_t& offset, std::uint64_t count,
+                                  Damage damage) {
   const std::uint64_t begin = offset;
-  offset += 4 * count;
-  return read_floats(bytes, field, begin, count);
+  offset += sizeof(T) * count;
+  return read_array<T>(bytes, field, begin, count, damage);
 }
 
-std::vector<glm::vec3> to_points(const std::vector<float>& numbers) {
-  std::vector<glm::vec3> result(numbers.size() / 3);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-  return result;
-}
-
-Result<std::vector<float>> read_radii(const ByteView& bytes, const Header& header, std::uint64_t& offset) {
-  std::vector<float> radii(header.points, header.thickness * 0.5f);
+Result<std::vector<float>> read_radii(const ByteView& bytes, const Header& header, std::uint64_t& offset,
+                                      Damage damage) {
   if (header.thickness < 0)
     return bytes.error("d_thickness", default_thickness_at, fmt::format("{} is below 0", double(header.thickness)));
-  if (!header.has(thickness)) return radii;
+  if (!header.has(thickness)) {
+    std::vector<float> radii;
+    reserve_large(radii, header.points);
+    radii.assign(header.points, header.thickness * 0.5f);
+    return radii;
+  }
   const std::uint64_t begin = offset;
-  CUTICLE_ASSIGN(radii, next_floats(bytes, "thickness", offset, header.points));
+  CUTICLE_ASSIGN(std::vector<float> radii, next_array<float>(bytes, "thickness", offset, header.points, damage));
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    if (radii[i] < 0)
+    if (radii[i] < 0 && damage == Damage::refuse)
       return bytes.error(fmt::format("thickness[{}]", i), begin + 4 * i,
                          fmt::format("{} is below 0", double(radii[i])));
     radii[i] *= 0.5f;
@@ -146,17 +146,20 @@ void add_default(Groom& groom, const char* name, const std::vector<float>& value
   groom.attributes[name] = std::move(attribute);
 }
 
-Result<void> read_attributes(const ByteView& bytes, const Header& header, std::uint64_t& offset, Groom& groom) {
+Result<void> read_attribute(const ByteView& bytes, const char* name, int components, std::uint64_t& offset,
+                            Damage damage, Groom& groom) {
+  const std::uint64_t count = std::uint64_t(components) * groom.vertex_count();
+  CUTICLE_ASSIGN(std::vector<float> values, next_array<float>(bytes, name, offset, count, damage));
+  groom.attributes[name] = {Attribute::Domain::vertex, components, std::move(values)};
+  return {};
+}
+
+Result<void> read_attributes(const ByteView& bytes, const Header& header, std::uint64_t& offset, Damage damage,
+                             Groom& groom) {
   add_default(groom, "transparency", {header.transparency}, {0});
   add_default(groom, "color", header.color, {1, 1, 1});
-  if (header.has(transparency)) {
-    CUTICLE_ASSIGN(std::vector<float> values, next_floats(bytes, "transparency", offset, header.points));
-    groom.attributes["transparency"] = {Attribute::Domain::vertex, 1, std::move(values)};
-  }
-  if (header.has(color)) {
-    CUTICLE_ASSIGN(std::vector<float> values, next_floats(bytes, "color", offset, 3 * std::uint64_t(header.points)));
-    groom.attributes["color"] = {Attribute::Domain::vertex, 3, std::move(values)};
-  }
+  if (header.has(transparency)) CUTICLE_TRY(read_attribute(bytes, "transparency", 1, offset, damage, groom));
+  if (header.has(color)) CUTICLE_TRY(read_attribute(bytes, "color", 3, offset, damage, groom));
   return {};
 }
 
@@ -226,34 +229,55 @@ void append_attribute(std::vector<std::byte>& bytes, const Groom& groom, const A
         append(bytes, attribute.values[(attribute.domain == Attribute::Domain::vertex ? v : s) * step + c]);
 }
 
+constexpr std::string_view k_extensions[] = {"hair"};
+constexpr NamedAttribute k_attributes[] = {{"color", 3}, {"transparency", 1}};
+
+Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& where, Damage damage) {
+  CUTICLE_ASSIGN(Groom groom, parse_hair(bytes, where, damage));
+  return ParsedGroom{std::move(groom)};
+}
+
+Result<std::vector<std::byte>> format(const Groom& groom, double) { return format_hair(groom); }
+
 }  // namespace
 
-Result<Groom> parse_hair(std::span<const std::byte> data, const std::string& where) {
+Result<Groom> parse_hair(std::span<const std::byte> data, const std::string& where, Damage damage) {
   const ByteView bytes(data, where);
-  CUTICLE_ASSIGN(const Header header, read_header(bytes));
+  CUTICLE_ASSIGN(const Header header, read_header(bytes, damage));
   Groom groom;
-  CUTICLE_ASSIGN(groom.offsets, read_offsets(bytes, header));
+  CUTICLE_ASSIGN(groom.offsets, read_offsets(bytes, header, damage));
   std::uint64_t offset = header_size + (header.has(segments) ? 2 * std::uint64_t(header.strands) : 0);
-  CUTICLE_ASSIGN(const std::vector<float> numbers,
-                 next_floats(bytes, "points", offset, 3 * std::uint64_t(header.points)));
-  groom.positions = to_points(numbers);
-  CUTICLE_ASSIGN(groom.radii, read_radii(bytes, header, offset));
-  CUTICLE_TRY(read_attributes(bytes, header, offset, groom));
+  CUTICLE_ASSIGN(groom.positions, next_array<glm::vec3>(bytes, "points", offset, header.points, damage));
+  CUTICLE_ASSIGN(groom.radii, read_radii(bytes, header, offset, damage));
+  CUTICLE_TRY(read_attributes(bytes, header, offset, damage, groom));
   return groom;
 }
 
 std::vector<std::byte> format_hair(const Groom& groom) {
   const std::uint32_t arrays = arrays_of(groom);
   std::vector<std::byte> bytes;
+  bytes.reserve(header_size + 2 * groom.strand_count() + 16 * groom.vertex_count());
   append_header(bytes, groom, arrays);
   if (arrays & segments)
     for (std::size_t s = 0; s < groom.strand_count(); ++s) append(bytes, std::uint16_t(groom.strand_size(s) - 1));
-  for (const glm::vec3& position : groom.positions) append(bytes, position);
+  append_all(bytes, std::span<const glm::vec3>(groom.positions));
   if (arrays & thickness)
     for (float radius : groom.radii) append(bytes, radius * 2);
   if (arrays & transparency) append_attribute(bytes, groom, groom.attributes.at("transparency"));
   if (arrays & color) append_attribute(bytes, groom, groom.attributes.at("color"));
   return bytes;
 }
+
+namespace hair {
+const Format& entry() {
+  static const Format format{.name = "hair",
+                             .extensions = k_extensions,
+                             .summary = "Cem Yuksel's .hair",
+                             .holds = {.most_points = 65536, .widths = Widths::vertices, .named = k_attributes},
+                             .parse = parse,
+                             .format = strands::format};
+  return format;
+}
+}  // namespace hair
 
 }  // namespace cuticle::strands

@@ -1,0 +1,71 @@
+#include <cuticle/cli/usd_files.h>
+
+#include <filesystem>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cuticle/cli/shared_files.h>
+#include <cuticle/core/file.h>
+
+namespace cuticle::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What python/cuticle_usd ends with.
+enum UsdExit { converted = 0, unreadable = 3, no_usd_core = 4, no_plug_in = 5 };
+
+/// A USD text of this process, gone with the object.
+class TemporaryText {
+ public:
+  TemporaryText() : path_((fs::temp_directory_path() / fmt::format("cuticle-{}.usda", ::getpid())).string()) {}
+  ~TemporaryText() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryText(const TemporaryText&) = delete;
+  TemporaryText& operator=(const TemporaryText&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+Result<void> convert(const std::string& from, const std::string& to, const std::string& named) {
+  switch (run_python("cuticle_usd", {from, to})) {
+    case converted: return {};
+    case unreadable: return bad_input(fmt::format("{}: USD cannot read or write it", named));
+    case no_plug_in:
+      return bad_input(fmt::format("{}: this USD has no plug-in for the format", named),
+                       "usd-core has none for Alembic: save .usdc instead, or name a Python whose USD has it in CUTICLE_PYTHON_EXE");
+    default:
+      return bad_input(fmt::format("{}: needs Python with usd-core", named), "pip install usd-core, or convert to .usda elsewhere");
+  }
+}
+
+}  // namespace
+
+bool goes_through_usd(const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  return extension == ".usd" || extension == ".usdc" || extension == ".usdz" || extension == ".abc";
+}
+
+Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options) {
+  if (!goes_through_usd(path)) return strands::read_groom(path, options);
+  if (!fs::exists(path)) return bad_input(fmt::format("{}: no such file", path), "check the name");
+  const TemporaryText text;
+  CUTICLE_TRY(convert(path, text.path(), path));
+  return strands::read_groom(text.path(), options);
+}
+
+Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom, double metres_per_unit) {
+  if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
+  const TemporaryText text;
+  CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text.path(), groom, metres_per_unit));
+  CUTICLE_TRY(write_through_temporary(path, [&](const std::string& name) { return convert(text.path(), name, path); }));
+  return lost;
+}
+
+}  // namespace cuticle::cli

@@ -1,0 +1,29 @@
+#include <cuticle/core/mapped_file.h>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cuticle/core/file.h>
+
+namespace cuticle {
+
+void FileBytes::Unmap::operator()(const std::byte* bytes) const { ::munmap(const_cast<std::byte*>(bytes), size); }
+
+Result<FileBytes> map_file(const std::string& path) {
+  FileBytes bytes;
+  struct stat status {};
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file >= 0 && ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    const std::size_t size = std::size_t(status.st_size);
+    void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
+    if (mapped != MAP_FAILED) bytes.mapped_ = {static_cast<const std::byte*>(mapped), FileBytes::Unmap{size}};
+  }
+  if (file >= 0) ::close(file);
+  if (bytes.mapped_) return bytes;
+  CUTICLE_ASSIGN(bytes.copied_, read_file(path));
+  return bytes;
+}
+
+}  // namespace cuticle

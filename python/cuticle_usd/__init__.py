@@ -1,0 +1,1 @@
+"""USD files for the command line, by usd-core."""

@@ -1,0 +1,52 @@
+#include <cuticle/strands/formats/vtp/vtp.h>
+
+#include <iterator>
+
+#include <fmt/core.h>
+
+#include <cuticle/strands/formats/vtp/detail/arrays.h>
+
+namespace cuticle::strands {
+
+namespace {
+
+/// The strand of every vertex.
+std::vector<std::uint32_t> strand_ids(const Groom& groom) {
+  std::vector<std::uint32_t> ids;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) ids.insert(ids.end(), groom.strand_size(s), std::uint32_t(s));
+  return ids;
+}
+
+}  // namespace
+
+std::string format_vtp(const StrandState& state) {
+  const Groom& groom = *state.groom;
+  const std::size_t points = groom.offsets.back();
+  CUTICLE_EXPECT(state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points,
+                 "one entry per vertex");
+  std::string text = open_piece(points, line_count(groom));
+  text += "<PointData Scalars=\"stretch\" Vectors=\"velocity\">\n";
+  append_array(text, "velocity", state.velocities);
+  append_array(text, "stretch", 1, state.stretch);
+  append_array(text, "UInt32", "strand_id", strand_ids(groom));
+  text += "</PointData>\n<Points>\n";
+  append_array(text, "position", state.positions);
+  text += "</Points>\n<Lines>\n";
+  append_lines(text, groom);
+  text += "</Lines>\n";
+  return text += close_piece();
+}
+
+std::size_t vtp_bytes_at_most(const Groom& groom) {
+  constexpr std::size_t number = 16, index = 11, frame = 2048;  // -1.23456789e-05 and 4294967295, with what parts them
+  return frame + groom.offsets.back() * (7 * number + 2 * index) + groom.strand_count() * index;
+}
+
+std::string format_pvd(std::span<const SeriesMember> members) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const SeriesMember& member : members)
+    fmt::format_to(std::back_inserter(text), "<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", member.time, member.file);
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace cuticle::strands
