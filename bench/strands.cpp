@@ -1,5 +1,5 @@
-// What reading strand files costs: bench_strands. Files of a million strands are written to the temporary folder, read from
-// the page cache and removed; memory is that of a process of its own which reads one of them.
+// What reading strand files costs: bench_strands. Files of a million strands are written to the temporary folder, read
+// from the page cache and removed; memory is that of a process of its own which reads one of them.
 #include <filesystem>
 #include <map>
 
@@ -98,8 +98,10 @@ void read_bytes(benchmark::State& state, const char* extension) {
 int main(int count, char** arguments) {
   if (count == 3 && std::string(arguments[1]) == "--load") return read_groom(arguments[2]).ok() ? 0 : 1;
   for (const char* extension : {"hair", "tfx"}) {
-    benchmark::RegisterBenchmark(fmt::format("read_groom/{}", extension).c_str(), read_whole, extension)->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(fmt::format("read_file/{}", extension).c_str(), read_bytes, extension)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(fmt::format("read_groom/{}", extension).c_str(), read_whole, extension)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(fmt::format("read_file/{}", extension).c_str(), read_bytes, extension)
+        ->Unit(benchmark::kMillisecond);
   }
   benchmark::Initialize(&count, arguments);
   benchmark::RunSpecifiedBenchmarks();

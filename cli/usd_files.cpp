@@ -33,24 +33,28 @@ class TemporaryText {
   std::string path_;
 };
 
-Result<void> convert(const std::string& from, const std::string& to, const std::string& named) {
-  switch (run_python("cuticle_usd", {from, to})) {
-    case converted: return {};
-    case unreadable: return bad_input(fmt::format("{}: USD cannot read or write it", named));
-    case no_plug_in:
-      return bad_input(fmt::format("{}: this USD has no plug-in for the format", named),
-                       "usd-core has none for Alembic: save .usdc instead, or name a Python whose USD has it in CUTICLE_PYTHON_EXE");
-    default:
-      return bad_input(fmt::format("{}: needs Python with usd-core", named), "pip install usd-core, or convert to .usda elsewhere");
-  }
-}
-
-}  // namespace
-
 bool goes_through_usd(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   return extension == ".usd" || extension == ".usdc" || extension == ".usdz" || extension == ".abc";
 }
+
+Result<void> convert(const std::string& from, const std::string& to, const std::string& named) {
+  switch (run_python("cuticle_usd", {from, to})) {
+    case converted:
+      return {};
+    case unreadable:
+      return bad_input(fmt::format("{}: USD cannot read or write it", named));
+    case no_plug_in:
+      return bad_input(
+          fmt::format("{}: this USD has no plug-in for the format", named),
+          "usd-core has none for Alembic: save .usdc instead, or name a Python whose USD has it in CUTICLE_PYTHON_EXE");
+    default:
+      return bad_input(fmt::format("{}: needs Python with usd-core", named),
+                       "pip install usd-core, or convert to .usda elsewhere");
+  }
+}
+
+}  // namespace
 
 Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options) {
   if (!goes_through_usd(path)) return strands::read_groom(path, options);
@@ -60,7 +64,8 @@ Result<strands::GroomFile> read_groom_file(const std::string& path, const strand
   return strands::read_groom(text.path(), options);
 }
 
-Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom, double metres_per_unit) {
+Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
+                                                  double metres_per_unit) {
   if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
   const TemporaryText text;
   CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text.path(), groom, metres_per_unit));

@@ -7,13 +7,11 @@
 
 namespace cuticle::cli {
 
-/// Endings of the second kind: .usd, .usdc, .usdz and, where Python's USD has its plug-in, .abc.
-bool goes_through_usd(const std::string& path);
-
-/// As strands::read_groom; also files that go through USD. Error: bad_input naming the file, and what to install where
-/// Python or usd-core is missing.
+/// As strands::read_groom; also .usd, .usdc, .usdz and, where Python's USD has its plug-in, .abc. Error: bad_input
+/// naming the file, and what to install where Python or usd-core is missing.
 Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options);
 /// As strands::write_groom; also .usd and .usdc.
-Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom, double metres_per_unit = 1);
+Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
+                                                  double metres_per_unit = 1);
 
 }  // namespace cuticle::cli

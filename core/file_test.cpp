@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/mapped_file.h>
 
 namespace cuticle {
 namespace {
@@ -30,6 +31,17 @@ TEST_F(FileTest, WriteThenRead_GivesTheSameBytes) {
   ASSERT_TRUE(write_text_file(path("x.txt"), text));
   EXPECT_EQ(read_text_file(path("x.txt")).value(), text);
   EXPECT_EQ(read_file(path("x.txt")).value().size(), 6u);
+}
+
+TEST_F(FileTest, MappedFile_HasTheBytesAlsoWhenItIsReplacedMeanwhile) {
+  ASSERT_TRUE(write_text_file(path("x.txt"), "old"));
+  const auto bytes = map_file(path("x.txt"));
+  ASSERT_TRUE(write_text_file(path("x.txt"), "newer"));
+  ASSERT_EQ(bytes->span().size(), 3u);
+  EXPECT_EQ(bytes->span()[0], std::byte('o'));
+  ASSERT_TRUE(write_text_file(path("empty"), ""));
+  EXPECT_TRUE(map_file(path("empty"))->span().empty());
+  EXPECT_THAT(map_file(path("nowhere")).error().message, HasSubstr("nowhere"));
 }
 
 TEST_F(FileTest, WriteOverAFile_LeavesOneFileWithTheNewText) {

@@ -14,7 +14,9 @@ namespace cuticle {
 /// meanwhile ends this one; files that are replaced, as write_file does, stay whole.
 class FileBytes {
  public:
-  std::span<const std::byte> span() const { return mapped_ ? std::span(mapped_.get(), mapped_.get_deleter().size) : copied_; }
+  std::span<const std::byte> span() const {
+    return mapped_ ? std::span(mapped_.get(), mapped_.get_deleter().size) : copied_;
+  }
 
  private:
   friend Result<FileBytes> map_file(const std::string& path);

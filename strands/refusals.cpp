@@ -27,8 +27,10 @@ std::size_t strands_without_length(const Groom& groom) {
   return count;
 }
 
-void add(std::vector<Refusal>& list, const char* engine, const char* what, std::size_t found, std::size_t least, std::size_t most) {
-  if (found < least || found > most) list.push_back({engine, fmt::format("{} {}, allowed {} .. {}", what, found, least, most)});
+void add(std::vector<Refusal>& list, const char* engine, const char* what, std::size_t found, std::size_t least,
+         std::size_t most) {
+  if (found < least || found > most)
+    list.push_back({engine, fmt::format("{} {}, allowed {} .. {}", what, found, least, most)});
 }
 
 void add_unreal(std::vector<Refusal>& list, const Groom& groom, const Sizes& sizes) {
@@ -40,7 +42,8 @@ void add_unreal(std::vector<Refusal>& list, const Groom& groom, const Sizes& siz
 
 void add_tressfx(std::vector<Refusal>& list, const Sizes& sizes) {
   if (sizes.least != sizes.greatest)
-    list.push_back({"tressfx", fmt::format("strands of {} .. {} points, all must have one number", sizes.least, sizes.greatest)});
+    list.push_back(
+        {"tressfx", fmt::format("strands of {} .. {} points, all must have one number", sizes.least, sizes.greatest)});
   else if (!std::has_single_bit(sizes.greatest) || sizes.greatest < 4 || sizes.greatest > 64)
     list.push_back({"tressfx", fmt::format("strands of {} points, allowed 4, 8, 16, 32, 64", sizes.greatest)});
 }

@@ -12,9 +12,9 @@ struct Refusal {
   std::string what;  ///< with the number found and the number allowed
 };
 
-/// Limits as the engines' sources state them: Unreal's HairStrandsDefinitions.h (255 points a curve, 4,194,303 curves and
-/// 16,777,215 points a group), Unity's com.unity.demoteam.hair HairSim.cs (64 .. 64,000 strands of 3 .. 128 particles), AMD's
-/// TressFX guide (strands of one size, 4 .. 64 points, a power of two). `groom` must be valid.
+/// Limits as the engines' sources state them: Unreal's HairStrandsDefinitions.h (255 points a curve, 4,194,303 curves
+/// and 16,777,215 points a group), Unity's com.unity.demoteam.hair HairSim.cs (64 .. 64,000 strands of 3 .. 128
+/// particles), AMD's TressFX guide (strands of one size, 4 .. 64 points, a power of two). `groom` must be valid.
 std::vector<Refusal> refusals(const Groom& groom);
 
 }  // namespace cuticle::strands

@@ -78,8 +78,7 @@ void append_places(const Groom& groom, const std::vector<std::uint32_t>& kept, s
                    std::vector<Place>& places) {
   const std::vector<std::uint32_t> pieces = pieces_of(groom, kept, size);
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (std::uint32_t p = 0; p < pieces[i]; ++p)
-      places.push_back({kept[i], kept[i + 1], float(p) / float(pieces[i])});
+    for (std::uint32_t p = 0; p < pieces[i]; ++p) places.push_back({kept[i], kept[i + 1], float(p) / float(pieces[i])});
   places.push_back({kept.back(), kept.back(), 0});
 }
 

@@ -51,7 +51,8 @@ Result<void> require_floats(const ByteView& bytes, const std::string& field, std
 Result<void> require_finite(const ByteView& bytes, const std::string& field, std::uint64_t offset, std::uint64_t first,
                             std::span<const float> values, Damage damage);
 
-/// Reads `count` items made of floats (float, glm::vec2, glm::vec3). In blocks: each is checked while it is in the cache.
+/// Reads `count` items made of floats (float, glm::vec2, glm::vec3). In blocks: each is checked while it is in the
+/// cache.
 template <class T>
 Result<std::vector<T>> read_array(const ByteView& bytes, const std::string& field, std::uint64_t offset,
                                   std::uint64_t count, Damage damage = Damage::refuse) {
@@ -63,7 +64,8 @@ Result<std::vector<T>> read_array(const ByteView& bytes, const std::string& fiel
   for (std::uint64_t first = 0; first < count; first += std::size(block)) {
     const std::uint64_t size = std::min<std::uint64_t>(std::size(block), count - first);
     std::memcpy(static_cast<void*>(block), bytes.data() + offset + first * sizeof(T), size * sizeof(T));
-    CUTICLE_TRY(require_finite(bytes, field, offset, first * components, {reinterpret_cast<const float*>(block), size * components}, damage));
+    CUTICLE_TRY(require_finite(bytes, field, offset, first * components,
+                               {reinterpret_cast<const float*>(block), size * components}, damage));
     items.insert(items.end(), block, block + size);
   }
   return items;

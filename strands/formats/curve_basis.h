@@ -15,16 +15,20 @@ struct CurveBasis {
 /// Whether so many control points make a curve: bezier 1 + n degree, b_spline degree + 1 or more, ..
 inline bool makes_a_curve(const CurveBasis& basis, std::size_t count) {
   switch (basis.kind) {
-    case CurveBasis::Kind::linear: return count >= 2;
-    case CurveBasis::Kind::bezier: return count > basis.degree && (count - 1) % basis.degree == 0;
-    case CurveBasis::Kind::b_spline: return count + (basis.pinned ? 2 : 0) > basis.degree;
-    case CurveBasis::Kind::catmull_rom: return count + (basis.pinned ? 2 : 0) > 3;
+    case CurveBasis::Kind::linear:
+      return count >= 2;
+    case CurveBasis::Kind::bezier:
+      return count > basis.degree && (count - 1) % basis.degree == 0;
+    case CurveBasis::Kind::b_spline:
+      return count + (basis.pinned ? 2 : 0) > basis.degree;
+    case CurveBasis::Kind::catmull_rom:
+      return count + (basis.pinned ? 2 : 0) > 3;
   }
   return false;
 }
 
-/// The ends of a curve and the places where its polynomials join, of points or of values along it; `control` must make a
-/// curve. Uniform knots: the b_spline's weights there are 1, 4, 1 over 6 (degree 3) and 1, 1 over 2 (degree 2).
+/// The ends of a curve and the places where its polynomials join, of points or of values along it; `control` must make
+/// a curve. Uniform knots: the b_spline's weights there are 1, 4, 1 over 6 (degree 3) and 1, 1 over 2 (degree 2).
 template <class T>
 std::vector<T> joints(const CurveBasis& basis, std::span<const T> control) {
   using Kind = CurveBasis::Kind;
@@ -44,7 +48,8 @@ std::vector<T> joints(const CurveBasis& basis, std::span<const T> control) {
     for (std::size_t i = 1; i < points.size(); ++i) result.push_back(points[i - 1] * 0.5f + points[i] * 0.5f);
   else
     for (std::size_t i = 1; i + 1 < points.size(); ++i)
-      result.push_back(interpolates ? points[i] : points[i - 1] * (1.0f / 6) + points[i] * (4.0f / 6) + points[i + 1] * (1.0f / 6));
+      result.push_back(interpolates ? points[i]
+                                    : points[i - 1] * (1.0f / 6) + points[i] * (4.0f / 6) + points[i + 1] * (1.0f / 6));
   return result;
 }
 

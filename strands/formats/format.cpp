@@ -98,7 +98,8 @@ std::vector<std::string> drop_what_it_cannot_hold(Groom& groom, const Format& fo
 
 Result<void> check_sizes(const Groom& groom, const Format& format) {
   const std::string_view name = format.extensions.front();
-  if (groom.strand_count() == 0) return bad_input(fmt::format(".{}: the groom has 0 strands, at least 1 is needed", name));
+  if (groom.strand_count() == 0)
+    return bad_input(fmt::format(".{}: the groom has 0 strands, at least 1 is needed", name));
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     if (groom.strand_size(s) < 2 || groom.strand_size(s) > format.holds.most_points)
       return bad_input(fmt::format(".{}: strand {} has {} points, allowed 2 .. {}", name, s, groom.strand_size(s),

@@ -13,9 +13,9 @@ namespace cuticle::strands {
 
 /// A groom as its file gives it: nothing scaled.
 struct ParsedGroom {
-  Groom groom;                         ///< in file units
-  double metres_per_unit = 0;          ///< as the file states it; 0: it does not
-  std::vector<std::string> notes = {}; ///< what was found out or left out, one sentence each
+  Groom groom;                          ///< in file units
+  double metres_per_unit = 0;           ///< as the file states it; 0: it does not
+  std::vector<std::string> notes = {};  ///< what was found out or left out, one sentence each
 };
 
 /// What a parser does with numbers that are not finite and strands of fewer than two points.
@@ -34,18 +34,18 @@ enum class Widths { none, ends, vertices };
 
 /// What the files of a format hold beside points.
 struct Holds {
-  bool differing_sizes = true;                     ///< strands of different numbers of points
-  std::size_t most_points = 0xffffffff;            ///< per strand; the least is 2
+  bool differing_sizes = true;           ///< strands of different numbers of points
+  std::size_t most_points = 0xffffffff;  ///< per strand; the least is 2
   Widths widths = Widths::none;
   bool root_uv = false;
-  bool roots = false;                              ///< root_triangle and root_barycentrics
-  bool attributes = false;                         ///< every attribute whose name is a plain word: [A-Za-z_][A-Za-z0-9_]*
-  std::span<const NamedAttribute> named = {};      ///< or these alone
+  bool roots = false;                          ///< root_triangle and root_barycentrics
+  bool attributes = false;                     ///< every attribute whose name is a plain word: [A-Za-z_][A-Za-z0-9_]*
+  std::span<const NamedAttribute> named = {};  ///< or these alone
 };
 
 struct Format {
   std::string_view name;
-  std::span<const std::string_view> extensions;    ///< lower case, without the dot; the first is the usual one
+  std::span<const std::string_view> extensions;      ///< lower case, without the dot; the first is the usual one
   std::span<const std::string_view> read_only = {};  ///< more of them, under which nothing is written
   std::string_view summary;
   Holds holds;

@@ -1,4 +1,5 @@
-// Whole files: units, radius, what a format cannot hold, nothing left behind after a refusal; projects of several files.
+// Whole files: units, radius, what a format cannot hold, nothing left behind after a refusal; projects of several
+// files.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -78,7 +79,8 @@ TEST_F(GroomFiles, WhatTheFormatCannotHold_IsSaid) {
 
 TEST_F(GroomFiles, UnknownExtension_IsRefused) {
   std::ofstream(path("a.xyz")) << "text";
-  EXPECT_THAT(read_groom(path("a.xyz")).error().message, AllOf(HasSubstr(".hair"), HasSubstr(".tfxproj"), HasSubstr(".npy")));
+  EXPECT_THAT(read_groom(path("a.xyz")).error().message,
+              AllOf(HasSubstr(".hair"), HasSubstr(".tfxproj"), HasSubstr(".npy")));
   EXPECT_THAT(write_groom(path("b.xyz"), groom_in_metres(1e-5f)).error().message,
               AllOf(HasSubstr(".hair"), Not(HasSubstr(".tfxproj")), Not(HasSubstr(".npy"))));
 }

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <cuticle/core/file.h>
 #include <cuticle/strands/formats/format.h>
 #include <cuticle/strands/formats/tfx/bones.h>
 #include <cuticle/strands/repair.h>
@@ -32,12 +33,27 @@ void check_round_trip(Groom groom) {
   require(again && again->groom.positions == groom.positions && again->groom.offsets == groom.offsets);
 }
 
+/// Two strands with a root uv and an attribute: headers and check sums are not found by chance.
+std::vector<std::byte> seed() {
+  Groom groom;
+  groom.positions = {{0, 0, 0}, {0, 1, 0}, {0, 2, 1}, {1, 0, 0}, {1, 1, 0}, {1, 2, 1}};
+  groom.offsets = {0, 3, 6};
+  groom.radii = {1, 1, 0.5f, 1, 1, 0.5f};
+  groom.root_uv = {{0, 0.5f}, {1, 0.5f}};
+  groom.attributes["heat"] = {Attribute::Domain::strand, 2, {1, 2, 3, 4}};
+  drop_what_it_cannot_hold(groom, *chosen);
+  return chosen->format(groom, 1).value();
+}
+
 }  // namespace
 
-extern "C" int LLVMFuzzerInitialize(int*, char*** arguments) {
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   const std::string program = std::filesystem::path((*arguments)[0]).filename().string();
   for (const Format* format : formats())
     if (program == std::string(format->name) + "_fuzz") chosen = format;
+  for (int i = 1; chosen && i < *count; ++i)
+    if (const std::string corpus = (*arguments)[i]; std::filesystem::is_directory(corpus))
+      require(bool(cuticle::write_file(corpus + "/seed", seed())));
   return 0;
 }
 

@@ -1,14 +1,16 @@
-// Every format of the registry: round trips that keep what the format says it holds, damage refused or mended; then what
-// single formats must understand of files that other programs write.
+// Every format of the registry: round trips that keep what the format says it holds, damage refused or mended; then
+// what single formats must understand of files that other programs write.
 #include <cstring>
 #include <limits>
 
+#include <cuticle/core/file.h>
 #include <cuticle/strands/formats/bytes.h>
 #include <cuticle/strands/formats/curve_basis.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/formats/tfx/bones.h>
 #include <cuticle/strands/refusals.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
+#include <cuticle/tests/support/temporary_folder.h>
 
 namespace cuticle::strands {
 namespace {
@@ -35,7 +37,8 @@ Groom rich_groom(bool same_size) {
   std::vector<float> numbers(3 * count);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 0.07f * float(i);
   groom.attributes["color"] = {Attribute::Domain::vertex, 3, numbers};
-  groom.attributes["tension"] = {Attribute::Domain::vertex, 1, {numbers.begin(), numbers.begin() + std::ptrdiff_t(count)}};
+  groom.attributes["tension"] = {
+      Attribute::Domain::vertex, 1, {numbers.begin(), numbers.begin() + std::ptrdiff_t(count)}};
   groom.attributes["group_id"] = {Attribute::Domain::strand, 1, {3, 5}};
   groom.attributes["bone_weight"] = {Attribute::Domain::strand, 4, {0, 1, 0, 0, 0.1f, 0.2f, 0.3f, 0.4f}};
   groom.attributes["frame"] = {Attribute::Domain::strand, 6, {numbers.begin(), numbers.begin() + 12}};
@@ -88,8 +91,12 @@ TEST_P(EveryFormat, WrittenAndRead_KeepsWhatItHolds) {
   EXPECT_EQ(again->groom.root_barycentrics, groom_.root_barycentrics);
   EXPECT_EQ(again->groom.attributes, groom_.attributes);
   const Widths widths = GetParam()->holds.widths;
-  if (widths == Widths::vertices) { EXPECT_EQ(again->groom.radii, groom_.radii); }
-  if (widths == Widths::ends) { EXPECT_EQ(again->groom.radii.back(), groom_.radii.back()); }
+  if (widths == Widths::vertices) {
+    EXPECT_EQ(again->groom.radii, groom_.radii);
+  }
+  if (widths == Widths::ends) {
+    EXPECT_EQ(again->groom.radii.back(), groom_.radii.back());
+  }
 }
 
 TEST_P(EveryFormat, WhatItCannotHold_IsSaid) {
@@ -182,7 +189,8 @@ TEST(PbrtFile, Written_IsACurveThroughThePoints) {
   Groom groom;
   tests::add_strand(groom, {{0, 0, 0}, {3, 0, 0}, {6, 3, 0}}, 0.5f);
   const auto bytes = (*format_of("x.pbrt"))->format(groom, 1).value();
-  EXPECT_THAT(to_text(bytes), HasSubstr("[ 0 0 0 1 0 0 2 -0.5 0 3 0 0 4 0.5 0 5 2 0 6 3 0 ] \"float width0\" 1 \"float width1\" 1"));
+  EXPECT_THAT(to_text(bytes),
+              HasSubstr("[ 0 0 0 1 0 0 2 -0.5 0 3 0 0 4 0.5 0 5 2 0 6 3 0 ] \"float width0\" 1 \"float width1\" 1"));
 }
 
 TEST(MitsubaFile, CurveText_IsRead) {
@@ -214,25 +222,31 @@ def Xform "head" { double3 xformOp:translate = (0, 1, 0)
   EXPECT_EQ(file.groom.radii[3], 0.25f);
   EXPECT_THAT(file.groom.root_uv, ElementsAre(glm::vec2(0.25f, 0.5f), glm::vec2(0, 1)));
   EXPECT_EQ(file.metres_per_unit, 0.01);
-  EXPECT_THAT(file.notes, AllOf(Contains(HasSubstr("transformations")), Contains(HasSubstr("time samples")), Contains(HasSubstr("axis is Z"))));
+  EXPECT_THAT(file.notes, AllOf(Contains(HasSubstr("transformations")), Contains(HasSubstr("time samples")),
+                                Contains(HasSubstr("axis is Z"))));
 }
 
 TEST(UsdaFile, BadText_IsRefused) {
   const std::string begin = "#usda 1.0\ndef BasisCurves \"a\" { uniform token type = \"linear\"\n";
   EXPECT_THAT(refusal("usda", "#sdf 1.4\n"), HasSubstr("line 1"));
-  EXPECT_THAT(refusal("usda", begin + "int[] curveVertexCounts = [3] point3f[] points = [(0,0,0),(1,1,1)] }"), HasSubstr("curve 0 has 3 points of 2"));
+  EXPECT_THAT(refusal("usda", begin + "int[] curveVertexCounts = [3] point3f[] points = [(0,0,0),(1,1,1)] }"),
+              HasSubstr("curve 0 has 3 points of 2"));
   EXPECT_THAT(refusal("usda", begin + "point3f[] points = [(0, x, 0)] }"), HasSubstr("line 3: 'x' is no number"));
   EXPECT_THAT(refusal("usda", "#usda 1.0\n"), HasSubstr("no BasisCurves"));
 }
 
 TEST(PlyFile, Layouts_AreFoundAndReported) {
   const std::string head = "ply\nformat ascii 1.0\n", xyz = "property float x\nproperty float y\nproperty double z\n";
-  const ParsedGroom edges = parsed("ply", head + "element vertex 4\n" + xyz + "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
-                                          "end_header\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n2 0\n1 3\n");
-  EXPECT_THAT(edges.groom.positions, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(3, 0, 0), glm::vec3(2, 0, 0), glm::vec3(0, 0, 0)));
+  const ParsedGroom edges = parsed("ply", head + "element vertex 4\n" + xyz +
+                                              "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+                                              "end_header\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n2 0\n1 3\n");
+  EXPECT_THAT(edges.groom.positions,
+              ElementsAre(glm::vec3(1, 0, 0), glm::vec3(3, 0, 0), glm::vec3(2, 0, 0), glm::vec3(0, 0, 0)));
   EXPECT_THAT(edges.notes, Contains(HasSubstr("'edge'")));
-  const ParsedGroom colors = parsed("ply", head + "element vertex 4\n" + xyz + "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                                           "end_header\n0 0 0 255 0 0\n1 0 0 255 0 0\n2 0 0 0 51 0\n3 0 0 0 51 0\n");
+  const ParsedGroom colors =
+      parsed("ply", head + "element vertex 4\n" + xyz +
+                        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                        "end_header\n0 0 0 255 0 0\n1 0 0 255 0 0\n2 0 0 0 51 0\n3 0 0 0 51 0\n");
   EXPECT_THAT(colors.groom.offsets, ElementsAre(0u, 2u, 4u));
   EXPECT_EQ(colors.groom.attributes.at("color").values[7], 0.2f);
   std::string cloud = head + "element vertex 300\n" + xyz + "end_header\n";
@@ -244,10 +258,13 @@ TEST(PlyFile, BadFiles_AreRefused) {
   const std::string head = "ply\nformat ascii 1.0\n", xyz = "property float x\nproperty float y\nproperty float z\n";
   EXPECT_THAT(refusal("ply", "PLY\n"), HasSubstr("line 1"));
   EXPECT_THAT(refusal("ply", head + "element vertex 4000000000\n" + xyz + "end_header\n"), HasSubstr("line 3"));
-  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + "end_header\n0 0 0 1 1 1"), HasSubstr("2 points without strands"));
+  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + "end_header\n0 0 0 1 1 1"),
+              HasSubstr("2 points without strands"));
   const std::string edge = "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + edge + "0 0 0\n1 1 1\n0 1\n1 0\n"), HasSubstr("closed loops"));
-  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + edge + "0 0 0\n1 1 1\n0 1\n0 1\n"), HasSubstr("branch"));
+  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + edge + "0 0 0\n1 1 1\n0 1\n1 0\n"),
+              HasSubstr("closed loops"));
+  EXPECT_THAT(refusal("ply", head + "element vertex 2\n" + xyz + edge + "0 0 0\n1 1 1\n0 1\n0 1\n"),
+              HasSubstr("branch"));
 }
 
 TEST(UscFile, RootsWithoutAStrand_AreLeftOutAndCounted) {
@@ -263,7 +280,8 @@ TEST(UscFile, RootsWithoutAStrand_AreLeftOutAndCounted) {
 }
 
 TEST(VtpFile, LinesAndCells_AreRead) {
-  const ParsedGroom file = parsed("vtp", R"(<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="3" NumberOfVerts="1" NumberOfLines="1">
+  const ParsedGroom file =
+      parsed("vtp", R"(<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="3" NumberOfVerts="1" NumberOfLines="1">
 <CellData><DataArray type="Float32" Name="heat" format="ascii">7 8</DataArray></CellData>
 <Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 2 0 0</DataArray></Points>
 <Verts/><Lines><DataArray Name="connectivity" format="ascii">2 1</DataArray><DataArray Name="offsets" format="ascii">2</DataArray></Lines>
@@ -304,6 +322,18 @@ TEST(TfxBones, File_BecomesAttributesOfTheStrands) {
   EXPECT_THAT(groom.notes, AllOf(Contains(HasSubstr("neck head")), Contains(HasSubstr("1 strands have no bone"))));
 }
 
+class TfxFiles : public tests::TemporaryFolder {};
+
+TEST_F(TfxFiles, BonesBesideTheFile_AreRead) {
+  ASSERT_TRUE(write_groom(path("a.tfx"), rich_groom(true)).ok());
+  ASSERT_TRUE(write_file(path("a.tfxbone"), bones_file()).ok());
+  const auto file = read_groom(path("a.tfx"));
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file->groom.attributes.at("bone_weight").values[1], 0.5f);
+  ASSERT_TRUE(write_file(path("a.tfxbone"), {}).ok());
+  EXPECT_THAT(read_groom(path("a.tfx")).error().message, HasSubstr("a.tfxbone: count of bones"));
+}
+
 TEST(TfxBones, DamagedFile_IsRefusedByOffset) {
   std::vector<std::byte> bytes = bones_file();
   for (std::size_t size = 0; size < bytes.size(); ++size)
@@ -320,8 +350,8 @@ TEST(Refusals, EachEngine_NamesFoundAndAllowed) {
   groom = tests::coat(10, 300, 0.1, 1e-5f, 1);
   std::string all;
   for (const Refusal& refusal : refusals(groom)) all += refusal.engine + ": " + refusal.what + "\n";
-  EXPECT_THAT(all, AllOf(HasSubstr("unreal: points of a strand 300, allowed 2 .. 255"), HasSubstr("unity: strands 10, allowed 64"),
-                         HasSubstr("tressfx: strands of 300 points")));
+  EXPECT_THAT(all, AllOf(HasSubstr("unreal: points of a strand 300, allowed 2 .. 255"),
+                         HasSubstr("unity: strands 10, allowed 64"), HasSubstr("tressfx: strands of 300 points")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-// Words, strings and marks of a text whose line breaks mean nothing (pbrt, USDA). Comments run from # to the line's end.
+// Words, strings and marks of a text whose line breaks mean nothing (pbrt, USDA). Comments run from # to the line's
+// end.
 #include <cstddef>
 #include <string_view>
 

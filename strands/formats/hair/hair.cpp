@@ -92,9 +92,9 @@ Result<std::vector<std::uint32_t>> read_offsets(const ByteView& bytes, const Hea
   for (std::uint32_t s = 0; s < header.strands; ++s) {
     const std::uint32_t count = segments_of(bytes, header, s);
     if ((count < 1 && damage == Damage::refuse) || count > 65535)
-      return segments_error(bytes, header, s,
-                            fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535", s, count,
-                                        std::uint64_t(count) + 1));
+      return segments_error(
+          bytes, header, s,
+          fmt::format("strand {} has {} segments ({} points), allowed 1 .. 65535", s, count, std::uint64_t(count) + 1));
     const std::uint64_t end = std::uint64_t(offsets.back()) + count + 1;
     if (end > header.points)
       return segments_error(bytes, header, s,

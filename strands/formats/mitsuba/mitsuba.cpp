@@ -1,4 +1,5 @@
-// Curve text of Mitsuba 3 (shapes linearcurve and bsplinecurve): a line "x y z radius" a point, an empty line after a curve.
+// Curve text of Mitsuba 3 (shapes linearcurve and bsplinecurve): a line "x y z radius" a point, an empty line after a
+// curve.
 #include <iterator>
 
 #include <fmt/core.h>
@@ -21,7 +22,8 @@ Result<Point> read_point(std::string_view line, const std::string& where, std::s
     const std::string_view word = next_word(line);
     const std::optional<double> read = to_number(word);
     if (!read || (damage == Damage::refuse && !std::isfinite(float(*read))))
-      return line_error(where, number, fmt::format("'{}', a line holds four finite numbers: x y z radius", word.substr(0, 40)));
+      return line_error(where, number,
+                        fmt::format("'{}', a line holds four finite numbers: x y z radius", word.substr(0, 40)));
     value = float(*read);
   }
   if (values[3] < 0 && damage == Damage::refuse)

@@ -39,7 +39,8 @@ Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t ar
   if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) || !(stat.valid & ZIP_STAT_NAME))
     return bad_input(fmt::format("{}: member {}: {}", where, index, zip_strerror(archive)));
   if (stat.size > k_most_shrinking * archive_bytes + k_least_bytes)
-    return bad_input(fmt::format("{}: member {} claims {} bytes, more than the file can hold", where, stat.name, stat.size));
+    return bad_input(
+        fmt::format("{}: member {} claims {} bytes, more than the file can hold", where, stat.name, stat.size));
   const Owned<zip_file_t> file(zip_fopen_index(archive, index, 0));
   if (!file) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_strerror(archive)));
   Member member{stat.name, std::vector<std::byte>(stat.size)};
@@ -51,7 +52,8 @@ Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t ar
 /// The bytes of a source that an archive was written to.
 Result<std::vector<std::byte>> bytes_of(zip_source_t* source) {
   zip_stat_t stat;
-  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) return internal_error("zip: the archive cannot be read back");
+  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0)
+    return internal_error("zip: the archive cannot be read back");
   std::vector<std::byte> bytes(stat.size);
   const zip_int64_t read = zip_source_read(source, bytes.data(), bytes.size());
   zip_source_close(source);

@@ -21,7 +21,8 @@ std::string_view value_of(std::string_view header, std::string_view key) {
   if (at == header.npos) return {};
   const std::string_view rest = header.substr(at + key.size());
   const std::size_t colon = rest.find(':');
-  return colon == rest.npos ? std::string_view() : rest.substr(std::min(rest.find_first_not_of(" ", colon + 1), rest.size()));
+  return colon == rest.npos ? std::string_view()
+                            : rest.substr(std::min(rest.find_first_not_of(" ", colon + 1), rest.size()));
 }
 
 struct Header {
@@ -42,7 +43,8 @@ class Parser {
     std::uint64_t count = 1;
     const std::uint64_t room = (bytes_.size() - header_.data) / header_.item;
     for (std::uint64_t extent : header_.shape) {
-      if (extent > 0 && count > room / extent) return error("shape", fmt::format("more than the {} numbers of its bytes", room));
+      if (extent > 0 && count > room / extent)
+        return error("shape", fmt::format("more than the {} numbers of its bytes", room));
       count *= extent;
     }
     CUTICLE_TRY(header_.kind == 'f' ? read_reals(count, array.values) : read_whole(count, array.whole));
@@ -88,7 +90,8 @@ class Parser {
       const std::string_view word = next_word(part);
       if (word.empty()) continue;
       const std::optional<double> extent = to_number(word);
-      if (!extent || !(*extent >= 0 && *extent < 1e15) || *extent != std::floor(*extent) || header_.shape.size() == k_most_axes)
+      if (!extent || !(*extent >= 0 && *extent < 1e15) || *extent != std::floor(*extent) ||
+          header_.shape.size() == k_most_axes)
         return error("shape", fmt::format("'{}'", word.substr(0, 40)));
       header_.shape.push_back(std::uint64_t(*extent));
     }
@@ -111,7 +114,8 @@ class Parser {
       std::uint64_t value = 0;
       std::memcpy(&value, bytes_.data() + header_.data + i * header_.item, header_.item);
       const bool is_negative = header_.kind == 'i' && (value >> (8 * header_.item - 1)) != 0;
-      if (is_negative || value > 0xffffffffu) return error("values", fmt::format("number {} is outside 0 .. 4294967295", i));
+      if (is_negative || value > 0xffffffffu)
+        return error("values", fmt::format("number {} is outside 0 .. 4294967295", i));
       whole[i] = std::uint32_t(value);
     }
     return {};
@@ -122,7 +126,8 @@ class Parser {
   Header header_;
 };
 
-std::vector<std::byte> format_array(std::string_view type, std::span<const std::uint64_t> shape, std::span<const std::byte> data) {
+std::vector<std::byte> format_array(std::string_view type, std::span<const std::uint64_t> shape,
+                                    std::span<const std::byte> data) {
   std::string extents;
   for (std::uint64_t extent : shape) extents += fmt::format("{}, ", extent);
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, extents);

@@ -50,8 +50,8 @@ class Builder {
   }
 
   Error shape_error(const Array& array, std::size_t rows, std::size_t components) const {
-    return bad_input(fmt::format("{}: array '{}' has {} numbers of a fitting type, {} x {} are needed", where_, array.name,
-                                 array.count(), rows, components));
+    return bad_input(fmt::format("{}: array '{}' has {} numbers of a fitting type, {} x {} are needed", where_,
+                                 array.name, array.count(), rows, components));
   }
 
   static bool is_strands(const Array& array) {
@@ -66,23 +66,29 @@ class Builder {
       if (!positions && is_strands(array)) positions = take(array.name);
     if (!positions || !is_strands(*positions)) return no_strands();
     const std::uint64_t strands = positions->shape[0], points = positions->shape[1];
-    if (strands * points > 0xffffffffull) return bad_input(fmt::format("{}: {} points, allowed 2 .. {}", where_, strands * points, 0xffffffffull));
+    if (strands * points > 0xffffffffull)
+      return bad_input(fmt::format("{}: {} points, allowed 2 .. {}", where_, strands * points, 0xffffffffull));
     for (std::uint64_t s = 1; s <= strands; ++s) groom().offsets.push_back(std::uint32_t(s * points));
-    parsed_.notes.push_back(fmt::format("strands found in the array '{}': {} x {} x 3", positions->name, strands, points));
+    parsed_.notes.push_back(
+        fmt::format("strands found in the array '{}': {} x {} x 3", positions->name, strands, points));
     return copy_positions(*positions);
   }
 
   Error no_strands() const {
     std::string list;
     for (const Array& array : arrays_)
-      list += array.problem.empty() ? fmt::format(" '{}' of {} axes;", array.name, array.shape.size()) : " " + array.problem + ";";
-    return bad_input(fmt::format("{}: no array of numbers strands x points x 3 and no 'offsets' with 'positions'; it holds:{}", where_, list));
+      list += array.problem.empty() ? fmt::format(" '{}' of {} axes;", array.name, array.shape.size())
+                                    : " " + array.problem + ";";
+    return bad_input(fmt::format(
+        "{}: no array of numbers strands x points x 3 and no 'offsets' with 'positions'; it holds:{}", where_, list));
   }
 
   Result<void> read_by_offsets(const Array& offsets, const Array& positions) {
     const std::vector<std::uint32_t>& ends = offsets.whole;
-    if (ends.empty() || ends.front() != 0 || !std::is_sorted(ends.begin(), ends.end()) || positions.values.size() != 3 * std::uint64_t(ends.back()))
-      return bad_input(fmt::format("{}: 'offsets' must rise from 0 to the number of 'positions', {}", where_, positions.values.size() / 3));
+    if (ends.empty() || ends.front() != 0 || !std::is_sorted(ends.begin(), ends.end()) ||
+        positions.values.size() != 3 * std::uint64_t(ends.back()))
+      return bad_input(fmt::format("{}: 'offsets' must rise from 0 to the number of 'positions', {}", where_,
+                                   positions.values.size() / 3));
     groom().offsets = ends;
     return copy_positions(positions);
   }
@@ -94,11 +100,14 @@ class Builder {
   }
 
   Result<void> check_sizes_and_numbers() {
-    if (groom().strand_count() == 0 || groom().vertex_count() == 0) return bad_input(fmt::format("{}: 0 strands or points, at least 1 is needed", where_));
+    if (groom().strand_count() == 0 || groom().vertex_count() == 0)
+      return bad_input(fmt::format("{}: 0 strands or points, at least 1 is needed", where_));
     if (damage_ == Damage::keep) return {};
     for (std::size_t s = 0; s < groom().strand_count(); ++s)
       if (groom().strand_size(s) < 2)
-        return bad_input(fmt::format("{}: strand {} has {} points, at least 2 are needed", where_, s, groom().strand_size(s)), "--repair takes such strands out");
+        return bad_input(
+            fmt::format("{}: strand {} has {} points, at least 2 are needed", where_, s, groom().strand_size(s)),
+            "--repair takes such strands out");
     const std::size_t bad = first_not_finite({&groom().positions.front().x, 3 * groom().vertex_count()});
     if (bad < 3 * groom().vertex_count()) return bad_input(fmt::format("{}: point {} is not finite", where_, bad / 3));
     return {};
@@ -120,18 +129,22 @@ class Builder {
     if (damage_ == Damage::keep) return {};
     std::size_t bad = first_not_finite(array.values);
     if (is_positive && bad == array.values.size())
-      bad = std::size_t(std::find_if(array.values.begin(), array.values.end(), [](float v) { return v < 0; }) - array.values.begin());
+      bad = std::size_t(std::find_if(array.values.begin(), array.values.end(), [](float v) { return v < 0; }) -
+                        array.values.begin());
     if (bad == array.values.size()) return {};
-    return bad_input(fmt::format("{}: '{}'[{}] is {}, must be finite{}", where_, array.name, bad, double(array.values[bad]), is_positive ? " and at least 0" : ""));
+    return bad_input(fmt::format("{}: '{}'[{}] is {}, must be finite{}", where_, array.name, bad,
+                                 double(array.values[bad]), is_positive ? " and at least 0" : ""));
   }
 
   Result<void> read_attributes(std::string_view prefix, Attribute::Domain domain, std::size_t rows) {
     for (Array& array : arrays_) {
       if (!array.name.starts_with(prefix) || array.values.empty()) continue;
       take(array.name);
-      if (array.values.size() % rows != 0) return shape_error(array, rows, std::size_t(std::max<std::uint64_t>(1, array.extent(1))));
+      if (array.values.size() % rows != 0)
+        return shape_error(array, rows, std::size_t(std::max<std::uint64_t>(1, array.extent(1))));
       CUTICLE_TRY(require_numbers(array, false));
-      groom().attributes[array.name.substr(prefix.size())] = {domain, int(array.values.size() / rows), std::move(array.values)};
+      groom().attributes[array.name.substr(prefix.size())] = {domain, int(array.values.size() / rows),
+                                                              std::move(array.values)};
     }
     return {};
   }
@@ -160,7 +173,8 @@ Result<std::vector<Array>> parse_arrays(std::span<const std::byte> bytes, const 
   }
   CUTICLE_ASSIGN(const std::vector<Member> members, read_archive(bytes, where));
   for (const Member& member : members) {
-    const std::string name = member.name.ends_with(".npy") ? member.name.substr(0, member.name.size() - 4) : member.name;
+    const std::string name =
+        member.name.ends_with(".npy") ? member.name.substr(0, member.name.size() - 4) : member.name;
     Result<Array> array = parse_npy(member.bytes, name, where);
     arrays.push_back(array ? std::move(*array) : Array{.name = name, .problem = array.error().message});
   }
@@ -172,10 +186,12 @@ Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& w
   return Builder(arrays, where, damage).build();
 }
 
-void add_floats(std::vector<Member>& members, const std::string& name, const float* values, std::size_t rows, std::size_t components) {
+void add_floats(std::vector<Member>& members, const std::string& name, const float* values, std::size_t rows,
+                std::size_t components) {
   const std::uint64_t shape[] = {rows, components};
   if (rows > 0)
-    members.push_back({name + ".npy", format_npy({values, rows * components}, std::span(shape).first(components == 1 ? 1 : 2))});
+    members.push_back(
+        {name + ".npy", format_npy({values, rows * components}, std::span(shape).first(components == 1 ? 1 : 2))});
 }
 
 Result<std::vector<std::byte>> format_npz(const Groom& groom, double) {
@@ -191,7 +207,8 @@ Result<std::vector<std::byte>> format_npz(const Groom& groom, double) {
   for (const auto& [name, attribute] : groom.attributes) {
     const std::size_t components = std::size_t(attribute.components);
     const std::string_view prefix = attribute.domain == Attribute::Domain::strand ? k_strand : k_vertex;
-    add_floats(members, std::string(prefix) + name, attribute.values.data(), attribute.values.size() / components, components);
+    add_floats(members, std::string(prefix) + name, attribute.values.data(), attribute.values.size() / components,
+               components);
   }
   return write_archive(members);
 }
@@ -201,14 +218,13 @@ constexpr std::string_view k_extensions[] = {"npz"}, k_read_only[] = {"npy"};
 }  // namespace
 
 const Format& entry() {
-  static const Format format{
-      .name = "npz",
-      .extensions = k_extensions,
-      .read_only = k_read_only,
-      .summary = "NumPy archives: strands x points x 3, or offsets and positions",
-      .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
-      .parse = parse,
-      .format = format_npz};
+  static const Format format{.name = "npz",
+                             .extensions = k_extensions,
+                             .read_only = k_read_only,
+                             .summary = "NumPy archives: strands x points x 3, or offsets and positions",
+                             .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
+                             .parse = parse,
+                             .format = format_npz};
   return format;
 }
 

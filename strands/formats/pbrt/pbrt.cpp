@@ -1,4 +1,5 @@
-// Curve shapes of pbrt-v3 and pbrt-v4 (file formats at https://pbrt.org): cubic Bezier curves through the points, Catmull-Rom between.
+// Curve shapes of pbrt-v3 and pbrt-v4 (file formats at https://pbrt.org): cubic Bezier curves through the points,
+// Catmull-Rom between.
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -25,16 +26,19 @@ struct Curve {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& where, Damage damage) : tokens_(text), where_(where), damage_(damage) {}
+  Reader(std::string_view text, const std::string& where, Damage damage)
+      : tokens_(text), where_(where), damage_(damage) {}
 
   Result<ParsedGroom> read() {
     token_ = tokens_.next();
     while (token_.kind != Token::Kind::end) CUTICLE_TRY(read_statement());
-    if (parsed_.groom.strand_count() == 0) return line_error(where_, tokens_.line(), "no Shape \"curve\", at least 1 is needed");
+    if (parsed_.groom.strand_count() == 0)
+      return line_error(where_, tokens_.line(), "no Shape \"curve\", at least 1 is needed");
     if (is_transformed_) parsed_.notes.push_back("the file's transformations are not applied");
     if (has_include_) parsed_.notes.push_back("the file's Include and Import are not followed");
     if (bend_ > 0)
-      parsed_.notes.push_back(fmt::format("curves bend by up to {:.3g} units between their joints, which alone are kept", bend_));
+      parsed_.notes.push_back(
+          fmt::format("curves bend by up to {:.3g} units between their joints, which alone are kept", bend_));
     return std::move(parsed_);
   }
 
@@ -86,7 +90,8 @@ class Reader {
     if (name != "P" && !is_degree && name != "width" && name != "width0" && name != "width1") return {};
     const std::optional<double> value = token_.kind == Token::Kind::word ? to_number(token_.text) : std::nullopt;
     if (!value || (damage_ == Damage::refuse && !std::isfinite(float(*value))))
-      return line_error(where_, tokens_.line(), fmt::format("{} '{}', must be a finite number", name, token_.text.substr(0, 40)));
+      return line_error(where_, tokens_.line(),
+                        fmt::format("{} '{}', must be a finite number", name, token_.text.substr(0, 40)));
     if (is_degree && *value != 2 && *value != 3)
       return line_error(where_, tokens_.line(), fmt::format("degree {}, allowed 2 or 3", *value));
     if (name == "P") curve.numbers.push_back(float(*value));
@@ -99,17 +104,20 @@ class Reader {
   Result<void> add(const Curve& curve) {
     const std::span points(reinterpret_cast<const glm::vec3*>(curve.numbers.data()), curve.numbers.size() / 3);
     if (curve.numbers.size() % 3 != 0 || !makes_a_curve(curve.basis, points.size()))
-      return line_error(where_, tokens_.line(),
-                        fmt::format("P has {} numbers: no curve of degree {}", curve.numbers.size(), curve.basis.degree));
+      return line_error(
+          where_, tokens_.line(),
+          fmt::format("P has {} numbers: no curve of degree {}", curve.numbers.size(), curve.basis.degree));
     if ((curve.width[0] < 0 || curve.width[1] < 0) && damage_ == Damage::refuse)
-      return line_error(where_, tokens_.line(), fmt::format("widths {} and {}, must be at least 0", curve.width[0], curve.width[1]));
+      return line_error(where_, tokens_.line(),
+                        fmt::format("widths {} and {}, must be at least 0", curve.width[0], curve.width[1]));
     Groom& groom = parsed_.groom;
     const std::vector<glm::vec3> polyline = joints(curve.basis, points);
     const bool is_piece = curve.basis.kind == CurveBasis::Kind::bezier && polyline.size() == 2;
     const bool goes_on = continues_ && is_piece && groom.positions.back() == polyline.front();
     for (std::size_t i = goes_on ? 1 : 0; i < polyline.size(); ++i) {
       groom.positions.push_back(polyline[i]);
-      groom.radii.push_back(0.5f * float(std::lerp(curve.width[0], curve.width[1], double(i) / double(polyline.size() - 1))));
+      groom.radii.push_back(0.5f *
+                            float(std::lerp(curve.width[0], curve.width[1], double(i) / double(polyline.size() - 1))));
     }
     if (goes_on) groom.offsets.pop_back();
     groom.offsets.push_back(std::uint32_t(groom.vertex_count()));
@@ -161,7 +169,8 @@ void append_curve(std::string& text, std::span<const glm::vec3> points, float ro
     append_point(text, glm::dvec3(points[i + 1]) - third_of_tangent(points, i + 1));
     append_point(text, points[i + 1]);
   }
-  fmt::format_to(std::back_inserter(text), "] \"float width0\" {} \"float width1\" {}\n", 2 * root_radius, 2 * tip_radius);
+  fmt::format_to(std::back_inserter(text), "] \"float width0\" {} \"float width1\" {}\n", 2 * root_radius,
+                 2 * tip_radius);
 }
 
 Result<std::vector<std::byte>> format_pbrt(const Groom& groom, double) {

@@ -16,8 +16,9 @@ struct Type {
   char kind;
   int bytes;
 };
-constexpr Type k_types[] = {{{"char", "int8"}, 'i', 1},    {{"uchar", "uint8"}, 'u', 1},  {{"short", "int16"}, 'i', 2},
-                            {{"ushort", "uint16"}, 'u', 2}, {{"int", "int32"}, 'i', 4},    {{"uint", "uint32"}, 'u', 4},
+constexpr Type k_types[] = {{{"char", "int8"}, 'i', 1},     {{"uchar", "uint8"}, 'u', 1},
+                            {{"short", "int16"}, 'i', 2},   {{"ushort", "uint16"}, 'u', 2},
+                            {{"int", "int32"}, 'i', 4},     {{"uint", "uint32"}, 'u', 4},
                             {{"float", "float32"}, 'f', 4}, {{"double", "float64"}, 'f', 8}};
 
 /// A property with what a list needs beside: the type of its length.
@@ -27,7 +28,8 @@ struct Stored {
 
 class Parser {
  public:
-  Parser(std::span<const std::byte> bytes, const std::string& where) : bytes_(bytes), where_(where), text_(to_text(bytes)) {}
+  Parser(std::span<const std::byte> bytes, const std::string& where)
+      : bytes_(bytes), where_(where), text_(to_text(bytes)) {}
 
   Result<Elements> parse() {
     CUTICLE_TRY(read_header());
@@ -63,7 +65,8 @@ class Parser {
     is_text_ = word == "ascii";
     is_big_ = word == "binary_big_endian";
     if (is_text_ || is_big_ || word == "binary_little_endian") return {};
-    return error(fmt::format("format '{}', allowed ascii, binary_little_endian, binary_big_endian", word.substr(0, 40)));
+    return error(
+        fmt::format("format '{}', allowed ascii, binary_little_endian, binary_big_endian", word.substr(0, 40)));
   }
 
   Result<void> read_element(std::string_view line) {
@@ -107,14 +110,18 @@ class Parser {
     if (element.properties.empty() || element.rows == 0) return {};
     std::size_t row_bytes = 0;
     for (std::size_t p = 0; p < stored.size(); ++p)
-      row_bytes += std::size_t(is_text_ ? 1 : element.properties[p].is_list ? stored[p].length.bytes : stored[p].item.bytes);
+      row_bytes += std::size_t(is_text_                        ? 1
+                               : element.properties[p].is_list ? stored[p].length.bytes
+                                                               : stored[p].item.bytes);
     const std::size_t left = is_text_ ? text_.size() : bytes_.size() - offset_;
     if (element.rows > left / row_bytes)
-      return error(fmt::format("{} rows of {} need {} bytes each, {} are left in the file", element.rows, element.name, row_bytes, left));
+      return error(fmt::format("{} rows of {} need {} bytes each, {} are left in the file", element.rows, element.name,
+                               row_bytes, left));
     for (Property& property : element.properties)
       if (!property.is_list) property.values.reserve(element.rows);
     for (std::size_t row = 0; row < element.rows; ++row)
-      for (std::size_t p = 0; p < stored.size(); ++p) CUTICLE_TRY(read_property_of_row(element.properties[p], stored[p]));
+      for (std::size_t p = 0; p < stored.size(); ++p)
+        CUTICLE_TRY(read_property_of_row(element.properties[p], stored[p]));
     return {};
   }
 

@@ -30,8 +30,8 @@ Result<Layout> by_segments(const Property& segments, std::size_t vertices, const
   for (double count : segments.values) {
     const double end = double(offsets.back()) + count + 1;
     if (!(count >= 0 && end <= double(vertices)))
-      return bad_input(fmt::format("{}: nsegs of strand {} is {}: its points would end at {} of {}", where, offsets.size() - 1,
-                                   count, end, vertices));
+      return bad_input(fmt::format("{}: nsegs of strand {} is {}: its points would end at {} of {}", where,
+                                   offsets.size() - 1, count, end, vertices));
     offsets.push_back(std::uint32_t(end));
   }
   if (offsets.back() != vertices)
@@ -46,7 +46,8 @@ Result<std::vector<std::uint32_t>> chain(const Property& from, const Property& t
   for (std::size_t e = 0; e < from.values.size(); ++e) {
     const double a = from.values[e], b = to.values[e];
     if (!(a >= 0 && b >= 0 && a < double(vertices) && b < double(vertices)))
-      return bad_input(fmt::format("{}: edge {}: vertices {} and {}, allowed 0 .. {}", where, e, a, b, double(vertices) - 1));
+      return bad_input(
+          fmt::format("{}: edge {}: vertices {} and {}, allowed 0 .. {}", where, e, a, b, double(vertices) - 1));
     const std::size_t begin = std::size_t(a), end = std::size_t(b);
     if (next[begin] != k_none || is_entered[end])
       return bad_input(fmt::format("{}: edge {} from {} to {}: strands meet or branch there", where, e, begin, end));
@@ -94,7 +95,8 @@ Result<Layout> find_layout(const Elements& elements, const std::string& where) {
   const Element* vertex = find(elements, "vertex");
   if (!vertex || vertex->rows == 0 || !vertex->find("x") || !vertex->find("y") || !vertex->find("z"))
     return bad_input(fmt::format("{}: no element 'vertex' with x, y and z", where));
-  if (vertex->rows >= k_none) return bad_input(fmt::format("{}: {} points, allowed 2 .. {}", where, vertex->rows, k_none - 1));
+  if (vertex->rows >= k_none)
+    return bad_input(fmt::format("{}: {} points, allowed 2 .. {}", where, vertex->rows, k_none - 1));
   if (const Element* strand = find(elements, "strand"); strand && strand->find("nsegs"))
     return by_segments(*strand->find("nsegs"), vertex->rows, where);
   if (const Element* edge = find(elements, "edge"); edge && edge->rows > 0) return by_edges(*edge, vertex->rows, where);
@@ -102,9 +104,11 @@ Result<Layout> find_layout(const Elements& elements, const std::string& where) {
     return even_layout(vertex->rows, points, fmt::format("a cloud of {} points of one colour each", points));
   if (vertex->rows % k_usual_points == 0)
     return even_layout(vertex->rows, k_usual_points, fmt::format("a cloud of {} points each", k_usual_points));
-  return bad_input(fmt::format("{}: {} points without strands: no element 'strand' or 'edge', no even change of colour, no multiple of {}",
-                               where, vertex->rows, k_usual_points),
-                   "save the strands as an array of strands x points x 3 (.npz) instead");
+  return bad_input(
+      fmt::format(
+          "{}: {} points without strands: no element 'strand' or 'edge', no even change of colour, no multiple of {}",
+          where, vertex->rows, k_usual_points),
+      "save the strands as an array of strands x points x 3 (.npz) instead");
 }
 
 }  // namespace cuticle::strands::ply

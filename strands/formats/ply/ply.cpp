@@ -1,4 +1,5 @@
-// Strand sets in PLY: hairutil's and our own (element `strand`), line sets, and the point clouds of reconstruction papers.
+// Strand sets in PLY: hairutil's and our own (element `strand`), line sets, and the point clouds of reconstruction
+// papers.
 #include <algorithm>
 #include <iterator>
 
@@ -70,7 +71,8 @@ class Builder {
     std::vector<float> values = values_of(properties, rows);
     const std::size_t bad = damage_ == Damage::keep ? values.size() : first_not_finite(values);
     if (bad == values.size()) return values;
-    return bad_input(fmt::format("{}: {} of vertex or strand {} is not finite", where_, name, rows[bad / properties.size()]));
+    return bad_input(
+        fmt::format("{}: {} of vertex or strand {} is not finite", where_, name, rows[bad / properties.size()]));
   }
 
   Result<void> read_radii() {
@@ -82,7 +84,8 @@ class Builder {
     for (std::size_t v = 0; v < groom_.radii.size(); ++v) {
       if (!radius) groom_.radii[v] *= 0.5f;
       if (groom_.radii[v] < 0 && damage_ == Damage::refuse)
-        return bad_input(fmt::format("{}: radius of vertex {} is {}, must be at least 0", where_, layout_.rows[v], double(groom_.radii[v])));
+        return bad_input(fmt::format("{}: radius of vertex {} is {}, must be at least 0", where_, layout_.rows[v],
+                                     double(groom_.radii[v])));
     }
     return {};
   }

@@ -19,7 +19,8 @@ Result<std::uint32_t> next_count(const ByteView& bytes, const char* field, std::
   const std::uint32_t count = bytes.at<std::uint32_t>(offset);
   const std::uint64_t room = (bytes.size() - offset - 4) / least;
   if (count < 1 || count > room)
-    return bytes.error(field, offset, fmt::format("{}, allowed 1 .. {} in a file of {} bytes", count, room, bytes.size()));
+    return bytes.error(field, offset,
+                       fmt::format("{}, allowed 1 .. {} in a file of {} bytes", count, room, bytes.size()));
   offset += 4;
   return count;
 }
@@ -41,7 +42,8 @@ Result<void> read_influence(const ByteView& bytes, std::uint64_t offset, std::si
   weight = bytes.at<float>(offset + 4);
   if (!std::isfinite(weight) || weight < 0)
     return bytes.error("weight", offset + 4, fmt::format("{}, must be finite and at least 0", double(weight)));
-  if (bone < 0 || weight == 0) weight = 0;
+  if (bone < 0 || weight == 0)
+    weight = 0;
   else if (std::size_t(bone) >= bones)
     return bytes.error("bone", offset, fmt::format("{}, allowed -1 .. {}", bone, bones - 1));
   index = weight > 0 ? std::uint32_t(bone) : 0;

@@ -204,8 +204,8 @@ Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version) {
   const auto movability = groom.attributes.find("movability");
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
     append(bytes, groom.positions[v]);
-    append(bytes, movability != groom.attributes.end() ? movability->second.values[v]
-                                                       : usual_pin(v, groom.strand_size(0)));
+    append(bytes,
+           movability != groom.attributes.end() ? movability->second.values[v] : usual_pin(v, groom.strand_size(0)));
   }
   append_all(bytes, std::span<const glm::vec2>(groom.root_uv));
   return bytes;
@@ -213,13 +213,14 @@ Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version) {
 
 namespace tfx {
 const Format& entry() {
-  static const Format format{.name = "tfx",
-                             .extensions = k_extensions,
-                             .summary = "AMD TressFX, versions 3 and 4 (read), 4 (written); a .tfxbone beside it is read",
-                             .holds = {.differing_sizes = false, .root_uv = true, .named = k_attributes},
-                             .parse = parse,
-                             .format = strands::format,
-                             .read = read};
+  static const Format format{
+      .name = "tfx",
+      .extensions = k_extensions,
+      .summary = "AMD TressFX, versions 3 and 4 (read), 4 (written); a .tfxbone beside it is read",
+      .holds = {.differing_sizes = false, .root_uv = true, .named = k_attributes},
+      .parse = parse,
+      .format = strands::format,
+      .read = read};
   return format;
 }
 }  // namespace tfx

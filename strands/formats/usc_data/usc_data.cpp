@@ -18,7 +18,8 @@ Result<std::uint32_t> strand_size(const ByteView& bytes, std::uint32_t strand, s
 }
 
 Result<std::uint32_t> strand_count(const ByteView& bytes) {
-  if (!bytes.has(0, 4)) return bytes.error("strand count", 0, fmt::format("{} bytes, at least 4 are needed", bytes.size()));
+  if (!bytes.has(0, 4))
+    return bytes.error("strand count", 0, fmt::format("{} bytes, at least 4 are needed", bytes.size()));
   const std::uint32_t strands = bytes.at<std::uint32_t>(0);
   const std::uint64_t room = (bytes.size() - 4) / 4;
   if (strands < 1 || strands > room)

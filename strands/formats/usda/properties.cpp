@@ -43,7 +43,8 @@ class Parser {
       if (key == "upAxis") stage_.up_axis = token_.text;
       if (key == "metersPerUnit") {
         const std::optional<double> metres = to_number(token_.text);
-        if (!metres || !(*metres > 0 && *metres <= 1000)) return error(fmt::format("metersPerUnit '{}', allowed above 0 .. 1000", token_.text.substr(0, 40)));
+        if (!metres || !(*metres > 0 && *metres <= 1000))
+          return error(fmt::format("metersPerUnit '{}', allowed above 0 .. 1000", token_.text.substr(0, 40)));
         stage_.metres_per_unit = *metres;
       }
       for (char open : {'(', '[', '{'})
@@ -146,7 +147,8 @@ class Parser {
       advance();
       if (!token_.is('=')) continue;
       advance();
-      if (key == "elementSize") property.element_size = std::size_t(std::clamp(to_number(token_.text).value_or(1), 1.0, 1e6));
+      if (key == "elementSize")
+        property.element_size = std::size_t(std::clamp(to_number(token_.text).value_or(1), 1.0, 1e6));
       for (char open : {'(', '[', '{'})
         if (token_.is(open)) tokens_.skip_brackets();
       advance();

@@ -39,7 +39,9 @@ class Builder {
   }
 
  private:
-  Error error(std::string_view name, const std::string& what) const { return bad_input(fmt::format("{}: {}: {}", where_, name, what)); }
+  Error error(std::string_view name, const std::string& what) const {
+    return bad_input(fmt::format("{}: {}: {}", where_, name, what));
+  }
 
   const Property* find(std::string_view name) const {
     const auto found = prim_.find(name);
@@ -55,10 +57,14 @@ class Builder {
     basis_.pinned = text("wrap", "nonperiodic") == "pinned";
     if (text("type", "cubic") == "linear") return {};
     const std::string basis = text("basis", "bezier");
-    if (basis == "bezier") basis_.kind = CurveBasis::Kind::bezier;
-    else if (basis == "bspline") basis_.kind = CurveBasis::Kind::b_spline;
-    else if (basis == "catmullRom") basis_.kind = CurveBasis::Kind::catmull_rom;
-    else return error("basis", fmt::format("'{}', allowed bezier, bspline, catmullRom", basis.substr(0, 40)));
+    if (basis == "bezier")
+      basis_.kind = CurveBasis::Kind::bezier;
+    else if (basis == "bspline")
+      basis_.kind = CurveBasis::Kind::b_spline;
+    else if (basis == "catmullRom")
+      basis_.kind = CurveBasis::Kind::catmull_rom;
+    else
+      return error("basis", fmt::format("'{}', allowed bezier, bspline, catmullRom", basis.substr(0, 40)));
     return {};
   }
 
@@ -69,11 +75,14 @@ class Builder {
     for (double count : counts->numbers) {
       total += count;
       if (!(count >= 1 && total * 3 <= double(points->numbers.size())) || count != std::floor(count) ||
-          !(makes_a_curve(basis_, std::size_t(count)) || (damage_ == Damage::keep && basis_.kind == CurveBasis::Kind::linear)))
-        return error("curveVertexCounts", fmt::format("curve {} has {} points of {}: no curve of this basis", counts_.size(), count, points->numbers.size() / 3));
+          !(makes_a_curve(basis_, std::size_t(count)) ||
+            (damage_ == Damage::keep && basis_.kind == CurveBasis::Kind::linear)))
+        return error("curveVertexCounts", fmt::format("curve {} has {} points of {}: no curve of this basis",
+                                                      counts_.size(), count, points->numbers.size() / 3));
       counts_.push_back(std::size_t(count));
     }
-    if (total * 3 != double(points->numbers.size())) return error("points", fmt::format("{} numbers, curves have {} points", points->numbers.size(), total));
+    if (total * 3 != double(points->numbers.size()))
+      return error("points", fmt::format("{} numbers, curves have {} points", points->numbers.size(), total));
     const std::vector<float> values(points->numbers.begin(), points->numbers.end());
     const auto* control = reinterpret_cast<const glm::vec3*>(values.data());
     for (std::size_t count : counts_) {
@@ -134,13 +143,15 @@ class Builder {
     if (!widths) return {};
     const Spread spread = spread_over(*widths, 1);
     if (spread.values.empty())
-      return error("widths", fmt::format("{} numbers for {} curves and {} points", widths->numbers.size(), counts_.size(), control_count_));
+      return error("widths", fmt::format("{} numbers for {} curves and {} points", widths->numbers.size(),
+                                         counts_.size(), control_count_));
     CUTICLE_TRY(require_finite_values("widths", spread.values));
     for (std::size_t s = 0; s < groom_.strand_count(); ++s)
       for (std::size_t v = groom_.offsets[s]; v < groom_.offsets[s + 1]; ++v)
         groom_.radii[v] = 0.5f * spread.values[spread.domain == Attribute::Domain::strand ? s : v];
     for (std::size_t v = 0; damage_ == Damage::refuse && v < groom_.radii.size(); ++v)
-      if (groom_.radii[v] < 0) return error("widths", fmt::format("{} at point {}, must be at least 0", 2 * double(groom_.radii[v]), v));
+      if (groom_.radii[v] < 0)
+        return error("widths", fmt::format("{} at point {}, must be at least 0", 2 * double(groom_.radii[v]), v));
     return {};
   }
 
@@ -148,7 +159,8 @@ class Builder {
     std::string_view name = full_name;
     if (name.starts_with(k_primvar)) name.remove_prefix(k_primvar.size());
     if (name.starts_with(k_groom)) name.remove_prefix(k_groom.size());
-    if (std::find(std::begin(k_implied), std::end(k_implied), name) != std::end(k_implied) || property.numbers.empty()) return {};
+    if (std::find(std::begin(k_implied), std::end(k_implied), name) != std::end(k_implied) || property.numbers.empty())
+      return {};
     const std::size_t components = property.components();
     Spread spread = spread_over(property, components);
     if (spread.values.empty() || !is_plain_word(name)) {
@@ -157,10 +169,14 @@ class Builder {
     }
     CUTICLE_TRY(require_finite_values(full_name, spread.values));
     const bool is_strand = spread.domain == Attribute::Domain::strand;
-    if (is_strand && name == "root_uv" && components >= 2) groom_.root_uv = pairs(spread.values, components);
-    else if (is_strand && name == "root_barycentrics" && components == 2) groom_.root_barycentrics = pairs(spread.values, 2);
-    else if (is_strand && name == "root_triangle" && components == 1) return read_triangles(property.numbers);
-    else groom_.attributes[std::string(name)] = {spread.domain, int(components), std::move(spread.values)};
+    if (is_strand && name == "root_uv" && components >= 2)
+      groom_.root_uv = pairs(spread.values, components);
+    else if (is_strand && name == "root_barycentrics" && components == 2)
+      groom_.root_barycentrics = pairs(spread.values, 2);
+    else if (is_strand && name == "root_triangle" && components == 1)
+      return read_triangles(property.numbers);
+    else
+      groom_.attributes[std::string(name)] = {spread.domain, int(components), std::move(spread.values)};
     return {};
   }
 
@@ -173,7 +189,8 @@ class Builder {
   Result<void> read_triangles(const std::vector<double>& numbers) {
     for (std::size_t s = 0; s < groom_.strand_count(); ++s) {
       const double triangle = numbers[numbers.size() == 1 ? 0 : s];
-      if (!(triangle >= 0 && triangle <= 4294967295.0)) return error("root_triangle", fmt::format("{} of strand {}", triangle, s));
+      if (!(triangle >= 0 && triangle <= 4294967295.0))
+        return error("root_triangle", fmt::format("{} of strand {}", triangle, s));
       groom_.root_triangle.push_back(std::uint32_t(triangle));
     }
     return {};
@@ -214,20 +231,23 @@ std::string list_of(std::span<const float> values, std::size_t components) {
   std::string text = "[";
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool opens = components > 1 && i % components == 0, closes = components > 1 && (i + 1) % components == 0;
-    fmt::format_to(std::back_inserter(text), "{}{}{}{}", i == 0 ? "" : ", ", opens ? "(" : "", values[i], closes ? ")" : "");
+    fmt::format_to(std::back_inserter(text), "{}{}{}{}", i == 0 ? "" : ", ", opens ? "(" : "", values[i],
+                   closes ? ")" : "");
   }
   return text + "]";
 }
 
 std::string list_of(std::span<const std::uint32_t> values) {
   std::string text = "[";
-  for (std::size_t i = 0; i < values.size(); ++i) fmt::format_to(std::back_inserter(text), "{}{}", i == 0 ? "" : ", ", values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{}{}", i == 0 ? "" : ", ", values[i]);
   return text + "]";
 }
 
-void add(std::string& text, std::string_view type, std::string_view name, const std::string& list, std::string_view interpolation,
-         std::size_t element_size = 1) {
-  fmt::format_to(std::back_inserter(text), "        {} {} = {} (\n            interpolation = \"{}\"\n", type, name, list, interpolation);
+void add(std::string& text, std::string_view type, std::string_view name, const std::string& list,
+         std::string_view interpolation, std::size_t element_size = 1) {
+  fmt::format_to(std::back_inserter(text), "        {} {} = {} (\n            interpolation = \"{}\"\n", type, name,
+                 list, interpolation);
   if (element_size > 1) fmt::format_to(std::back_inserter(text), "            elementSize = {}\n", element_size);
   text += "        )\n";
 }
@@ -235,16 +255,19 @@ void add(std::string& text, std::string_view type, std::string_view name, const 
 void add_attribute(std::string& text, const std::string& name, const Attribute& attribute) {
   const std::size_t components = std::size_t(attribute.components);
   const bool is_whole = components == 1 && (name == "group_id" || name == "guide");  // Unreal reads these as int
-  const std::string type = is_whole ? "int[]"
+  const std::string type = is_whole                             ? "int[]"
                            : name == "color" && components == 3 ? "color3f[]"
                            : components >= 2 && components <= 4 ? fmt::format("float{}[]", components)
                                                                 : "float[]";
-  add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name), list_of(attribute.values, components <= 4 ? components : 1),
+  add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name),
+      list_of(attribute.values, components <= 4 ? components : 1),
       attribute.domain == Attribute::Domain::strand ? "uniform" : "vertex", components <= 4 ? 1 : components);
 }
 
 void add_pairs(std::string& text, std::string_view name, std::string_view type, const std::vector<glm::vec2>& pairs) {
-  if (!pairs.empty()) add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name), list_of({&pairs.front().x, 2 * pairs.size()}, 2), "uniform");
+  if (!pairs.empty())
+    add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name), list_of({&pairs.front().x, 2 * pairs.size()}, 2),
+        "uniform");
 }
 
 Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per_unit) {
@@ -262,12 +285,14 @@ Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per
       "        int primvars:groom_version_major = 1\n        int primvars:groom_version_minor = 5\n"
       "        int[] curveVertexCounts = {}\n",
       metres_per_unit, list_of(counts));
-  fmt::format_to(std::back_inserter(text), "        point3f[] points = {}\n", list_of({&groom.positions.front().x, 3 * groom.vertex_count()}, 3));
+  fmt::format_to(std::back_inserter(text), "        point3f[] points = {}\n",
+                 list_of({&groom.positions.front().x, 3 * groom.vertex_count()}, 3));
   add(text, "float[]", "widths", list_of(widths, 1), "vertex");
   add(text, "int[]", "primvars:groom_id", list_of(ids), "uniform");
   add_pairs(text, "root_uv", "float2[]", groom.root_uv);
   add_pairs(text, "root_barycentrics", "float2[]", groom.root_barycentrics);
-  if (!groom.root_triangle.empty()) add(text, "int[]", "primvars:groom_root_triangle", list_of(groom.root_triangle), "uniform");
+  if (!groom.root_triangle.empty())
+    add(text, "int[]", "primvars:groom_root_triangle", list_of(groom.root_triangle), "uniform");
   for (const auto& [name, attribute] : groom.attributes) add_attribute(text, name, attribute);
   return to_bytes(text + "    }\n}\n");
 }
@@ -277,13 +302,12 @@ constexpr std::string_view k_extensions[] = {"usda"};
 }  // namespace
 
 const Format& entry() {
-  static const Format format{
-      .name = "usda",
-      .extensions = k_extensions,
-      .summary = "USD text: BasisCurves with the groom_* attributes of Unreal",
-      .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
-      .parse = parse,
-      .format = format_usda};
+  static const Format format{.name = "usda",
+                             .extensions = k_extensions,
+                             .summary = "USD text: BasisCurves with the groom_* attributes of Unreal",
+                             .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
+                             .parse = parse,
+                             .format = format_usda};
   return format;
 }
 

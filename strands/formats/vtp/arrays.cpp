@@ -10,7 +10,8 @@ namespace {
 
 void open_array(std::string& text, std::string_view type, std::string_view name, int components) {
   fmt::format_to(std::back_inserter(text),
-                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name, components);
+                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
+                 components);
 }
 
 }  // namespace
@@ -18,7 +19,8 @@ void open_array(std::string& text, std::string_view type, std::string_view name,
 void append_array(std::string& text, std::string_view name, int components, std::span<const float> values) {
   open_array(text, "Float32", name, components);
   for (std::size_t i = 0; i < values.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{:.9g}{}", values[i], (i + 1) % std::size_t(components) == 0 ? '\n' : ' ');
+    fmt::format_to(std::back_inserter(text), "{:.9g}{}", values[i],
+                   (i + 1) % std::size_t(components) == 0 ? '\n' : ' ');
   text += "</DataArray>\n";
 }
 
@@ -26,7 +28,8 @@ void append_array(std::string& text, std::string_view name, std::span<const glm:
   append_array(text, name, 3, {reinterpret_cast<const float*>(values.data()), 3 * values.size()});
 }
 
-void append_array(std::string& text, std::string_view type, std::string_view name, std::span<const std::uint32_t> values) {
+void append_array(std::string& text, std::string_view type, std::string_view name,
+                  std::span<const std::uint32_t> values) {
   open_array(text, type, name, 1);
   for (std::uint32_t value : values) fmt::format_to(std::back_inserter(text), "{}\n", value);
   text += "</DataArray>\n";

@@ -22,8 +22,9 @@ std::vector<std::uint32_t> strand_ids(const Groom& groom) {
 std::string format_vtp(const StrandState& state) {
   const Groom& groom = *state.groom;
   const std::size_t points = groom.offsets.back();
-  CUTICLE_EXPECT(state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points,
-                 "one entry per vertex");
+  CUTICLE_EXPECT(
+      state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points,
+      "one entry per vertex");
   std::string text = open_piece(points, line_count(groom));
   text += "<PointData Scalars=\"stretch\" Vectors=\"velocity\">\n";
   append_array(text, "velocity", state.velocities);
@@ -43,9 +44,12 @@ std::size_t vtp_bytes_at_most(const Groom& groom) {
 }
 
 std::string format_pvd(std::span<const SeriesMember> members) {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
   for (const SeriesMember& member : members)
-    fmt::format_to(std::back_inserter(text), "<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", member.time, member.file);
+    fmt::format_to(std::back_inserter(text), "<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", member.time,
+                   member.file);
   return text + "</Collection>\n</VTKFile>\n";
 }
 

@@ -22,7 +22,8 @@ class PieceReader {
 
   Result<Groom> read() {
     CUTICLE_ASSIGN(points_, numbers(piece_.child("Points").child("DataArray")));
-    if (points_.size() % 3 != 0) return error("Points", fmt::format("{} numbers, 3 a point are needed", points_.size()));
+    if (points_.size() % 3 != 0)
+      return error("Points", fmt::format("{} numbers, 3 a point are needed", points_.size()));
     CUTICLE_TRY(read_lines());
     gather(points_, 3, vertices_, &groom_.positions);
     CUTICLE_TRY(require_finite_values("Points", {&groom_.positions.front().x, 3 * vertices_.size()}));
@@ -71,12 +72,13 @@ class PieceReader {
     for (double end : ends) {
       const double begin = groom_.offsets.back();
       if (!(end >= begin + least && end <= double(vertices_.size())) || end != std::floor(end))
-        return error("offsets", fmt::format("line {} ends at {}, allowed {} .. {}", groom_.strand_count(), end, begin + least,
-                                            vertices_.size()));
+        return error("offsets", fmt::format("line {} ends at {}, allowed {} .. {}", groom_.strand_count(), end,
+                                            begin + least, vertices_.size()));
       groom_.offsets.push_back(std::uint32_t(end));
     }
     if (groom_.strand_count() == 0 || groom_.offsets.back() != vertices_.size())
-      return error("offsets", fmt::format("{} lines end at {} of {}", groom_.strand_count(), groom_.offsets.back(), vertices_.size()));
+      return error("offsets", fmt::format("{} lines end at {} of {}", groom_.strand_count(), groom_.offsets.back(),
+                                          vertices_.size()));
     return {};
   }
 
@@ -113,7 +115,8 @@ class PieceReader {
   Result<void> require_radii() const {
     for (std::size_t v = 0; v < groom_.radii.size(); ++v)
       if (damage_ == Damage::refuse && !(groom_.radii[v] >= 0 && std::isfinite(groom_.radii[v])))
-        return error("radius", fmt::format("{} at vertex {}, must be finite and at least 0", double(groom_.radii[v]), v));
+        return error("radius",
+                     fmt::format("{} at vertex {}, must be finite and at least 0", double(groom_.radii[v]), v));
     return {};
   }
 
@@ -135,9 +138,12 @@ class PieceReader {
     if (components == 0) return error(name, fmt::format("{} numbers for {} cells", values.size(), cells));
     std::vector<std::uint32_t> rows(strands);
     for (std::size_t s = 0; s < strands; ++s) rows[s] = std::uint32_t(first + s);
-    if (name == "root_uv" && components == 2) gather(values, 2, rows, &groom_.root_uv);
-    else if (name == "root_barycentrics" && components == 2) gather(values, 2, rows, &groom_.root_barycentrics);
-    else if (name == "root_triangle" && components == 1) return read_triangles(values, first);
+    if (name == "root_uv" && components == 2)
+      gather(values, 2, rows, &groom_.root_uv);
+    else if (name == "root_barycentrics" && components == 2)
+      gather(values, 2, rows, &groom_.root_barycentrics);
+    else if (name == "root_triangle" && components == 1)
+      return read_triangles(values, first);
     else {
       Attribute& attribute = groom_.attributes[name] = {Attribute::Domain::strand, int(components), {}};
       gather(values, components, rows, &attribute.values);
@@ -149,7 +155,8 @@ class PieceReader {
   Result<void> read_triangles(const std::vector<double>& values, std::size_t first) {
     for (std::size_t s = 0; s < groom_.strand_count(); ++s) {
       const double triangle = values[first + s];
-      if (!(triangle >= 0 && triangle <= 4294967295.0)) return error("root_triangle", fmt::format("{} of strand {}", triangle, s));
+      if (!(triangle >= 0 && triangle <= 4294967295.0))
+        return error("root_triangle", fmt::format("{} of strand {}", triangle, s));
       groom_.root_triangle.push_back(std::uint32_t(triangle));
     }
     return {};
@@ -176,7 +183,8 @@ Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& w
     else
       append(parsed.groom, groom);
   }
-  if (parsed.groom.strand_count() == 0) return bad_input(fmt::format("{}: PolyData: no lines, at least 1 is needed", where));
+  if (parsed.groom.strand_count() == 0)
+    return bad_input(fmt::format("{}: PolyData: no lines, at least 1 is needed", where));
   return parsed;
 }
 
@@ -211,13 +219,12 @@ constexpr std::string_view k_extensions[] = {"vtp"};
 }  // namespace
 
 const Format& entry() {
-  static const Format format{
-      .name = "vtp",
-      .extensions = k_extensions,
-      .summary = "VTK XML PolyData, in text, for ParaView and PyVista",
-      .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
-      .parse = parse,
-      .format = format_groom};
+  static const Format format{.name = "vtp",
+                             .extensions = k_extensions,
+                             .summary = "VTK XML PolyData, in text, for ParaView and PyVista",
+                             .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
+                             .parse = parse,
+                             .format = format_groom};
   return format;
 }
 

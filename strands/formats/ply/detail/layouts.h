@@ -16,9 +16,9 @@ struct Layout {
 };
 
 /// In this order: an element `strand` with `nsegs`, the segments of each (hairutil, and ours); an element `edge` with
-/// `vertex1`, `vertex2`, whose chains are strands (Open3D's LineSet); a cloud whose colours change evenly, one colour a strand
-/// (NeuralHaircut, HAAR); a cloud of a multiple of 100 points, 100 a strand (GaussianHaircut). Error: bad_input naming what
-/// does not fit, or that no layout does.
+/// `vertex1`, `vertex2`, whose chains are strands (Open3D's LineSet); a cloud whose colours change evenly, one colour a
+/// strand (NeuralHaircut, HAAR); a cloud of a multiple of 100 points, 100 a strand (GaussianHaircut). Error: bad_input
+/// naming what does not fit, or that no layout does.
 Result<Layout> find_layout(const Elements& elements, const std::string& where);
 
 }  // namespace cuticle::strands::ply

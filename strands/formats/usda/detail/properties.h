@@ -11,7 +11,7 @@ namespace cuticle::strands::usda {
 
 /// A property's value: its numbers, brackets and parentheses flattened, or a token's text.
 struct Property {
-  std::string type;            ///< "point3f", of one value also of an array
+  std::string type;  ///< "point3f", of one value also of an array
   std::vector<double> numbers = {};
   std::string text = {};
   std::size_t element_size = 1;
@@ -23,8 +23,8 @@ using Prim = std::map<std::string, Property, std::less<>>;
 struct Stage {
   double metres_per_unit = 0;  ///< 0: not stated
   std::string up_axis;
-  std::vector<Prim> curves;    ///< of every `def BasisCurves`
-  bool has_samples = false;    ///< some value changes with time: only values without time are read
+  std::vector<Prim> curves;  ///< of every `def BasisCurves`
+  bool has_samples = false;  ///< some value changes with time: only values without time are read
   bool has_transforms = false;
 };
 

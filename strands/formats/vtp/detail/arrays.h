@@ -13,7 +13,8 @@ namespace cuticle::strands {
 void append_array(std::string& text, std::string_view name, int components, std::span<const float> values);
 void append_array(std::string& text, std::string_view name, std::span<const glm::vec3> values);
 /// An array of whole numbers, one a line; type as VTK names it.
-void append_array(std::string& text, std::string_view type, std::string_view name, std::span<const std::uint32_t> values);
+void append_array(std::string& text, std::string_view type, std::string_view name,
+                  std::span<const std::uint32_t> values);
 /// Connectivity and offsets: a polyline per strand of two or more vertices.
 void append_lines(std::string& text, const Groom& groom);
 /// Strands of two or more vertices.
