@@ -10,6 +10,7 @@
 #include <cuticle/core/image/image.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/plan/frame_runner_gpu.h>
+#include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/formats/tfxproj/project.h>
 #include <cuticle/study/demo/demo_page.h>
 #include <cuticle/study/demo/demo_study.h>
