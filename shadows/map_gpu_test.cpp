@@ -122,9 +122,10 @@ const std::vector<Comparison>& comparisons() {
     for (const GpuMethod* gpu : gpu_methods())
       for (const std::string& set : settings_of(method_of(*gpu))) {
         const auto values = tests::values_of(gpu->name, set).value();
-        const auto shadow = gpu->create(device(), values).value();
+        const auto shadow = gpu->create(device(), values);
+        if (!shadow && shadow.error().message.find("has no GPU half") != std::string::npos) continue;
         for (Scene& scene : scenes()) {
-          list.push_back(compare(*gpu, values, *shadow, scene));
+          list.push_back(compare(*gpu, values, *shadow.value(), scene));
           list.back().what = std::string(gpu->name) + " " + set + ", " + scene.name;
         }
       }
