@@ -83,7 +83,7 @@ def test_Scene_NotJson_NamesTheOffset(tmp_path):
 def test_Scene_ValueOutOfRange_NamesKeyAndRange(tmp_path):
     path = scene_with(tmp_path, lambda s: s.update(strand_vertices=1000))
     message = refused(3, "plan", path)
-    assert "strand_vertices" in message and "64" in message
+    assert "strand_vertices" in message and "256" in message
 
 
 def test_Device_Absurd_IsNoDevice(tmp_path):
