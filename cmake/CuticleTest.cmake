@@ -72,7 +72,7 @@ function(cuticle_pytest NAME FOLDER)
     return()
   endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 240)
+    set(ARG_TIMEOUT 600)
   endif()
   add_test(NAME ${NAME} COMMAND ${PROJECT_SOURCE_DIR}/.venv/bin/python -m pytest -q -p no:cacheprovider ${FOLDER}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

@@ -7,7 +7,7 @@ namespace cuticle::sim::exact {
 extern const Kernels kernels_baseline, kernels_avx2, kernels_avx512;
 
 const Kernels& best_kernels() {
-#if defined(__x86_64__)
+#if defined(CUTICLE_HAS_WIDE_SETS)
   if (processor_has(InstructionSet::avx512)) return kernels_avx512;
   if (processor_has(InstructionSet::avx2)) return kernels_avx2;
 #endif
