@@ -151,7 +151,7 @@ void place_camera(vtkRenderer& renderer) {
 }  // namespace
 
 Result<void> show(const LobesView& view, const ViewTarget& target) {
-  CUTICLE_TRY(check_display());
+  CUTICLE_ASSIGN(const OpenDisplay display, open_display());
   CUTICLE_ASSIGN(const LobeSurfaces set, make_surfaces(view));
   vtkNew<vtkRenderer> renderer;
   for (const LobeSurface& surface : set.surfaces) renderer->AddActor(surface_actor(surface, set.grid));

@@ -53,7 +53,7 @@ void interact(vtkRenderWindow& window) {
 
 }  // namespace
 
-Result<void> check_display() {
+Result<OpenDisplay> open_display() {
   constexpr const char* hint = "xvfb-run -a cuticle view ... --screenshot FILE.png, or set DISPLAY";
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name) return Error{ErrorKind::no_device, "views need an X display, and DISPLAY is not set", hint};
@@ -61,8 +61,7 @@ Result<void> check_display() {
   if (!display)
     return Error{ErrorKind::no_device, fmt::format("views need an X display, and DISPLAY={} does not answer", name),
                  hint};
-  XCloseDisplay(display);
-  return {};
+  return OpenDisplay(display, [](void* open) { XCloseDisplay(static_cast<Display*>(open)); });
 }
 
 void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int size, bool bold) {

@@ -119,7 +119,7 @@ void place_camera(vtkRenderer& renderer) {
 }  // namespace
 
 Result<void> show(const StrandsView& view, const ViewTarget& target) {
-  CUTICLE_TRY(check_display());
+  CUTICLE_ASSIGN(const OpenDisplay display, open_display());
   if (view.scalar.empty()) return bad_input(fmt::format("{}: no vertices to show", view.title));
   vtkNew<vtkRenderer> renderer;
   const auto colors = colors_for(view, range_of(view));

@@ -25,25 +25,15 @@ STATE = """<?xml version="1.0"?>
 """
 
 
-def run_program(command, environment):
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, env=environment)
-
-
-def view_on_a_server(command):
-    """On a busy machine a virtual display now and then refuses its first connection: then another one is started."""
-    assert shutil.which("xvfb-run"), "xvfb is in scripts/packages.txt"
-    for _ in range(3):
-        done = run_program(["xvfb-run", "-a", "-n", str(next(SERVERS)), *command], dict(os.environ))
-        if "bad X server connection" not in done.stderr:
-            break
-    return done
-
-
 def view(*arguments, display=True):
     command = [PROGRAM, "view", *map(str, arguments)]
+    environment = dict(os.environ)
     if display:
-        return view_on_a_server(command)
-    return run_program(command, {name: value for name, value in os.environ.items() if name != "DISPLAY"})
+        assert shutil.which("xvfb-run"), "xvfb is in scripts/packages.txt"
+        command = ["xvfb-run", "-a", "-n", str(next(SERVERS)), *command]
+    else:
+        environment.pop("DISPLAY", None)
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, env=environment)
 
 
 def picture(path, *arguments):

@@ -1,5 +1,7 @@
 #pragma once
 // A VTK scene and its window. The only headers of viz that show VTK types are private to it.
+#include <memory>
+
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -8,8 +10,10 @@
 
 namespace cuticle::viz {
 
-/// Checks that an X display answers. Error: no_device, its hint names xvfb-run.
-Result<void> check_display();
+/// A connection to the X display, to be held while a view is drawn: a virtual display starts anew, and refuses for a
+/// moment, when its only client leaves. Error: no_device where none answers, its hint names xvfb-run.
+using OpenDisplay = std::shared_ptr<void>;
+Result<OpenDisplay> open_display();
 
 /// Text at a place of the window (fractions of its size from the lower left corner).
 void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, int size, bool bold = false);
