@@ -101,7 +101,7 @@ std::vector<glm::dvec3> Grower::path_into_bun(std::size_t vertex) const {
 }
 
 double Grower::length_on(const std::vector<glm::dvec3>& path, double length) const {
-  constexpr double shortest = 0.05;  // of the length: what is rooted below the cut keeps a stub
+  constexpr double shortest = 0.05;  // of the length: hair rooted below the cut stays this long
   double travelled = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (!bun_ && path[i].y < style_.cut_height) return std::clamp(travelled, shortest * length, length);
