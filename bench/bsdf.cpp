@@ -4,15 +4,14 @@
 // double on the same directions, relative to the value or to a millionth of the largest. Beside them the operations of
 // the formulas, counted, and the time for each of them relative to chiang's near field.
 #include <algorithm>
-#include <fstream>
 #include <numbers>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/bsdf/batch/batch.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/random.h>
 #include "calibration.h"
 #include "operations.h"
@@ -298,7 +297,7 @@ void print_csv(const std::vector<Row>& rows, double scale) {
                r.operations, r.ratio);
 }
 void print_json(const std::vector<Row>& rows, double scale) {
-  nlohmann::json all = {{"scale", scale}, {"rows", nlohmann::json::array()}};
+  Json all = {{"scale", scale}, {"rows", Json::list()}};
   for (const Row& r : rows)
     all["rows"].push_back({{"model", r.model},
                            {"settings", r.settings},
@@ -358,8 +357,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   double scale = 1;
-  if (!options.reference.empty())
-    scale = bench::exp_ms() / nlohmann::json::parse(std::ifstream(options.reference))["exp_ms"].get<double>();
+  if (!options.reference.empty()) scale = bench::machine_scale(options.reference);
   const auto rows = measure_all(options);
   if (!rows.ok()) {
     fmt::print(stderr, "{}\n", rows.error().message);

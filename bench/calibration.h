@@ -3,7 +3,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <vector>
+
+#include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::bench {
 
@@ -33,6 +37,11 @@ inline double exp_ms() {
 inline double copy_ms() {
   std::vector<char> from(64 << 20, 1), to(64 << 20);
   return best_ms(7, [&] { std::memcpy(to.data(), from.data(), from.size()); });
+}
+
+/// How many times longer this machine takes than the one of a file like bench/reference.json.
+inline double machine_scale(const std::string& reference) {
+  return exp_ms() / Json::parse(read_text_file(reference).value()).value()["exp_ms"].number();
 }
 
 }  // namespace cuticle::bench

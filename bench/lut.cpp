@@ -1,12 +1,10 @@
 // What baking tables costs on two threads, and how near its means of N are to a quadrature: bench_lut [reference.json]
 // scales the times to the machine of that file.
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/lut/evaluate.h>
 #include "calibration.h"
@@ -72,6 +70,6 @@ BENCHMARK_CAPTURE(bake_tables, nalu_smoothed, "caustic=smoothed", "nalu")
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  if (argc > 1) machine_scale = bench::exp_ms() / nlohmann::json::parse(std::ifstream(argv[1]))["exp_ms"].get<double>();
+  if (argc > 1) machine_scale = bench::machine_scale(argv[1]);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -2,12 +2,10 @@
 // the machine of that file, and the largest stretch. 1,000 and 10,000 strands of 32 vertices.
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/sim/telemetry.h>
 #include "calibration.h"
@@ -60,7 +58,7 @@ void run(const Case& c, double scale) {
 
 int main(int argc, char** argv) {
   double scale = 1;
-  if (argc > 1) scale = bench::exp_ms() / nlohmann::json::parse(std::ifstream(argv[1]))["exp_ms"].get<double>();
+  if (argc > 1) scale = bench::machine_scale(argv[1]);
   const std::string four = "damping=0,shape_stiffness=0,clamped_vertices=1,inner_step=0.00417,max_substeps=4";
   fmt::print("case,strands,threads,best_ms,best_scaled_ms,largest_stretch\n");
   for (int threads : {1, 2}) {

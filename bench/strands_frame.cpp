@@ -2,13 +2,10 @@
 // -> smooth -> interpolate -> vertex buffer, on two CPU threads and as kernels in one submission (CUTICLE_DEVICE
 // chooses the device): bench_strands_frame [bench/reference.json]. The best of 10 frames; memory over that of positions
 // and tangents.
-#include <ctime>
-#include <fstream>
-
 #include <fmt/core.h>
 #include <tbb/global_control.h>
+#include <ctime>
 #include <glm/gtc/matrix_transform.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/skinning/skinning.h>
@@ -130,11 +127,7 @@ Result<void> on_device(const Fur& fur, double scale) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  double scale = 1;
-  if (argc > 1) {
-    const auto reference = nlohmann::json::parse(std::ifstream(argv[1]));
-    scale = bench::exp_ms() / reference["exp_ms"].get<double>();
-  }
+  const double scale = argc > 1 ? bench::machine_scale(argv[1]) : 1;
   Fur fur = make_fur();
   on_cpu(fur, scale);
 #ifdef CUTICLE_HAS_GPU

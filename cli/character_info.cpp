@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/strands/character/character.h>
 #include <cuticle/strands/motion/bvh.h>
 
@@ -11,24 +11,22 @@ namespace cuticle::cli {
 
 namespace {
 
-using nlohmann::ordered_json;
-
-ordered_json clips_json(const strands::Character& character) {
-  ordered_json clips = ordered_json::array();
+Json clips_json(const strands::Character& character) {
+  Json clips = Json::list();
   for (const strands::Clip& clip : character.clips)
     clips.push_back({{"name", clip.name}, {"seconds", clip.duration}, {"tracks", clip.tracks.size()}});
   return clips;
 }
 
-ordered_json bounds_json(const strands::Mesh& mesh) {
+Json bounds_json(const strands::Mesh& mesh) {
   glm::vec3 lower = mesh.positions.front(), upper = lower;
   for (const glm::vec3& p : mesh.positions) lower = glm::min(lower, p), upper = glm::max(upper, p);
   return {{"lower", {lower.x, lower.y, lower.z}}, {"upper", {upper.x, upper.y, upper.z}}};
 }
 
-ordered_json character_json(const std::string& file, const strands::Character& character) {
+Json character_json(const std::string& file, const strands::Character& character) {
   const strands::CharacterReport& report = character.report;
-  ordered_json bones = ordered_json::array();
+  Json bones = Json::list();
   for (int node : character.joints) bones.push_back(character.nodes[std::size_t(node)].name);
   return {{"file", file},
           {"vertices", character.mesh.positions.size()},
@@ -50,27 +48,26 @@ ordered_json character_json(const std::string& file, const strands::Character& c
           {"bones", bones}};
 }
 
-Result<ordered_json> bone_map_json(const std::string& skeleton, const strands::Character& character,
-                                   const strands::Convention& convention) {
+Result<Json> bone_map_json(const std::string& skeleton, const strands::Character& character,
+                           const strands::Convention& convention) {
   CUTICLE_ASSIGN(const strands::Motion motion, strands::read_bvh(skeleton));
   std::vector<std::string> ours, theirs;
   for (int node : character.joints) ours.push_back(character.nodes[std::size_t(node)].name);
   for (const strands::Joint& joint : motion.joints) theirs.push_back(joint.name);
   CUTICLE_ASSIGN(const strands::BoneMap map, strands::map_bones(ours, theirs, convention.bones));
-  ordered_json pairs = ordered_json::array();
+  Json pairs = Json::list();
   for (const auto& pair : map.pairs) pairs.push_back({{"bone", pair.ours}, {"is", pair.theirs}, {"by", pair.rule}});
-  return ordered_json{
-      {"skeleton", skeleton}, {"mapped", pairs}, {"unmapped", map.unmapped}, {"ambiguous", map.ambiguous}};
+  return Json{{"skeleton", skeleton}, {"mapped", pairs}, {"unmapped", map.unmapped}, {"ambiguous", map.ambiguous}};
 }
 
-Result<ordered_json> describe(const CharacterInfoRequest& request) {
+Result<Json> describe(const CharacterInfoRequest& request) {
   strands::Convention convention;
   if (!request.convention.empty()) {
     CUTICLE_ASSIGN(convention, strands::read_convention(request.convention));
   }
   if (request.metres_per_unit > 0) convention.metres_per_unit = request.metres_per_unit;
   CUTICLE_ASSIGN(const strands::Character character, strands::read_character(request.file, convention));
-  ordered_json description = character_json(request.file, character);
+  Json description = character_json(request.file, character);
   if (!request.skeleton.empty()) {
     CUTICLE_ASSIGN(description["bone_map"], bone_map_json(request.skeleton, character, convention));
   }
@@ -89,7 +86,7 @@ int show_character(const CharacterInfoRequest& request, bool json) {
     return Exit::ok;
   }
   for (const auto& [key, value] : description->items())
-    if (value.is_array() && !value.empty())
+    if (value.is_list() && !value.empty())
       for (const auto& item : value) fmt::print("{:<38}{}\n", key, item.dump());
     else
       fmt::print("{:<38}{}\n", key, value.dump());

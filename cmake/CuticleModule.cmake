@@ -12,18 +12,17 @@ foreach(module core strands gpu bsdf lut shadows sim render scene plan study viz
   cuticle_include_link(${module})
 endforeach()
 
-# Parses the standard library, fmt and JSON once for all libraries and instantiates their templates there: halves what
-# JSON costs with clang. GCC gains nothing by it, and would no longer notice a file that lacks an include.
+# Parses the standard library and fmt once for all libraries and instantiates their templates there. GCC gains nothing by
+# it, and would no longer notice a file that lacks an include.
 option(CUTICLE_PRECOMPILED "Parse common headers once" OFF)
-set(CUTICLE_COMMON_DEFINITIONS $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>
-  $<TARGET_PROPERTY:nlohmann_json::nlohmann_json,INTERFACE_COMPILE_DEFINITIONS>)
+set(CUTICLE_COMMON_DEFINITIONS $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 if(CUTICLE_PRECOMPILED)
   add_library(cuticle_common_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
   target_compile_features(cuticle_common_headers PRIVATE cxx_std_20)
   target_compile_definitions(cuticle_common_headers PRIVATE ${CUTICLE_COMMON_DEFINITIONS})
   target_link_libraries(cuticle_common_headers PRIVATE cuticle_warnings)
   target_precompile_headers(cuticle_common_headers PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map>
-    <memory> <numbers> <optional> <span> <string> <string_view> <vector> <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp>)
+    <memory> <numbers> <optional> <span> <string> <string_view> <vector> <fmt/format.h> <fmt/ranges.h>)
 endif()
 
 # cuticle_library(NAME SOURCES ... DEPENDS cuticle targets (public) ... PRIVATE external or hidden targets ...)

@@ -6,7 +6,8 @@
 #include <unistd.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
+
+#include <cuticle/core/json/json.h>
 
 namespace cuticle {
 namespace {
@@ -38,8 +39,8 @@ class JsonProgress final : public Progress {
   void message(std::string_view text) override { print({{"message", std::string(text)}}); }
 
  private:
-  void print(const nlohmann::json& line) {
-    const std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  void print(const Json& line) {
+    const std::string text = line.dump();
     const std::lock_guard lock(mutex_);
     fmt::print(stderr, "{}\n", text);
   }

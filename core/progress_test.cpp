@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/progress.h>
 
 namespace cuticle {
@@ -23,8 +23,8 @@ TEST(Progress, Json_WritesOneObjectPerLine) {
   std::string first, second;
   std::getline(lines, first);
   std::getline(lines, second);
-  EXPECT_EQ(nlohmann::json::parse(first)["done"], 1);
-  EXPECT_EQ(nlohmann::json::parse(second)["message"], "a \"message\"");
+  EXPECT_EQ(Json::parse(first).value()["done"], 1);
+  EXPECT_EQ(Json::parse(second).value()["message"], "a \"message\"");
 }
 
 TEST(Progress, Bar_EndsWithAllStepsDone) { EXPECT_THAT(printed(ProgressStyle::bar), ::testing::HasSubstr("4/4\n")); }

@@ -2,9 +2,8 @@
 
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle {
 
@@ -26,11 +25,11 @@ std::vector<Span> Trace::spans() const {
 
 namespace {
 
-nlohmann::json track_name(const std::string& track, int id) {
+Json track_name(const std::string& track, int id) {
   return {{"ph", "M"}, {"name", "thread_name"}, {"pid", 1}, {"tid", id}, {"args", {{"name", track}}}};
 }
 
-nlohmann::json complete_event(const Span& span, int track) {
+Json complete_event(const Span& span, int track) {
   return {{"ph", "X"}, {"name", span.name}, {"cat", span.track}, {"pid", 1},
           {"tid", track}, {"ts", span.begin_us}, {"dur", span.duration_us}};
 }
@@ -38,15 +37,15 @@ nlohmann::json complete_event(const Span& span, int track) {
 }  // namespace
 
 Result<void> Trace::write(const std::string& path) const {
-  nlohmann::json events = nlohmann::json::array();
+  Json events = Json::list();
   std::map<std::string, int> tracks;
   for (const Span& span : spans()) {
     const auto [track, is_new] = tracks.try_emplace(span.track, int(tracks.size()) + 1);
     if (is_new) events.push_back(track_name(span.track, track->second));
     events.push_back(complete_event(span, track->second));
   }
-  const nlohmann::json document = {{"traceEvents", events}, {"displayTimeUnit", "ms"}};
-  return write_text_file(path, document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  const Json document = {{"traceEvents", events}, {"displayTimeUnit", "ms"}};
+  return write_text_file(path, document.dump(1));
 }
 
 ScopedSpan::ScopedSpan(Trace* trace, std::string name)

@@ -2,9 +2,9 @@
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/trace.h>
 
 namespace cuticle {
@@ -14,15 +14,15 @@ std::string temporary_path() {
   return (std::filesystem::temp_directory_path() / ("cuticle_trace_test_" + std::to_string(::getpid()) + ".json")).string();
 }
 
-nlohmann::json written(const Trace& trace) {
+Json written(const Trace& trace) {
   const std::string path = temporary_path();
   EXPECT_TRUE(trace.write(path));
-  const nlohmann::json document = nlohmann::json::parse(read_text_file(path).value());
+  const Json document = Json::parse(read_text_file(path).value()).value();
   std::filesystem::remove(path);
   return document;
 }
 
-std::size_t count_phase(const nlohmann::json& document, const char* phase) {
+std::size_t count_phase(const Json& document, const char* phase) {
   std::size_t count = 0;
   for (const auto& event : document["traceEvents"]) count += event["ph"] == phase;
   return count;
@@ -32,7 +32,7 @@ TEST(Trace, SpansOfTwoTracks_AreWrittenAsCompleteEventsWithTrackNames) {
   Trace trace;
   trace.add({"bake \"M\"\n", "cpu", 1.5, 2.5});
   trace.add({"shadow", "gpu", 2.0, 1.0});
-  const nlohmann::json document = written(trace);
+  const Json document = written(trace);
   EXPECT_EQ(count_phase(document, "X"), 2u);
   EXPECT_EQ(count_phase(document, "M"), 2u);
   EXPECT_EQ(document["traceEvents"][1]["name"], "bake \"M\"\n");

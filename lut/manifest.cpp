@@ -1,14 +1,12 @@
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/probes.h>
 #include <cuticle/lut/table_set.h>
 
 namespace cuticle::lut {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json axis_json(const Axis& axis, int size) {
   const AxisMap map = axis_map(axis, size);
@@ -88,7 +86,7 @@ Json channel_json(const Table& table, const Format& format, int c) {
 }
 
 Json probes_json(const Table& table) {
-  Json probes = Json::array();
+  Json probes = Json::list();
   for (const Probe& probe : probes_of(table))
     probes.push_back({{"u", probe.u},
                       {"v", probe.v},
@@ -98,9 +96,9 @@ Json probes_json(const Table& table) {
 }
 
 Json terms_json(const Layout& layout) {
-  Json terms = Json::array();
+  Json terms = Json::list();
   for (const Term& term : layout.terms) {
-    Json factors = Json::array();
+    Json factors = Json::list();
     for (const std::string_view factor : term.factors)
       if (!factor.empty()) factors.push_back(factor);
     terms.push_back(factors);
@@ -109,9 +107,9 @@ Json terms_json(const Layout& layout) {
 }
 
 Json table_json(const Table& table, const Format& format, int size) {
-  Json channels = Json::array();
+  Json channels = Json::list();
   for (int c = 0; c < table.image.channels(); ++c) channels.push_back(channel_json(table, format, c));
-  Json levels = Json::array();
+  Json levels = Json::list();
   for (const MipLevel& level : table.levels) levels.push_back(level_json(level));
   return {{"name", table.layout->name},
           {"file", file_name(table, format)},
@@ -146,7 +144,7 @@ std::string manifest_json(const TableSet& set, const Format& format) {
             {"model", set.model->entry.name},
             {"source", set.model->entry.source},
             {"conventions", conventions_json(set.model->conventions)},
-            {"parameters", Json::parse(registry::to_json(set.values))},
+            {"parameters", Json::parse(registry::to_json(set.values)).value()},
             {"layout", set.layout->entry.name},
             {"composition", set.layout->composition},
             {"terms", terms_json(*set.layout)},
@@ -169,9 +167,9 @@ std::string manifest_json(const TableSet& set, const Format& format) {
 }
 
 Result<std::string> with_digests(const std::string& manifest, const std::string& folder) {
-  Json json = Json::parse(manifest);
+  Json json = Json::parse(manifest).value();
   for (Json& table : json["tables"]) {
-    CUTICLE_ASSIGN(table["sha256"], sha256_of_file(folder + "/" + table["file"].get<std::string>()));
+    CUTICLE_ASSIGN(table["sha256"], sha256_of_file(folder + "/" + table["file"].text()));
   }
   return json.dump(2) + "\n";
 }

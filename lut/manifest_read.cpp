@@ -2,16 +2,14 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/manifest.h>
 
 namespace cuticle::lut {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double k_largest_number = 1e12;  ///< that a manifest may name
 constexpr int k_largest_side = 16384;
@@ -22,27 +20,27 @@ class Node {
   Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
 
   Error refuse(std::string_view wanted) const {
-    const std::string found = json_->dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40);
+    const std::string found = json_->dump(-1, true).substr(0, 40);
     return bad_input(fmt::format("{} is {}; allowed: {}", path_, found, wanted), "write it again with cuticle bake");
   }
   bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
   Result<Node> child(const char* key) const {
     if (!json_->is_object()) return refuse("an object");
-    const auto found = json_->find(key);
-    if (found == json_->end())
+    const Json* found = json_->find(key);
+    if (!found)
       return bad_input(fmt::format("{}{}the key '{}' is missing", path_, path_.ends_with(": ") ? "" : ": ", key),
                        "write it again with cuticle bake");
     return Node(*found, fmt::format("{}{}{}", path_, path_.ends_with(": ") ? "" : ".", key));
   }
   Result<std::vector<Node>> items(std::size_t least, std::size_t most) const {
-    if (!json_->is_array() || json_->size() < least || json_->size() > most)
+    if (!json_->is_list() || json_->size() < least || json_->size() > most)
       return refuse(fmt::format("a list of {} .. {}", least, most));
     std::vector<Node> nodes;
     for (std::size_t i = 0; i < json_->size(); ++i) nodes.emplace_back((*json_)[i], fmt::format("{}[{}]", path_, i));
     return nodes;
   }
   Result<double> number(double lowest, double highest) const {
-    const double value = json_->is_number() ? json_->get<double>() : lowest - 1;
+    const double value = json_->is_number() ? json_->number() : lowest - 1;
     if (!(value >= lowest && value <= highest)) return refuse(fmt::format("a number {} .. {}", lowest, highest));
     return value;
   }
@@ -52,12 +50,12 @@ class Node {
     return int(value);
   }
   Result<std::string> text() const {
-    if (!json_->is_string()) return refuse("a text");
-    return json_->get<std::string>();
+    if (!json_->is_text()) return refuse("a text");
+    return json_->text();
   }
   Result<bool> flag() const {
     if (!json_->is_boolean()) return refuse("true or false");
-    return json_->get<bool>();
+    return json_->boolean();
   }
   /// One of these texts.
   Result<std::string> one_of(std::initializer_list<std::string_view> words) const {
@@ -228,9 +226,9 @@ Result<void> read_head(const Node& root, Manifest& manifest) {
 }  // namespace
 
 Result<Manifest> parse_manifest(std::string_view text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return bad_input(fmt::format("{}: not JSON", file), "write it again with cuticle bake");
-  const Node root(json, file + ": ");
+  const Result<Json> json = Json::parse(text);
+  if (!json) return bad_input(fmt::format("{}: not JSON", file), "write it again with cuticle bake");
+  const Node root(*json, file + ": ");
   Manifest manifest;
   CUTICLE_TRY(read_head(root, manifest));
   CUTICLE_ASSIGN(const std::vector<Node> tables, items(root, "tables", 1, 16));

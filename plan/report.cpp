@@ -1,14 +1,12 @@
 // A plan as text and as JSON.
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/plan/plan.h>
 
 namespace cuticle::plan {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json shape_json(const registry::FrameShape& shape) {
   return {{"control_strands", shape.control_strands},
@@ -21,7 +19,7 @@ Json shape_json(const registry::FrameShape& shape) {
 }
 
 Json passes_json(const Plan& plan) {
-  Json list = Json::array();
+  Json list = Json::list();
   for (const PlannedPass& pass : plan.passes)
     list.push_back(
         {{"name", pass.entry->name}, {"reason", pass.reason}, {"dispatches", pass.dispatches}, {"draws", pass.draws}});
@@ -29,7 +27,7 @@ Json passes_json(const Plan& plan) {
 }
 
 Json left_out_json(const Plan& plan) {
-  Json list = Json::array();
+  Json list = Json::list();
   for (const LeftOut& left : plan.left_out) list.push_back({{"name", left.entry->name}, {"reason", left.reason}});
   return list;
 }

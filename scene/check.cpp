@@ -4,15 +4,13 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// Where a value stands: the source, and the path of keys to it.
 struct Place {
@@ -37,7 +35,7 @@ Error unknown_key(const Place& place, const std::string& key, std::span<const st
 Result<void> check_number(const Spec& spec, const Json& value, const Place& place) {
   const bool whole = spec.kind == SpecKind::integer;
   if (!value.is_number()) return wrong_type(place, whole ? "a whole number" : "a number", value);
-  const double number = value.get<double>();
+  const double number = value.number();
   if (whole && number != std::floor(number))
     return bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number, spec.minimum,
                                  spec.maximum));
@@ -47,7 +45,7 @@ Result<void> check_number(const Spec& spec, const Json& value, const Place& plac
 }
 
 Result<void> check_numbers(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_array() || value.size() != std::size_t(spec.count))
+  if (!value.is_list() || value.size() != std::size_t(spec.count))
     return bad_input(
         fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum));
   for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_number(spec, value[i], place.at(i)));
@@ -55,16 +53,15 @@ Result<void> check_numbers(const Spec& spec, const Json& value, const Place& pla
 }
 
 Result<void> check_text(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_string()) return wrong_type(place, "a text", value);
-  const auto text = value.get<std::string>();
+  if (!value.is_text()) return wrong_type(place, "a text", value);
+  const auto text = value.text();
   if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end()) return {};
   return bad_input(
       fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", ")));
 }
 
 Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
-  auto values =
-      registry::values_from_json(table, value.dump(-1, ' ', false, Json::error_handler_t::replace), place.text());
+  auto values = registry::values_from_json(table, value.dump(), place.text());
   if (values) return {};
   return Error{ErrorKind::bad_input, values.error().message, values.error().hint};
 }
@@ -95,8 +92,7 @@ Result<void> check_object(const Spec& spec, const Json& value, const Place& plac
   if (!value.is_object()) return wrong_type(place, "an object", value);
   CUTICLE_TRY(check_known_keys(spec, value, place));
   for (const Spec& child : spec.children) {
-    const auto found = value.find(child.key);
-    if (found != value.end())
+    if (const Json* found = value.find(child.key))
       CUTICLE_TRY(check_value(child, *found, place.at(child.key)));
     else if (child.required)
       return bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary));
@@ -105,7 +101,7 @@ Result<void> check_object(const Spec& spec, const Json& value, const Place& plac
 }
 
 Result<void> check_array(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_array()) return wrong_type(place, "a list", value);
+  if (!value.is_list()) return wrong_type(place, "a list", value);
   if (double(value.size()) > spec.maximum)
     return bad_input(fmt::format("{}: {} items; allowed: 0 .. {}", place.text(), value.size(), spec.maximum));
   for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_value(spec.children[0], value[i], place.at(i)));
@@ -141,14 +137,9 @@ Result<void> check_value(const Spec& spec, const Json& value, const Place& place
 }  // namespace
 
 Result<void> check(const Spec& spec, std::string_view json, const std::string& where) {
-  try {
-    return check_value(spec, Json::parse(json), {where, ""});
-  } catch (const Json::parse_error& error) {
-    return bad_input(fmt::format("{}: not JSON at byte {}", where, error.byte),
-                     "check commas, quotes and brackets there");
-  } catch (const Json::exception& error) {
-    return bad_input(fmt::format("{}: {}", where, error.what()));
-  }
+  const Result<Json> value = Json::parse(json);
+  if (!value) return bad_input(fmt::format("{}: {}", where, value.error().message), value.error().hint);
+  return check_value(spec, *value, {where, ""});
 }
 
 }  // namespace cuticle::scene

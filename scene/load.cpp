@@ -4,17 +4,16 @@
 #include <numbers>
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// Keys of one object; absent keys leave the default in place.
 struct Reader {
@@ -24,17 +23,17 @@ struct Reader {
 
   template <class T>
   void get(const char* key, T& target) const {
-    if (const auto found = value.find(key); found != value.end()) target = found->get<T>();
+    if (const Json* found = value.find(key)) target = found->get<T>();
   }
   void get(const char* key, glm::dvec3& target) const {
-    if (const auto found = value.find(key); found != value.end())
-      target = {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+    if (const Json* found = value.find(key))
+      target = {(*found)[0].number(), (*found)[1].number(), (*found)[2].number()};
   }
   bool has(const char* key) const { return value.contains(key); }
   Reader child(const char* key) const {
     static const Json empty = Json::object();
-    const auto found = value.find(key);
-    return {found == value.end() ? empty : *found, where, folder};
+    const Json* found = value.find(key);
+    return {found ? *found : empty, where, folder};
   }
   /// A name whose leading ${VARIABLE} is replaced by the environment variable of that name.
   Result<std::string> expanded(const std::string& name, std::string_view path) const {
@@ -47,7 +46,7 @@ struct Reader {
   /// The absolute name of a file that exists; empty when the key is absent.
   Result<std::string> file(const char* key, std::string_view path) const {
     if (!has(key)) return std::string();
-    CUTICLE_ASSIGN(const std::string given, expanded(value[key].get<std::string>(), path));
+    CUTICLE_ASSIGN(const std::string given, expanded(value[key].text(), path));
     const std::filesystem::path name = std::filesystem::path(folder) / given;
     std::error_code code;
     if (std::filesystem::is_regular_file(name, code)) return name.lexically_normal().string();
@@ -61,12 +60,12 @@ const registry::Entry& entry_of(std::span<const registry::Entry* const> entries,
 }
 
 registry::ParameterValues values_of(registry::ParameterTable table, const Json& json) {
-  return registry::values_from_json(table, json.dump(-1, ' ', false, Json::error_handler_t::replace), "").value();
+  return registry::values_from_json(table, json.dump(), "").value();
 }
 
 Block block_of(std::span<const registry::Entry* const> entries, const Json& json) {
-  const std::string name = json.begin().key();
-  return {name, values_of(entry_of(entries, name).parameters, json.begin().value())};
+  const auto [name, values] = json.items().front();
+  return {name, values_of(entry_of(entries, name).parameters, values)};
 }
 
 std::map<std::string, registry::ParameterValues, std::less<>> blocks_of(std::span<const registry::Entry* const> entries,
@@ -230,7 +229,7 @@ Result<void> read_camera(const Reader& reader, Scene& scene) {
   reader.get("far_m", camera.far_plane);
   if (reader.has("resolution_px")) {
     const Json& size = reader.value["resolution_px"];
-    camera.resolution = {int(size[0].get<double>()), int(size[1].get<double>())};
+    camera.resolution = {int(size[0].number()), int(size[1].number())};
   }
   reader.get("turntable_deg_per_frame", scene.camera.turntable_degrees_per_frame);
   return check_camera(camera, scene.camera.automatic, reader.where);
@@ -269,7 +268,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue) {
   CUTICLE_TRY(check(specification(catalogue), json, where));
-  const Json value = Json::parse(json);
+  const Json value = Json::parse(json).value();
   return read_scene({value, where, folder}, catalogue);
 }
 

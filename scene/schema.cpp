@@ -1,13 +1,11 @@
 // The JSON Schema (draft 7) of the scene file, written from its specification.
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json schema_of(const Spec& spec);
 
@@ -16,7 +14,7 @@ Json closed_object(Json properties) {
 }
 
 Json object_schema(const Spec& spec) {
-  Json properties = Json::object(), required = Json::array();
+  Json properties = Json::object(), required = Json::list();
   for (const Spec& child : spec.children) {
     properties[child.key] = schema_of(child);
     if (child.required) required.push_back(child.key);
@@ -29,7 +27,7 @@ Json object_schema(const Spec& spec) {
 Json blocks_schema(const Spec& spec) {
   Json properties = Json::object();
   for (const registry::Entry* entry : spec.entries)
-    properties[std::string(entry->name)] = Json::parse(registry::json_schema(entry->parameters));
+    properties[std::string(entry->name)] = Json::parse(registry::json_schema(entry->parameters)).value();
   Json schema = closed_object(std::move(properties));
   if (spec.kind == SpecKind::block) schema["minProperties"] = schema["maxProperties"] = 1;
   return schema;
@@ -64,7 +62,7 @@ Json bare_schema(const Spec& spec) {
     case SpecKind::blocks:
       return blocks_schema(spec);
     case SpecKind::parameters:
-      return Json::parse(registry::json_schema(spec.table));
+      return Json::parse(registry::json_schema(spec.table)).value();
     case SpecKind::text:
     case SpecKind::file:
       return text_schema(spec);

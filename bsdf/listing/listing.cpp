@@ -1,15 +1,12 @@
 #include <cuticle/bsdf/listing/listing.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cuticle/bsdf/model.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::bsdf {
 namespace {
 
-using nlohmann::json;
-
-json conventions_json(const Conventions& conventions) {
+Json conventions_json(const Conventions& conventions) {
   return {{"field", conventions.field},
           {"cosine", conventions.cosine},
           {"tilt_sign", conventions.tilt_sign},
@@ -17,22 +14,22 @@ json conventions_json(const Conventions& conventions) {
           {"absorption", conventions.absorption}};
 }
 
-json presets_json(const Model& model) {
-  json presets = json::array();
+Json presets_json(const Model& model) {
+  Json presets = Json::list();
   for (const registry::StudyCase& preset : model.presets)
     presets.push_back({{"name", preset.name}, {"settings", preset.settings}});
   return presets;
 }
 
-json exceptions_json(const Model& model) {
-  json exceptions = json::array();
+Json exceptions_json(const Model& model) {
+  Json exceptions = Json::list();
   for (const Exception& exception : model.exceptions)
     exceptions.push_back({{"check", exception.check}, {"why", exception.why}, {"when", exception.when}});
   return exceptions;
 }
 
-void add_model(json& object, const Model& model) {
-  object["lobes"] = json::array();
+void add_model(Json& object, const Model& model) {
+  object["lobes"] = Json::list();
   for (std::string_view lobe : model.lobes) object["lobes"].push_back(lobe);
   object["conventions"] = conventions_json(model.conventions);
   object["presets"] = presets_json(model);
@@ -47,7 +44,7 @@ void add_model(json& object, const Model& model) {
 std::string models_json() {
   std::vector<const registry::Entry*> entries;
   for (const Model* model : models()) entries.push_back(&model->entry);
-  json list = json::parse(registry::to_json(entries));
+  Json list = Json::parse(registry::to_json(entries)).value();
   for (std::size_t i = 0; i < list.size(); ++i) add_model(list[i], *models()[i]);
   return list.dump(2);
 }

@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/check/check.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/tests/hard_cases/hard_case_runner.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/gpu/device.h>
@@ -16,17 +16,15 @@ namespace {
 using hard_cases::Precision;
 using hard_cases::State;
 using hard_cases::Verdict;
-using nlohmann::ordered_json;
-
 /// What was found and chosen, as it will be printed.
 struct Found {
   std::shared_ptr<gpu::Device> device;
-  ordered_json devices = ordered_json::array();
-  ordered_json chosen;
+  Json devices = Json::list();
+  Json chosen;
 };
 
 #ifdef CUTICLE_HAS_GPU
-ordered_json facts(const gpu::DeviceInfo& info) {
+Json facts(const gpu::DeviceInfo& info) {
   return {{"index", info.index},
           {"name", info.name},
           {"driver", info.driver},
@@ -72,7 +70,7 @@ std::size_t count(const std::vector<Verdict>& verdicts, State state) {
 
 void print_facts(const Found& found) {
   for (const auto& device : found.devices)
-    fmt::print("device {}: {} ({})\n", device["index"].get<int>(), device["name"].get<std::string>(), device["driver"].get<std::string>());
+    fmt::print("device {}: {} ({})\n", device["index"].get<int>(), device["name"].text(), device["driver"].text());
   if (found.chosen.is_null()) return fmt::print("built without GPU: the catalogue runs in f32 and f64\n");
   fmt::print("chosen:\n");
   for (const auto& [name, value] : found.chosen.items()) fmt::print("  {:<26} {}\n", name, value.dump());
@@ -91,8 +89,8 @@ void print_verdicts(const std::vector<Verdict>& verdicts) {
   fmt::print("{} passed, {} failed\n", count(verdicts, State::passed), count(verdicts, State::failed));
 }
 
-ordered_json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
-  ordered_json cases = ordered_json::array();
+Json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
+  Json cases = Json::list();
   for (const Verdict& verdict : verdicts) {
     if (verdict.state == State::not_applicable) continue;
     cases.push_back({{"id", verdict.id}, {"subject", verdict.subject}, {"why", verdict.why},

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/check/check.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/plan/plan.h>
 
 namespace cuticle::cli {
@@ -11,7 +11,8 @@ int check_scene(const std::string& file, const Context& context) {
   const auto loaded = scene::load_scene(file, plan::catalogue());
   if (!loaded && !context.json) return report(loaded.error());
   if (context.json)
-    fmt::print("{}\n", nlohmann::json{{"file", file}, {"valid", loaded.ok()}, {"error", loaded ? "" : loaded.error().message}}.dump(2));
+    fmt::print("{}\n",
+               Json{{"file", file}, {"valid", loaded.ok()}, {"error", loaded ? "" : loaded.error().message}}.dump(2));
   else
     fmt::print("{}: valid ({})\n", file, loaded->name);
   return loaded ? Exit::ok : Exit::bad_input_code;

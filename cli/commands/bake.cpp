@@ -4,8 +4,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/fit/analytic_fit.h>
 #include <cuticle/lut/fit/texel_fit.h>
 #include <cuticle/lut/format.h>
@@ -142,7 +142,7 @@ std::string words_of(const lut::TableChoice& choice) {
                      choice.format->name, choice.bytes, choice.worst.error, choice.worst.name);
 }
 
-nlohmann::ordered_json json_of(const lut::TableChoice& choice) {
+Json json_of(const lut::TableChoice& choice) {
   return {{"layout", choice.layout->entry.name}, {"size", choice.size},
           {"format", choice.format->name},       {"bytes", choice.bytes},
           {"error", choice.worst.error},         {"channel", choice.worst.name}};
@@ -157,7 +157,7 @@ constexpr std::string_view error_words(lut::ErrorMeasure measure) {
 
 void print_failure(const BakeOptions& options, const lut::ErrorSearch& search, bool json) {
   if (json) {
-    nlohmann::ordered_json out{{"reached", false}, {"best", json_of(search.best)}, {"not_tried", search.stopped}};
+    Json out{{"reached", false}, {"best", json_of(search.best)}, {"not_tried", search.stopped}};
     for (const lut::TableChoice& choice : search.tried) out["tried"].push_back(json_of(choice));
     fmt::print("{}\n", out.dump(2));
     return;

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/groom_options.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/binding/placement.h>
 #include <cuticle/strands/binding/root_file.h>
@@ -100,7 +100,7 @@ Result<Bound> bind(const Request& request, Progress& progress) {
 void print(const Bound& bound, bool json) {
   const strands::Spread& distance = bound.report.distance;
   const glm::dvec3& shift = bound.placement.shift;
-  const nlohmann::ordered_json report = {
+  const Json report = {
       {"strands", bound.groom.strand_count()},
       {"vertices", bound.groom.vertex_count()},
       {"scale", bound.placement.scale},

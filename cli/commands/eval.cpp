@@ -2,7 +2,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/bsdf/model.h>
 #include <cuticle/cli/command.h>
@@ -11,6 +10,7 @@
 #include <cuticle/core/file.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/core/json/json.h>
 #endif
 
 namespace cuticle::cli {
@@ -76,12 +76,12 @@ std::string csv(const EvalOptions& options, bool several, const PointsTable& tab
   return text;
 }
 
-nlohmann::json json_rows(const PointsTable& table, const std::vector<Series>& all) {
-  nlohmann::json rows = nlohmann::json::array();
+Json json_rows(const PointsTable& table, const std::vector<Series>& all) {
+  Json rows = Json::list();
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     for (const Series& series : all) {
       const glm::dvec3 rgb = series.values[i];
-      nlohmann::json row = {{"model", series.model}, {"lobe", series.lobe}, {"r", rgb.x}, {"g", rgb.y}, {"b", rgb.z}};
+      Json row = {{"model", series.model}, {"lobe", series.lobe}, {"r", rgb.x}, {"g", rgb.y}, {"b", rgb.z}};
       for (std::size_t c = 0; c < table.columns.size(); ++c)
         row[std::string(eval_columns[table.columns[c]].name)] = table.rows[i][c];
       rows.push_back(std::move(row));
@@ -91,15 +91,15 @@ nlohmann::json json_rows(const PointsTable& table, const std::vector<Series>& al
 
 /// The rows; where a hair or a material was mapped, an object of the mappings and the rows.
 std::string json(const std::vector<Subject>& subjects, const PointsTable& table, const std::vector<Series>& all) {
-  nlohmann::json mappings = nlohmann::json::array();
+  Json mappings = Json::list();
   for (const Subject& subject : subjects)
     if (subject.mapping)
       mappings.push_back({{"model", subject.model->entry.name},
                           {"settings", subject.mapping->settings},
                           {"words", subject.mapping->words}});
-  nlohmann::json rows = json_rows(table, all);
+  Json rows = json_rows(table, all);
   if (mappings.empty()) return rows.dump(1) + "\n";
-  return nlohmann::json{{"mappings", std::move(mappings)}, {"rows", std::move(rows)}}.dump(1) + "\n";
+  return Json{{"mappings", std::move(mappings)}, {"rows", std::move(rows)}}.dump(1) + "\n";
 }
 
 void print_mappings(const std::vector<Subject>& subjects) {

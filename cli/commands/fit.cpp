@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/command.h>
 #include <cuticle/cli/eval/coordinates.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/fit/model_fit.h>
 
 namespace cuticle::cli {
@@ -129,14 +129,10 @@ Result<std::vector<lut::ModelFit>> fit_all(const FitOptions& options) {
   return fits;
 }
 
-nlohmann::json to_json(const lut::ModelFit& fit) {
-  nlohmann::json json{{"model", fit.model->entry.name},
-                      {"numbers", fit.numbers},
-                      {"converged", fit.converged},
-                      {"residual", fit.residual},
-                      {"aic", fit.aic},
-                      {"inseparable", fit.inseparable},
-                      {"parameters", nlohmann::json::array()}};
+Json to_json(const lut::ModelFit& fit) {
+  Json json{{"model", fit.model->entry.name}, {"numbers", fit.numbers}, {"converged", fit.converged},
+            {"residual", fit.residual},       {"aic", fit.aic},         {"inseparable", fit.inseparable},
+            {"parameters", Json::list()}};
   if (!fit.inseparable.empty()) return json;
   for (const lut::FittedParameter& p : fit.parameters)
     json["parameters"].push_back({{"name", p.name},
@@ -145,7 +141,7 @@ nlohmann::json to_json(const lut::ModelFit& fit) {
                                   {"interval_95", {p.value - fit.interval * p.sigma, p.value + fit.interval * p.sigma}},
                                   {"at_bound", p.at_bound}});
   json["correlations"] = fit.correlations;
-  json["settings"] = nlohmann::json::parse(registry::to_json(fit.values));
+  json["settings"] = Json::parse(registry::to_json(fit.values)).value();
   return json;
 }
 
@@ -176,7 +172,7 @@ void print_refusal(const lut::ModelFit& fit) {
 int fit(const FitOptions& options, const Context& context) {
   const auto fits = fit_all(options);
   if (!fits) return report(fits.error());
-  nlohmann::json json = nlohmann::json::array();
+  Json json = Json::list();
   bool refused = false;
   const lut::ModelFit* best = nullptr;
   for (const lut::ModelFit& one : *fits) {

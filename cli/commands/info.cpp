@@ -1,9 +1,9 @@
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/character_info.h>
 #include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/usd_files.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/strands/refusals.h>
 #include <cuticle/strands/statistics.h>
 
@@ -11,16 +11,15 @@ namespace cuticle::cli {
 
 namespace {
 
-using nlohmann::ordered_json;
 using strands::Spread;
 
-ordered_json to_json(const Spread& spread) {
+Json to_json(const Spread& spread) {
   return {{"min", spread.least}, {"median", spread.median}, {"mean", spread.mean}, {"max", spread.greatest}};
 }
-ordered_json to_json(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+Json to_json(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-ordered_json to_json(const std::vector<strands::DegenerateStrand>& degenerate) {
-  ordered_json list = ordered_json::array();
+Json to_json(const std::vector<strands::DegenerateStrand>& degenerate) {
+  Json list = Json::list();
   for (const auto& strand : degenerate)
     list.push_back({{"strand", strand.strand},
                     {"coincident_segments", strand.coincident_segments},
@@ -28,14 +27,14 @@ ordered_json to_json(const std::vector<strands::DegenerateStrand>& degenerate) {
   return list;
 }
 
-ordered_json to_json(const std::vector<strands::Refusal>& refusals) {
-  ordered_json list = ordered_json::array();
+Json to_json(const std::vector<strands::Refusal>& refusals) {
+  Json list = Json::list();
   for (const auto& [engine, what] : refusals) list.push_back({{"engine", engine}, {"what", what}});
   return list;
 }
 
 /// What was mended; null where that was not asked for.
-ordered_json to_json(const std::optional<strands::Repairs>& repairs) {
+Json to_json(const std::optional<strands::Repairs>& repairs) {
   if (!repairs) return nullptr;
   return {{"points_not_finite", repairs->points_not_finite},
           {"coincident_points", repairs->coincident_points},
@@ -45,8 +44,8 @@ ordered_json to_json(const std::optional<strands::Repairs>& repairs) {
           {"values_replaced", repairs->values_replaced}};
 }
 
-ordered_json to_json(const std::string& path, const strands::GroomFile& file, const strands::GroomStatistics& figures) {
-  ordered_json attributes = ordered_json::array();
+Json to_json(const std::string& path, const strands::GroomFile& file, const strands::GroomStatistics& figures) {
+  Json attributes = Json::list();
   for (const auto& [name, attribute] : file.groom.attributes) attributes.push_back(name);
   return {{"file", path},
           {"strands", figures.strands},

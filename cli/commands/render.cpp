@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/plan/frame_runner_gpu.h>
 #endif
 
@@ -48,16 +48,16 @@ void print_text(const Costs& costs, const std::string& device) {
 }
 
 void print_json(const Costs& costs, const std::string& device) {
-  nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+  Json passes = Json::list();
   for (const gpu::PassCost& pass : costs.passes)
     passes.push_back({{"name", pass.name},
                       {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
                       {"draws_per_frame", double(pass.draws) / costs.frames},
                       {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
-  const nlohmann::ordered_json json = {{"device", device},
-                                       {"frames", costs.frames},
-                                       {"wall_ms_per_frame", costs.wall_ms / costs.frames},
-                                       {"passes", passes}};
+  const Json json = {{"device", device},
+                     {"frames", costs.frames},
+                     {"wall_ms_per_frame", costs.wall_ms / costs.frames},
+                     {"passes", passes}};
   fmt::print("{}\n", json.dump(2));
 }
 

@@ -2,12 +2,12 @@
 #include <limits>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/points_file.h>
 #include <cuticle/cli/shared_files.h>
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/study/shadows/comparison.h>
 
@@ -178,7 +178,7 @@ Verdict judge(const study::Comparison& comparison, const study::Request& request
 /// The study's JSON with the choice, and what was asked for.
 std::string json_with_choice(const study::Comparison& comparison, const study::Request& request,
                              const Verdict& verdict) {
-  auto object = nlohmann::ordered_json::parse(study::to_json(comparison));
+  auto object = Json::parse(study::to_json(comparison)).value();
   const auto index = [&](const study::ComparisonRow* row) { return std::size_t(row - comparison.rows.data()); };
   object["request"] = {{"max_error", request.max_error}, {"budget_ms", request.budget_ms}};
   object["choice"] = nullptr;

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/plan/frame_runner_gpu.h>
 #include <cuticle/sim/telemetry.h>
 #include <cuticle/strands/formats/formats.h>
@@ -108,10 +108,13 @@ Result<Series> run_frames(plan::FrameRunner& runner, const SimulateOptions& opti
 void print(const Series& series, const strands::Groom& rest, const std::string& folder, bool json) {
   const double frames = double(std::max<std::size_t>(1, series.members.size()));
   if (json) {
-    const nlohmann::ordered_json summary = {
-        {"frames", series.members.size()}, {"control_strands", rest.strand_count()}, {"control_vertices", rest.vertex_count()},
-        {"max_stretch", series.largest_stretch}, {"guards_fired", series.guards_fired},
-        {"wall_ms_per_frame", series.wall_ms / frames}, {"folder", folder}};
+    const Json summary = {{"frames", series.members.size()},
+                          {"control_strands", rest.strand_count()},
+                          {"control_vertices", rest.vertex_count()},
+                          {"max_stretch", series.largest_stretch},
+                          {"guards_fired", series.guards_fired},
+                          {"wall_ms_per_frame", series.wall_ms / frames},
+                          {"folder", folder}};
     fmt::print("{}\n", summary.dump(2));
     return;
   }

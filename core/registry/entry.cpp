@@ -2,12 +2,11 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
+
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::registry {
 namespace {
-
-using nlohmann::json;
 
 const char* name_of(EntryKind kind) {
   switch (kind) {
@@ -48,23 +47,25 @@ bool has_range(const Parameter& parameter) {
   return parameter.type != ParameterType::boolean && parameter.type != ParameterType::choice;
 }
 
-json names_json(std::span<const std::string_view> names) {
-  json list = json::array();
+Json names_json(std::span<const std::string_view> names) {
+  Json list = Json::list();
   for (std::string_view name : names) list.push_back(std::string(name));
   return list;
 }
 
-json parameter_json(const Parameter& parameter) {
-  json object = {{"name", std::string(parameter.name)}, {"type", name_of(parameter.type)},
-                 {"unit", std::string(parameter.unit)}, {"default", std::string(parameter.default_text)},
+Json parameter_json(const Parameter& parameter) {
+  Json object = {{"name", std::string(parameter.name)},
+                 {"type", name_of(parameter.type)},
+                 {"unit", std::string(parameter.unit)},
+                 {"default", std::string(parameter.default_text)},
                  {"summary", std::string(parameter.summary)}};
   if (has_range(parameter)) object["range"] = {parameter.minimum, parameter.maximum};
   if (parameter.type == ParameterType::choice) object["choices"] = names_json(parameter.choices);
   return object;
 }
 
-json entry_json(const Entry& entry) {
-  json parameters = json::array();
+Json entry_json(const Entry& entry) {
+  Json parameters = Json::list();
   for (const Parameter& parameter : entry.parameters) parameters.push_back(parameter_json(parameter));
   return {{"kind", name_of(entry.kind)}, {"name", std::string(entry.name)}, {"summary", std::string(entry.summary)},
           {"source", std::string(entry.source)}, {"parameters", parameters}, {"demands", names_json(entry.demands)},
@@ -102,7 +103,7 @@ Verdict judge(const Entry& entry, const Facts& facts) {
 }
 
 std::string to_json(std::span<const Entry* const> entries) {
-  json list = json::array();
+  Json list = Json::list();
   for (const Entry* entry : entries) list.push_back(entry_json(*entry));
   return list.dump(2);
 }

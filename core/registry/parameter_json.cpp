@@ -1,42 +1,42 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/registry/parameter.h>
 
 namespace cuticle::registry {
 namespace {
 
-using nlohmann::json;
-
 std::string copy(std::string_view text) { return std::string(text); }
 
-json value_json(const Value& value) {
+Json value_json(const Value& value) {
   if (const auto* rgb = std::get_if<glm::dvec3>(&value)) return {rgb->x, rgb->y, rgb->z};
   return std::visit(
-      [](const auto& held) -> json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, glm::dvec3>) return nullptr;
-        else return held;
+      [](const auto& held) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, glm::dvec3>)
+          return nullptr;
+        else
+          return held;
       },
       value);
 }
 
-json number_schema(const Parameter& parameter, const char* type) {
+Json number_schema(const Parameter& parameter, const char* type) {
   return {{"type", type}, {"minimum", parameter.minimum}, {"maximum", parameter.maximum}};
 }
 
-json rgb_schema(const Parameter& parameter) {
-  const json component = number_schema(parameter, "number");
+Json rgb_schema(const Parameter& parameter) {
+  const Json component = number_schema(parameter, "number");
   return {{"oneOf", {component, {{"type", "array"}, {"items", component}, {"minItems", 3}, {"maxItems", 3}}}}};
 }
 
-json type_schema(const Parameter& parameter) {
+Json type_schema(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::integer: return number_schema(parameter, "integer");
     case ParameterType::boolean: return {{"type", "boolean"}};
     case ParameterType::choice: {
-      json names = json::array();
+      Json names = Json::list();
       for (std::string_view choice : parameter.choices) names.push_back(copy(choice));
       return {{"type", "string"}, {"enum", names}};
     }
@@ -46,25 +46,27 @@ json type_schema(const Parameter& parameter) {
   return number_schema(parameter, "number");
 }
 
-json property_schema(const Parameter& parameter) {
-  json schema = type_schema(parameter);
+Json property_schema(const Parameter& parameter) {
+  Json schema = type_schema(parameter);
   schema["description"] = fmt::format("{} [{}]", parameter.summary, parameter.unit);
   if (const Result<Value> value = parse_value(parameter, parameter.default_text)) schema["default"] = value_json(*value);
   return schema;
 }
 
 /// A JSON value as it would be typed after `--set name=`; empty when its JSON type does not fit the parameter.
-std::string typed_text(const Parameter& parameter, const json& value) {
+std::string typed_text(const Parameter& parameter, const Json& value) {
   const bool is_number = value.is_number();
   switch (parameter.type) {
-    case ParameterType::integer: return value.is_number_integer() ? value.dump() : "";
+    case ParameterType::integer:
+      return value.is_whole() ? value.dump() : "";
     case ParameterType::boolean: return value.is_boolean() ? value.dump() : "";
-    case ParameterType::choice: return value.is_string() ? value.get<std::string>() : "";
+    case ParameterType::choice:
+      return value.is_text() ? value.text() : "";
     case ParameterType::real: return is_number ? value.dump() : "";
     case ParameterType::rgb: break;
   }
   if (is_number) return value.dump();
-  if (!value.is_array() || value.size() != 3) return "";
+  if (!value.is_list() || value.size() != 3) return "";
   return fmt::format("{}/{}/{}", value[0].dump(), value[1].dump(), value[2].dump());
 }
 
@@ -83,7 +85,7 @@ Error at_key(std::string_view where, const Error& error) {
   return bad_input(fmt::format("{}: {}", where, error.message), error.hint);
 }
 
-Result<void> assign_json(ParameterTable table, const std::string& key, const json& value, ParameterValues& values) {
+Result<void> assign_json(ParameterTable table, const std::string& key, const Json& value, ParameterValues& values) {
   CUTICLE_ASSIGN(const Parameter* parameter, find_parameter(table, key));
   const std::string text = typed_text(*parameter, value);
   if (text.empty()) return usage_error(fmt::format("{}: {} is not {}", key, value.dump(), type_words(parameter->type)));
@@ -95,16 +97,19 @@ Result<void> assign_json(ParameterTable table, const std::string& key, const jso
 }  // namespace
 
 std::string json_schema(ParameterTable table) {
-  json properties = json::object();
+  Json properties = Json::object();
   for (const Parameter& parameter : table) properties[copy(parameter.name)] = property_schema(parameter);
-  const json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"type", "object"},
-                       {"properties", properties}, {"additionalProperties", false}};
+  const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                       {"type", "object"},
+                       {"properties", properties},
+                       {"additionalProperties", false}};
   return schema.dump(2);
 }
 
 Result<ParameterValues> values_from_json(ParameterTable table, std::string_view text, std::string_view where) {
-  const json object = json::parse(text, nullptr, false);
-  if (object.is_discarded()) return bad_input(fmt::format("{}: not valid JSON", where));
+  const Result<Json> parsed = Json::parse(text);
+  if (!parsed) return bad_input(fmt::format("{}: not valid JSON", where));
+  const Json& object = *parsed;
   if (!object.is_object()) return bad_input(fmt::format("{}: not a JSON object", where), "{\"name\": value}");
   ParameterValues values = default_values(table);
   for (const auto& [key, value] : object.items())
@@ -113,7 +118,7 @@ Result<ParameterValues> values_from_json(ParameterTable table, std::string_view 
 }
 
 std::string to_json(const ParameterValues& values) {
-  json object = json::object();
+  Json object = Json::object();
   for (const auto& [name, value] : values.all()) object[name] = value_json(value);
   return object.dump();
 }

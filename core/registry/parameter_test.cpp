@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/registry/parameter.h>
 
 namespace cuticle::registry {
@@ -83,7 +83,7 @@ TEST(NearestName, OneLetterOff_IsFound) {
 }
 
 TEST(ParameterSchema, OfATable_RefusesUnknownKeysAndStatesRanges) {
-  const nlohmann::json schema = nlohmann::json::parse(json_schema(k_table));
+  const Json schema = Json::parse(json_schema(k_table)).value();
   EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#");
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["properties"]["eta"]["maximum"], 3);

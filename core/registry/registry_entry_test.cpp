@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/registry/entry.h>
 
 namespace cuticle::registry {
@@ -41,7 +41,7 @@ TEST(Judge, NoDemands_RunsAlways) { EXPECT_TRUE(judge(Entry{}, {}).demanded); }
 TEST(Entries, AsJson_StateParametersDemandsAndSystems) {
   const Entry one = entry();
   const Entry* list[] = {&one};
-  const nlohmann::json parsed = nlohmann::json::parse(to_json(list));
+  const Json parsed = Json::parse(to_json(list)).value();
   EXPECT_EQ(parsed[0]["name"], "opacity_map");
   EXPECT_EQ(parsed[0]["stage"], "shadow");
   EXPECT_EQ(parsed[0]["parameters"][0]["range"][1], 64);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/check/mistakes.h>
 #include <cuticle/lut/check/readings.h>
 #include <cuticle/lut/format.h>
@@ -39,9 +39,9 @@ Result<TableVerdict> check_file(const ManifestTable& table, const Format& format
   return verdict;
 }
 
-nlohmann::ordered_json to_json(const TableVerdict& verdict) {
-  nlohmann::ordered_json json{{"table", verdict.table},         {"file", verdict.file},     {"passed", verdict.passed},
-                              {"unchanged", verdict.unchanged}, {"misfit", verdict.misfit}, {"worst", verdict.worst}};
+Json to_json(const TableVerdict& verdict) {
+  Json json{{"table", verdict.table},         {"file", verdict.file},     {"passed", verdict.passed},
+            {"unchanged", verdict.unchanged}, {"misfit", verdict.misfit}, {"worst", verdict.worst}};
   if (!verdict.passed)
     json["mistake"] = {
         {"name", verdict.mistake.name}, {"evidence", verdict.mistake.evidence}, {"remedy", verdict.mistake.remedy}};
@@ -77,11 +77,11 @@ Result<Report> check_folder(const std::string& folder) {
 }
 
 std::string to_json(const Report& report) {
-  nlohmann::ordered_json json{{"folder", report.folder},
-                              {"model", report.model},
-                              {"layout", report.layout},
-                              {"format", report.format},
-                              {"passed", report.passed()}};
+  Json json{{"folder", report.folder},
+            {"model", report.model},
+            {"layout", report.layout},
+            {"format", report.format},
+            {"passed", report.passed()}};
   for (const TableVerdict& verdict : report.tables) json["tables"].push_back(to_json(verdict));
   return json.dump(2) + "\n";
 }

@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/fit/analytic_fit.h>
 
 namespace cuticle::lut {
@@ -64,7 +64,7 @@ std::string longitudinal_code(const AnalyticLobe& lobe) {
       lobe.m.rms, lobe.m.maximum, lobe.name, literal(lobe.shift), literal(lobe.width), literal(lobe.knee));
 }
 
-nlohmann::ordered_json json_of(const AnalyticLobe& lobe) {
+Json json_of(const AnalyticLobe& lobe) {
   return {{"name", lobe.name},
           {"bumps", lobe.bumps},
           {"width", lobe.width},
@@ -95,11 +95,11 @@ std::string shader_code(const AnalyticFit& fit) {
 }
 
 std::string to_json(const AnalyticFit& fit) {
-  nlohmann::ordered_json json{{"schema_version", 1},
-                              {"model", fit.model->entry.name},
-                              {"parameters", nlohmann::ordered_json::parse(registry::to_json(fit.values))},
-                              {"beta", fit.roughness},
-                              {"lobes", nlohmann::ordered_json::array()}};
+  Json json{{"schema_version", 1},
+            {"model", fit.model->entry.name},
+            {"parameters", Json::parse(registry::to_json(fit.values)).value()},
+            {"beta", fit.roughness},
+            {"lobes", Json::list()}};
   for (const AnalyticLobe& lobe : fit.lobes) json["lobes"].push_back(json_of(lobe));
   return json.dump(2) + "\n";
 }

@@ -4,15 +4,13 @@
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::strands {
 
 namespace {
-
-using Json = nlohmann::json;
 
 Result<glm::dvec3> axis_of(std::string_view name, std::string_view key) {
   const std::string_view letters = "xyz";
@@ -28,8 +26,8 @@ Result<glm::dvec3> axis_of(std::string_view name, std::string_view key) {
 Result<void> read_bones(const Json& value, const std::string& where, Convention& convention) {
   if (!value.is_object()) return bad_input(fmt::format("{}: bones: expected an object of names", where));
   for (const auto& [ours, theirs] : value.items()) {
-    if (!theirs.is_string()) return bad_input(fmt::format("{}: bones.{}: expected a name", where, ours));
-    convention.bones[ours] = theirs.get<std::string>();
+    if (!theirs.is_text()) return bad_input(fmt::format("{}: bones.{}: expected a name", where, ours));
+    convention.bones[ours] = theirs.text();
   }
   return {};
 }
@@ -37,25 +35,25 @@ Result<void> read_bones(const Json& value, const std::string& where, Convention&
 Result<void> read_key(const std::string& key, const Json& value, const std::string& where, Convention& convention) {
   if (key == "bones") return read_bones(value, where, convention);
   if (key == "metres_per_unit") {
-    if (value.is_number()) convention.metres_per_unit = value.get<double>();
+    if (value.is_number()) convention.metres_per_unit = value.number();
     if (value.is_number() && convention.metres_per_unit >= 0 && convention.metres_per_unit <= 1000) return {};
     return bad_input(
         fmt::format("{}: metres_per_unit = {}; allowed: 0 (guess) .. 1000", where, value.dump().substr(0, 40)));
   }
   if (key != "up" && key != "forward")
     return bad_input(fmt::format("{}: unknown key '{}'; known: metres_per_unit, up, forward, bones", where, key));
-  if (!value.is_string()) return bad_input(fmt::format("{}: {}: expected an axis such as +y", where, key));
-  (key == "up" ? convention.up : convention.forward) = value.get<std::string>();
+  if (!value.is_text()) return bad_input(fmt::format("{}: {}: expected an axis such as +y", where, key));
+  (key == "up" ? convention.up : convention.forward) = value.text();
   return {};
 }
 
 }  // namespace
 
 Result<Convention> parse_convention(std::string_view json, const std::string& where) {
-  const Json value = Json::parse(json, nullptr, false);
-  if (!value.is_object()) return bad_input(fmt::format("{}: not a JSON object", where));
+  const Result<Json> parsed = Json::parse(json);
+  if (!parsed || !parsed->is_object()) return bad_input(fmt::format("{}: not a JSON object", where));
   Convention convention;
-  for (const auto& [key, item] : value.items()) CUTICLE_TRY(read_key(key, item, where, convention));
+  for (const auto& [key, item] : parsed->items()) CUTICLE_TRY(read_key(key, item, where, convention));
   CUTICLE_ASSIGN([[maybe_unused]] const glm::dmat4 turn, axes_to_ours(convention));
   return convention;
 }

@@ -3,16 +3,15 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/strands/spline/smooth.h>
 
 namespace cuticle::strands {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using registry::Parameter;
 using registry::ParameterType;
 
@@ -61,7 +60,7 @@ Result<void> check_keys(const Json& object, const std::string& where) {
 
 Result<registry::ParameterValues> values_of(registry::ParameterTable table, const Json& value,
                                             const std::string& where) {
-  return registry::values_from_json(table, value.dump(-1, ' ', false, Json::error_handler_t::replace), where);
+  return registry::values_from_json(table, value.dump(), where);
 }
 
 /// The table's values under a key; its defaults where the key is absent.
@@ -78,7 +77,7 @@ Result<void> read_list(const Json& root, const char* key, registry::ParameterTab
                        std::vector<Item>& out) {
   if (!root.contains(key)) return {};
   const Json& list = root[key];
-  if (!list.is_array() || list.size() > k_most_items)
+  if (!list.is_list() || list.size() > k_most_items)
     return bad_input(fmt::format("{}: {} is not a list of at most {} objects", where, key, k_most_items));
   for (std::size_t i = 0; i < list.size(); ++i) {
     CUTICLE_ASSIGN(const registry::ParameterValues values,
@@ -109,7 +108,7 @@ Result<void> read_grooming(const Json& root, const std::string& where, Grooming&
 }
 
 Json table_schema(registry::ParameterTable table) {
-  Json schema = Json::parse(registry::json_schema(table));
+  Json schema = Json::parse(registry::json_schema(table)).value();
   schema.erase("$schema");
   return schema;
 }
@@ -136,14 +135,15 @@ GroomingSpecification default_specification() {
 }
 
 Result<GroomingSpecification> parse_specification(std::string_view text, const std::string& where) {
-  const Json root = Json::parse(text, nullptr, false);
-  if (root.is_discarded()) return bad_input(fmt::format("{}: not valid JSON", where));
+  const Result<Json> parsed = Json::parse(text);
+  if (!parsed) return bad_input(fmt::format("{}: not valid JSON", where));
+  const Json& root = *parsed;
   if (!root.is_object()) return bad_input(fmt::format("{}: not a JSON object", where), "{\"schema_version\": 1}");
   CUTICLE_TRY(check_keys(root, where));
   GroomingSpecification result;
   if (root.contains("name")) {
-    if (!root["name"].is_string()) return bad_input(fmt::format("{}: name is not a text", where));
-    result.name = root["name"].get<std::string>();
+    if (!root["name"].is_text()) return bad_input(fmt::format("{}: name is not a text", where));
+    result.name = root["name"].text();
   }
   CUTICLE_ASSIGN(result.growing, values_at(growing_parameters(), root, "growing", where));
   CUTICLE_ASSIGN(result.strands, values_at(strand_parameters(), root, "strands", where));

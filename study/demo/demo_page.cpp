@@ -1,15 +1,14 @@
 #include <cuticle/study/demo/demo_page.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::study {
 
 namespace {
 
-nlohmann::json section_json(const DemoSection& section) {
-  nlohmann::json json = {{"title", section.title}, {"text", section.text}, {"images", nlohmann::json::array()}};
+Json section_json(const DemoSection& section) {
+  Json json = {{"title", section.title}, {"text", section.text}, {"images", Json::list()}};
   for (const auto& [file, caption] : section.images) json["images"].push_back({{"file", file}, {"caption", caption}});
   if (!section.table.columns.empty()) json["table"] = {{"columns", section.table.columns}, {"rows", section.table.rows}};
   return json;
@@ -18,7 +17,7 @@ nlohmann::json section_json(const DemoSection& section) {
 }  // namespace
 
 Result<void> write_page(const DemoPage& page, const std::string& folder) {
-  nlohmann::json json = {{"title", page.title}, {"sections", nlohmann::json::array()}};
+  Json json = {{"title", page.title}, {"sections", Json::list()}};
   for (const DemoSection& section : page.sections) json["sections"].push_back(section_json(section));
   return write_text_file(folder + "/demo.json", json.dump(1));
 }

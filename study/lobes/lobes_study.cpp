@@ -1,14 +1,12 @@
 #include <cuticle/study/lobes/lobes_study.h>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Result<std::vector<const bsdf::Model*>> chosen_models(const LobesRequest& request) {
   const auto all = bsdf::models();
@@ -53,7 +51,7 @@ Json row_json(const TierRow& row) {
 }
 
 Json plot_json(const Plot& plot) {
-  Json curves = Json::array();
+  Json curves = Json::list();
   for (const Curve& curve : plot.curves) curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}});
   return {{"name", plot.name},       {"title", plot.title}, {"x_label", plot.x_label},
           {"y_label", plot.y_label}, {"polar", plot.polar}, {"curves", curves}};
@@ -82,10 +80,10 @@ std::string to_json(const LobesStudy& study) {
   json["series"] = "precision";
   json["label"] = "tier";
   json["words"] = study.notes;
-  json["baselines"] = Json::array();
+  json["baselines"] = Json::list();
   for (const TierRow& row : study.rows) json["rows"].push_back(row_json(row));
   for (const Plot& plot : study.plots) json["plots"].push_back(plot_json(plot));
-  json["landmarks"] = Json::array();
+  json["landmarks"] = Json::list();
   for (const Landmark& mark : study.landmarks)
     json["landmarks"].push_back(
         {{"model", mark.model}, {"what", mark.what}, {"expected_deg", mark.expected}, {"measured_deg", mark.measured}});

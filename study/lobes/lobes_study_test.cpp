@@ -1,3 +1,4 @@
+#include <cuticle/core/json/json.h>
 #include <cuticle/study/lobes/lobes_study.h>
 
 #include <algorithm>
@@ -5,7 +6,6 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace cuticle::study {
 namespace {
@@ -53,7 +53,7 @@ TEST(LobesStudy, Plots_HaveACurveForEachLobe) {
 }
 
 TEST(LobesStudy, Json_HoldsRowsPlotsAndLandmarks) {
-  const auto json = nlohmann::json::parse(to_json(small_study()));
+  const auto json = Json::parse(to_json(small_study())).value();
   EXPECT_EQ(json["rows"].size(), small_study().rows.size());
   EXPECT_EQ(json["plots"].size(), 4u);
   EXPECT_EQ(json["landmarks"][0]["model"], "marschner");

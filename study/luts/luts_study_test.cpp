@@ -1,10 +1,10 @@
+#include <cuticle/core/json/json.h>
 #include <cuticle/study/luts/luts_study.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/lut/evaluate.h>
 #include <cuticle/study/luts/table_sampler.h>
@@ -113,7 +113,7 @@ TEST(LutsStudy, LayoutWithoutTheModelsLobes_IsLeftOutWithItsReason) {
 }
 
 TEST(LutsStudy, Json_HoldsWhatTheReporterReads) {
-  const auto json = nlohmann::json::parse(to_json(small_study()));
+  const auto json = Json::parse(to_json(small_study())).value();
   EXPECT_EQ(json["rows"].size(), 8u + 2);  // two layouts, sizes and formats; float and float in arrays
   EXPECT_EQ(json["words"].size(), 3u);
   EXPECT_FALSE(json["plots"].empty());

@@ -4,15 +4,13 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/study/luts/luts_study.h>
 
 namespace cuticle::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The set of the model with the least error of S among those that take less than so many ns; null: none does.
 const LutRow* most_exact_below(const LutsStudy& study, std::string_view model, double ns) {
@@ -76,7 +74,7 @@ Json plots_of(const LutsStudy& study) {
   for (const LutRow& row : study.rows)
     plots[{row.model, row.channel}][fmt::format("{} {}{}", row.layout, row.format, row.fit == "none" ? "" : " fitted")]
          [row.bytes] = row.rms_error;
-  Json all = Json::array();
+  Json all = Json::list();
   for (const auto& [key, curves] : plots) {
     Json plot = {{"name", fmt::format("bytes_{}_{}", key.first, key.second)},
                  {"title", fmt::format("{}: error of {} against bytes of the set", key.first, key.second)},
@@ -84,9 +82,9 @@ Json plots_of(const LutsStudy& study) {
                  {"y_label", "rms error / rms of the signal"},
                  {"polar", false},
                  {"logarithmic", true},
-                 {"curves", Json::array()}};
+                 {"curves", Json::list()}};
     for (const auto& [name, points] : curves) {
-      Json curve = {{"name", name}, {"x", Json::array()}, {"y", Json::array()}};
+      Json curve = {{"name", name}, {"x", Json::list()}, {"y", Json::list()}};
       for (const auto& [bytes, error] : points) {
         curve["x"].push_back(bytes);
         curve["y"].push_back(std::max(error, 1e-9));
@@ -121,17 +119,17 @@ std::string to_json(const LutsStudy& study) {
       "thread, "
       "tables in cache: a GPU's texture units are not what is measured.");
   for (const std::string& skipped : study.skipped) json["words"].push_back("Left out: " + skipped);
-  json["baselines"] = Json::array();
-  json["rows"] = Json::array();
+  json["baselines"] = Json::list();
+  json["rows"] = Json::list();
   for (const DirectRow& row : study.direct)
     if (row.lobe == "S" && row.rms_error > 0) json["rows"].push_back(row_json(row));
   for (const LutRow& row : study.rows)
     if (row.channel == "S") json["rows"].push_back(row_json(row));
-  json["channels"] = Json::array();
+  json["channels"] = Json::list();
   for (const DirectRow& row : study.direct) json["channels"].push_back(row_json(row));
   for (const LutRow& row : study.rows) json["channels"].push_back(row_json(row));
   json["plots"] = plots_of(study);
-  json["landmarks"] = Json::array();
+  json["landmarks"] = Json::list();
   return json.dump(2) + "\n";
 }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
+
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::study::model_check {
 namespace {
-
-using nlohmann::ordered_json;
 
 const char* word(const Report& report, const Verdict& verdict) {
   if (verdict.state == State::skipped) return "-";
@@ -28,8 +27,8 @@ std::string line(const Report& report, const Verdict& verdict) {
   return text;
 }
 
-ordered_json checks_json(const Report& report) {
-  ordered_json checks = ordered_json::array();
+Json checks_json(const Report& report) {
+  Json checks = Json::list();
   for (const Verdict& verdict : report.verdicts) {
     const bsdf::Exception* exception = report.stated(verdict);
     checks.push_back({{"check", verdict.check},
@@ -72,7 +71,7 @@ std::string to_text(const Report& report) {
 }
 
 std::string to_json(std::span<const Report> reports) {
-  ordered_json all = ordered_json::array();
+  Json all = Json::list();
   for (const Report& report : reports)
     all.push_back({{"model", report.name},
                    {"sound", report.sound()},

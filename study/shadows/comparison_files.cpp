@@ -2,15 +2,13 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/study/shadows/comparison.h>
 
 namespace cuticle::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json error_json(std::string_view method, const ErrorStatistics& error) {
   return {{"method", method},
@@ -26,7 +24,7 @@ Json row_json(const ComparisonRow& row) {
   Json json = error_json(row.method, row.error);
   json["settings"] = row.settings;
   json["choosing_error"] = row.choosing.mean;
-  json.update(Json::parse(registry::to_json(row.values)));
+  json.update(Json::parse(registry::to_json(row.values)).value());
   if (json.contains("slices")) json["layers"] = json["slices"];
   json["build_ms"] = row.cost.build_ms;
   json["lookup_ms"] = row.cost.lookup_ms;
@@ -39,7 +37,7 @@ Json row_json(const ComparisonRow& row) {
 Json baselines_json(const Comparison& comparison) {
   Json constant = error_json("best constant", comparison.best_constant);
   constant["value"] = comparison.best_constant_value;
-  return Json::array({error_json("none", comparison.none), constant});
+  return Json::list({error_json("none", comparison.none), constant});
 }
 
 Json truth_json(const Comparison& comparison) {
@@ -77,7 +75,7 @@ ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error
 }
 
 Json refused_json(const Comparison& comparison) {
-  Json list = Json::array();
+  Json list = Json::list();
   for (const Refusal& refusal : comparison.refused)
     list.push_back({{"method", refusal.method}, {"settings", refusal.settings}, {"why", refusal.why}});
   return list;
@@ -116,7 +114,7 @@ std::string to_json(const Comparison& comparison) {
   json["truth"] = truth_json(comparison);
   json["device"] = comparison.rows.empty() ? "" : comparison.rows.front().cost.device;
   json["baselines"] = baselines_json(comparison);
-  json["rows"] = Json::array();
+  json["rows"] = Json::list();
   for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(row));
   if (!comparison.refused.empty()) json["refused"] = refused_json(comparison);
   return json.dump(2) + "\n";

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
+
+#include <cuticle/core/json/json.h>
 
 namespace cuticle::study {
 namespace {
@@ -104,7 +105,7 @@ std::string to_text(const MarksFile& file, const MarksReport& report) {
 }
 
 std::string to_json(const MarksFile& file, const MarksReport& report) {
-  nlohmann::ordered_json json{{"name", file.name}, {"marks", nlohmann::ordered_json::array()}};
+  Json json{{"name", file.name}, {"marks", Json::list()}};
   for (const MarkResult& result : report.results)
     json["marks"].push_back({{"name", result.mark->name},
                              {"method", result.mark->method},
@@ -116,8 +117,8 @@ std::string to_json(const MarksFile& file, const MarksReport& report) {
                              {"bytes", result.bytes},
                              {"most_bytes", result.mark->bytes},
                              {"met", result.met()}});
-  json["lights"] = nlohmann::ordered_json::array();
-  for (const Comparison& light : report.lights) json["lights"].push_back(nlohmann::ordered_json::parse(to_json(light)));
+  json["lights"] = Json::list();
+  for (const Comparison& light : report.lights) json["lights"].push_back(Json::parse(to_json(light)).value());
   return json.dump(2) + "\n";
 }
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/study/shadows/marks.h>
@@ -14,8 +14,6 @@
 
 namespace cuticle::study {
 namespace {
-
-using Json = nlohmann::json;
 
 /// A point spread evenly over the unit ball: the first of some in the cube that lies inside.
 glm::vec3 in_ball(std::uint32_t guide, std::uint32_t follower, std::uint32_t seed) {
@@ -37,14 +35,14 @@ void append(strands::Groom& groom, std::span<const glm::vec3> points, float radi
 }
 
 Result<strands::Groom> read_parts(const Json& json, const std::string& data) {
-  const strands::ReadOptions options{json.at("metres_per_unit").get<double>(), json.at("fibre_radius_m").get<double>()};
+  const strands::ReadOptions options{json.at("metres_per_unit").number(), json.at("fibre_radius_m").number()};
   strands::Groom groom;
   for (const Json& part : json.at("parts")) {
-    CUTICLE_ASSIGN(const auto file, strands::read_groom(data + "/" + part.get<std::string>(), options));
+    CUTICLE_ASSIGN(const auto file, strands::read_groom(data + "/" + part.text(), options));
     for (std::size_t s = 0; s < file.groom.strand_count(); ++s)
       append(groom, file.groom.strand(s), float(options.radius), glm::vec3(0));
   }
-  return with_followers(groom, json.at("followers").get<int>(), json.at("follower_radius_m").get<double>(),
+  return with_followers(groom, json.at("followers").get<int>(), json.at("follower_radius_m").number(),
                         json.at("seed").get<std::uint32_t>());
 }
 
@@ -64,7 +62,7 @@ Result<void> add_settings(const shadows::Method& method, const Json& settings, d
     std::vector<std::string> longer;
     for (const std::string& set : sets)
       for (const Json& text : texts)
-        longer.push_back(fmt::format("{}{}{}={}", set, set.empty() ? "" : ",", name, text.get<std::string>()));
+        longer.push_back(fmt::format("{}{}{}={}", set, set.empty() ? "" : ",", name, text.text()));
     sets = std::move(longer);
   }
   for (const std::string& set : sets) {
@@ -77,9 +75,9 @@ Result<void> add_settings(const shadows::Method& method, const Json& settings, d
 }
 
 Result<Mark> read_mark(const Json& json, double footprint_radius) {
-  Mark mark{json.at("name").get<std::string>(),
-            json.at("method").get<std::string>(),
-            json.at("error").get<double>(),
+  Mark mark{json.at("name").text(),
+            json.at("method").text(),
+            json.at("error").number(),
             json.value("bytes", std::size_t(0)),
             {}};
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(mark.method));
@@ -90,15 +88,15 @@ Result<Mark> read_mark(const Json& json, double footprint_radius) {
 
 Result<MarksFile> marks_from(const Json& json, const std::string& data) {
   MarksFile file;
-  file.name = json.at("name").get<std::string>();
+  file.name = json.at("name").text();
   CUTICLE_ASSIGN(file.groom, read_hair(json.at("hair"), data));
-  file.alpha = json.at("alpha").get<double>();
-  file.footprint_radius = json.contains("footprint_radius_m") ? json.at("footprint_radius_m").get<double>()
+  file.alpha = json.at("alpha").number();
+  file.footprint_radius = json.contains("footprint_radius_m") ? json.at("footprint_radius_m").number()
                                                               : shadows::default_footprint_radius(file.groom);
   file.rays = json.at("rays").get<int>();
   file.receivers = json.at("receivers").get<std::size_t>();
   for (const Json& light : json.at("lights"))
-    file.lights.emplace_back(light.at(0).get<double>(), light.at(1).get<double>(), light.at(2).get<double>());
+    file.lights.emplace_back(light.at(0).number(), light.at(1).number(), light.at(2).number());
   for (const Json& mark : json.at("marks")) {
     CUTICLE_ASSIGN(Mark read, read_mark(mark, file.footprint_radius));
     file.marks.push_back(std::move(read));
@@ -123,10 +121,11 @@ strands::Groom with_followers(const strands::Groom& guides, int count, double ra
 Result<MarksFile> read_marks(const std::string& path, const std::string& data) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
   try {
-    Result<MarksFile> file = marks_from(Json::parse(text), data);
+    const Result<Json> json = Json::parse(text);
+    Result<MarksFile> file = json ? marks_from(*json, data) : json.error();
     if (!file) return Error{file.error().kind, path + ": " + file.error().message, file.error().hint};
     return file;
-  } catch (const Json::exception& error) {
+  } catch (const Json::Mismatch& error) {
     return bad_input(fmt::format("{}: {}", path, error.what()), "study/README.md");
   }
 }

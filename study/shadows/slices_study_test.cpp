@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/study/shadows/marks.h>
 #include <cuticle/study/shadows/slices_study.h>
@@ -65,7 +65,7 @@ TEST(SlicesStudy, Truth_ReportsItsNoiseAndItsReceivers) {
 TEST(SlicesStudy, Files_HoldWhatTheReadmeSays) {
   const std::string folder = testing::TempDir() + "/slices_study";
   ASSERT_TRUE(write_comparison(coat_comparison(), folder));
-  const auto json = nlohmann::json::parse(read_text_file(folder + "/study.json").value());
+  const auto json = Json::parse(read_text_file(folder + "/study.json").value()).value();
   for (const char* key : {"name", "title", "x", "y", "series", "label", "groom", "alpha", "to_light", "footprint_m",
                           "truth", "device", "baselines", "rows"})
     EXPECT_TRUE(json.contains(key)) << key;
@@ -240,7 +240,7 @@ TEST(Marks, EachIsItsBestSettingWithinTheBytes) {
   EXPECT_GT(report->results[0].interval, 0);
   EXPECT_FALSE(report->results[2].met());
   EXPECT_FALSE(report->results[3].met());
-  EXPECT_EQ(nlohmann::json::parse(to_json(*file, *report))["lights"].size(), 2u);
+  EXPECT_EQ(Json::parse(to_json(*file, *report)).value()["lights"].size(), 2u);
 }
 
 TEST(Marks, BadFiles_AreRefusedByName) {

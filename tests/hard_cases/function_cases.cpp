@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include <nlohmann/json.hpp>
-
-#include <cuticle/tests/hard_cases/elementary.glslh>
+#include <cuticle/core/json/json.h>
 #include <cuticle/tests/hard_cases/subject.h>
+#include <cuticle/tests/hard_cases/elementary.glslh>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/tests/hard_cases/elementary_gpu.h>
 #include <cuticle/tests/hard_cases/gpu_session.h>
@@ -14,19 +13,17 @@
 namespace cuticle::hard_cases {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::array<std::string_view, 8> k_names = {"bessel_i0_scaled", "sin", "cos", "asin", "acos", "atan2", "exp", "one_minus_exp"};
 
-Result<std::uint32_t> function_index(const json& inputs) {
-  const std::string name = inputs.at("function");
+Result<std::uint32_t> function_index(const Json& inputs) {
+  const std::string name = inputs.at("function").text();
   const auto found = std::find(k_names.begin(), k_names.end(), name);
   if (found == k_names.end()) return internal_error("unknown function " + name);
   return std::uint32_t(found - k_names.begin());
 }
 
 template <class Real>
-Result<Values> run(const json& inputs) {
+Result<Values> run(const Json& inputs) {
   CUTICLE_ASSIGN(const std::uint32_t function, function_index(inputs));
   Values values;
   for (double x : numbers(inputs.at("x"))) values.push_back(double(elementary(function, Real(x), Real(inputs.value("second", 0.0)))));
@@ -35,11 +32,11 @@ Result<Values> run(const json& inputs) {
 
 }  // namespace
 
-Result<Values> run_function_f32(const json& inputs, GpuSession*) { return run<float>(inputs); }
-Result<Values> run_function_f64(const json& inputs, GpuSession*) { return run<double>(inputs); }
+Result<Values> run_function_f32(const Json& inputs, GpuSession*) { return run<float>(inputs); }
+Result<Values> run_function_f64(const Json& inputs, GpuSession*) { return run<double>(inputs); }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_function_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_function_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const std::uint32_t function, function_index(inputs));
   std::vector<glm::vec2> arguments;
   for (double x : numbers(inputs.at("x"))) arguments.emplace_back(x, inputs.value("second", 0.0));

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/tests/hard_cases/gpu_session.h>
@@ -18,8 +18,6 @@ namespace cuticle::hard_cases {
 extern const char* const k_catalogue_text;
 
 namespace {
-
-using nlohmann::json;
 
 constexpr Precision k_precisions[] = {Precision::f64, Precision::f32, Precision::gpu};
 
@@ -35,10 +33,10 @@ const char* name_of(ErrorKind kind) {
 }
 
 /// A tolerance: one number, or one per precision ({"f32": 1e-6, ...}); 0 where it is not given.
-double tolerance(const json& expect, const char* key, Precision precision) {
+double tolerance(const Json& expect, const char* key, Precision precision) {
   if (!expect.contains(key)) return 0;
-  const json& value = expect.at(key);
-  return value.is_object() ? value.value(name_of(precision), 0.0) : value.get<double>();
+  const Json& value = expect.at(key);
+  return value.is_object() ? value.value(name_of(precision), 0.0) : value.number();
 }
 
 /// What is wrong with the values, or nothing.
@@ -50,25 +48,25 @@ Complaint finite(const Values& values) {
   return {};
 }
 
-Complaint equal_to_reference(const Values& values, const json& expect, Precision precision) {
+Complaint equal_to_reference(const Values& values, const Json& expect, Precision precision) {
   if (!expect.contains("value")) return {};
-  const double reference = expect.at("value");
+  const double reference = expect.at("value").number();
   const double allowed = tolerance(expect, "absolute", precision) + tolerance(expect, "relative", precision) * std::abs(reference);
   for (double value : values)
     if (!(std::abs(value - reference) <= allowed)) return fmt::format("{} is not {} +- {:.3g}", value, reference, allowed);
   return {};
 }
 
-Complaint within_bounds(const Values& values, const json& expect) {
+Complaint within_bounds(const Values& values, const Json& expect) {
   if (!expect.contains("bounds")) return {};
-  const double lower = expect.at("bounds").at(0), upper = expect.at("bounds").at(1);
+  const double lower = expect.at("bounds").at(0).number(), upper = expect.at("bounds").at(1).number();
   for (double value : values)
     if (!(value >= lower && value <= upper)) return fmt::format("{} is outside {} .. {}", value, lower, upper);
   return {};
 }
 
 /// Agreement with f64 (or f32, where there is no f64), relative to the largest value of the case.
-Complaint agreeing(const Values& values, const json& expect, Precision precision, const Values& exact) {
+Complaint agreeing(const Values& values, const Json& expect, Precision precision, const Values& exact) {
   if (!expect.contains("agree") || values.size() != exact.size()) return {};
   double scale = 0, worst = 0;
   for (double value : exact) scale = std::max(scale, std::abs(value));
@@ -78,46 +76,47 @@ Complaint agreeing(const Values& values, const json& expect, Precision precision
   return fmt::format("off the CPU by {:.3g} of the largest value, allowed {:.3g}", worst / scale, allowed);
 }
 
-Complaint counted(const Values& values, const json& expect) {
+Complaint counted(const Values& values, const Json& expect) {
   const std::size_t count = expect.value("count", values.size());
   if (values.size() == count) return {};
   return fmt::format("{} values, expected {}", values.size(), count);
 }
 
-Complaint complaint_about(const Values& values, const json& expect, Precision precision, const Values& exact) {
-  if (expect.contains("error")) return "no error came, expected " + expect.at("error").get<std::string>();
+Complaint complaint_about(const Values& values, const Json& expect, Precision precision, const Values& exact) {
+  if (expect.contains("error")) return "no error came, expected " + expect.at("error").text();
   for (const Complaint& complaint : {finite(values), counted(values, expect), equal_to_reference(values, expect, precision),
                                      within_bounds(values, expect), agreeing(values, expect, precision, exact)})
     if (complaint) return complaint;
   return {};
 }
 
-Complaint complaint_about(const Error& error, const json& expect) {
+Complaint complaint_about(const Error& error, const Json& expect) {
   if (expect.value("error", std::string()) == name_of(error.kind)) return {};
   return fmt::format("{} error: {}", name_of(error.kind), error.message);
 }
 
-Run run_of(const json& item, Precision precision) {
+Run run_of(const Json& item, Precision precision) {
   for (const Subject& subject : subjects())
-    if (subject.name == item.at("subject").get<std::string>()) return subject.run[std::size_t(precision)];
+    if (subject.name == item.at("subject").text()) return subject.run[std::size_t(precision)];
   return nullptr;
 }
 
 /// Runs one case in one precision; `exact` receives the values of the first precision, the most exact one.
-Verdict run_case(const json& item, Precision precision, GpuSession* session, Values& exact) {
-  Verdict verdict{item.at("id"), item.at("subject"), item.at("why"), precision, State::not_applicable, {}};
+Verdict run_case(const Json& item, Precision precision, GpuSession* session, Values& exact) {
+  Verdict verdict{
+      item.at("id").text(), item.at("subject").text(), item.at("why").text(), precision, State::not_applicable, {}};
   const Run run = run_of(item, precision);
   if (run == nullptr || (precision == Precision::gpu && session == nullptr)) return verdict;
   const Result<Values> values = run(item.at("inputs"), session);
   if (exact.empty() && values) exact = *values;
-  const json& expect = item.at("expect");
+  const Json& expect = item.at("expect");
   const Complaint complaint = values ? complaint_about(*values, expect, precision, exact) : complaint_about(values.error(), expect);
   verdict.state = complaint ? State::failed : State::passed;
   verdict.detail = complaint.value_or("");
   return verdict;
 }
 
-std::vector<Verdict> run_all(const json& cases, GpuSession* session, Progress& progress) {
+std::vector<Verdict> run_all(const Json& cases, GpuSession* session, Progress& progress) {
   std::vector<Verdict> verdicts;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Values exact;
@@ -141,14 +140,14 @@ const char* name_of(Precision precision) {
 Result<std::vector<Verdict>> run_catalogue(const std::string& text, [[maybe_unused]] const std::shared_ptr<gpu::Device>& device,
                                           Progress& progress) {
   try {
-    const json catalogue = json::parse(text);
+    CUTICLE_ASSIGN(const Json catalogue, Json::parse(text));
 #ifdef CUTICLE_HAS_GPU
     GpuSession session{device, {}};
     return run_all(catalogue.at("cases"), device ? &session : nullptr, progress);
 #else
     return run_all(catalogue.at("cases"), nullptr, progress);
 #endif
-  } catch (const json::exception& error) {
+  } catch (const Json::Mismatch& error) {
     return internal_error(fmt::format("the catalogue of hard cases: {}", error.what()));
   }
 }

@@ -2,18 +2,15 @@
 #include <cmath>
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
+#include <cuticle/core/json/json.h>
 #include <cuticle/tests/hard_cases/subject.h>
 
 namespace cuticle::hard_cases {
 namespace {
 
-using nlohmann::json;
-
-double number(const json& value) {
-  if (!value.is_string()) return value.get<double>();
-  const std::string text = value.get<std::string>();
+double number(const Json& value) {
+  if (!value.is_text()) return value.number();
+  const std::string text = value.text();
   if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
   return text == "-inf" ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
@@ -24,7 +21,7 @@ void end_strand(strands::Groom& groom, float radius) {
 }
 
 /// `count` parallel straight strands, `spacing` apart.
-void add_lines(strands::Groom& groom, const json& lines, float radius) {
+void add_lines(strands::Groom& groom, const Json& lines, float radius) {
   const glm::dvec3 from = vector(lines.at("from")), to = vector(lines.at("to"));
   const glm::dvec3 spacing = lines.contains("spacing") ? vector(lines.at("spacing")) : glm::dvec3(0);
   const int vertices = lines.value("vertices", 2), count = lines.value("count", 1);
@@ -37,13 +34,13 @@ void add_lines(strands::Groom& groom, const json& lines, float radius) {
 
 }  // namespace
 
-std::vector<double> numbers(const json& value) {
+std::vector<double> numbers(const Json& value) {
   std::vector<double> list;
-  if (value.is_array()) {
-    for (const json& item : value) list.push_back(number(item));
+  if (value.is_list()) {
+    for (const Json& item : value) list.push_back(number(item));
   } else if (value.is_object()) {
-    const double from = value.at("from"), to = value.at("to");
-    const int count = value.at("count");
+    const double from = value.at("from").number(), to = value.at("to").number();
+    const int count = value.at("count").get<int>();
     for (int i = 0; i < count; ++i) list.push_back(from + (to - from) * i / (count - 1));
   } else {
     list.push_back(number(value));
@@ -51,16 +48,16 @@ std::vector<double> numbers(const json& value) {
   return list;
 }
 
-glm::dvec3 vector(const json& value) { return {number(value.at(0)), number(value.at(1)), number(value.at(2))}; }
+glm::dvec3 vector(const Json& value) { return {number(value.at(0)), number(value.at(1)), number(value.at(2))}; }
 
-strands::Groom groom_from(const json& value) {
+strands::Groom groom_from(const Json& value) {
   strands::Groom groom;
   const float radius = value.value("radius", strands::k_default_radius);
-  for (const json& strand : value.value("points", json::array())) {
-    for (const json& point : strand) groom.positions.emplace_back(vector(point));
+  for (const Json& strand : value.value("points", Json::list())) {
+    for (const Json& point : strand) groom.positions.emplace_back(vector(point));
     end_strand(groom, radius);
   }
-  for (const json& lines : value.value("lines", json::array())) add_lines(groom, lines, radius);
+  for (const Json& lines : value.value("lines", Json::list())) add_lines(groom, lines, radius);
   return groom;
 }
 

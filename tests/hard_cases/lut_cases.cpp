@@ -1,6 +1,6 @@
 // Tables: {"model", "set", "layout", "size", "table", "channel"} sampled at every combination of "u" and "v".
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 #include <cuticle/tests/hard_cases/subject.h>
@@ -12,8 +12,6 @@
 namespace cuticle::hard_cases {
 namespace {
 
-using nlohmann::json;
-
 struct Recipe {
   const bsdf::Model* model = nullptr;
   registry::ParameterValues values;
@@ -21,12 +19,12 @@ struct Recipe {
   int size = 0;
 };
 
-Result<Recipe> recipe_from(const json& inputs) {
+Result<Recipe> recipe_from(const Json& inputs) {
   Recipe recipe;
-  CUTICLE_ASSIGN(recipe.model, bsdf::find_model(inputs.at("model").get<std::string>()));
+  CUTICLE_ASSIGN(recipe.model, bsdf::find_model(inputs.at("model").text()));
   CUTICLE_ASSIGN(recipe.values, registry::parse_assignments(recipe.model->entry.parameters, inputs.value("set", std::string())));
-  CUTICLE_ASSIGN(recipe.layout, lut::find_layout(inputs.at("layout").get<std::string>()));
-  recipe.size = inputs.at("size");
+  CUTICLE_ASSIGN(recipe.layout, lut::find_layout(inputs.at("layout").text()));
+  recipe.size = inputs.at("size").get<int>();
   return recipe;
 }
 
@@ -36,10 +34,10 @@ Result<int> channel_index(const lut::TableLayout& table, const std::string& name
   return internal_error("unknown channel " + name);
 }
 
-Result<Values> sampled(const lut::TableSet& set, const json& inputs) {
+Result<Values> sampled(const lut::TableSet& set, const Json& inputs) {
   for (const lut::Table& table : set.tables) {
-    if (table.layout->name != inputs.at("table").get<std::string>()) continue;
-    CUTICLE_ASSIGN(const int channel, channel_index(*table.layout, inputs.at("channel")));
+    if (table.layout->name != inputs.at("table").text()) continue;
+    CUTICLE_ASSIGN(const int channel, channel_index(*table.layout, inputs.at("channel").text()));
     Values values;
     for (double u : numbers(inputs.at("u")))
       for (double v : numbers(inputs.at("v"))) values.push_back(lut::sample(table, channel, u, v));
@@ -48,7 +46,7 @@ Result<Values> sampled(const lut::TableSet& set, const json& inputs) {
   return internal_error("unknown table");
 }
 
-Result<lut::TableSet> baked(const json& inputs) {
+Result<lut::TableSet> baked(const Json& inputs) {
   CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
   return lut::bake(*recipe.model, recipe.values, *recipe.layout, recipe.size, silent_progress());
 }
@@ -56,19 +54,19 @@ Result<lut::TableSet> baked(const json& inputs) {
 }  // namespace
 
 /// As written to EXR: rounded to half.
-Result<Values> run_lut_stored(const json& inputs, GpuSession*) {
+Result<Values> run_lut_stored(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(lut::TableSet set, baked(inputs));
   CUTICLE_TRY(lut::certify(set, lut::half_exr(), silent_progress()));
   return sampled(set, inputs);
 }
 
-Result<Values> run_lut_f64(const json& inputs, GpuSession*) {
+Result<Values> run_lut_f64(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const lut::TableSet set, baked(inputs));
   return sampled(set, inputs);
 }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_lut_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_lut_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
   CUTICLE_ASSIGN(const lut::TableSet set, lut::bake_gpu(*session->device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
   return sampled(set, inputs);

@@ -2,9 +2,8 @@
 // direction for each by every number of "u", used for all eight: density and weight.
 #include <numbers>
 
-#include <nlohmann/json.hpp>
-
 #include <cuticle/bsdf/model.h>
+#include <cuticle/core/json/json.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/tests/hard_cases/gpu_session.h>
@@ -12,8 +11,6 @@
 
 namespace cuticle::hard_cases {
 namespace {
-
-using nlohmann::json;
 
 struct Batch {
   const bsdf::Model* model = nullptr;
@@ -25,7 +22,8 @@ struct Batch {
 };
 
 /// Every point so far, once for each number of the input.
-void spread(std::vector<bsdf::Point>& points, const json& inputs, const char* key, double bsdf::Point::* member, double unit) {
+void spread(std::vector<bsdf::Point>& points, const Json& inputs, const char* key, double bsdf::Point::*member,
+            double unit) {
   if (!inputs.contains(key)) return;
   std::vector<bsdf::Point> all;
   for (const bsdf::Point& point : points)
@@ -36,7 +34,7 @@ void spread(std::vector<bsdf::Point>& points, const json& inputs, const char* ke
   points = std::move(all);
 }
 
-std::vector<bsdf::Point> points_from(const json& inputs) {
+std::vector<bsdf::Point> points_from(const Json& inputs) {
   constexpr double degree = std::numbers::pi / 180;
   std::vector<bsdf::Point> points(1);
   spread(points, inputs, "theta_i_deg", &bsdf::Point::theta_i, degree);
@@ -48,9 +46,9 @@ std::vector<bsdf::Point> points_from(const json& inputs) {
   return points;
 }
 
-bool is_sample(const json& inputs) { return inputs.at("quantity") == "sample"; }
+bool is_sample(const Json& inputs) { return inputs.at("quantity") == "sample"; }
 
-std::vector<bsdf::SampleQuery> queries_from(const json& inputs) {
+std::vector<bsdf::SampleQuery> queries_from(const Json& inputs) {
   std::vector<bsdf::SampleQuery> queries;
   for (const bsdf::Point& point : points_from(inputs))
     for (double u : numbers(inputs.at("u"))) {
@@ -60,12 +58,12 @@ std::vector<bsdf::SampleQuery> queries_from(const json& inputs) {
   return queries;
 }
 
-Result<Batch> batch_from(const json& inputs) {
+Result<Batch> batch_from(const Json& inputs) {
   Batch batch;
-  CUTICLE_ASSIGN(batch.model, bsdf::find_model(inputs.at("model").get<std::string>()));
+  CUTICLE_ASSIGN(batch.model, bsdf::find_model(inputs.at("model").text()));
   CUTICLE_ASSIGN(batch.values, registry::parse_assignments(batch.model->entry.parameters, inputs.value("set", std::string())));
   if (!is_sample(inputs)) {
-    CUTICLE_ASSIGN(batch.quantity, bsdf::find_quantity(inputs.at("quantity").get<std::string>()));
+    CUTICLE_ASSIGN(batch.quantity, bsdf::find_quantity(inputs.at("quantity").text()));
   }
   CUTICLE_ASSIGN(batch.lobe, bsdf::find_lobe(*batch.model, inputs.value("lobe", std::string("sum"))));
   batch.points = points_from(inputs);
@@ -85,7 +83,7 @@ Values flat(std::span<const bsdf::Sample> samples) {
   return values;
 }
 
-Result<Values> run(const json& inputs, bsdf::Precision precision) {
+Result<Values> run(const Json& inputs, bsdf::Precision precision) {
   CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
   if (is_sample(inputs)) {
     const std::vector<bsdf::SampleQuery> queries = queries_from(inputs);
@@ -100,8 +98,8 @@ Result<Values> run(const json& inputs, bsdf::Precision precision) {
 
 }  // namespace
 
-Result<Values> run_model_f32(const json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f32); }
-Result<Values> run_model_f64(const json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f64); }
+Result<Values> run_model_f32(const Json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f32); }
+Result<Values> run_model_f64(const Json& inputs, GpuSession*) { return run(inputs, bsdf::Precision::f64); }
 
 #ifdef CUTICLE_HAS_GPU
 namespace {
@@ -117,7 +115,7 @@ Result<bsdf::GpuEvaluator*> evaluator_of(const bsdf::Model& model, GpuSession& s
 
 }  // namespace
 
-Result<Values> run_model_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_model_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Batch batch, batch_from(inputs));
   std::vector<glm::dvec3> out(batch.points.size());
   CUTICLE_ASSIGN(bsdf::GpuEvaluator* evaluator, evaluator_of(*batch.model, *session));

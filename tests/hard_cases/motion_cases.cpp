@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/sim/solver.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
@@ -15,8 +15,6 @@
 
 namespace cuticle::hard_cases {
 namespace {
-
-using nlohmann::json;
 
 struct Setting {
   strands::Groom groom;
@@ -29,34 +27,35 @@ Result<registry::ParameterValues> values_of(const std::string& effect, const std
   return registry::parse_assignments(entry->entry.parameters, settings);
 }
 
-Result<Setting> setting_from(const json& inputs) {
+Result<Setting> setting_from(const Json& inputs) {
   Setting setting;
   setting.groom = groom_from(inputs.at("groom"));
   CUTICLE_ASSIGN(setting.solver, values_of("classic", inputs.value("solver", std::string())));
-  const json effects = inputs.value("effects", json::object());
+  const Json effects = inputs.value("effects", Json::object());
   for (const auto& [name, settings] : effects.items()) {
     CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings));
   }
   return setting;
 }
 
-std::vector<Sphere> spheres(const json& inputs) {
+std::vector<Sphere> spheres(const Json& inputs) {
   std::vector<Sphere> list;
-  for (const json& sphere : inputs.value("colliders", json::array())) list.push_back({vector(sphere), sphere.at(3)});
+  for (const Json& sphere : inputs.value("colliders", Json::list()))
+    list.push_back({vector(sphere), sphere.at(3).number()});
   return list;
 }
 
-glm::dmat4 moved(const glm::dmat4& head, const json& frame) {
+glm::dmat4 moved(const glm::dmat4& head, const Json& frame) {
   const glm::dvec3 move = frame.contains("move") ? vector(frame.at("move")) : glm::dvec3(0);
   const double turn = frame.value("turn_deg", 0.0) * std::numbers::pi / 180;
   return glm::rotate(glm::translate(glm::dmat4(1), move) * head, turn, glm::dvec3(0, 1, 0));
 }
 
 /// Runs the frames; gives the head's last place.
-Result<glm::dvec3> run_frames(sim::Solver& solver, const json& inputs) {
+Result<glm::dvec3> run_frames(sim::Solver& solver, const Json& inputs) {
   const std::vector<Sphere> colliders = spheres(inputs);
   glm::dmat4 head(1);
-  for (const json& frame : inputs.at("frames"))
+  for (const Json& frame : inputs.at("frames"))
     for (int k = 0; k < frame.value("repeat", 1); ++k) {
       const glm::dmat4 next = moved(head, frame);
       CUTICLE_TRY(solver.advance({frame.value("duration", 1.0 / 60), head, next, colliders, frame.value("teleport", false)}));
@@ -76,15 +75,15 @@ Values measured(const std::string& measure, const strands::Groom& rest, const si
   return values;
 }
 
-Result<Values> run(sim::Solver& solver, const strands::Groom& rest, const json& inputs) {
+Result<Values> run(sim::Solver& solver, const strands::Groom& rest, const Json& inputs) {
   CUTICLE_ASSIGN(const glm::dvec3 head, run_frames(solver, inputs));
   CUTICLE_ASSIGN(const sim::State state, solver.state());
-  return measured(inputs.at("measure"), rest, state, head);
+  return measured(inputs.at("measure").text(), rest, state, head);
 }
 
 }  // namespace
 
-Result<Values> run_motion_f32(const json& inputs, GpuSession*) {
+Result<Values> run_motion_f32(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect("classic"));
   CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, effect->create(setting.groom, setting.solver, setting.effects));
@@ -92,7 +91,7 @@ Result<Values> run_motion_f32(const json& inputs, GpuSession*) {
 }
 
 #ifdef CUTICLE_HAS_GPU
-Result<Values> run_motion_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_motion_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect("classic"));
   CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,

@@ -1,6 +1,6 @@
 // Shadow methods: {"method", "set", "groom", "alpha", "to_light"} gives the transmittance at every vertex of the groom.
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
@@ -13,8 +13,6 @@
 namespace cuticle::hard_cases {
 namespace {
 
-using nlohmann::json;
-
 struct Setting {
   const shadows::Method* method = nullptr;
   registry::ParameterValues values;
@@ -23,7 +21,7 @@ struct Setting {
   glm::dvec3 to_light{0};
 };
 
-Result<Setting> setting_from(const json& inputs) {
+Result<Setting> setting_from(const Json& inputs) {
   Setting setting;
   CUTICLE_ASSIGN(setting.method, shadows::find_method(inputs.value("method", std::string("opacity_map"))));
   CUTICLE_ASSIGN(setting.values, registry::parse_assignments(setting.method->entry.parameters, inputs.value("set", std::string())));
@@ -35,7 +33,7 @@ Result<Setting> setting_from(const json& inputs) {
 
 }  // namespace
 
-Result<Values> run_shadow_f32(const json& inputs, GpuSession*) {
+Result<Values> run_shadow_f32(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   const shadows::Casters casters{&setting.groom, setting.alpha, setting.to_light};
   CUTICLE_ASSIGN(const shadows::Transmittance transmittance,
@@ -69,7 +67,7 @@ Result<Uploaded> upload(gpu::Device& device, const strands::Groom& groom) {
 
 }  // namespace
 
-Result<Values> run_shadow_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_shadow_gpu(const Json& inputs, GpuSession* session) {
   const std::shared_ptr<gpu::Device>& device = session->device;
   CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(setting.method->entry.name));

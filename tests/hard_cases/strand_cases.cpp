@@ -1,8 +1,8 @@
 // Strands as data: {"groom", "operation": "smooth" | "tangents" | "validate", "vertices"}. smooth gives coordinates, tangents their
 // lengths, validate nothing.
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
+#include <cuticle/core/json/json.h>
 #include <cuticle/strands/spline/smooth.h>
 #include <cuticle/tests/hard_cases/subject.h>
 #ifdef CUTICLE_HAS_GPU
@@ -15,8 +15,6 @@
 namespace cuticle::hard_cases {
 namespace {
 
-using nlohmann::json;
-
 Values lengths(std::span<const glm::vec3> vectors) {
   Values values;
   for (const glm::vec3& v : vectors) values.push_back(double(glm::length(v)));
@@ -25,11 +23,11 @@ Values lengths(std::span<const glm::vec3> vectors) {
 
 }  // namespace
 
-Result<Values> run_strands_f32(const json& inputs, GpuSession*) {
+Result<Values> run_strands_f32(const Json& inputs, GpuSession*) {
   const strands::Groom groom = groom_from(inputs.at("groom"));
   CUTICLE_TRY(strands::validate(groom));
-  const std::string operation = inputs.at("operation");
-  if (operation == "smooth") return coordinates(strands::smooth(groom, inputs.at("vertices")).positions);
+  const std::string operation = inputs.at("operation").text();
+  if (operation == "smooth") return coordinates(strands::smooth(groom, inputs.at("vertices").get<int>()).positions);
   if (operation == "tangents") return lengths(strands::tangents(groom));
   return Values{};
 }
@@ -59,10 +57,10 @@ Result<std::unique_ptr<strands::StrandGenerator>> generated(const std::shared_pt
 
 }  // namespace
 
-Result<Values> run_strands_gpu(const json& inputs, GpuSession* session) {
+Result<Values> run_strands_gpu(const Json& inputs, GpuSession* session) {
   const strands::Groom groom = groom_from(inputs.at("groom"));
   CUTICLE_TRY(strands::validate(groom));
-  const std::string operation = inputs.at("operation");
+  const std::string operation = inputs.at("operation").text();
   if (operation == "validate") return Values{};
   CUTICLE_ASSIGN(const auto generator, generated(session->device, groom, inputs.value("vertices", 8)));
   const gpu::Buffer& buffer = operation == "smooth" ? generator->vertices() : generator->tangents();

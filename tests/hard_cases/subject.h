@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include <cuticle/core/json/json.h>
 #include <cuticle/core/result.h>
 #include <cuticle/strands/groom.h>
 #include <cuticle/tests/hard_cases/hard_case_runner.h>
@@ -17,7 +16,7 @@ namespace cuticle::hard_cases {
 using Values = std::vector<double>;
 /// The device and the model kernels made on it so far (gpu_session.h); null on the CPU.
 struct GpuSession;
-using Run = Result<Values> (*)(const nlohmann::json& inputs, GpuSession* session);
+using Run = Result<Values> (*)(const Json& inputs, GpuSession* session);
 
 /// A subject by name, with how it runs in each Precision; null where it does not.
 struct Subject {
@@ -26,27 +25,27 @@ struct Subject {
 };
 std::span<const Subject> subjects();
 
-Result<Values> run_function_f32(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_function_f64(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_function_gpu(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_model_f32(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_model_f64(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_model_gpu(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_lut_stored(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_lut_f64(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_lut_gpu(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_shadow_f32(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_shadow_gpu(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_motion_f32(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_motion_gpu(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_strands_f32(const nlohmann::json& inputs, GpuSession* session);
-Result<Values> run_strands_gpu(const nlohmann::json& inputs, GpuSession* session);
+Result<Values> run_function_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_function_f64(const Json& inputs, GpuSession* session);
+Result<Values> run_function_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_model_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_model_f64(const Json& inputs, GpuSession* session);
+Result<Values> run_model_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_lut_stored(const Json& inputs, GpuSession* session);
+Result<Values> run_lut_f64(const Json& inputs, GpuSession* session);
+Result<Values> run_lut_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_shadow_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_shadow_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_motion_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_motion_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_strands_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_strands_gpu(const Json& inputs, GpuSession* session);
 
 /// A number, a list of numbers, or {"from", "to", "count"}; "nan", "inf" and "-inf" are numbers here.
-std::vector<double> numbers(const nlohmann::json& value);
-glm::dvec3 vector(const nlohmann::json& value);
+std::vector<double> numbers(const Json& value);
+glm::dvec3 vector(const Json& value);
 /// {"points": [[[x, y, z], ...], ...]} or {"lines": [{"from", "to", "vertices", "count", "spacing"}]}, with "radius"; metres.
-strands::Groom groom_from(const nlohmann::json& value);
+strands::Groom groom_from(const Json& value);
 /// x, y, z of every point.
 Values coordinates(std::span<const glm::vec3> points);
 

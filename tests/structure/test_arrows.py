@@ -6,7 +6,7 @@ import pytest
 from repository import ARROWS, BUILD, EXTRA, LEAVES, ROOT, WITH_GPU_HALF, closure, code_files, includes, is_gpu_half, module_of
 
 HEAVY = {
-    r"embree3/|embree4/": "strands/rays/", r"OpenImageIO/|OpenEXR/|Imath/": "core/image/", r"ceres/|openssl/": "lut/",
+    r"nlohmann/": "core/json/", r"embree3/|embree4/": "strands/rays/", r"OpenImageIO/|OpenEXR/|Imath/": "core/image/", r"ceres/|openssl/": "lut/",
     r"vtk\w+\.h": "viz/", r"vulkan/|volk\.h": "gpu/", r"tiny_gltf\.h": "strands/character/",
 }
 

@@ -1,0 +1,73 @@
+#include <cuticle/core/json/json.h>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace cuticle {
+namespace {
+
+TEST(Json, BracedLists_BecomeObjectsOnlyWhereEveryItemIsAPairWithAKey) {
+  EXPECT_EQ(Json({{"a", 1}, {"b", {2, 3}}}).dump(), R"({"a":1,"b":[2,3]})");
+  EXPECT_EQ(Json({{"a", 1}, {"b", 2, 3}}).dump(), R"([["a",1],["b",2,3]])");
+  EXPECT_EQ(Json(std::vector<double>{1, 0.5}).dump(), "[1.0,0.5]");
+}
+
+TEST(Json, WrittenAndRead_IsEqual) {
+  const Json json = {{"zebra", std::numeric_limits<std::uint64_t>::max()},
+                     {"least", std::numeric_limits<std::int64_t>::min()},
+                     {"third", 1.0 / 3},
+                     {"tiny", 5e-324},
+                     {"text", "a \"quoted\" \n line"},
+                     {"nothing", nullptr},
+                     {"truth", true},
+                     {"empty", {{"list", Json::list()}, {"object", Json::object()}}}};
+  EXPECT_EQ(Json::parse(json.dump()).value(), json);
+  EXPECT_EQ(Json::parse(json.dump(2)).value(), json);
+}
+
+TEST(Json, Keys_KeepTheirOrderAndTheLastValue) {
+  EXPECT_EQ(Json::parse(R"({"z": 1, "a": 2, "z": 3})").value().dump(), R"({"z":3,"a":2})");
+}
+
+TEST(Json, NumbersOfDifferentKinds_AreComparedByValue) {
+  EXPECT_EQ(Json(1), Json(1u));
+  EXPECT_EQ(Json(1), Json(1.0));
+  EXPECT_NE(Json(-1), Json(std::numeric_limits<std::uint64_t>::max()));
+  EXPECT_NE(Json(true), Json(1));
+}
+
+TEST(Json, NumbersThatJsonLacks_AreWrittenAsNull) {
+  EXPECT_EQ(Json({std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1}).dump(),
+            "[null,null,1]");
+}
+
+TEST(Json, BytesThatAreNoUtf8_AreReplaced) { EXPECT_EQ(Json("a\xff").dump(), "\"a\xef\xbf\xbd\""); }
+
+TEST(Json, WhatIsNoJson_IsRefusedWithTheByte) {
+  EXPECT_EQ(Json::parse("{\"a\": }").error().message, "not JSON at byte 7");
+  EXPECT_FALSE(Json::parse("").ok());
+  EXPECT_FALSE(Json::parse("1 2").ok());
+  EXPECT_FALSE(Json::parse(std::string(200'000, '[')).ok());
+}
+
+TEST(Json, AnotherKindThanAskedFor_IsAMismatchThatSaysBoth) {
+  const Json json = {{"name", 3}};
+  EXPECT_THROW(json["name"].text(), Json::Mismatch);
+  EXPECT_THROW(json.at("age"), Json::Mismatch);
+  EXPECT_THROW(json["name"].at(0), Json::Mismatch);
+  EXPECT_THROW(json.value("name", true), Json::Mismatch);
+  EXPECT_EQ(json.value("age", 7), 7);
+}
+
+TEST(Json, ChangedInPlace_HoldsWhatWasPut) {
+  Json json;
+  json["list"].push_back(1);
+  json["gone"] = 2;
+  json.erase("gone");
+  json.update({{"list", {1, 2}}, {"more", "x"}});
+  EXPECT_EQ(json.dump(), R"({"list":[1,2],"more":"x"})");
+}
+
+}  // namespace
+}  // namespace cuticle
