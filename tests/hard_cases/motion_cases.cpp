@@ -33,7 +33,7 @@ Result<Setting> setting_from(const Json& inputs) {
   CUTICLE_ASSIGN(setting.solver, values_of("classic", inputs.value("solver", std::string())));
   const Json effects = inputs.value("effects", Json::object());
   for (const auto& [name, settings] : effects.items()) {
-    CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings));
+    CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings.text()));
   }
   return setting;
 }
