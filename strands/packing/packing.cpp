@@ -31,38 +31,12 @@ PackedStrand strand_of(const Groom& groom, std::size_t s) {
   return strand;
 }
 
-/// The code of a coordinate in [-1, 1], rounded down; one more is the next above.
-std::uint32_t coordinate_below(double x) {
-  return std::uint32_t(std::clamp(std::floor(x * 32767 + 32767), 0.0, 65533.0));
-}
-
-/// Of the four codes about the direction, that whose direction lies nearest.
-std::uint32_t packed_tangent(const glm::dvec3& direction) {
-  const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
-  double x = direction.x / sum, y = direction.y / sum;
-  if (direction.z < 0) {
-    const double folded_x = (1 - std::abs(y)) * (x < 0 ? -1 : 1);
-    y = (1 - std::abs(x)) * (y < 0 ? -1 : 1);
-    x = folded_x;
-  }
-  std::uint32_t best = 0;
-  double nearest = 9;
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint32_t word = (coordinate_below(x) + (k & 1)) | ((coordinate_below(y) + (k >> 1)) << 16);
-    const double distance = glm::distance(unpacked_tangent<double>(word), direction);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    best = word;
-  }
-  return best;
-}
-
 PackedVertex vertex_of(const glm::vec3& position, float radius, const glm::vec3& tangent, const PackedStrand& strand) {
   const glm::dvec3 offset = glm::dvec3(position) - glm::dvec3(strand.center);
   const auto unit = double(strand.half_extent);
   return {half_bits(offset.x, unit) | half_bits(offset.y, unit) << 16,
           half_bits(offset.z, unit) | half_bits(double(radius), double(strand.largest_radius)) << 16,
-          packed_tangent(glm::normalize(glm::dvec3(tangent)))};
+          packed_tangent<double>(glm::normalize(glm::dvec3(tangent)))};
 }
 
 }  // namespace

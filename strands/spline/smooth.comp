@@ -10,28 +10,28 @@ layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };     /
 layout(std430, binding = 2) writeonly buffer Smoothed { vec4 smoothed[]; };    // hairs x vertices: position, fraction
 layout(push_constant) uniform Constants { uint hairs; uint vertices; };
 
-vec3 control(uint first, uint count, int i) { return controls[first + uint(clamp(i, 0, int(count) - 1))].xyz; }
-
-vec3 point_at(uint first, uint count, uint vertex) {
-  if (count == 1u) return controls[first].xyz;
-  const int i = int(curve_segment(vertex, vertices, count));
-  const vec3 before = control(first, count, i - 1), begin = control(first, count, i);
-  const vec3 end = control(first, count, i + 1), after = control(first, count, i + 2);
-  return bezier_point(begin, end, control_tangent(before, begin, end), control_tangent(begin, end, after),
-                      curve_place(vertex, vertices, count));
-}
-
-float fraction_at(uint first, uint count, uint vertex) {
+// One walk along the control hair finds the curve's two ends, their neighbours, and the lengths before, in and of all segments.
+vec4 smoothed_at(uint first, uint count, uint vertex) {
   const uint segment = count > 1u ? curve_segment(vertex, vertices, count) : 0u;
-  float before = 0.0, here = 0.0, whole = 0.0;
-  for (uint k = 0u; k + 1u < count; ++k) {
-    const float chord = distance(controls[first + k].xyz, controls[first + k + 1u].xyz);
-    if (k < segment) before += chord;
-    if (k == segment) here = chord;
+  const float place = count > 1u ? curve_place(vertex, vertices, count) : 0.0;
+  vec3 point = controls[first].xyz, before = point, begin = point, end = point, after = point;
+  float behind = 0.0, here = 0.0, whole = 0.0;
+  for (uint k = 1u; k < count; ++k) {
+    const vec3 next = controls[first + k].xyz;
+    const float chord = distance(point, next);
+    before = k <= segment ? begin : before;
+    begin = k <= segment ? next : begin;
+    end = k == segment + 1u ? next : end;
+    after = k == segment + 1u || k == segment + 2u ? next : after;
+    behind += k <= segment ? chord : 0.0;
+    here = k == segment + 1u ? chord : here;
     whole += chord;
+    point = next;
   }
-  if (whole <= 0.0) return float(vertex) / float(vertices - 1u);
-  return min((before + here * curve_place(vertex, vertices, count)) / whole, 1.0);
+  const float fraction =
+      whole > 0.0 ? min((behind + here * place) / whole, 1.0) : float(vertex) / float(vertices - 1u);
+  return vec4(bezier_point(begin, end, control_tangent(before, begin, end), control_tangent(begin, end, after), place),
+              fraction);
 }
 
 void main() {
@@ -39,5 +39,5 @@ void main() {
   const uint i = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (i >= hairs * vertices) return;
   const uint first = offsets[i / vertices], count = offsets[i / vertices + 1u] - first;
-  smoothed[i] = vec4(point_at(first, count, i % vertices), fraction_at(first, count, i % vertices));
+  smoothed[i] = smoothed_at(first, count, i % vertices);
 }

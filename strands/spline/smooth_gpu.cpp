@@ -12,13 +12,13 @@
 namespace cuticle::strands {
 namespace {
 
-constexpr float k_tip_radius = 0.5f;     // of the root's
+constexpr float k_tip_radius = 0.5f;  // of the root's
 
 struct SmoothConstants {
   std::uint32_t hairs, vertices;
 };
 struct InterpolateConstants {
-  std::uint32_t strands, vertices;
+  std::uint32_t strands, vertices, run;
   float radius, tip_radius;
 };
 
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t verti
 
 struct StrandGenerator::Impl {
   std::shared_ptr<gpu::Device> device;
-  std::size_t hairs = 0, strands = 0, vertices_per_strand = 0;
+  std::size_t hairs = 0, strands = 0, vertices_per_strand = 0, run = 0;
   float radius = 0;
   gpu::Kernel smooth, interpolate;
   gpu::Buffer offsets, smoothed, hairs_of_strand, weights, vertices, tangents, segments;
@@ -116,6 +116,9 @@ Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr
   impl->hairs = input.control->strand_count();
   impl->strands = input.hairs.size();
   impl->vertices_per_strand = std::size_t(input.vertices_per_strand);
+  // Software runs a load lane by lane, so that the fewest are the quickest; a GPU wants neighbours in neighbouring
+  // threads.
+  impl->run = impl->device->info().is_software ? impl->vertices_per_strand : 4;
   impl->radius = input.radius;
   CUTICLE_TRY(impl->make_outputs());
   CUTICLE_TRY(impl->upload(input));
@@ -136,8 +139,9 @@ Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::
 
 Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
   const InterpolateConstants constants{std::uint32_t(impl_->strands), std::uint32_t(impl_->vertices_per_strand),
-                                       impl_->radius, impl_->radius * k_tip_radius};
-  const Groups groups = groups_for(vertex_count());
+                                       std::uint32_t(impl_->run), impl_->radius, impl_->radius * k_tip_radius};
+  const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
+  const Groups groups = groups_for(impl_->strands * runs);
   commands.begin_pass("generate.interpolate");
   commands.dispatch(impl_->interpolate,
                     {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},

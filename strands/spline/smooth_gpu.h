@@ -15,8 +15,8 @@ struct StrandGeneratorInput {
   float radius = 35e-6f;                                ///< drawn fibre radius, metres; tapers to half at the tip
 };
 /// N4 and N5 on the device: the passes "generate.smooth" (one thread per vertex of a smoothed control hair) and
-/// "generate.interpolate" (one thread per drawn vertex, tangents included), one dispatch each. The formulas are
-/// those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
+/// "generate.interpolate" (one thread per run of drawn vertices, tangents included), one dispatch each. The formulas
+/// are those of bezier.glslh and tangent.glslh, so that smooth(), interpolate() and tangents() on the CPU agree within
 /// float rounding (strand_generator_test). Control positions: vec4 per control vertex, world metres, the fourth
 /// component unused.
 class StrandGenerator {

@@ -179,9 +179,10 @@ TEST(StrandGenerator, NoDrawnStrands_GenerateNothing) {
 
 TEST(StrandGenerator, MoreVerticesThanOneRowOfWorkgroups_AreAllGenerated) {
   const Groom control = control_hairs();
-  const std::uint32_t strands = 1060000;  // of two vertices: past 32,768 groups of 64
+  const std::uint32_t strands = 2120000;  // of two vertices, a thread each: past 32,768 groups of 64
   Drawn many;
-  for (std::uint32_t s = 0; s < strands; ++s) many.add({s % 3, (s + 1) % 3, 2}, {0.5f, 0.25f, 0.25f});
+  many.weights.assign(strands, {0.5f, 0.25f, 0.25f});
+  for (std::uint32_t s = 0; s < strands; ++s) many.hairs.push_back({s % 3, (s + 1) % 3, 2});
   const Generated gpu = generate(control, many, 2);
   const std::size_t last = 2 * (strands - 1), same = 2 * ((strands - 1) % 3);
   for (std::size_t i = 0; i < 2; ++i) ASSERT_EQ(gpu.vertices[last + i], gpu.vertices[same + i]);

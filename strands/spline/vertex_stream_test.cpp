@@ -47,6 +47,33 @@ TEST(VertexStream, EveryFrame_IsSmoothingThenInterpolating) {
   }
 }
 
+TEST(VertexStream, HairsOfOneVertexOrPlaceAndReversedOnes_AreThoseOfSmoothing) {
+  Groom control;
+  const std::vector<std::vector<glm::vec3>> hairs{{{0, 1, 0}},
+                                                  {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}},
+                                                  {{0, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                                                  {{0, 0, 0}, {0.2f, 0.1f, 0}, {0.5f, 0.1f, 0.1f}, {0.6f, 0, 0}}};
+  for (const auto& hair : hairs) {
+    control.positions.insert(control.positions.end(), hair.begin(), hair.end());
+    control.offsets.push_back(std::uint32_t(control.positions.size()));
+  }
+  control.radii.assign(control.vertex_count(), 1e-4f);
+  const std::vector<std::array<std::uint32_t, 3>> corners{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 2, 0}};
+  const std::vector<glm::vec3> weights{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0.5f, 0.25f, 0.25f}};
+  auto stream = VertexStream::create(control, k_most_vertices, corners, weights, 4e-5f);
+  ASSERT_TRUE(stream);
+  stream->update(control.positions);
+  const Mesh scalp{std::vector<glm::vec3>(4), {}, {}, corners};
+  const std::vector<Root> roots{{0, weights[0]}, {1, weights[1]}, {2, weights[2]}, {3, weights[3]}};
+  const std::vector<std::uint32_t> own{0, 1, 2, 3};
+  const Groom expected = interpolate(smooth(control, k_most_vertices), scalp, roots, own);
+  const std::vector<glm::vec3> along = tangents(expected);
+  for (std::size_t v = 0; v < expected.vertex_count(); ++v) {
+    ASSERT_LT(glm::distance(glm::vec3(stream->vertices()[v]), expected.positions[v]), 1e-6f) << v;
+    ASSERT_LT(glm::distance(glm::vec3(stream->tangents()[v]), along[v]), 1e-3f) << v;
+  }
+}
+
 TEST(VertexStream, HeldBytes_AreLittleMoreThanTheOutput) {
   const Hair hair;
   std::vector<std::array<std::uint32_t, 3>> many;
