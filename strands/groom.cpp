@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cuticle/strands/finite.h>
@@ -18,21 +19,25 @@ namespace {
 /// Strands measured for guess_units, evenly spread over the groom: enough for a fit of 95 %, at no cost worth a name.
 constexpr std::size_t k_measured_strands = 20000;
 
-/// The length that 95 % of the strands do not pass, and the largest side of the bounds.
+/// The length that 95 % of the measured strands do not pass, and the largest side of their bounds.
 struct Extent {
   double length = 0, width = 0;
 };
 Extent extent(const Groom& groom) {
   const std::size_t step = 1 + groom.strand_count() / k_measured_strands;
   std::vector<double> lengths;
-  for (std::size_t s = 0; s < groom.strand_count(); s += step) lengths.push_back(strand_length(groom, s));
+  Bounds box;
+  for (std::size_t s = 0; s < groom.strand_count(); s += step) {
+    lengths.push_back(strand_length(groom, s));
+    if (s == 0 && groom.strand_size(s) > 0) box = {groom.positions.front(), groom.positions.front()};
+    for (const glm::vec3& point : groom.strand(s)) box = {glm::min(box.lower, point), glm::max(box.upper, point)};
+  }
   Extent result;
   if (!lengths.empty()) {
     const auto at = lengths.begin() + std::ptrdiff_t(double(lengths.size() - 1) * 0.95);
     std::nth_element(lengths.begin(), at, lengths.end());
     result.length = *at;
   }
-  const Bounds box = bounds(groom);
   const glm::dvec3 side = glm::dvec3(box.upper) - glm::dvec3(box.lower);
   result.width = std::max({side.x, side.y, side.z});
   return result;

@@ -1,6 +1,5 @@
 #include <cuticle/strands/binding/root_file.h>
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -12,12 +11,6 @@ namespace cuticle::strands {
 
 namespace {
 
-template <class T>
-bool parse_whole(std::string_view text, T& value) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return code == std::errc() && end == text.data() + text.size();
-}
-
 /// Lines of a text with their numbers.
 class Lines {
  public:
@@ -27,14 +20,14 @@ class Lines {
     std::string_view line = next();
     std::size_t value = 0;
     if (parse_whole(next_word(line), value) && next_word(line).empty()) return value;
-    return bad_input(fmt::format("{}: line 1: expected the number of roots", where_));
+    return line_error(where_, 1, "expected the number of roots");
   }
   Result<glm::vec3> vector() {
     std::string_view line = next();
     glm::vec3 value(0);
     for (int k = 0; k < 3; ++k)
       if (!parse_whole(next_word(line), value[k]) || !std::isfinite(value[k]))
-        return bad_input(fmt::format("{}: line {}: expected three finite numbers", where_, number_));
+        return line_error(where_, number_, "expected three finite numbers");
     return value;
   }
   /// How many lines there can be at most.

@@ -2,7 +2,6 @@
 #include <cuticle/strands/formats/formats.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -18,29 +17,21 @@ namespace {
 /// position / texture coordinate / normal of a face corner, 0-based; -1 where the corner has none.
 using Corner = std::array<std::int64_t, 3>;
 
-template <class T>
-bool parse_whole(std::string_view text, T& value) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return code == std::errc() && end == text.data() + text.size();
-}
-
 class ObjParser {
  public:
   explicit ObjParser(const std::string& where) : where_(where) {}
 
   Result<Mesh> parse(std::string_view text) {
     while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_number_;
-      CUTICLE_TRY(parse_line(text.substr(0, end)));
-      text.remove_prefix(std::min(end + 1, text.size()));
+      CUTICLE_TRY(parse_line(next_line(text)));
     }
     return finish();
   }
 
  private:
   Error error(const std::string& field, const std::string& problem) const {
-    return bad_input(fmt::format("{}: line {}: {}: {}", where_, line_number_, field, problem));
+    return line_error(where_, line_number_, field + ": " + problem);
   }
 
   Result<void> parse_line(std::string_view line) {

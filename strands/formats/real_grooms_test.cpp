@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cuticle/strands/binding/binding.h>
+#include <cuticle/strands/binding/placement.h>
 #include <cuticle/strands/formats/formats.h>
 
 namespace cuticle::strands {
@@ -47,6 +49,7 @@ TEST_P(RealGrooms, Units_AreGuessedAsCentimetres) {
   EXPECT_EQ(file->metres_per_unit, 0.01) << file->notes.front();
 }
 
+// Equal positions have equal lengths.
 TEST_P(RealGrooms, ThroughEveryWrittenFormat_SameCountsAndPositions) {
   const auto file = read_groom(data(GetParam().path));
   ASSERT_TRUE(file.ok()) << file.error().message;
@@ -61,10 +64,39 @@ TEST_P(RealGrooms, ThroughEveryWrittenFormat_SameCountsAndPositions) {
   }
 }
 
-TEST(RealProjects, Ponytail_FourPartsInOneGroom) {
-  const auto file = read_groom(data("strands/tressfx/ponytail/ponytail.tfxproj"));
+TEST_P(RealGrooms, BoundToAHead_KeepsCountsAndLengths) {
+  const auto file = read_groom(data(GetParam().path));
   ASSERT_TRUE(file.ok()) << file.error().message;
-  EXPECT_EQ(file->groom.strand_count(), 876u + 3066 + 517 + 255);
+  static const Mesh head = make_head().mesh;
+  Groom bound = file->groom;
+  std::vector<glm::vec3> roots;
+  for (std::size_t s = 0; s < bound.strand_count(); ++s) roots.push_back(bound.strand(s)[0]);
+  const auto placement = fit_placement(roots, head, 1);
+  ASSERT_TRUE(placement.ok()) << placement.error().message;
+  place(bound, *placement);
+  const auto binding = bind_roots(bound, head, 0.005);
+  ASSERT_TRUE(binding.ok()) << binding.error().message;
+  move_roots_onto(bound, head, binding->roots);
+  EXPECT_EQ(bound.offsets, file->groom.offsets);
+  EXPECT_LT(bind_roots(bound, head, 0.005)->report.distance.greatest, 1e-7);
+  for (std::size_t s = 0; s < bound.strand_count(); ++s)
+    EXPECT_NEAR(strand_length(bound, s), placement->scale * strand_length(file->groom, s), 2e-6);
+}
+
+struct RealProject {
+  const char* path;
+  std::size_t strands;
+};
+class RealProjects : public testing::TestWithParam<RealProject> {};
+INSTANTIATE_TEST_SUITE_P(All, RealProjects,
+                         testing::Values(RealProject{"strands/tressfx/ponytail/ponytail.tfxproj",
+                                                     876u + 3066 + 517 + 255},
+                                         RealProject{"strands/tressfx/testhair1/TestHair1.tfxproj", 10027}));
+
+TEST_P(RealProjects, Parts_InOneGroom) {
+  const auto file = read_groom(data(GetParam().path));
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file->groom.strand_count(), GetParam().strands);
   EXPECT_EQ(file->metres_per_unit, 0.01);
 }
 

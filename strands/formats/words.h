@@ -28,6 +28,13 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+/// Whether the whole word is a number of the value's type, which is then set.
+template <class T>
+bool parse_whole(std::string_view word, T& value) {
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return code == std::errc() && end == word.data() + word.size();
+}
+
 /// The number that the whole word is, also "nan" and "inf"; what is too small for a double is 0, too large is infinite.
 inline std::optional<double> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);

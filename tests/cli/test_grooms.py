@@ -1,6 +1,8 @@
 """Groom files that other writers made (NumPy, struct, usd-core), read, converted and mended from the command line."""
+import base64
 import json
 import struct
+import zlib
 
 import numpy
 import pytest
@@ -60,6 +62,68 @@ def test_Convert_ToEveryFormatAndBack_KeepsCountsAndLengths(tmp_path, extension)
     save("positions.npz", tmp_path / "a.npz")
     convert(tmp_path / "a.npz", tmp_path / f"b.{extension}")
     check_counts_and_lengths(tmp_path / f"b.{extension}")
+
+
+def vtp_array(name, kind, values, layout, width, compress, appended):
+    """A DataArray as VTK's writers lay it out; what is appended goes to the list."""
+    raw = values.tobytes()
+    count = {4: "<I", 8: "<Q"}[width]
+    if compress:
+        blocks = [raw[i:i + 64] for i in range(0, len(raw), 64)]
+        packed = [zlib.compress(block) for block in blocks]
+        last = len(blocks[-1]) % 64
+        header = b"".join(struct.pack(count, n) for n in [len(blocks), 64, last, *map(len, packed)])
+        data = base64.b64encode(header) + base64.b64encode(b"".join(packed)) if layout != "raw" else header + b"".join(packed)
+    else:
+        data = struct.pack(count, len(raw)) + raw
+        data = base64.b64encode(data) if layout != "raw" else data
+    attributes = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if name == "Points" else 1}"'
+    if layout == "binary":
+        return f'{attributes} format="binary">\n  {data.decode()}\n</DataArray>'
+    offset = sum(map(len, appended))
+    appended.append(data)
+    return f'{attributes} format="appended" offset="{offset}"/>'
+
+
+def save_vtp(path, layout, width, compress):
+    appended = []
+    def array(*fields):
+        return vtp_array(*fields, layout, width, compress, appended)
+    points = array("Points", "Float64", POSITIONS.reshape(-1, 3).astype(numpy.float64))
+    heat = array("heat", "UInt8", numpy.arange(STRANDS * POINTS, dtype=numpy.uint8))
+    lines = array("connectivity", "Int64", numpy.arange(STRANDS * POINTS)) + \
+        array("offsets", "Int32", numpy.arange(POINTS, STRANDS * POINTS + 1, POINTS, dtype=numpy.int32))
+    compressor = ' compressor="vtkZLibDataCompressor"' if compress else ""
+    text = f'<VTKFile type="PolyData" byte_order="LittleEndian" header_type="UInt{8 * width}"{compressor}><PolyData>' \
+        f'<Piece NumberOfPoints="{STRANDS * POINTS}" NumberOfLines="{STRANDS}"><PointData>{heat}</PointData>' \
+        f'<Points>{points}</Points><Lines>{lines}</Lines></Piece></PolyData>'
+    if appended:
+        text += f'<AppendedData encoding="{"raw" if layout == "raw" else "base64"}">\n   _'
+    path.write_bytes(text.encode() + b"".join(appended) + (b"\n</AppendedData>" if appended else b"") + b"</VTKFile>")
+
+
+@pytest.mark.parametrize("compress", [False, True])
+@pytest.mark.parametrize("width", [4, 8])
+@pytest.mark.parametrize("layout", ["binary", "base64", "raw"])
+def test_Vtp_InEveryEncodingOfVtk_IsRead(tmp_path, layout, width, compress):
+    save_vtp(tmp_path / "a.vtp", layout, width, compress)
+    check_counts_and_lengths(tmp_path / "a.vtp")
+    convert(tmp_path / "a.vtp", tmp_path / "b.npz")
+    with numpy.load(tmp_path / "b.npz") as file:
+        assert numpy.array_equal(file["positions"].reshape(STRANDS, POINTS, 3), POSITIONS)
+        assert file["vertex_heat"].tolist() == list(range(STRANDS * POINTS))
+
+
+def test_Vtp_DamagedOrOfAnotherKind_IsRefusedByName(tmp_path):
+    path = tmp_path / "a.vtp"
+    save_vtp(path, "raw", 8, True)
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-150])
+    assert "cut short or damaged" in refused(3, "info", path)
+    path.write_bytes(whole.replace(b"vtkZLib", b"vtkLZMA"))
+    assert "vtkLZMADataCompressor" in refused(3, "info", path)
+    path.write_bytes(whole.replace(b"LittleEndian", b"BigEndian"))
+    assert "byte_order 'BigEndian'" in refused(3, "info", path)
 
 
 def test_Npz_Written_NumPyReads(tmp_path):

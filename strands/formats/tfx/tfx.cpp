@@ -82,28 +82,39 @@ std::vector<std::uint32_t> even_offsets(const Header& header) {
   return offsets;
 }
 
-/// The usual w: 0 (pinned) at the root, 1 elsewhere.
-float usual_pin(std::size_t vertex, std::size_t strand_size) { return vertex % strand_size == 0 ? 0.0f : 1.0f; }
+/// The usual w of a vertex: 0 (pinned) at the root, 1 elsewhere.
+float usual_pin(std::size_t place_in_strand) { return place_in_strand == 0 ? 0.0f : 1.0f; }
 
-/// Points of version 4, and whether every w follows the usual rule.
-bool read_pinned_positions(const ByteView& bytes, const Header& header, Groom& groom) {
+/// Of points of version 4.
+struct PointCheck {
+  bool usual_pins = true, finite = true;
+};
+/// In blocks: each is checked while it is in the cache.
+PointCheck read_pinned_positions(const ByteView& bytes, const Header& header, Groom& groom) {
   reserve_large(groom.positions, header.vertices());
-  bool usual = true;
+  PointCheck check;
+  glm::vec3 block[1024];
   const std::byte* at = bytes.data() + header.positions;
-  for (std::uint32_t strand = 0; strand < header.strands; ++strand)
-    for (std::uint32_t i = 0; i < header.strand_size; ++i, at += header.vertex_bytes()) {
+  std::uint32_t place = 0;  // in the strand
+  for (std::uint64_t first = 0; first < header.vertices(); first += std::size(block)) {
+    const std::uint64_t size = std::min<std::uint64_t>(std::size(block), header.vertices() - first);
+    for (std::uint64_t k = 0; k < size; ++k, at += header.vertex_bytes()) {
       float point[4];
       std::memcpy(point, at, sizeof(point));
-      groom.positions.emplace_back(point[0], point[1], point[2]);
-      usual &= point[3] == usual_pin(i, header.strand_size);
+      block[k] = {point[0], point[1], point[2]};
+      check.usual_pins &= point[3] == usual_pin(place);
+      place = place + 1 == header.strand_size ? 0 : place + 1;
     }
-  return usual;
+    check.finite &= all_finite({&block[0].x, 3 * size});
+    groom.positions.insert(groom.positions.end(), block, block + size);
+  }
+  return check;
 }
 
 Result<void> read_version_4(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
   const std::uint64_t count = header.vertices();
-  const bool usual = read_pinned_positions(bytes, header, groom);
-  if (usual && (damage == Damage::keep || all_finite({&groom.positions.front().x, 3 * count}))) return {};
+  const PointCheck check = read_pinned_positions(bytes, header, groom);
+  if (check.usual_pins && (damage == Damage::keep || check.finite)) return {};
   CUTICLE_ASSIGN(const std::vector<float> numbers,
                  read_array<float>(bytes, "positions", header.positions, 4 * count, damage));
   std::vector<float> w(count);
@@ -205,7 +216,7 @@ Result<std::vector<std::byte>> format_tfx(const Groom& groom, int version) {
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
     append(bytes, groom.positions[v]);
     append(bytes,
-           movability != groom.attributes.end() ? movability->second.values[v] : usual_pin(v, groom.strand_size(0)));
+           movability != groom.attributes.end() ? movability->second.values[v] : usual_pin(v % groom.strand_size(0)));
   }
   append_all(bytes, std::span<const glm::vec2>(groom.root_uv));
   return bytes;

@@ -1,12 +1,11 @@
-// Grooms as VTK XML PolyData (.vtp), in text: a polyline a strand, arrays of points and of cells.
+// Grooms as VTK XML PolyData (.vtp): a polyline a strand, arrays of points and of cells. Written as text.
 #include <cmath>
 
 #include <fmt/core.h>
-#include <pugixml.hpp>
 
 #include <cuticle/strands/formats/bytes.h>
 #include <cuticle/strands/formats/vtp/detail/arrays.h>
-#include <cuticle/strands/formats/words.h>
+#include <cuticle/strands/formats/vtp/detail/values.h>
 
 namespace cuticle::strands::vtp {
 
@@ -17,8 +16,7 @@ using pugi::xml_node;
 /// Reads one piece of a file; messages name the file and the array.
 class PieceReader {
  public:
-  PieceReader(xml_node piece, const std::string& where, Damage damage)
-      : piece_(piece), where_(where), damage_(damage) {}
+  PieceReader(const VtkFile& file, xml_node piece, Damage damage) : file_(file), piece_(piece), damage_(damage) {}
 
   Result<Groom> read() {
     CUTICLE_ASSIGN(points_, numbers(piece_.child("Points").child("DataArray")));
@@ -34,27 +32,8 @@ class PieceReader {
   }
 
  private:
-  Error error(const std::string& array, const std::string& problem) const {
-    return bad_input(fmt::format("{}: {}: {}", where_, array, problem));
-  }
-
-  Result<std::vector<double>> numbers(xml_node array) const {
-    const std::string name = array.attribute("Name").as_string("DataArray");
-    if (std::string_view(array.attribute("format").as_string("ascii")) != "ascii") {
-      Error refused = error(name, fmt::format("format '{}', allowed ascii", array.attribute("format").as_string()));
-      refused.hint = "write the file with data mode ASCII (ParaView: Save Data, Data Mode: Ascii)";
-      return refused;
-    }
-    std::vector<double> values;
-    std::string_view text = array.text().get();
-    while (!text.empty())
-      for (std::string_view line = next_line(text), word = next_word(line); !word.empty(); word = next_word(line)) {
-        const std::optional<double> value = to_number(word);
-        if (!value) return error(name, fmt::format("'{}' is no number", word.substr(0, 40)));
-        values.push_back(*value);
-      }
-    return values;
-  }
+  Error error(const std::string& array, const std::string& problem) const { return file_.error(array, problem); }
+  Result<std::vector<double>> numbers(xml_node array) const { return file_.numbers(array); }
 
   xml_node line_array(const char* name) const {
     return piece_.child("Lines").find_child_by_attribute("DataArray", "Name", name);
@@ -162,8 +141,8 @@ class PieceReader {
     return {};
   }
 
+  const VtkFile& file_;
   xml_node piece_;
-  const std::string& where_;
   Damage damage_;
   Groom groom_;
   std::vector<double> points_;
@@ -171,13 +150,12 @@ class PieceReader {
 };
 
 Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& where, Damage damage) {
-  pugi::xml_document document;
-  const pugi::xml_parse_result read = document.load_buffer(bytes.data(), bytes.size());
-  if (!read) return bad_input(fmt::format("{}: no XML at byte {}: {}", where, read.offset, read.description()));
+  VtkFile file;
+  CUTICLE_TRY(file.open(bytes, where));
   ParsedGroom parsed;
-  for (xml_node piece : document.child("VTKFile").child("PolyData").children("Piece")) {
+  for (xml_node piece : file.root().child("PolyData").children("Piece")) {
     if (piece.attribute("NumberOfLines").as_uint() == 0) continue;
-    CUTICLE_ASSIGN(Groom groom, PieceReader(piece, where, damage).read());
+    CUTICLE_ASSIGN(Groom groom, PieceReader(file, piece, damage).read());
     if (parsed.groom.strand_count() == 0)
       parsed.groom = std::move(groom);
     else
@@ -221,7 +199,7 @@ constexpr std::string_view k_extensions[] = {"vtp"};
 const Format& entry() {
   static const Format format{.name = "vtp",
                              .extensions = k_extensions,
-                             .summary = "VTK XML PolyData, in text, for ParaView and PyVista",
+                             .summary = "VTK XML PolyData, for ParaView and PyVista; written as text",
                              .holds = {.widths = Widths::vertices, .root_uv = true, .roots = true, .attributes = true},
                              .parse = parse,
                              .format = format_groom};
