@@ -12,6 +12,8 @@
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/grow.h>
+#include <cuticle/strands/lod/lod.h>
+#include <cuticle/strands/growing/root_rules.glslh>
 
 namespace cuticle::plan {
 
@@ -102,11 +104,12 @@ std::array<std::uint32_t, 2> nearest_two(std::span<const glm::vec3> roots, std::
   return found;
 }
 
-/// Barycentric weights of follower k: two additive recurrences folded into the triangle.
-glm::vec3 follower_weights(std::size_t k) {
-  double u = std::fmod(double(k) * 0.7548776662466927, 1.0), v = std::fmod(double(k) * 0.5698402909980532, 1.0);
-  if (u + v > 1) u = 1 - u, v = 1 - v;
-  return {1 - u - v, u, v};
+/// Barycentric weights of follower k: two additive recurrences that are even together (2^32 over x and x^2 for
+/// x^3 = x + 1), folded into the triangle.
+glm::vec3 follower_weights(std::uint32_t k) {
+  const glm::vec2 place = strands::folded<float>(strands::recurrence<float>(k, 3242174889u, 0),
+                                                 strands::recurrence<float>(k, 2447445414u, 0));
+  return {1 - place.x - place.y, place.x, place.y};
 }
 
 void add_followers(std::size_t wanted, StrandSet& set) {
@@ -117,8 +120,25 @@ void add_followers(std::size_t wanted, StrandSet& set) {
     const auto leader = std::uint32_t((k - own) % own);
     if (near.size() <= leader) near.push_back(nearest_two(roots, leader));
     set.hairs.push_back({leader, near[leader][0], near[leader][1]});
-    set.weights.push_back(follower_weights(k - own + 1));
+    set.weights.push_back(follower_weights(std::uint32_t(k - own + 1)));
   }
+}
+
+/// Whether the line pass may draw a prefix of the strands.
+bool may_draw_a_prefix(const scene::Scene& scene) {
+  const auto lines = scene.passes.find("lines");
+  return lines != scene.passes.end() && lines->second.real("full_px") > 0;
+}
+
+/// F10: a file's strands stand in an order of its own; grown ones are in one of chance already.
+void put_in_random_order(StrandSet& set) {
+  StrandSet in_order;
+  for (std::uint32_t strand : strands::random_order(set.hairs.size(), k_root_seed)) {
+    in_order.hairs.push_back(set.hairs[strand]);
+    in_order.weights.push_back(set.weights[strand]);
+  }
+  set.hairs = std::move(in_order.hairs);
+  set.weights = std::move(in_order.weights);
 }
 
 Result<void> read(const scene::Scene& scene, StrandSet& set) {
@@ -132,6 +152,7 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
     return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
   for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
   add_followers(std::size_t(scene.strand_count), set);
+  if (may_draw_a_prefix(scene)) put_in_random_order(set);
   if (scene.character || (scene.head.present && scene.head.mesh.empty())) {
     CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
     if (scene.head.present) set.head = std::move(head.mesh);

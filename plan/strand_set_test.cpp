@@ -1,12 +1,15 @@
 // The hair of a scene before its first frame: grown or from a file, with the strands that are drawn between.
 #include <cuticle/plan/strand_set.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include <cuticle/plan/plan.h>
 #include <cuticle/strands/formats/formats.h>
 
 namespace cuticle::plan {
@@ -68,6 +71,25 @@ TEST(StrandSet, Grown_HasTheStrandsAskedForWithWeightsOfSumOne) {
   for (const auto& hair : set->hairs)
     for (std::uint32_t control : hair) EXPECT_LT(control, set->control.strand_count());
   for (const glm::vec3& weights : set->weights) EXPECT_NEAR(weights.x + weights.y + weights.z, 1, 1e-6f);
+}
+
+TEST(StrandSet, OfAFileDrawnByLevelOfDetail_StandsInRandomOrder) {
+  scene::Scene scene = of_file(3000);
+  const auto in_order = build_strand_set(scene);
+  const auto entry = std::ranges::find(catalogue().passes, "lines", &registry::Entry::name);
+  registry::ParameterValues lines = registry::default_values((*entry)->parameters);
+  lines.set("full_px", 1e4);
+  scene.passes.emplace("lines", lines);
+  const auto set = build_strand_set(scene);
+  ASSERT_TRUE(in_order && set);
+  const std::array<std::uint32_t, 3> own{0, 0, 0};  // the file's first strand
+  EXPECT_EQ(std::ranges::find(in_order->hairs, own) - in_order->hairs.begin(), 0);
+  EXPECT_GT(std::ranges::find(set->hairs, own) - set->hairs.begin(), 100);
+  const auto sum = [](const StrandSet& strands) {
+    return std::accumulate(strands.weights.begin(), strands.weights.end(), glm::dvec3(0),
+                           [](const glm::dvec3& total, const glm::vec3& w) { return total + glm::dvec3(w); });
+  };
+  EXPECT_LT(glm::distance(sum(*set), sum(*in_order)), 1e-9);
 }
 
 TEST(StrandSet, FewDrawnStrands_AreAsWideAsTheFibresTheyStandFor) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <cuticle/strands/lod/lod.h>
 #include <fmt/core.h>
+#include <cuticle/strands/lod/lod.glslh>
 #include <glm/geometric.hpp>
 
 namespace cuticle::render::lines {
@@ -93,6 +95,21 @@ void set_view(Frame& frame, const FrameResources& resources) {
   }
 }
 
+DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
+  constexpr double k_least_share = 0.01;
+  const std::uint32_t size = resources.vertices_per_strand;
+  DrawnPart part{resources.strands.vertex_count / std::max(1u, size), std::max(1u, size) - 1};
+  const double full_px = parameters.real("full_px");
+  if (full_px == 0 || part.strands == 0) return part;
+  const double covered_px = strands::covered_pixels(resources.strands.bounds, resources.camera);
+  const double share = strands::drawn_share<double>(covered_px, full_px, k_least_share);
+  const double steps = std::floor(4 * std::log2(1 / share));
+  part.width = std::exp2(steps / 4);
+  part.strands = strands::drawn_strands(part.strands, float(1 / part.width));
+  part.segments = std::uint32_t(strands::drawn_vertices<double>(size, 1 / part.width)) - 1;
+  return part;
+}
+
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters) {
   const double given = parameters.real("width_px");
   if (given > 0) return float(given * resources.supersampling);
@@ -102,5 +119,7 @@ float line_width(const FrameResources& resources, const registry::ParameterValue
   const double width = 2 * resources.strand_radius / pixel;
   return float(std::max(1.0, std::min(width, parameters.real("widest_px")) * resources.supersampling));
 }
+
+float widened(float width, double factor) { return std::max(width, std::min(width * float(factor), k_widest_lines)); }
 
 }  // namespace cuticle::render::lines

@@ -13,7 +13,8 @@ struct Frame {
   glm::vec4 m_scale, n_tt_r_scale, n_trt_scale;
   glm::vec4 multiple;
   std::uint32_t light_count, vertex_count, vertices_per_strand;
-  float variation, tip_variation, unused[3];
+  float variation, tip_variation;
+  std::uint32_t drawn_segments, packed_vertices, unused;
   std::array<glm::vec4, k_max_lights> to_light, irradiance;
 };
 static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 2 * k_max_lights);
@@ -23,8 +24,21 @@ static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 2 * k_max_lights);
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Adds camera and lights.
 void set_view(Frame& frame, const FrameResources& resources);
+
+/// F10: what of the strands a frame draws.
+struct DrawnPart {
+  std::uint32_t strands = 0, segments = 0;  ///< the first of them; of each
+  double width = 1;                         ///< factor that makes up for the strands left out
+};
+/// All where the strands cover the parameter `full_px` pixels, or where it is 0. Widths go in steps of the fourth root
+/// of 2, each with as many strands as cover the area of all.
+DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Line width in supersampled pixels: as given, or a strand's width seen at the camera's target, at least one
 /// supersample and at most `widest_px`.
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters);
+inline constexpr float k_widest_lines =
+    8;  ///< that a level of detail asks for; devices with wide lines have 8 at least
+/// A width times a factor of at least 1, up to k_widest_lines.
+float widened(float width, double factor);
 
 }  // namespace cuticle::render::lines

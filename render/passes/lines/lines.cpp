@@ -9,7 +9,7 @@ using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"strands", "output_color"};
 constexpr std::string_view k_after[] = {"head"};
-constexpr std::string_view k_systems[] = {"H12"};
+constexpr std::string_view k_systems[] = {"F10", "H12", "H15"};
 constexpr Parameter k_parameters[] = {
     {.name = "width_px",
      .unit = "px",
@@ -23,6 +23,18 @@ constexpr Parameter k_parameters[] = {
      .maximum = 16,
      .default_text = "1.25",
      .summary = "limit of the derived width, in pixels of the picture"},
+    {.name = "full_px",
+     .unit = "px",
+     .minimum = 0,
+     .maximum = 1e9,
+     .default_text = "0",
+     .summary =
+         "level of detail: pixels that the hair covers at which all of it is drawn; below, a share of the strands, "
+         "wider, with fewer segments; 0: always all"},
+    {.name = "packed",
+     .type = ParameterType::boolean,
+     .default_text = "false",
+     .summary = "strands are packed to 12 bytes a vertex on the device, and these are drawn"},
     {.name = "tip_variation",
      .minimum = 0,
      .maximum = 1,
@@ -40,6 +52,10 @@ constexpr Parameter k_parameters[] = {
      .summary = "difference between strands: tilt of their tangents and brightness"},
 };
 
+std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape&) {
+  return values.boolean("packed") ? 1 : 0;
+}
+
 }  // namespace
 
 const Pass& entry() {
@@ -51,6 +67,7 @@ const Pass& entry() {
                           .demands = k_demands,
                           .stage = registry::Stage::shade,
                           .systems = k_systems,
+                          .dispatches = dispatches,
                           .draws = 1,
                           .after = k_after}};
   return pass;

@@ -5,9 +5,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lines_frame.glsl"
 
-layout(set = 0, binding = 5) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
-layout(set = 0, binding = 6) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
-layout(set = 0, binding = 7) uniform sampler2D table_n_trt;   // N_TRT rgb
+layout(set = 0, binding = 4) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
+layout(set = 0, binding = 5) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
+layout(set = 0, binding = 6) uniform sampler2D table_n_trt;   // N_TRT rgb
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;

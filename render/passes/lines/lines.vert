@@ -1,12 +1,15 @@
 #version 460
-// Strands as lines: two vertices a segment, pulled from the drawn strands' buffers. Transmittance comes per strand vertex.
+// Strands as lines: two vertices a segment, pulled from the drawn strands' buffers, in full or packed. Transmittance comes
+// per strand vertex.
 #extension GL_GOOGLE_include_directive : require
+#include "cuticle/strands/packing/packing.glslh"
 #include "lines_frame.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };        // three a vertex
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Segments { uint segments[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Transmittance { float transmittance[]; };
+layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // centre, half extent, radius
+layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
@@ -21,17 +24,36 @@ float mixed(uint strand, uint purpose) {
   return float((bits ^ (bits >> 15)) >> 8) * (1.0 / 16777216.0);
 }
 
+vec3 position_of(uint vertex) {
+  if (packed_vertices == 0u) return vertices[vertex].xyz;
+  const uint unit = vertex / vertices_per_strand * 5u, xy = words[3u * vertex], z = words[3u * vertex + 1u];
+  const float extent = strand_units[unit + 3u];
+  return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent), unpacked_length(xy >> 16, strand_units[unit + 1u], extent),
+              unpacked_length(z & 0xffffu, strand_units[unit + 2u], extent));
+}
+vec3 tangent_of(uint vertex) {
+  return packed_vertices == 0u ? tangents[vertex].xyz : unpacked_tangent(words[3u * vertex + 2u]);
+}
+// Of the strand's length; packed strands hold none, and count their vertices.
+float fraction_of(uint vertex) {
+  return packed_vertices == 0u ? tangents[vertex].w
+                               : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
+}
+// Segment ends are evenly spaced among the strand's vertices, whatever the level of detail.
+uint vertex_of(uint strand, uint end) {
+  return strand * vertices_per_strand + end * (vertices_per_strand - 1u) / drawn_segments;
+}
+
 void main() {
-  uint vertex = segments[gl_VertexIndex >> 1] + uint(gl_VertexIndex & 1);
-  uint strand = vertex / vertices_per_strand;
+  const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
+  const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
   vec3 tilt = vec3(mixed(strand, 0u), mixed(strand, 1u), mixed(strand, 2u)) - 0.5;
-  position = vertices[vertex].xyz;
-  tangent = tangents[vertex].xyz + variation * tilt;
+  position = position_of(vertex);
+  tangent = tangent_of(vertex) + variation * tilt;
   brightness = 1.0 + variation * (2.0 * mixed(strand, 3u) - 1.0);
   for (uint k = 0u; k < 8u; ++k)
     reached[k >> 2][k & 3u] = k < light_count ? transmittance[k * vertex_count + vertex] : 0.0;
   // A strand that chance cuts short ends in a segment of no length, outside the view.
-  uint last = segments[gl_VertexIndex >> 1] + 1u;
-  bool kept = tangents[last].w <= 1.0 - tip_variation * mixed(strand, 4u);
+  bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= 1.0 - tip_variation * mixed(strand, 4u);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

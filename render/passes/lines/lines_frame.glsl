@@ -1,5 +1,5 @@
 // What a frame tells the line shaders; frame_gpu.h holds the same fields in the same order.
-layout(std430, set = 0, binding = 4) readonly buffer Frame {
+layout(std430, set = 0, binding = 3) readonly buffer Frame {
   mat4 world_to_clip;
   vec4 eye;
   vec4 m_scale_bias, n_scale_bias;        // texture coordinate = value * xy + zw
@@ -7,6 +7,8 @@ layout(std430, set = 0, binding = 4) readonly buffer Frame {
   vec4 multiple;                          // of light scattered many times, per irradiance
   uint light_count, vertex_count, vertices_per_strand;
   float variation, tip_variation;
+  uint drawn_segments;                    // of a strand
+  uint packed_vertices;                   // 1: strands/packing
   vec4 to_light[8];
   vec4 irradiance[8];
 };

@@ -1,4 +1,4 @@
-#include <cuticle/render/pass.h>
+#include <cuticle/render/generating.h>
 
 namespace cuticle::render::skin {
 
@@ -7,19 +7,15 @@ namespace {
 constexpr std::string_view k_demands[] = {"character", "output_color"};
 constexpr std::string_view k_systems[] = {"H1"};
 
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
-
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "skin",
-                          .summary = "the growth mesh moved by its joints, linear blend or dual quaternions",
-                          .source = "Kavan et al. 2008, Geometric skinning with approximate dual quaternion blending",
-                          .demands = k_demands,
-                          .stage = registry::Stage::generate,
-                          .systems = k_systems,
-                          .dispatches = dispatches}};
+  static const Pass pass =
+      generating({.name = "skin",
+                  .summary = "the growth mesh moved by its joints, linear blend or dual quaternions",
+                  .source = "Kavan et al. 2008, Geometric skinning with approximate dual quaternion blending",
+                  .demands = k_demands,
+                  .systems = k_systems});
   return pass;
 }
 
