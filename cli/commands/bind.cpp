@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/usd_files.h>
 #include <cuticle/core/json/json.h>
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/binding/placement.h>
@@ -117,7 +119,7 @@ void print(const Bound& bound, bool json) {
 int run(const Request& request, Context& context) {
   const auto bound = bind(request, *context.progress);
   if (!bound) return report(bound.error());
-  const auto lost = strands::write_groom(request.output, bound->groom);
+  const auto lost = write_groom_file(request.output, bound->groom);
   if (!lost) return report(lost.error());
   for (const std::string& note : *lost) context.progress->message(request.output + ": " + note);
   print(*bound, context.json);
@@ -133,7 +135,7 @@ void add_bind(CLI::App& app, Context& context) {
   command->add_option("input", request->input, "groom, or .txt: places of roots, on which hair is then grown")
       ->required();
   command->add_option("mesh", request->mesh, "growth mesh: .obj")->required();
-  command->add_option("--out", request->output, "groom to write, in metres")->required();
+  command->add_option("--out", request->output, groom_help(true) + "; in metres")->required();
   add_groom_options(*command, request->read.metres_per_unit, request->read.radius);
   command->add_option("--mesh-metres-per-unit", request->mesh_metres_per_unit, "unit of the mesh");
   command->add_option("--up", request->convention.up, "axis of the groom that points up")->capture_default_str();

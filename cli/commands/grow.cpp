@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 
 #include <cuticle/cli/command.h>
+#include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/preset_sheet.h>
+#include <cuticle/cli/usd_files.h>
 #include <cuticle/core/file.h>
-#include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/grow.h>
 
 namespace cuticle::cli {
@@ -49,7 +50,7 @@ Result<void> write_grown(const Request& request, const std::string& file, const 
   CUTICLE_ASSIGN(const strands::Grown grown, strands::grow(specification));
   tell(output, grown.report, progress);
   const strands::Groom& groom = request.control ? grown.control : grown.drawn;
-  CUTICLE_ASSIGN(const std::vector<std::string> lost, strands::write_groom(output, groom));
+  CUTICLE_ASSIGN(const std::vector<std::string> lost, write_groom_file(output, groom));
   for (const std::string& note : lost) progress.message(output + ": " + note);
   progress.message(
       fmt::format("{}: {} strands, {} vertices written", output, groom.strand_count(), groom.vertex_count()));
@@ -130,7 +131,7 @@ void add_grow(CLI::App& app, Context& context) {
   command->add_option("--strands", request->strand_settings, "strand parameters as name=value,name=value")
       ->excludes(specification);
   command->add_option("--share", request->share, "level of detail: share of the strands")->check(CLI::Range(0.0, 1.0));
-  command->add_option("--out", request->output, "groom to write (.hair, .tfx); of several specifications: folder");
+  command->add_option("--out", request->output, groom_help(true) + "; of several specifications: folder");
   command->add_flag("--control", request->control, "write the control hairs instead of the strands between them");
   command->add_option("--sheet", request->sheet, "picture to write: each specification from the front and from behind")
       ->needs(specification);

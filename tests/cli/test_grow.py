@@ -1,6 +1,7 @@
 """cuticle grow: specifications to files and to a picture, what it refuses, and how even roots lie."""
 import json
 
+import pytest
 from program import ROOT, refused, rows, run
 
 PRESETS = ROOT / "scenes/presets"
@@ -24,6 +25,14 @@ def test_Grow_UnknownKey_IsRefusedWithTheNearestName(tmp_path):
     message = refused(3, "grow", path, "--out", tmp_path / "out.hair")
     assert "odd.json" in message and "radus" in message and "radius" in message
     assert not (tmp_path / "out.hair").exists()
+
+
+def test_Grow_ToUsdBinary_IsWritten(tmp_path):
+    pytest.importorskip("pxr.UsdGeom", reason="usd-core is not installed")
+    path = specification(tmp_path, "small.json", strands={"density": 2000, "vertices": 8})
+    done = run("grow", path, "--out", tmp_path / "hair.usdc")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "hair.usdc").read_bytes()[:8] == b"PXR-USDC"
 
 
 def test_Grow_CompareRoots_EvenRulesAreMoreEven():
