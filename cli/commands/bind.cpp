@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/groom_options.h>
 #include <cuticle/cli/usd_files.h>
 #include <cuticle/core/json/json.h>
 #include <cuticle/strands/binding/binding.h>
