@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// N5: one thread per run of vertices of a drawn strand: position, radius, tangent and fraction of the length. Within a run
-// each vertex is blended once; the neighbours beyond its ends are blended again, which is cheaper than a barrier.
+// N5: one thread per run of vertices of a drawn strand: position, radius, tangent and fraction of the length. Within a
+// run each vertex is blended once; the neighbours beyond its ends are blended again, which is cheaper than a barrier.
 #include "cuticle/strands/spline/bezier.glslh"
 #include "cuticle/strands/tangent.glslh"
 

@@ -10,7 +10,8 @@ layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };     /
 layout(std430, binding = 2) writeonly buffer Smoothed { vec4 smoothed[]; };    // hairs x vertices: position, fraction
 layout(push_constant) uniform Constants { uint hairs; uint vertices; };
 
-// One walk along the control hair finds the curve's two ends, their neighbours, and the lengths before, in and of all segments.
+// One walk along the control hair finds the curve's two ends, their neighbours, and the lengths before, in and of all
+// segments.
 vec4 smoothed_at(uint first, uint count, uint vertex) {
   const uint segment = count > 1u ? curve_segment(vertex, vertices, count) : 0u;
   const float place = count > 1u ? curve_place(vertex, vertices, count) : 0.0;

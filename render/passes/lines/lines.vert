@@ -1,14 +1,14 @@
 #version 460
-// Strands as lines: two vertices a segment, pulled from the drawn strands' buffers, in full or packed. Transmittance comes
-// per strand vertex.
+// Strands as lines: two vertices a segment, pulled from the drawn strands' buffers, in full or packed. Transmittance
+// comes per strand vertex.
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/strands/packing/packing.glslh"
 #include "lines_frame.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };        // three a vertex
+layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // centre, half extent, radius
+layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 
 layout(location = 0) out vec3 position;
@@ -28,7 +28,8 @@ vec3 position_of(uint vertex) {
   if (packed_vertices == 0u) return vertices[vertex].xyz;
   const uint unit = vertex / vertices_per_strand * 5u, xy = words[3u * vertex], z = words[3u * vertex + 1u];
   const float extent = strand_units[unit + 3u];
-  return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent), unpacked_length(xy >> 16, strand_units[unit + 1u], extent),
+  return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent),
+              unpacked_length(xy >> 16, strand_units[unit + 1u], extent),
               unpacked_length(z & 0xffffu, strand_units[unit + 2u], extent));
 }
 vec3 tangent_of(uint vertex) {
