@@ -28,8 +28,9 @@ float mean_transmittance(vec2 p, float z, float radius) {
 float transmittance_at(MapPlacement placement, vec3 position, float deepest) {
   const vec3 point = place_in_map(placement, in_light_axes(position));
   const float radius =
-      push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, 64.0) : push.filter_texels;
+      push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, k_widest_filter) : push.filter_texels;
   const float limit = float(push.resolution) + 130.0;
   const bool inside = abs(point.x) < limit && abs(point.y) < limit;
-  return inside ? mean_transmittance(point.xy, clamp(point.z, 0.0, deepest), radius) : 1.0;
+  const float z = clamp(lookup_depth(point.z, push.depth_offset, placement.scale.z), 0.0, deepest);
+  return inside ? mean_transmittance(point.xy, z, radius) : 1.0;
 }

@@ -12,6 +12,7 @@ layout(push_constant) uniform Push {
   uint flags;                // k_poisson and the method's own
   float pieces_per_step;     // of a segment, per depth step
   float own[3];              // the method's own numbers
+  float depth_offset;        // metres behind a point that fibres still count
 } push;
 const uint k_poisson = 1u;
 
@@ -25,8 +26,12 @@ uint invocation() {
 vec3 in_light_axes(vec3 p) { return light_point(push.right.xyz, push.up.xyz, push.forward.xyz, p); }
 
 /// The box is kept as least values of the ordered bits of (x, y, z, -x, -y, -z).
+vec3 lower_of(uint least[6]) {
+  return vec3(from_ordered_bits(least[0]), from_ordered_bits(least[1]), from_ordered_bits(least[2]));
+}
+vec3 upper_of(uint least[6]) {
+  return -vec3(from_ordered_bits(least[3]), from_ordered_bits(least[4]), from_ordered_bits(least[5]));
+}
 MapPlacement placement_of(uint least[6]) {
-  const vec3 lower = vec3(from_ordered_bits(least[0]), from_ordered_bits(least[1]), from_ordered_bits(least[2]));
-  const vec3 upper = -vec3(from_ordered_bits(least[3]), from_ordered_bits(least[4]), from_ordered_bits(least[5]));
-  return map_placement(lower, upper, push.resolution, push.intervals);
+  return map_placement(lower_of(least), upper_of(least), push.resolution, push.intervals);
 }

@@ -10,11 +10,11 @@ namespace cuticle::shadows {
 std::span<const std::uint32_t> map_nearest_code() { return map_nearest_comp; }
 std::span<const std::uint32_t> map_scan_code() { return map_scan_comp; }
 
-Result<void> DepositBuffer::make(gpu::Device& device, const Accumulation& accumulation,
-                                 std::vector<std::uint32_t> extra) {
+Result<void> DepositBuffer::make(gpu::Device& device, const Accumulation& accumulation, AfterDeposits after) {
   accumulation_ = accumulation;
-  extra_ = std::move(extra);
-  CUTICLE_ASSIGN(buffer_, device.make_buffer(4ull * (k_coverage_steps + 1 + extra_.size())));
+  after_ = std::move(after);
+  const std::size_t more = after_ ? after_(1, 1).size() : 0;
+  CUTICLE_ASSIGN(buffer_, device.make_buffer(4ull * (k_coverage_steps + 1 + more)));
   return {};
 }
 
@@ -23,7 +23,10 @@ Result<void> DepositBuffer::update(gpu::Device& device, double alpha, std::size_
   const double scale = fixed_point_scale(alpha, accumulation_, segments);
   if (alpha == alpha_ && scale == scale_) return {};
   std::vector<std::uint32_t> table = deposit_table(alpha, accumulation_, scale);
-  table.insert(table.end(), extra_.begin(), extra_.end());
+  if (after_) {
+    const std::vector<std::uint32_t> more = after_(alpha, scale);
+    table.insert(table.end(), more.begin(), more.end());
+  }
   CUTICLE_TRY(device.upload(buffer_, std::as_bytes(std::span<const std::uint32_t>(table))));
   alpha_ = alpha;
   scale_ = scale;

@@ -1,5 +1,6 @@
 #pragma once
 // What the maps of the light's view share on the device.
+#include <functional>
 #include <span>
 
 #include <glm/vec4.hpp>
@@ -16,6 +17,7 @@ struct MapPush {
   std::uint32_t resolution, layers, count, flags;
   float pieces_per_step;
   float own[3];
+  float depth_offset;
 };
 inline constexpr std::uint32_t k_poisson_flag = 1;
 
@@ -24,11 +26,14 @@ inline constexpr std::uint32_t k_poisson_flag = 1;
 std::span<const std::uint32_t> map_nearest_code();
 std::span<const std::uint32_t> map_scan_code();
 
+/// Further numbers that the table of deposits is followed by, for an opacity and integers per unit of sigma; always as
+/// many.
+using AfterDeposits = std::function<std::vector<std::uint32_t>(double alpha, double scale)>;
+
 /// Deposits of one opacity, kept on the device until the opacity or the number of segments changes.
 class DepositBuffer {
  public:
-  /// `extra`: further numbers that the table is followed by.
-  Result<void> make(gpu::Device& device, const Accumulation& accumulation, std::vector<std::uint32_t> extra = {});
+  Result<void> make(gpu::Device& device, const Accumulation& accumulation, AfterDeposits after);
   Result<void> update(gpu::Device& device, double alpha, std::size_t segments);
   const gpu::Buffer& buffer() const { return buffer_; }
   double scale() const { return scale_; }
@@ -36,7 +41,7 @@ class DepositBuffer {
  private:
   gpu::Buffer buffer_;
   Accumulation accumulation_;
-  std::vector<std::uint32_t> extra_;
+  AfterDeposits after_;
   double alpha_ = -1, scale_ = 0;
 };
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cuticle/shadows/clouds.h>
+#include <cuticle/shadows/groom_on_device.h>
 #include <cuticle/shadows/light_frame.h>
 #include <cuticle/shadows/opacity_map/map.h>
-#include <cuticle/tests/support/groom_on_device.h>
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
@@ -37,6 +37,7 @@ std::vector<std::string> settings_of(const Method& method) {
     }
   if (has("filter_radius_mm")) sets[0] += ",filter_radius_mm=2";
   if (has("filter_texels")) sets[1] += ",filter_texels=0";
+  if (has("depth_offset_mm")) sets[0] += ",depth_offset_mm=0.5";
   for (std::string& set : sets) set += has("resolution") ? ",resolution=96" : "";
   return sets;
 }
@@ -56,11 +57,10 @@ strands::Groom points() {
 
 struct Scene {
   std::string name;
-  tests::GroomOnDevice groom;
+  strands::Groom hair;
   glm::dvec3 light;
   double alpha;
-  Scene(std::string called, strands::Groom hair, glm::dvec3 to_light, double opacity)
-      : name(std::move(called)), groom(std::move(hair), device()), light(to_light), alpha(opacity) {}
+  std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), hair).value();
 };
 std::span<Scene> scenes() {
   static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {1, 1, 0.3}, 0.4},
@@ -77,16 +77,17 @@ struct Frame {
 };
 Frame run(GpuShadow& shadow, Scene& scene) {
   gpu::Commands commands = device()->record();
-  EXPECT_TRUE(shadow.record(commands, scene.groom.strands, scene.alpha, scene.light, scene.groom.transmittance));
+  EXPECT_TRUE(
+      shadow.record(commands, scene.on_device->strands, scene.alpha, scene.light, scene.on_device->transmittance));
   const auto cost = device()->submit(std::move(commands));
   EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
   Frame frame;
-  frame.planned = shadow.dispatches_per_frame(scene.groom.strands);
+  frame.planned = shadow.dispatches_per_frame(scene.on_device->strands);
   for (const gpu::PassCost& pass : cost->passes) frame.recorded += pass.dispatches;
   for (const gpu::Buffer* buffer : shadow.map_buffers())
     frame.words.push_back(gpu::read_buffer<std::uint32_t>(*device(), *buffer, buffer->size() / 4).value());
-  const std::size_t vertices = scene.groom.groom.vertex_count();
-  frame.transmittance = gpu::read_buffer<float>(*device(), scene.groom.transmittance, vertices).value();
+  const std::size_t vertices = scene.hair.vertex_count();
+  frame.transmittance = gpu::read_buffer<float>(*device(), scene.on_device->transmittance, vertices).value();
   return frame;
 }
 
@@ -98,7 +99,7 @@ struct Comparison {
 };
 Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values, GpuShadow& shadow, Scene& scene) {
   const Frame frame = run(shadow, scene);
-  const Casters casters{&scene.groom.groom, scene.alpha, scene.light};
+  const Casters casters{&scene.hair, scene.alpha, scene.light};
   Comparison comparison;
   const MapWords expected = gpu.cpu_map != nullptr ? gpu.cpu_map(casters, values).value() : MapWords{};
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -107,7 +108,7 @@ Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values
       comparison.filled += expected[i][word] != 0 && expected[i][word] != ~0u;
       comparison.different += frame.words[i][word] != expected[i][word];
     }
-  const auto cpu = method_of(gpu).evaluate(casters, {scene.groom.groom.positions, {}}, values).value();
+  const auto cpu = method_of(gpu).evaluate(casters, {scene.hair.positions, {}}, values).value();
   for (std::size_t v = 0; v < cpu.values.size(); ++v) {
     const double difference = std::abs(double(cpu.values[v]) - double(frame.transmittance[v]));
     comparison.worst = difference <= comparison.worst ? comparison.worst : difference;  // NaN is taken
@@ -122,10 +123,9 @@ const std::vector<Comparison>& comparisons() {
     for (const GpuMethod* gpu : gpu_methods())
       for (const std::string& set : settings_of(method_of(*gpu))) {
         const auto values = tests::values_of(gpu->name, set).value();
-        const auto shadow = gpu->create(device(), values);
-        if (!shadow && shadow.error().message.find("has no GPU half") != std::string::npos) continue;
+        const auto shadow = gpu->create(device(), values).value();
         for (Scene& scene : scenes()) {
-          list.push_back(compare(*gpu, values, *shadow.value(), scene));
+          list.push_back(compare(*gpu, values, *shadow, scene));
           list.back().what = std::string(gpu->name) + " " + set + ", " + scene.name;
         }
       }
@@ -136,11 +136,20 @@ const std::vector<Comparison>& comparisons() {
 
 }  // namespace
 
+namespace {
+
+/// A volume holds no segments without a length, and, by the width that they show, none along the light.
+bool is_unseen(const std::string& what) {
+  return what.starts_with("voxel") && (what.ends_with("points") || what.ends_with("along the light"));
+}
+
+}  // namespace
+
 TEST(MapGpu, SameGroom_SameIntegers) {
   ASSERT_GT(comparisons().size(), 80u);
   for (const Comparison& comparison : comparisons()) {
     EXPECT_EQ(comparison.different, 0u) << comparison.what << ", of " << comparison.filled;
-    EXPECT_TRUE(comparison.filled > 0 || comparison.words == 0) << comparison.what;
+    EXPECT_TRUE(comparison.filled > 0 || comparison.words == 0 || is_unseen(comparison.what)) << comparison.what;
   }
 }
 
@@ -152,8 +161,7 @@ TEST(MapGpu, Lookup_AgreesWithTheCpu) {
     }
 }
 
-// N18: the drawn targets against integers that are rounded as their format does; steep segments are not cut into
-// pieces.
+// N18: the drawn targets against integers that are rounded as their format does.
 TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
   for (const std::string form : {"graphics_8bit", "graphics_half"})
     for (std::size_t s = 0; s < 2; ++s) {
@@ -161,7 +169,7 @@ TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
       const auto values = tests::values_of("opacity_map", "slices=17,resolution=96,form=" + form).value();
       const auto settings = opacity_map::settings_from(values).value();
       const LightAxes axes = light_axes(unit_to_light(scene.light).value());
-      const opacity_map::Map twin = opacity_map::build_map(scene.groom.groom, scene.alpha, axes, settings);
+      const opacity_map::Map twin = opacity_map::build_map(scene.hair, scene.alpha, axes, settings);
       const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
       run(*shadow, scene);
       double worst = 0, sum = 0;
@@ -184,13 +192,11 @@ TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
     }
 }
 
-// A segment seen end-on is drawn as one fragment at its nearer end, where the twin cuts it into pieces.
 TEST(OpacityDrawn, Transmittance_AgreesWithTheTwin) {
   for (const Comparison& comparison : comparisons())
     if (comparison.words == 0) {
       std::printf("%s: T differs by %.5f at most\n", comparison.what.c_str(), comparison.worst);
-      const bool along = comparison.what.find("along the light") != std::string::npos;
-      EXPECT_LT(comparison.worst, along ? 0.2 : 8e-3) << comparison.what;
+      EXPECT_LT(comparison.worst, 8e-3) << comparison.what;
     }
 }
 
@@ -218,7 +224,7 @@ TEST(MapGpu, Dispatches_EqualThePlan) {
 
 TEST(MapGpu, BadLightOrAlpha_IsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  tests::GroomOnDevice& groom = scenes()[2].groom;
+  GroomOnDevice& groom = *scenes()[2].on_device;
   for (const GpuMethod* gpu : gpu_methods()) {
     const auto shadow = gpu->create(device(), registry::default_values(method_of(*gpu).entry.parameters)).value();
     gpu::Commands commands = device()->record();

@@ -23,6 +23,7 @@ struct SeriesMap {
   double scale = 1;
   std::size_t functions = 1;
   std::vector<std::uint32_t> sums;
+  std::size_t bytes() const { return 4 * sums.size(); }
   float sum(std::size_t texel, std::size_t i) const { return float(std::int32_t(sums[texel * functions + i])); }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). Half of the

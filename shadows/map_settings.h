@@ -41,20 +41,32 @@ inline constexpr registry::Parameter k_accumulate{
     k_accumulations,
     "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma"};
 
+inline constexpr registry::Parameter k_depth_offset{"depth_offset_mm",
+                                                    registry::ParameterType::real,
+                                                    "mm",
+                                                    0,
+                                                    1000,
+                                                    "0",
+                                                    {},
+                                                    "fibres whose axes lie up to this far behind a point still count; "
+                                                    "pi/4 of the radius: those that the point's disc cuts"};
+
 /// Values of the parameters above, in SI units.
 struct MapSettings {
+  std::string_view method;         ///< whose, for errors
   std::uint32_t resolution = 256;  ///< texels along each side
   Accumulation accumulation;
   double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
   double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
+  double depth_offset = 0;   ///< metres
 };
 /// Of those that a method does not have, the values above.
-MapSettings map_settings(const registry::ParameterValues& values);
+MapSettings map_settings(std::string_view method, const registry::ParameterValues& values);
 
-/// The lookup's disc in texels. Error: usage, naming the method's filter, for more than 64.
-Result<float> filter_in_texels(std::string_view method, const MapSettings& settings, double texels_per_metre);
+/// The lookup's disc in texels. Error: usage, naming the method's filter, for more than 128.
+Result<float> filter_in_texels(const MapSettings& settings, double texels_per_metre);
 
 /// Error: usage, naming the method, when `numbers` of 4 bytes a texel pass 2 GiB.
-Result<void> check_map_bytes(std::string_view method, std::uint64_t numbers, std::uint32_t resolution);
+Result<void> check_map_bytes(const MapSettings& settings, std::uint64_t numbers);
 
 }  // namespace cuticle::shadows

@@ -102,7 +102,8 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes) const {
                0,
                description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0),
                description_.pieces_per_step,
-               {}};
+               {},
+               float(settings.depth_offset)};
   std::copy(description_.own.begin(), description_.own.end(), push.own);
   return push;
 }
@@ -164,7 +165,7 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
   const MapPush push = push_for(light_axes(direction));
   clear(commands);
-  run(commands, k_fit, fit_, strands, push, transmittance);
+  run(commands, k_fit, fit_, strands, description_.in_world ? push_for({}) : push, transmittance);
   if (!targets_.empty()) draw(commands, strands, push);
   for (std::size_t i = 0; i < kernels_.size(); ++i)
     run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
@@ -205,7 +206,11 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
   map.layers = functions;
   map.pieces_per_step = k_series_pieces_per_step;
   map.signed_sums = true;
-  for (const float weight : weights) map.after_deposits.push_back(std::bit_cast<std::uint32_t>(weight));
+  map.after_deposits = [weights](double, double) {
+    std::vector<std::uint32_t> words;
+    for (const float weight : weights) words.push_back(std::bit_cast<std::uint32_t>(weight));
+    return words;
+  };
   map.buffers = {{std::uint64_t(settings.resolution) * settings.resolution * functions}};
   map.passes = {{"shadow.splat", map_series_comp, {k_vertices, k_segments, k_box, k_deposits, k_own}},
                 {"shadow.lookup", lookup, {k_vertices, k_box, k_own, k_transmittance}, MapRun::per_vertex}};

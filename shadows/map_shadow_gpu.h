@@ -34,13 +34,14 @@ struct MapDrawing {
 };
 struct MapDescription {
   MapSettings settings;
-  float intervals = 1;                        ///< depth steps of the view
-  std::uint32_t layers = 1;                   ///< numbers a texel
-  std::uint32_t flags = 0;                    ///< the method's own, beside k_poisson_flag
-  float pieces_per_step = 1;                  ///< a steep segment is cut so that its pieces are at most 1 / this deep
-  std::vector<float> own;                     ///< at most 3 numbers for its shaders
-  std::vector<std::uint32_t> after_deposits;  ///< words that follow the table of deposits
-  bool signed_sums = false;                   ///< half of the sums' range is left to the sign
+  float intervals = 1;           ///< depth steps of the view
+  std::uint32_t layers = 1;      ///< numbers a texel
+  std::uint32_t flags = 0;       ///< the method's own, beside k_poisson_flag
+  float pieces_per_step = 1;     ///< a steep segment is cut so that its pieces are at most 1 / this deep
+  std::vector<float> own;        ///< at most 3 numbers for its shaders
+  AfterDeposits after_deposits;  ///< null: nothing follows the table of deposits
+  bool signed_sums = false;      ///< half of the sums' range is left to the sign
+  bool in_world = false;         ///< the box is that of the world's axes, not of the light's
   std::vector<MapBuffer> buffers;
   MapDrawing drawing;           ///< "shadow.draw", after "shadow.fit", where it has targets
   std::vector<MapPass> passes;  ///< after "shadow.clear" (fills), "shadow.fit" and the drawing
@@ -60,16 +61,18 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
 template <auto settings_from, auto describe>
 Result<std::unique_ptr<GpuShadow>> create_map(std::shared_ptr<gpu::Device> device,
                                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const auto settings, settings_from(values));
+  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
   return make_map_shadow(std::move(device), describe(settings));
 }
 
-/// GpuMethod::cpu_map of a method, from its settings_from(values) and words_of(groom, alpha, axes, settings).
-template <auto settings_from, auto words_of>
+/// GpuMethod::cpu_map of a method, from its settings_from(values), build(groom, alpha, axes, settings) and
+/// words_of(map, settings), which are the map's sums unless given.
+inline constexpr auto k_sums_of = [](const auto& map, const auto&) { return MapWords{map.sums}; };
+template <auto settings_from, auto build, auto words_of = k_sums_of>
 Result<MapWords> words_of_map(const Casters& casters, const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const auto settings, settings_from(values));
+  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  return words_of(*casters.groom, casters.alpha, light_axes(to_light), settings);
+  return words_of(build(*casters.groom, casters.alpha, light_axes(to_light), settings), settings);
 }
 
 }  // namespace cuticle::shadows

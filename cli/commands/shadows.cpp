@@ -9,26 +9,30 @@
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
 #include <cuticle/shadows/footprint.h>
+#include <cuticle/shadows/light_frame.h>
 #include <cuticle/study/shadows/comparison.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/study/shadows/device_cost.h>
+#endif
 
 namespace cuticle::cli {
 namespace {
 
 struct Options {
-  std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, spacings, points,
-                     out, weights = "at_vertices";
+  std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, filter_texels,
+                     spacings, points, out, camera, weights = "at_vertices";
   strands::ReadOptions read;
   study::Request request;
   double alpha = 0.4, footprint_mm = 0;
   int rays = 1024;
   std::size_t receivers = 2000;
-  bool quick = false;
+  bool quick = false, flicker = false, on_device = false;
 };
 
-Result<glm::dvec3> parse_light(const std::string& text) {
-  CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers("--light", text));
+Result<glm::dvec3> parse_direction(const std::string& name, const std::string& text) {
+  CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers(name, text));
   if (numbers.size() != 3)
-    return usage_error(fmt::format("--light: '{}' has {} numbers, not 3", text, numbers.size()), "--light 1,1,0.3");
+    return usage_error(fmt::format("{}: '{}' has {} numbers, not 3", name, text, numbers.size()), name + " 1,1,0.3");
   return glm::dvec3(numbers[0], numbers[1], numbers[2]);
 }
 
@@ -61,7 +65,11 @@ Result<study::Sweep> parse_sweep(const Options& options, double footprint) {
   study::Sweep sweep;
   CUTICLE_ASSIGN(sweep.layers, parse_integers("--layers", options.layers));
   CUTICLE_ASSIGN(sweep.resolutions, parse_integers("--resolution", options.resolutions));
-  CUTICLE_ASSIGN(sweep.filter_radii, parse_filters(options.filters, footprint));
+  if (options.filter_texels.empty()) {
+    CUTICLE_ASSIGN(sweep.filter_radii, parse_filters(options.filters, footprint));
+  } else {
+    CUTICLE_ASSIGN(sweep.filter_texels, parse_numbers("--filter-texels", options.filter_texels));
+  }
   if (!options.spacings.empty()) sweep.spacings = split_list(options.spacings);
   sweep.skip_unfit = options.methods == "all";
   return sweep;
@@ -147,12 +155,28 @@ Result<study::Comparison> compare(const Options& options, const shadows::Casters
   request.weights = options.weights == "per_fragment" ? study::Weights::per_fragment
                     : options.weights == "per_vertex" ? study::Weights::per_vertex
                                                       : study::Weights::at_vertices;
+  request.flicker = options.flicker;
+  if (!options.camera.empty()) {
+    CUTICLE_ASSIGN(const glm::dvec3 to_camera, parse_direction("--camera", options.camera));
+    CUTICLE_ASSIGN(request.to_camera, shadows::unit_to_light(to_camera));
+  }
   request.receivers = options.quick ? std::min(options.receivers, k_quick_receivers) : options.receivers;
   std::vector<std::string> methods = method_names(options);
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
   return study::compare_with_truth(request, progress);
+}
+
+/// Times on the device that --device chooses.
+Result<void> measure_device(const shadows::Casters& casters, Context& context, study::Comparison& comparison) {
+#ifdef CUTICLE_HAS_GPU
+  CUTICLE_ASSIGN(auto device, gpu::Device::open({.choice = context.device}));
+  return study::measure_on_device(std::move(device), casters, *context.progress, comparison);
+#else
+  (void)casters, (void)context, (void)comparison;
+  return usage_error("--on-device: this build has no Vulkan", "configure with CUTICLE_GPU=ON");
+#endif
 }
 
 std::string row_text(const study::ComparisonRow& row) {
@@ -199,11 +223,12 @@ Result<void> write_all(const Options& options, const study::Comparison& comparis
 }
 
 Result<int> run(const Options& options, Context& context) {
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_light(options.light));
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_direction("--light", options.light));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(options.groom, options.read, *context.progress));
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
-  CUTICLE_ASSIGN(const study::Comparison comparison, compare(options, casters, *context.progress));
+  CUTICLE_ASSIGN(study::Comparison comparison, compare(options, casters, *context.progress));
+  if (options.on_device) CUTICLE_TRY(measure_device(casters, context, comparison));
   for (const study::Refusal& refusal : comparison.refused)
     context.progress->message(fmt::format("{} {}: refused: {}", refusal.method, refusal.settings, refusal.why));
   const Verdict verdict = judge(comparison, options.request);
@@ -223,6 +248,8 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--layers", options.layers, "slices or layers of the methods that have them, a,b,c");
   command.add_option("--resolution", options.resolutions, "resolutions of the methods that have one, a,b,c");
   command.add_option("--filter", options.filters, "radii that lookups average, mm, a,b,c; 0 = the footprint's");
+  command.add_option("--filter-texels", options.filter_texels, "the same in texels of each map, a,b,c")
+      ->excludes("--filter");
   command.add_option("--spacing", options.spacings, "spacings of the layers of the methods that have them, a,b,c");
   command
       .add_option("--footprint-mm", options.footprint_mm,
@@ -234,8 +261,14 @@ void add_options(CLI::App& command, Options& options) {
   command
       .add_option(
           "--weights", options.weights,
-          "at_vertices; or in the middle of segments, looked up there (per_fragment) or from both ends (per_vertex)")
+          "at_vertices; or in the middle of segments, looked up there (per_fragment) or from both ends (per_vertex); "
+          "with --camera, the last two where pixels see hair")
       ->check(CLI::IsMember({"at_vertices", "per_fragment", "per_vertex"}));
+  command.add_option("--camera", options.camera,
+                     "direction to an orthographic camera, x,y,z: compare what its pixels see, not vertices");
+  command.add_flag("--flicker", options.flicker,
+                   "measure the change of the error as the light turns by 0.1 degree and hair moves by 0.1 texel too");
+  command.add_flag("--on-device", options.on_device, "time the methods' passes on the Vulkan device too");
   command.add_flag("--quick", options.quick, "at most 300 receivers");
   command.add_option("--receivers", options.receivers, "strand vertices that are compared")
       ->check(CLI::Range(1, 1000000));

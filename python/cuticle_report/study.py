@@ -4,7 +4,7 @@ import pathlib
 
 from . import ReportError, curves, data, figures, page, receivers
 
-COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "mean_interval", "median_error", "p95_error", "p99_error", "max_error", "bias", "ns", "build_ms",
+COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "mean_interval", "median_error", "p95_error", "p99_error", "max_error", "bias", "light_flicker", "motion_flicker", "ns", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
 
 MOST_CURVES = 16  # of one figure

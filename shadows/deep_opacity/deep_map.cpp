@@ -1,5 +1,8 @@
 #include <cuticle/shadows/deep_opacity/deep_map.h>
 
+#include <algorithm>
+#include <functional>
+
 #include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::deep_opacity {
@@ -63,25 +66,42 @@ void fill_layers(const strands::Groom& groom, std::span<const Word> table, Map& 
   });
 }
 
-/// The sum at depth z of a texel whose nearest fibre lies at `nearest`, linear within its layer; sum_before(i): before
-/// the end of its layer i.
-float sum_at(const LayerEnds& ends, Word nearest, float z, const auto& sum_before) {
+/// The exponent at depth z of a texel whose nearest fibre lies at `nearest`, linear within its layer; before(i): at the
+/// end of its layer i.
+float exponent_at(const LayerEnds& ends, Word nearest, float z, const auto& before) {
   if (nearest == k_no_depth) return 0;
   const float depth = z - float(nearest);
   if (!(depth > 0)) return 0;
   const Word layer = layer_of(ends, Word(depth));
   const float begin = float(layer_begin(ends, layer)), end = float(ends.end[layer]);
   const float t = std::min(1.0f, (depth - begin) / (end - begin));
-  return between_planes(layer == 0 ? 0.0f : sum_before(layer - 1), sum_before(layer), t);
+  return between_planes(layer == 0 ? 0.0f : before(layer - 1), before(layer), t);
 }
 
-constexpr std::uint16_t k_no_depth_16 = 0xffff;
+/// How many of the thresholds, which fall, are not below the sum.
+Word code_of(std::span<const Word> thresholds, Word sum) {
+  return Word(std::lower_bound(thresholds.begin(), thresholds.end(), sum, std::greater_equal<>()) - thresholds.begin());
+}
+
+Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+  const std::vector<float> exponents = code_exponents();
+  const auto at_depth = [&](float z) {
+    return [&, z](std::size_t texel) {
+      const Word nearest = packed_depth(map.packed.nearest[texel / 2], Word(texel % 2));
+      return exponent_at(map.ends, nearest, z, [&](Word layer) {
+        const std::size_t i = texel * map.ends.count + layer;
+        return exponents[packed_code(map.packed.codes[i / 4], Word(i % 4))];
+      });
+    };
+  };
+  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
+}
 
 }  // namespace
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
-  settings.map = map_settings(values);
+  settings.map = map_settings("deep_opacity", values);
   settings.layers = Word(values.integer("layers"));
   const std::string& spacing = values.choice("spacing");
   settings.spacing = spacing == "geometric" ? Spacing::geometric
@@ -89,7 +109,7 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
                                             : Spacing::equal_opacity;
   settings.first_layer = values.real("first_layer");
   settings.bytes = values.choice("storage") == "bytes";
-  CUTICLE_TRY(check_map_bytes("deep_opacity", settings.layers + 1, settings.map.resolution));
+  CUTICLE_TRY(check_map_bytes(settings.map, settings.layers + 1));
   return settings;
 }
 
@@ -116,40 +136,54 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.sums.resize(texels * settings.layers);
   fill_layers(groom, deposit_table(alpha, accumulation, map.scale), map);
   sum_along_depth(map.sums, settings.layers);
+  if (settings.bytes) {
+    map.packed = pack(map, accumulation.k);
+    map.sums = {};
+    map.nearest = {};
+  }
   return map;
 }
 
-ByteMap in_bytes(const Map& map, double k) {
-  ByteMap bytes;
-  const float per_unit = float(-k / map.scale);
-  for (int code = 0; code < 256; ++code)
-    bytes.sum_of[std::size_t(code)] = std::log(std::max(0.5f, float(code)) / 255) / per_unit;
-  bytes.visibility.resize(map.sums.size());
-  bytes.nearest.resize(map.nearest.size());
-  for_each_index(map.nearest.size(), [&](std::size_t texel) {
-    bytes.nearest[texel] = map.nearest[texel] == k_no_depth ? k_no_depth_16 : std::uint16_t(map.nearest[texel]);
-    for (std::size_t i = texel * map.ends.count; i < (texel + 1) * map.ends.count; ++i)
-      bytes.visibility[i] = std::uint8_t(std::lround(255 * std::exp(per_unit * float(map.sums[i]))));
+std::vector<Word> code_thresholds(double k, double scale) {
+  std::vector<Word> thresholds;
+  for (int code = 1; code < 256; ++code)
+    thresholds.push_back(Word(std::min(4294967295.0, scale / k * std::log(255 / (code - 0.5)))));
+  return thresholds;
+}
+
+std::vector<float> code_exponents() {
+  std::vector<float> exponents;
+  for (int code = 0; code < 256; ++code) exponents.push_back(float(std::log(std::max(0.5, double(code)) / 255)));
+  return exponents;
+}
+
+PackedMap pack(const Map& map, double k) {
+  const std::vector<Word> thresholds = code_thresholds(k, map.scale);
+  PackedMap packed;
+  packed.codes.resize((map.sums.size() + 3) / 4);
+  packed.nearest.resize((map.nearest.size() + 1) / 2);
+  for_each_index(packed.codes.size(), [&](std::size_t word) {
+    for (std::size_t i = 4 * word; i < std::min(4 * word + 4, map.sums.size()); ++i)
+      packed.codes[word] |= code_of(thresholds, map.sums[i]) << (8 * (i % 4));
   });
-  return bytes;
+  for_each_index(packed.nearest.size(), [&](std::size_t word) {
+    for (std::size_t i = 2 * word; i < std::min(2 * word + 2, map.nearest.size()); ++i)
+      packed.nearest[word] |= std::min(map.nearest[i], k_no_depth_16) << (16 * (i % 2));
+  });
+  return packed;
 }
 
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) {
-    const Word* sums = &map.sums[texel * map.ends.count];
-    return sum_at(map.ends, map.nearest[texel], z, [&](Word layer) { return float(sums[layer]); });
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+  if (settings.bytes) return look_up_packed(map, settings, points);
+  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const auto at_depth = [&](float z) {
+    return [&, z](std::size_t texel) {
+      const Word* sums = &map.sums[texel * map.ends.count];
+      const auto before = [sums](Word layer) { return float(sums[layer]); };
+      return per_unit * exponent_at(map.ends, map.nearest[texel], z, before);
+    };
   };
-  return look_up_points(map.view, settings.map, map.scale, filter, k_deepest, points, sum);
-}
-
-std::vector<float> look_up(const Map& map, const ByteMap& bytes, const Settings& settings, float filter,
-                           std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) {
-    const std::uint8_t* codes = &bytes.visibility[texel * map.ends.count];
-    const Word nearest = bytes.nearest[texel] == k_no_depth_16 ? k_no_depth : Word(bytes.nearest[texel]);
-    return sum_at(map.ends, nearest, z, [&](Word layer) { return bytes.sum_of[codes[layer]]; });
-  };
-  return look_up_points(map.view, settings.map, map.scale, filter, k_deepest, points, sum);
+  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
 }
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -1,7 +1,6 @@
 #pragma once
 // G3: deep opacity maps (Yuksel and Keyser 2008): sigma in layers that start at the nearest fibre of each texel of the
 // light's view, T = exp(-k sigma).
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +31,10 @@ Result<Settings> settings_from(const registry::ParameterValues& values);
 /// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
 std::vector<std::uint32_t> layer_shares(const Settings& settings);
 
+/// T before the end of each layer in 255ths, four a word, and nearest depths, two a word (k_no_depth_16: no fibre).
+struct PackedMap {
+  std::vector<std::uint32_t> codes, nearest;
+};
 /// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale.
 struct Map {
   MapView view;
@@ -39,24 +42,21 @@ struct Map {
   LayerEnds ends{};
   std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
   std::vector<std::uint32_t> sums;
+  PackedMap packed;  ///< instead of the two above, where Settings::bytes
+  std::size_t bytes() const { return 4 * (nearest.size() + sums.size() + packed.codes.size() + packed.nearest.size()); }
 };
-/// What a lookup keeps of a map in bytes: T before the end of each layer, in 255ths, and the nearest depths (all ones:
-/// no fibre); `sum_of` gives back the sums that the roundings stand for.
-struct ByteMap {
-  std::vector<std::uint8_t> visibility;
-  std::vector<std::uint16_t> nearest;
-  std::array<float, 256> sum_of{};
-};
-ByteMap in_bytes(const Map& map, double k);
+
+/// For code c = 1 .. 255, the largest sum that is rounded to T = c / 255 or more.
+std::vector<std::uint32_t> code_thresholds(double k, double scale);
+/// The exponents that codes 0 .. 255 stand for: ln(c / 255), half a step above none for 0.
+std::vector<float> code_exponents();
+PackedMap pack(const Map& map, double k);
 
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
-/// its own nearest depth, which is never interpolated. `filter`: radius in texels.
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
-/// The same from what was kept of the map; `map` needs only its view, scale and ends.
-std::vector<float> look_up(const Map& map, const ByteMap& bytes, const Settings& settings, float filter,
-                           std::span<const glm::vec3> points);
+/// its own nearest depth, which is never interpolated. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -74,14 +74,8 @@ TEST(DeepOpacity, BehindTheLastLayer_EveryFibreCounts) {
 // What the method is for: a surface that is not square to the light. Evenly spaced slices put the front fibres and
 // those behind them into one interval; layers that start at the front do not.
 TEST(DeepOpacity, SlantedSheet_FrontIsLitWhereSlicesShadowIt) {
-  strands::Groom groom;
   std::vector<glm::vec3> front;
-  for (int i = 0; i < 400; ++i)
-    for (int layer = 0; layer < 4; ++layer) {
-      const float z = 0.00025f * float(i - 200), y = z - 0.001f * float(layer);
-      tests::add_strand(groom, {{-0.05f, y, z}, {0, y, z}, {0.05f, y, z}}, 0.000125f);
-      if (layer == 0) front.emplace_back(0.001f, y + 0.0001f, z);
-    }
+  const strands::Groom groom = tests::slanted_sheet(front);
   const auto deep = run(groom, front, "layers=4"),
              slices = run(groom, front, "slices=4", 0.4, {0, 1, 0}, "opacity_map");
   std::printf("front of a slanted sheet: %.3f with 4 layers, %.3f with 4 slices\n", mean(deep->values),

@@ -20,9 +20,9 @@ constexpr registry::Parameter k_parameters[] = {
     k_optical_k,
     k_filter_texels,
     k_filter_radius,
+    k_depth_offset,
     k_accumulate,
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr registry::StudyCase k_cases[] = {{"bound 0.1", "error_bound=0.1"}, {"bound 0.02", "error_bound=0.02"}};
 
 struct Settings {
@@ -30,49 +30,39 @@ struct Settings {
   double error_bound = 0.02;
   std::size_t layers = k_most_pieces;
 };
+Settings settings_from(const registry::ParameterValues& values) {
+  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("layers"))};
+}
+
 struct Map {
   MapView view;
   PackedFunctions functions;
+  std::size_t bytes() const { return functions.bytes(); }
 };
 
 Result<Map> build(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
-  CUTICLE_ASSIGN(const FragmentLists lists, sort_fragments("deep_shadow", groom, alpha, axes, settings.map));
-  const float per_unit = float(-settings.map.accumulation.k / lists.scale);
+  CUTICLE_ASSIGN(const FragmentLists lists, sort_fragments(groom, alpha, axes, settings.map));
+  const float per_unit = exponent_per_unit(settings.map, lists.scale);
   return Map{lists.view, pack(lists, per_unit, settings.error_bound, settings.layers)};
 }
 
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
-  std::vector<float> values(points.size());
-  const MapFilter around{filter, settings.map.accumulation.poisson};
-  const auto exponent = [&](std::size_t texel, float z) {
-    return std::log(std::max(0x1p-17f, visibility_at(map.functions.of(texel), z)));
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+  const auto at_depth = [&](float z) {
+    return
+        [&, z](std::size_t texel) { return std::log(std::max(0x1p-17f, visibility_at(map.functions.of(texel), z))); };
   };
-  for_each_index(points.size(), [&](std::size_t i) {
-    values[i] = transmittance_at(map.view, around, k_behind_lists, points[i], exponent);
-  });
-  return values;
-}
-
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  const Settings settings{map_settings(values), values.real("error_bound"), std::size_t(values.integer("layers"))};
-  return evaluate_by_map("deep_shadow", casters, receivers, settings, build, look_up,
-                         [](const Map& map) { return map.functions.bytes(); });
+  return look_up_points(map.view, settings.map, k_behind_lists, points, at_depth);
 }
 
 }  // namespace
 
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "deep_shadow",
-                              "a visibility function per texel, compressed within an error bound (deep shadow map)",
-                              "Lokovic and Veach 2000, Deep Shadow Maps, section 3",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases},
-                             evaluate};
+  static const Method method = map_method<settings_from, build, look_up>(
+      {.name = "deep_shadow",
+       .summary = "a visibility function per texel, compressed within an error bound (deep shadow map)",
+       .source = "Lokovic and Veach 2000, Deep Shadow Maps, section 3",
+       .parameters = k_parameters,
+       .study_cases = k_cases});
   return method;
 }
 

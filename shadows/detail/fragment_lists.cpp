@@ -48,8 +48,8 @@ Result<void> begin_lists(std::string_view method, std::vector<Word>& first) {
 
 }  // namespace
 
-Result<FragmentLists> sort_fragments(std::string_view method, const strands::Groom& groom, double alpha,
-                                     const LightAxes& axes, const MapSettings& settings) {
+Result<FragmentLists> sort_fragments(const strands::Groom& groom, double alpha, const LightAxes& axes,
+                                     const MapSettings& settings) {
   const std::size_t texels = std::size_t(settings.resolution) * settings.resolution;
   FragmentLists lists;
   lists.view = map_view(axes, light_box(axes, groom.positions), settings.resolution, k_list_steps);
@@ -58,7 +58,7 @@ Result<FragmentLists> sort_fragments(std::string_view method, const strands::Gro
   const std::vector<Word> table = deposit_table(alpha, settings.accumulation, lists.scale);
   for_each_fragment(lists.view, groom, table,
                     [&](std::size_t texel, const Fragment&) { next(lists.first[texel + 1]); });
-  CUTICLE_TRY(begin_lists(method, lists.first));
+  CUTICLE_TRY(begin_lists(settings.method, lists.first));
   lists.fragments.resize(lists.first.back());
   std::vector<Word> unused(lists.first.begin(), lists.first.end() - 1);
   for_each_fragment(lists.view, groom, table, [&](std::size_t texel, const Fragment& fragment) {

@@ -2,7 +2,6 @@
 // What strands leave in each texel of the light's view, sorted by depth: all that a map of that resolution could know.
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <cuticle/core/result.h>
@@ -26,13 +25,14 @@ struct FragmentLists {
   double scale = 1;                  ///< integers per unit of sigma
   std::vector<std::uint32_t> first;  ///< where each texel's list begins, and the end
   std::vector<Fragment> fragments;
+  std::size_t bytes() const { return sizeof(Fragment) * fragments.size() + 4 * first.size(); }
   std::span<const Fragment> of(std::size_t texel) const {
     return std::span(fragments).subspan(first[texel], first[texel + 1] - first[texel]);
   }
 };
 
 /// The lists of all texels, the same at any thread count. Error: usage, naming the method, when they would pass 2 GiB.
-Result<FragmentLists> sort_fragments(std::string_view method, const strands::Groom& groom, double alpha,
-                                     const LightAxes& axes, const MapSettings& settings);
+Result<FragmentLists> sort_fragments(const strands::Groom& groom, double alpha, const LightAxes& axes,
+                                     const MapSettings& settings);
 
 }  // namespace cuticle::shadows

@@ -1,5 +1,5 @@
 #pragma once
-// The CPU evaluation of a method that builds a map of the light's view and looks receivers up in it.
+// A method that builds a map and looks receivers up in it: its evaluation on the CPU and its entry in the registry.
 #include <chrono>
 #include <span>
 #include <vector>
@@ -16,39 +16,58 @@ inline double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Transmittance at world points from sum_at(texel, depth), integers of `scale` per unit of sigma; depths are limited
-/// to 0 .. deepest, in steps. `filter`: radius in texels.
-std::vector<float> look_up_points(const MapView& view, const MapSettings& settings, double scale, float filter,
-                                  float deepest, std::span<const glm::vec3> points, const auto& sum_at) {
+/// What an integer of a map counts in the exponent of T: -k / scale.
+inline float exponent_per_unit(const MapSettings& settings, double scale) {
+  return float(-settings.accumulation.k / scale);
+}
+
+/// Transmittance at world points. at_depth(z) gives a function of a texel, the exponent of T before depth z; depths are
+/// limited to 0 .. deepest, in steps. Error: usage, for a filter too wide for the map.
+Result<std::vector<float>> look_up_points(const MapView& view, const MapSettings& settings, float deepest,
+                                          std::span<const glm::vec3> points, const auto& at_depth) {
+  CUTICLE_ASSIGN(const float radius, filter_in_texels(settings, double(view.scale.x)));
+  const MapFilter filter{radius, float(settings.depth_offset), settings.accumulation.poisson};
   std::vector<float> values(points.size());
-  const MapFilter around{filter, settings.accumulation.poisson};
-  const float per_unit = float(-settings.accumulation.k / scale);
-  const auto exponent = [&](std::size_t texel, float z) { return per_unit * sum_at(texel, z); };
   for_each_index(points.size(),
-                 [&](std::size_t i) { values[i] = transmittance_at(view, around, deepest, points[i], exponent); });
+                 [&](std::size_t i) { values[i] = transmittance_at(view, filter, deepest, points[i], at_depth); });
   return values;
 }
 
-/// build(groom, alpha, axes, settings) gives a map with its `view` (or a Result of one), look_up(map, settings, filter,
-/// points) a float per point, bytes(map) its size. Errors: those of `check`, and of a filter too wide for the map.
-template <class Settings>
-Result<Transmittance> evaluate_by_map(std::string_view name, const Casters& casters, const Receivers& receivers,
-                                      const Settings& settings, const auto& build, const auto& look_up,
-                                      const auto& bytes) {
+/// Method::evaluate of a method of maps, from its settings_from(values), build(groom, alpha, axes, settings) and
+/// look_up(map, settings, points), each a value or a Result of one. Errors: those of `check` and of these.
+template <auto settings_from, auto build, auto look_up>
+Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& receivers,
+                                   const registry::ParameterValues& values) {
+  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
   CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
   Transmittance result;
   const auto start = std::chrono::steady_clock::now();
   CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
-  CUTICLE_ASSIGN(const float filter, filter_in_texels(name, settings.map, double(map.view.scale.x)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
-  result.values = look_up(map, settings, filter, receivers.points);
+  CUTICLE_ASSIGN(result.values, Result(look_up(map, settings, receivers.points)));
   result.cost.lookup_ms = milliseconds_since(built);
-  result.cost.bytes = bytes(map);
+  result.cost.bytes = map.bytes();
   result.cost.device = cpu_device_name();
   if constexpr (requires { map.clamped; }) result.clamped = map.clamped;
   return result;
+}
+
+/// Entry::dispatches of a method with so many passes for each light.
+template <std::uint32_t passes>
+std::uint32_t passes_per_light(const registry::ParameterValues&, const registry::FrameShape& shape) {
+  return passes * shape.lights;
+}
+
+/// The registered method of the functions of evaluate_map; `entry` says what is its own.
+template <auto settings_from, auto build, auto look_up>
+Method map_method(registry::Entry entry) {
+  static constexpr std::string_view k_demands[] = {"light", "shadow_method"};
+  entry.kind = registry::EntryKind::method;
+  entry.demands = k_demands;
+  entry.stage = registry::Stage::shadow;
+  return {entry, evaluate_map<settings_from, build, look_up>};
 }
 
 }  // namespace cuticle::shadows

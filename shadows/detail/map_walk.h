@@ -103,8 +103,9 @@ inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const stra
 
 /// How a lookup averages.
 struct MapFilter {
-  float radius = 1;      ///< texels; under 0.5: the one texel that holds the point
-  bool poisson = false;  ///< average the optical depth; else T
+  float radius = 1;        ///< texels; under 0.5: the one texel that holds the point
+  float depth_offset = 0;  ///< metres behind the point that fibres still count
+  bool poisson = false;    ///< average the optical depth; else T
 };
 /// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel)), texels outside the map counting
 /// as free; `exponent` takes the index of a texel.
@@ -114,7 +115,8 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
   float sum = 0, weights = 0;
   for (int j = j0 - reach; j <= j0 + reach; ++j)
     for (int i = i0 - reach; i <= i0 + reach; ++i) {
-      const float weight = disc_weight(std::hypot(float(i) + 0.5f - x, float(j) + 0.5f - y), filter.radius);
+      const glm::vec2 away(float(i) + 0.5f - x, float(j) + 0.5f - y);
+      const float weight = disc_weight(std::sqrt(away.x * away.x + away.y * away.y), filter.radius);
       weights += weight;
       if (!(weight > 0)) continue;
       const bool outside = i < 0 || j < 0 || i >= end || j >= end;
@@ -124,15 +126,15 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
   return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
 }
 
-/// The transmittance at a world point: 1 far outside the map. `exponent` takes a texel and the depth, in steps, limited
-/// to 0 .. deepest.
+/// The transmittance at a world point: 1 far outside the map. at_depth(z), z in steps and limited to 0 .. deepest,
+/// gives the exponent as a function of the texel.
 float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
-                       const auto& exponent) {
+                       const auto& at_depth) {
   const glm::vec3 point = to_map(view, p);
   const float limit = float(view.resolution) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
-  const float z = std::clamp(point.z, 0.0f, deepest);
-  return mean_transmittance(view, filter, point.x, point.y, [&](std::size_t texel) { return exponent(texel, z); });
+  const float z = std::clamp(lookup_depth(point.z, filter.depth_offset, view.scale.z), 0.0f, deepest);
+  return mean_transmittance(view, filter, point.x, point.y, at_depth(z));
 }
 
 }  // namespace cuticle::shadows

@@ -7,14 +7,9 @@
 namespace cuticle::shadows::exact_list {
 namespace {
 
-constexpr registry::Parameter k_parameters[] = {k_resolution, k_optical_k, k_filter_texels, k_filter_radius,
-                                                k_accumulate};
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
+constexpr registry::Parameter k_parameters[] = {k_resolution,    k_optical_k,    k_filter_texels,
+                                                k_filter_radius, k_depth_offset, k_accumulate};
 constexpr registry::StudyCase k_cases[] = {{"default", ""}};
-
-struct Settings {
-  MapSettings map;
-};
 
 /// The sum of the fragments that lie in steps before that of depth z.
 float sum_before(const FragmentLists& lists, std::size_t texel, float z) {
@@ -25,37 +20,26 @@ float sum_before(const FragmentLists& lists, std::size_t texel, float z) {
   return behind == list.begin() ? 0.0f : float((behind - 1)->sum);
 }
 
-Result<FragmentLists> build(const strands::Groom& groom, double alpha, const LightAxes& axes,
-                            const Settings& settings) {
-  return sort_fragments("exact_list", groom, alpha, axes, settings.map);
-}
+MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
 
-std::vector<float> look_up(const FragmentLists& lists, const Settings& settings, float filter,
-                           std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) { return sum_before(lists, texel, z); };
-  return look_up_points(lists.view, settings.map, lists.scale, filter, k_behind_lists, points, sum);
-}
-
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  return evaluate_by_map(
-      "exact_list", casters, receivers, Settings{map_settings(values)}, build, look_up,
-      [](const FragmentLists& lists) { return sizeof(Fragment) * lists.fragments.size() + 4 * lists.first.size(); });
+Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings,
+                                   std::span<const glm::vec3> points) {
+  const float per_unit = exponent_per_unit(settings, lists.scale);
+  const auto at_depth = [&](float z) {
+    return [&, z](std::size_t texel) { return per_unit * sum_before(lists, texel, z); };
+  };
+  return look_up_points(lists.view, settings, k_behind_lists, points, at_depth);
 }
 
 }  // namespace
 
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "exact_list",
-                              "every fragment of every texel, sorted by depth: the ceiling of what a map can do",
-                              "the sorted list of Lokovic and Veach 2000, section 3.1, kept whole",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases},
-                             evaluate};
+  static const Method method = map_method<settings_from, sort_fragments, look_up>(
+      {.name = "exact_list",
+       .summary = "every fragment of every texel, sorted by depth: the ceiling of what a map can do",
+       .source = "the sorted list of Lokovic and Veach 2000, section 3.1, kept whole",
+       .parameters = k_parameters,
+       .study_cases = k_cases});
   return method;
 }
 

@@ -50,6 +50,13 @@ TEST(ExactList, ThreeFibresInALine_EachPointKnowsThoseBeforeIt) {
   EXPECT_NEAR(one(groom, {0, -1, 0}), 0.216, 1e-4);
 }
 
+TEST(ExactList, DepthOffset_FibresSoFarBehindAPointCount) {
+  strands::Groom groom;
+  for (const float y : {0.05f, 0.04f, 0.0f}) tests::add_strand(groom, {{-0.05f, y, 0}, {0.05f, y, 0}}, 0.005f);
+  EXPECT_NEAR(one(groom, {0, 0.041f, 0}, "depth_offset_mm=0.9"), 0.6, 1e-4);
+  EXPECT_NEAR(one(groom, {0, 0.041f, 0}, "depth_offset_mm=1.1"), 0.36, 1e-4);
+}
+
 TEST(ExactList, EmptyGroomClearAndOpaqueFibres_StatedValues) {
   strands::Groom groom;
   EXPECT_EQ(one(groom, {0, 0, 0}), 1.0f);

@@ -28,39 +28,23 @@ constexpr registry::Parameter k_parameters[] = {
     k_optical_k,
     k_filter_texels,
     k_filter_radius,
+    k_depth_offset,
     k_accumulate,
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr registry::StudyCase k_cases[] = {
     {"1 harmonic", "harmonics=1"}, {"3 harmonics", "harmonics=3"}, {"7 harmonics", "harmonics=7"}};
 
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  return evaluate_by_map("fourier", casters, receivers, settings, build_map, look_up,
-                         [](const SeriesMap& map) { return 4 * map.sums.size(); });
-}
-
-/// Fit, splat, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
-  return 3 * shape.lights;
-}
-
 }  // namespace
 
+/// Passes: fit, splat, lookup; the clearing is a fill.
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "fourier",
-                              "opacity over depth as a Fourier series (Fourier opacity map)",
-                              "Jansen and Bavoil 2010, Fourier Opacity Mapping",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases,
-                              dispatches,
-                              0},
-                             evaluate};
+  static const Method method = map_method<settings_from, build_map, look_up>(
+      {.name = "fourier",
+       .summary = "opacity over depth as a Fourier series (Fourier opacity map)",
+       .source = "Jansen and Bavoil 2010, Fourier Opacity Mapping",
+       .parameters = k_parameters,
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<3>});
   return method;
 }
 

@@ -13,14 +13,10 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
-MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
-  return {build_map(groom, alpha, axes, settings).sums};
-}
-
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"fourier", create_map<settings_from, describe>, words_of_map<settings_from, words_of>};
+  static const GpuMethod method{"fourier", create_map<settings_from, describe>, words_of_map<settings_from, build_map>};
   return method;
 }
 

@@ -9,15 +9,13 @@
 namespace cuticle::shadows::fourier {
 namespace {
 
-/// The sum before depth z of a texel; ringing may leave 0 .. the whole, where it is cut off.
-float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z) {
+/// The sum before a depth (0 .. 1) of a texel; ringing may leave 0 .. the whole, where it is cut off.
+float sum_at(const SeriesMap& map, const Integrals<float>& basis, float depth, std::size_t texel) {
   const float whole = map.sum(texel, 0);
-  const float depth = z / float(k_series_steps);
   if (!(depth > 0) || !(whole > 0)) return 0;
   if (depth >= 1) return whole;
-  const Integrals<float> basis = integrals(depth, settings.harmonics, float(settings.smoothing));
   float sum = 0;
-  for (std::uint32_t i = 0; i < settings.functions(); ++i) sum += basis.of[i] * map.sum(texel, i);
+  for (std::size_t i = 0; i < map.functions; ++i) sum += basis.of[i] * map.sum(texel, i);
   return std::clamp(sum, 0.0f, whole);
 }
 
@@ -25,10 +23,10 @@ float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, 
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
-  settings.map = map_settings(values);
+  settings.map = map_settings("fourier", values);
   settings.harmonics = std::uint32_t(values.integer("harmonics"));
   settings.smoothing = values.real("smoothing");
-  CUTICLE_TRY(check_map_bytes("fourier", settings.functions(), settings.map.resolution));
+  CUTICLE_TRY(check_map_bytes(settings.map, settings.functions()));
   return settings;
 }
 
@@ -43,10 +41,14 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
   return build_series(groom, alpha, axes, settings.map, settings.functions(), weights(settings));
 }
 
-std::vector<float> look_up(const SeriesMap& map, const Settings& settings, float filter,
-                           std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, settings, texel, z); };
-  return look_up_points(map.view, settings.map, map.scale, filter, float(k_series_steps), points, sum);
+Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, std::span<const glm::vec3> points) {
+  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const auto at_depth = [&](float z) {
+    const float depth = z / float(k_series_steps);
+    const Integrals<float> basis = integrals(depth, settings.harmonics, float(settings.smoothing));
+    return [&map, per_unit, depth, basis](std::size_t texel) { return per_unit * sum_at(map, basis, depth, texel); };
+  };
+  return look_up_points(map.view, settings.map, float(k_series_steps), points, at_depth);
 }
 
 }  // namespace cuticle::shadows::fourier

@@ -30,12 +30,12 @@ double default_bias(Basis basis) { return basis == Basis::power_4 ? 1e-4 : basis
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
-  settings.map = map_settings(values);
+  settings.map = map_settings("moments", values);
   const std::string& basis = values.choice("basis");
   settings.basis = basis == "power_4" ? Basis::power_4 : basis == "power_6" ? Basis::power_6 : Basis::trigonometric_4;
   settings.bias = values.real("bias") > 0 ? values.real("bias") : default_bias(settings.basis);
   settings.overestimation = values.real("overestimation");
-  CUTICLE_TRY(check_map_bytes("moments", settings.functions(), settings.map.resolution));
+  CUTICLE_TRY(check_map_bytes(settings.map, settings.functions()));
   return settings;
 }
 
@@ -52,10 +52,12 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
   return build_series(groom, alpha, axes, settings.map, settings.functions(), weights(settings));
 }
 
-std::vector<float> look_up(const SeriesMap& map, const Settings& settings, float filter,
-                           std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, settings, texel, z); };
-  return look_up_points(map.view, settings.map, map.scale, filter, float(k_series_steps), points, sum);
+Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, std::span<const glm::vec3> points) {
+  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const auto at_depth = [&](float z) {
+    return [&, z](std::size_t texel) { return per_unit * sum_at(map, settings, texel, z); };
+  };
+  return look_up_points(map.view, settings.map, float(k_series_steps), points, at_depth);
 }
 
 }  // namespace cuticle::shadows::moments

@@ -30,40 +30,24 @@ constexpr registry::Parameter k_parameters[] = {
     k_optical_k,
     k_filter_texels,
     k_filter_radius,
+    k_depth_offset,
     k_accumulate,
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr registry::StudyCase k_cases[] = {{"4 power moments", "basis=power_4"},
                                            {"6 power moments", "basis=power_6"},
                                            {"4 trigonometric moments", "basis=trigonometric_4"}};
 
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  return evaluate_by_map("moments", casters, receivers, settings, build_map, look_up,
-                         [](const SeriesMap& map) { return 4 * map.sums.size(); });
-}
-
-/// Fit, splat, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
-  return 3 * shape.lights;
-}
-
 }  // namespace
 
+/// Passes: fit, splat, lookup; the clearing is a fill.
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "moments",
-                              "moments of opacity over depth (moment shadow map)",
-                              "Peters and Klein 2015; Muenstermann, Krumpen, Klein and Peters 2018",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases,
-                              dispatches,
-                              0},
-                             evaluate};
+  static const Method method = map_method<settings_from, build_map, look_up>(
+      {.name = "moments",
+       .summary = "moments of opacity over depth (moment shadow map)",
+       .source = "Peters and Klein 2015; Muenstermann, Krumpen, Klein and Peters 2018",
+       .parameters = k_parameters,
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<3>});
   return method;
 }
 

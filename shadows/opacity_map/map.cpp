@@ -17,10 +17,6 @@ float sum_at(const Map& map, std::size_t texel, float z) {
   return between_planes(slice == 0 ? 0.0f : float(sums[slice - 1]), float(sums[slice]), limited - float(slice));
 }
 
-}  // namespace
-
-namespace {
-
 /// To the 11 significant bits of a half float, ties to even.
 std::uint32_t rounded_to_half(std::uint32_t sum) {
   const int dropped = int(std::bit_width(sum)) - 11;
@@ -37,8 +33,7 @@ double scale_of(const strands::Groom& groom, double alpha, const Settings& setti
 /// What the form's format leaves of the sums.
 void store(Form form, Map& map) {
   const std::size_t bytes = form == Form::compute ? 4 : form == Form::graphics_half ? 2 : 1;
-  const std::size_t planes = form == Form::compute ? map.layers : k_target_planes;
-  map.bytes = bytes * planes * map.view.resolution * map.view.resolution;
+  map.texel_bytes = bytes * (form == Form::compute ? map.layers : k_target_planes);
   if (form == Form::graphics_8bit)
     for (std::uint32_t& sum : map.sums) {
       map.clamped += sum > 255;
@@ -52,7 +47,7 @@ void store(Form form, Map& map) {
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
-  settings.map = map_settings(values);
+  settings.map = map_settings("opacity_map", values);
   settings.slices = std::uint32_t(values.integer("slices"));
   settings.printed_spacing = values.choice("spacing") == "printed";
   const std::string& form = values.choice("form");
@@ -63,7 +58,7 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
     return usage_error(fmt::format("opacity_map: {} slices are outside 2 .. {} of form={}", settings.slices,
                                    k_target_planes + 1, form),
                        "form=compute, or fewer slices");
-  CUTICLE_TRY(check_map_bytes("opacity_map", settings.layers(), settings.map.resolution));
+  CUTICLE_TRY(check_map_bytes(settings.map, settings.layers()));
   return settings;
 }
 
@@ -83,9 +78,10 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   return map;
 }
 
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
-  const auto sum = [&](std::size_t texel, float z) { return sum_at(map, texel, z); };
-  return look_up_points(map.view, settings.map, map.scale, filter, settings.intervals(), points, sum);
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const auto at_depth = [&](float z) { return [&, z](std::size_t texel) { return per_unit * sum_at(map, texel, z); }; };
+  return look_up_points(map.view, settings.map, settings.intervals(), points, at_depth);
 }
 
 }  // namespace cuticle::shadows::opacity_map

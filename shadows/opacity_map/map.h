@@ -37,16 +37,17 @@ struct Map {
   MapView view;
   std::uint32_t layers = 15;
   double scale = 1;
-  std::size_t bytes = 0;    ///< in the form's own format
-  std::size_t clamped = 0;  ///< numbers that the form's range cut off
+  std::size_t texel_bytes = 60;  ///< in the form's own format
+  std::size_t clamped = 0;       ///< numbers that the form's range cut off
   std::vector<std::uint32_t> sums;
+  std::size_t bytes() const { return texel_bytes * view.resolution * view.resolution; }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). The
 /// graphics forms are imitated: each deposit (8 bits) or the sum (half) is rounded as the format does
 /// (OpacityDrawn_EightBitsAndHalf_StayCloseToTheTwin).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
 
 }  // namespace cuticle::shadows::opacity_map

@@ -6,9 +6,9 @@
 #include "cuticle/shadows/splat.glslh"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
-layout(location = 0) flat in vec4 axis;
-layout(location = 1) flat in vec4 extent;
-layout(location = 2) flat in vec2 at_depth;
+layout(location = 0) flat in vec4 one_end;
+layout(location = 1) flat in vec4 other_end;
+layout(location = 2) flat in uvec2 is_tip;
 layout(location = 0) out vec4 planes_1_to_4;
 layout(location = 1) out vec4 planes_5_to_8;
 layout(location = 2) out vec4 planes_9_to_12;
@@ -19,15 +19,29 @@ vec4 behind(int depth_step, int first_plane, float sigma) {
   return sigma * vec4(lessThan(ivec4(depth_step), ivec4(first_plane) + ivec4(0, 1, 2, 3)));
 }
 
+/// sigma of a deposit; rounded as a target of 8 bits does, where own[1] steps are given.
+float sigma_of(uint covered) {
+  const float sigma = -push.per_unit / push.own[0] * float(table[covered]);
+  return push.own[1] > 0.0 ? floor(push.own[1] * sigma + 0.5) / push.own[1] : sigma;
+}
+
+/// Each piece of a steep segment counts at its own depth, as the splat by compute has it.
 void main() {
-  const Footprint footprint =
-      Footprint(axis.xy, axis.zw, extent.x, extent.y, extent.z, extent.w, at_depth.x, at_depth.y);
-  const vec2 offset = texel_offset(footprint.from, int(gl_FragCoord.x), int(gl_FragCoord.y));
-  const float sigma =
-      -push.per_unit / push.own[0] * float(table[coverage_index(coverage(footprint, offset))]);
-  const int depth_step = max(0, depth_bin(footprint, offset));
-  planes_1_to_4 = behind(depth_step, 1, sigma);
-  planes_5_to_8 = behind(depth_step, 5, sigma);
-  planes_9_to_12 = behind(depth_step, 9, sigma);
-  planes_13_to_16 = behind(depth_step, 13, sigma);
+  const vec3 a = one_end.xyz, b = other_end.xyz;
+  const float half_width = one_end.w;
+  const float size = segment_footprint(a, b, half_width, 0.0, 0.0).size;
+  const uint pieces = piece_count(a.z * push.pieces_per_step, b.z * push.pieces_per_step, size);
+  planes_1_to_4 = planes_5_to_8 = planes_9_to_12 = planes_13_to_16 = vec4(0);
+  for (uint i = 0u; i < pieces; ++i) {
+    const Footprint footprint = segment_footprint(piece_point(a, b, i, pieces), piece_point(a, b, i + 1u, pieces),
+                                                  half_width, is_tip.x != 0u && i == 0u ? 1.0 : 0.0,
+                                                  is_tip.y != 0u && i + 1u == pieces ? 1.0 : 0.0);
+    const vec2 offset = texel_offset(footprint.from, int(gl_FragCoord.x), int(gl_FragCoord.y));
+    const float sigma = sigma_of(coverage_index(coverage(footprint, offset)));
+    const int depth_step = max(0, depth_bin(footprint, offset));
+    planes_1_to_4 += behind(depth_step, 1, sigma);
+    planes_5_to_8 += behind(depth_step, 5, sigma);
+    planes_9_to_12 += behind(depth_step, 9, sigma);
+    planes_13_to_16 += behind(depth_step, 13, sigma);
+  }
 }

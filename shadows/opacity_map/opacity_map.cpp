@@ -21,6 +21,7 @@ constexpr registry::Parameter k_parameters[] = {
     k_optical_k,
     k_filter_texels,
     k_filter_radius,
+    k_depth_offset,
     k_accumulate,
     {"spacing", ParameterType::choice, "1", 0, 0, "last_plane", k_spacings,
      "last_plane: range / (slices - 1); printed: range / slices, which stops short of the last plane"},
@@ -28,17 +29,9 @@ constexpr registry::Parameter k_parameters[] = {
      "compute: 32-bit integers; graphics: four blended four-channel targets of 8 bits or half floats, at most 17 "
      "slices"},
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr std::string_view k_systems[] = {"N17", "N18", "N20"};
 constexpr registry::StudyCase k_cases[] = {
     {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
-
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  return evaluate_by_map("opacity_map", casters, receivers, settings, build_map, look_up,
-                         [](const Map& map) { return map.bytes; });
-}
 
 /// Fit, splat, scan, lookup; drawn: fit and lookup. The clearing is a fill.
 std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape& shape) {
@@ -48,11 +41,14 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
 }  // namespace
 
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method, "opacity_map",
-                              "opacity at evenly spaced slices of the light's view (opacity shadow map)",
-                              "Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23 (the Nalu demo)",
-                              k_parameters, k_demands, registry::Stage::shadow, k_systems, k_cases, dispatches, 0},
-                             evaluate};
+  static const Method method = map_method<settings_from, build_map, look_up>(
+      {.name = "opacity_map",
+       .summary = "opacity at evenly spaced slices of the light's view (opacity shadow map)",
+       .source = "Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23 (the Nalu demo)",
+       .parameters = k_parameters,
+       .systems = k_systems,
+       .study_cases = k_cases,
+       .dispatches = dispatches});
   return method;
 }
 

@@ -20,7 +20,7 @@ MapDescription describe_drawn(const Settings& settings) {
   map.settings = settings.map;
   map.intervals = settings.intervals();
   map.layers = settings.layers();
-  map.own = {float(settings.map.accumulation.k)};
+  map.own = {float(settings.map.accumulation.k), settings.form == Form::graphics_8bit ? 255.0f : 0.0f};
   map.drawing = {opacity_draw_vert, opacity_draw_frag, k_target_planes / 4,
                  settings.form == Form::graphics_8bit ? gpu::TextureFormat::rgba8 : gpu::TextureFormat::rgba16f};
   map.passes = {{"shadow.lookup",
@@ -46,16 +46,16 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
-MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+MapWords words_of(const Map& map, const Settings& settings) {
   if (settings.form != Form::compute) return {};  // equal within the rounding of the targets only
-  return {build_map(groom, alpha, axes, settings).sums};
+  return {map.sums};
 }
 
 }  // namespace
 
 const GpuMethod& gpu_entry() {
   static const GpuMethod method{"opacity_map", create_map<settings_from, describe>,
-                                words_of_map<settings_from, words_of>};
+                                words_of_map<settings_from, build_map, words_of>};
   return method;
 }
 

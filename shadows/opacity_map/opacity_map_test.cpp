@@ -138,6 +138,26 @@ TEST(OpacityMap, ALotOfOpaqueFibres_SumsDoNotWrap) {
   EXPECT_LT(one(groom, {0, -1, 0}, "resolution=16,slices=2", 1), 1e-4f);
 }
 
+// T at the front of a slanted surface swings with the slices that pass through it; it does no more where the interval
+// between them is as deep as the surface's own step within a texel.
+TEST(OpacityMap, SlantedSheet_StripesFadeWithTheNumberOfSlices) {
+  std::vector<glm::vec3> front;
+  const strands::Groom groom = tests::slanted_sheet(front);
+  double before = 1;
+  for (const char* slices : {"4", "8", "16", "32", "64", "128", "256"}) {
+    const auto result = run(groom, front, std::string("slices=") + slices);
+    ASSERT_TRUE(result);
+    double squares = 0;
+    for (const float t : result->values)
+      squares += (double(t) - mean(result->values)) * (double(t) - mean(result->values));
+    const double stripes = std::sqrt(squares / double(front.size()));
+    std::printf("%s slices: T %.3f, stripes %.4f\n", slices, mean(result->values), stripes);
+    EXPECT_LT(stripes, before) << slices;
+    before = stripes;
+  }
+  EXPECT_LT(before, 0.04);
+}
+
 TEST(OpacityMap, BadInput_IsRefused) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   strands::Groom broken = upright();

@@ -7,11 +7,11 @@ namespace cuticle::shadows::shadow_map {
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
-  settings.map = map_settings(values);
+  settings.map = map_settings("shadow_map", values);
   settings.bias = 1e-3 * values.real("bias_mm");
   settings.opaque = values.choice("hair") == "opaque";
   settings.fibre_spacing = 1e-3 * values.real("fibre_spacing_mm");
-  CUTICLE_TRY(check_map_bytes("shadow_map", 1, settings.map.resolution));
+  CUTICLE_TRY(check_map_bytes(settings.map, 1));
   return settings;
 }
 
@@ -25,16 +25,17 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   return map;
 }
 
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points) {
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
   const float bias = float(settings.bias), steps_per_metre = map.view.scale.z;
   const float spacing = float(settings.fibre_spacing) * steps_per_metre;
-  const auto depth_before = [&](std::size_t texel, float z) {
-    if (map.nearest[texel] == k_no_depth) return 0.0f;
-    const float behind = steps_behind(z, map.nearest[texel], bias, steps_per_metre);
-    return depth_behind(behind, settings.opaque, map.crossing, spacing);
+  const auto at_depth = [&](float z) {
+    return [&, z](std::size_t texel) {
+      if (map.nearest[texel] == k_no_depth) return 0.0f;
+      const float behind = steps_behind(z, map.nearest[texel], bias, steps_per_metre);
+      return -depth_behind(behind, settings.opaque, map.crossing, spacing);
+    };
   };
-  // depth_before is an optical depth itself: k for a scale undoes the division by k.
-  return look_up_points(map.view, settings.map, settings.map.accumulation.k, filter, k_deepest, points, depth_before);
+  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
 }
 
 }  // namespace cuticle::shadows::shadow_map

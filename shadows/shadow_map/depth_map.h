@@ -26,11 +26,12 @@ struct Map {
   MapView view;
   float crossing = 0;                  ///< optical depth of one crossing
   std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
+  std::size_t bytes() const { return 4 * nearest.size(); }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. `filter`: radius in texels.
-std::vector<float> look_up(const Map& map, const Settings& settings, float filter, std::span<const glm::vec3> points);
+/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
 
 }  // namespace cuticle::shadows::shadow_map

@@ -30,37 +30,20 @@ constexpr registry::Parameter k_parameters[] = {
      {},
      "absorbing: depth of hair for each fibre crossed"},
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr registry::StudyCase k_cases[] = {
     {"one tap", "filter_texels=0"}, {"percentage-closer filter", "filter_texels=3"}, {"absorbing", "hair=absorbing"}};
 
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const Settings settings, settings_from(values));
-  return evaluate_by_map("shadow_map", casters, receivers, settings, build_map, look_up,
-                         [](const Map& map) { return 4 * map.nearest.size(); });
-}
-
-/// Fit, nearest, lookup; the clearing is a fill.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
-  return 3 * shape.lights;
-}
-
 }  // namespace
 
+/// Passes: fit, nearest, lookup; the clearing is a fill.
 const Method& entry() {
-  static const Method method{{registry::EntryKind::method,
-                              "shadow_map",
-                              "the depth of the nearest fibre, percentage-closer filtered",
-                              "Williams 1978; Reeves, Salesin and Cook 1987; absorbing: TressFX 4.1",
-                              k_parameters,
-                              k_demands,
-                              registry::Stage::shadow,
-                              {},
-                              k_cases,
-                              dispatches,
-                              0},
-                             evaluate};
+  static const Method method = map_method<settings_from, build_map, look_up>(
+      {.name = "shadow_map",
+       .summary = "the depth of the nearest fibre, percentage-closer filtered",
+       .source = "Williams 1978; Reeves, Salesin and Cook 1987; absorbing: TressFX 4.1",
+       .parameters = k_parameters,
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<3>});
   return method;
 }
 

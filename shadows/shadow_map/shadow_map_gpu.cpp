@@ -28,15 +28,13 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
-MapWords words_of(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
-  return {build_map(groom, alpha, axes, settings).nearest};
-}
+MapWords words_of(const Map& map, const Settings&) { return {map.nearest}; }
 
 }  // namespace
 
 const GpuMethod& gpu_entry() {
   static const GpuMethod method{"shadow_map", create_map<settings_from, describe>,
-                                words_of_map<settings_from, words_of>};
+                                words_of_map<settings_from, build_map, words_of>};
   return method;
 }
 

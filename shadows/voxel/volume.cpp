@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include <cuticle/shadows/detail/map_walk.h>
-#include <cuticle/shadows/light_frame.h>
 
 namespace cuticle::shadows::voxel {
 namespace {
@@ -73,39 +72,38 @@ float optical_depth(const Volume& volume, const glm::vec3& p, const glm::vec3& d
 }
 
 /// Starts of the rays of a lookup, relative to its point, spread over the disc by the golden angle.
-std::vector<glm::vec3> ray_starts(const Volume& volume, double radius, const glm::dvec3& unit_to_light) {
+std::vector<glm::vec3> ray_starts(const Volume& volume, double radius) {
   const int count = ray_count(float(radius) * volume.placement.per_metre);
   if (count == 1) return {glm::vec3(0)};
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  const PlaneAxes axes = plane_axes(unit_to_light);
   std::vector<glm::vec3> starts;
   for (int i = 0; i < count; ++i) {
     const double r = radius * std::sqrt((i + 0.5) / count), angle = golden_angle * i;
-    starts.emplace_back(r * (std::cos(angle) * axes.first + std::sin(angle) * axes.second));
+    starts.push_back(float(r * std::cos(angle)) * volume.axes.right + float(r * std::sin(angle)) * volume.axes.up);
   }
   return starts;
 }
 
 }  // namespace
 
-Settings settings_from(const registry::ParameterValues& values) {
-  return {std::uint32_t(values.integer("resolution")), values.choice("form") == "anisotropic",
-          values.choice("accumulate") == "poisson", 1e-3 * values.real("filter_radius_mm")};
+Result<Settings> settings_from(const registry::ParameterValues& values) {
+  const Settings settings{map_settings("voxel", values), values.choice("form") == "anisotropic"};
+  CUTICLE_TRY(check_map_bytes(settings.map, settings.map.resolution));
+  return settings;
 }
 
 float units_per_crossing(double alpha, const Settings& settings) {
-  const double depth = settings.poisson ? alpha : std::min(k_largest_depth, -std::log1p(-alpha));
+  const double depth = settings.map.accumulation.poisson ? alpha : std::min(k_largest_depth, -std::log1p(-alpha));
   return float(double(k_units) * depth);
 }
 
-Volume build_volume(const strands::Groom& groom, double alpha, const glm::dvec3& unit_to_light,
-                    const Settings& settings) {
+Volume build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   const strands::Bounds box = strands::bounds(groom);
-  Volume volume{volume_placement(box.lower, box.upper, settings.resolution), {}};
+  Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution), axes, {}};
   const glm::vec3& size = volume.placement.size;
   volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
   const float units = units_per_crossing(alpha, settings);
-  const glm::vec3 to_light(unit_to_light);
+  const glm::vec3 to_light = -axes.forward;
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
       deposit_segment(volume, groom, v, to_light, units, settings.anisotropic);
@@ -113,10 +111,9 @@ Volume build_volume(const strands::Groom& groom, double alpha, const glm::dvec3&
   return volume;
 }
 
-std::vector<float> look_up(const Volume& volume, const Settings& settings, const glm::dvec3& unit_to_light,
-                           std::span<const glm::vec3> points) {
-  const auto starts = ray_starts(volume, settings.filter_radius, unit_to_light);
-  const glm::vec3 direction(unit_to_light);
+std::vector<float> look_up(const Volume& volume, const Settings& settings, std::span<const glm::vec3> points) {
+  const auto starts = ray_starts(volume, settings.map.filter_radius);
+  const glm::vec3 direction = -volume.axes.forward;
   std::vector<float> values(points.size());
   for_each_index(points.size(), [&](std::size_t i) {
     float sum = 0;

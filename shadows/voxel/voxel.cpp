@@ -22,40 +22,19 @@ constexpr registry::Parameter k_parameters[] = {
      {},
      "radius of the disc that rays to the light start from; up to half a cell a single ray"},
 };
-constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 constexpr registry::StudyCase k_cases[] = {{"isotropic", "form=isotropic"}, {"anisotropic", "form=anisotropic"}};
-
-Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
-                               const registry::ParameterValues& values) {
-  CUTICLE_TRY(check(casters, receivers));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  const Settings settings = settings_from(values);
-  Transmittance result;
-  result.cost.device = cpu_device_name();
-  const auto start = std::chrono::steady_clock::now();
-  const Volume volume = build_volume(*casters.groom, casters.alpha, to_light, settings);
-  result.cost.build_ms = milliseconds_since(start);
-  const auto built = std::chrono::steady_clock::now();
-  result.values = look_up(volume, settings, to_light, receivers.points);
-  result.cost.lookup_ms = milliseconds_since(built);
-  result.cost.bytes = 4 * volume.sums.size();
-  return result;
-}
 
 }  // namespace
 
+/// Passes: fit, deposit, march; the clearing is a fill.
 const Method& entry() {
-  static const Method method{
-      {registry::EntryKind::method,
-       "voxel",
-       "hair as a volume of optical depth, marched towards the light",
-       "Petrovic, Henne and Anderson 2005, Volumetric Methods for Simulation and Rendering of Hair",
-       k_parameters,
-       k_demands,
-       registry::Stage::shadow,
-       {},
-       k_cases},
-      evaluate};
+  static const Method method = map_method<settings_from, build_volume, look_up>(
+      {.name = "voxel",
+       .summary = "hair as a volume of optical depth, marched towards the light",
+       .source = "Petrovic, Henne and Anderson 2005, Volumetric Methods for Simulation and Rendering of Hair",
+       .parameters = k_parameters,
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<3>});
   return method;
 }
 

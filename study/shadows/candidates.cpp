@@ -81,9 +81,9 @@ Result<void> add_combinations(const Candidate& start, std::span<const Axis> axes
   return {};
 }
 
-Texts in_millimetres(std::span<const double> radii) {
+Texts texts_of(std::span<const double> numbers, double unit) {
   Texts texts;
-  for (const double radius : radii) texts.push_back(std::to_string(1e3 * radius));
+  for (const double number : numbers) texts.push_back(std::to_string(unit * number));
   return texts;
 }
 
@@ -93,7 +93,8 @@ Result<void> add_method(const shadows::Method& method, const Sweep& sweep, std::
     CUTICLE_ASSIGN(start.values, registry::parse_assignments(method.entry.parameters, settings));
     const Axis axes[] = {number_axis(method, sweep.resolutions, {"resolution"}), layers,
                          text_axis(method, sweep.spacings, "spacing"),
-                         text_axis(method, in_millimetres(sweep.filter_radii), "filter_radius_mm")};
+                         text_axis(method, texts_of(sweep.filter_radii, 1e3), "filter_radius_mm"),
+                         text_axis(method, texts_of(sweep.filter_texels, 1), "filter_texels")};
     CUTICLE_TRY(add_combinations(start, axes, candidates));
   }
   return {};

@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <cuticle/shadows/footprint.h>
+#include <cuticle/shadows/light_frame.h>
 #include <cuticle/strands/statistics.h>
 
 namespace cuticle::study {
 namespace {
 
-bool counts(float truth) { return truth > 0.05f && truth < 0.95f; }
 bool is_in(Half half, std::size_t receiver) {
   return half == Half::both || (half == Half::choosing) == (receiver % 2 == 0);
 }
@@ -40,7 +39,7 @@ Comparison describe(const ComparisonRequest& request, std::size_t receivers) {
   comparison.strands = request.groom->strand_count();
   comparison.vertices = request.groom->vertex_count();
   comparison.alpha = request.alpha;
-  comparison.to_light = request.to_light / std::max(1e-300, glm::length(request.to_light));
+  comparison.to_light = shadows::unit_to_light(request.to_light).value();
   comparison.spacing = strands::statistics(*request.groom).spacing;
   comparison.footprint_radius =
       request.footprint_radius > 0 ? request.footprint_radius : shadows::default_footprint_radius(*request.groom);
@@ -53,7 +52,7 @@ void add_baselines(Comparison& comparison) {
   const std::vector<float>& truth = comparison.truth;
   std::vector<double> choosing;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!counts(truth[i])) continue;
+    if (!is_counted(truth[i])) continue;
     ++comparison.counted;
     comparison.truth_standard_error += double(comparison.truth_errors[i]);
     if (is_in(Half::choosing, i)) choosing.push_back(double(truth[i]));
@@ -79,51 +78,34 @@ ComparisonRow row_of(const Candidate& candidate, shadows::Transmittance result, 
   return row;
 }
 
-/// Points at both ends of the segment at each probe, the one that begins there unless its strand ends there.
-std::vector<glm::vec3> segment_ends(const strands::Groom& groom, const Probes& probes) {
-  std::vector<glm::vec3> ends;
-  for (std::size_t i = 0; i < probes.vertices.size(); ++i) {
-    const std::uint32_t v = probes.vertices[i], first = groom.offsets[probes.strands[i]];
-    const bool is_last = v + 1 == groom.offsets[probes.strands[i] + 1];
-    ends.push_back(groom.positions[is_last ? std::max(first + 1, v) - 1 : v]);
-    ends.push_back(groom.positions[is_last ? v : v + 1]);
-  }
-  return ends;
-}
-Probes middles(const strands::Groom& groom, Probes probes) {
-  const std::vector<glm::vec3> ends = segment_ends(groom, probes);
-  for (std::size_t i = 0; i < probes.points.size(); ++i) probes.points[i] = 0.5f * (ends[2 * i] + ends[2 * i + 1]);
-  return probes;
+Probes probes_of(const ComparisonRequest& request) {
+  if (request.to_camera) return visible_probes(*request.groom, *request.to_camera, request.receivers);
+  return request.weights == Weights::at_vertices ? spread_probes(*request.groom, request.receivers)
+                                                 : middle_probes(*request.groom, request.receivers);
 }
 
-/// A method at the probes, or its mean over the ends of their segments.
-Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
-                                           const Probes& probes, Weights weights) {
-  if (weights != Weights::per_vertex)
-    return candidate.method->evaluate(casters, {probes.points, probes.strands}, candidate.values);
-  const std::vector<glm::vec3> ends = segment_ends(*casters.groom, probes);
-  std::vector<std::uint32_t> strands;
-  for (const std::uint32_t strand : probes.strands) strands.insert(strands.end(), 2, strand);
-  CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {ends, strands}, candidate.values));
-  for (std::size_t i = 0; i < probes.points.size(); ++i)
-    result.values[i] = 0.5f * (result.values[2 * i] + result.values[2 * i + 1]);
-  result.values.resize(probes.points.size());
-  return result;
+/// A candidate's row, with its flicker where the truth under a turned light is known.
+Result<ComparisonRow> measure_row(const Candidate& candidate, const FlickerScene& scene, const Comparison& comparison) {
+  CUTICLE_ASSIGN(auto result, evaluate_at(candidate, scene.casters, *scene.probes, scene.weights));
+  ComparisonRow row = row_of(candidate, std::move(result), comparison);
+  if (scene.turned_truth.empty()) return row;
+  CUTICLE_ASSIGN(row.flicker, measure_flicker(candidate, scene, row.transmittance));
+  return row;
 }
 
-Result<void> add_rows(const ComparisonRequest& request, const shadows::Casters& casters, const Probes& probes,
-                      Progress& progress, Comparison& comparison) {
+Result<void> add_rows(const ComparisonRequest& request, const FlickerScene& scene, Progress& progress,
+                      Comparison& comparison) {
   std::size_t done = 0;
   for (const Candidate& candidate : request.candidates) {
     progress.update("methods", done++, request.candidates.size());
-    auto result = evaluate_at(candidate, casters, probes, request.weights);
-    if (result)
-      comparison.rows.push_back(row_of(candidate, std::move(*result), comparison));
+    auto row = measure_row(candidate, scene, comparison);
+    if (row)
+      comparison.rows.push_back(std::move(*row));
     else if (comparison.rows.empty() && done == request.candidates.size())
-      return result.error();
+      return row.error();
     else
       comparison.refused.push_back(
-          {std::string(candidate.method->entry.name), settings_text(candidate), result.error().message});
+          {std::string(candidate.method->entry.name), settings_text(candidate), row.error().message});
   }
   progress.update("methods", done, request.candidates.size());
   return {};
@@ -131,7 +113,7 @@ Result<void> add_rows(const ComparisonRequest& request, const shadows::Casters& 
 
 bool has_counted(std::span<const float> truth, Half half) {
   for (std::size_t i = 0; i < truth.size(); ++i)
-    if (is_in(half, i) && counts(truth[i])) return true;
+    if (is_in(half, i) && is_counted(truth[i])) return true;
   return false;
 }
 
@@ -145,32 +127,13 @@ double excess(const ComparisonRow& row, const Request& request) {
 
 }  // namespace
 
-Probes spread_probes(const strands::Groom& groom, std::size_t count) {
-  const std::size_t vertices = groom.vertex_count(), wanted = std::min(count, vertices);
-  Probes probes;
-  std::vector<std::size_t> chosen;
-  // Multiples of the golden ratio, so that no period of the strands' vertex counts is met.
-  for (std::size_t i = 0; i < wanted; ++i)
-    chosen.push_back(
-        wanted == vertices ? i : std::size_t(std::fmod(double(i) * 0.6180339887498949, 1.0) * double(vertices)));
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  for (const std::size_t v : chosen) {
-    probes.points.push_back(groom.positions[v]);
-    probes.vertices.push_back(std::uint32_t(v));
-    const auto after = std::upper_bound(groom.offsets.begin(), groom.offsets.end(), std::uint32_t(v));
-    probes.strands.push_back(std::uint32_t(after - groom.offsets.begin()) - 1);
-  }
-  return probes;
-}
-
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half) {
   CUTICLE_EXPECT(values.size() == truth.size(), "one value per truth");
   std::vector<double> errors;
   ErrorStatistics statistics;
   double squares = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!counts(truth[i]) || !is_in(half, i)) continue;
+    if (!is_counted(truth[i]) || !is_in(half, i)) continue;
     const double error = double(values[i]) - double(truth[i]);
     errors.push_back(std::abs(error));
     statistics.mean += std::abs(error);
@@ -193,10 +156,10 @@ ErrorStatistics error_statistics(std::span<const float> values, std::span<const 
 
 Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress& progress) {
   CUTICLE_EXPECT(request.groom != nullptr, "a request names its groom");
-  const shadows::Casters casters{request.groom, request.alpha, request.to_light};
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(request.to_light));
+  const shadows::Casters casters{request.groom, request.alpha, to_light};
   CUTICLE_TRY(shadows::check(casters, {}));
-  Probes probes = spread_probes(*request.groom, request.receivers);
-  if (request.weights != Weights::at_vertices) probes = middles(*request.groom, std::move(probes));
+  const Probes probes = probes_of(request);
   const shadows::Receivers receivers{probes.points, probes.strands};
   Comparison comparison = describe(request, probes.points.size());
   progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
@@ -209,7 +172,14 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   comparison.truth = std::move(truth.values);
   comparison.truth_errors = std::move(truth.standard_error);
   add_baselines(comparison);
-  CUTICLE_TRY(add_rows(request, casters, probes, progress, comparison));
+  shadows::Transmittance turned;
+  if (request.flicker) {
+    progress.message("truth under a light turned by 0.1 degree");
+    const shadows::Casters under_turned{request.groom, request.alpha, turned_light(to_light)};
+    CUTICLE_ASSIGN(turned, evaluate_truth(request, under_turned, receivers, comparison.footprint_radius));
+  }
+  const FlickerScene scene{casters, &probes, request.weights, comparison.truth, turned.values};
+  CUTICLE_TRY(add_rows(request, scene, progress, comparison));
   return comparison;
 }
 

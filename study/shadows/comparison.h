@@ -1,5 +1,6 @@
 #pragma once
 // Shadow methods against ray-traced truth on one groom and light: error, time, memory.
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,14 +13,10 @@
 #include <cuticle/core/result.h>
 #include <cuticle/shadows/method.h>
 #include <cuticle/strands/groom.h>
+#include <cuticle/study/shadows/flicker.h>
+#include <cuticle/study/shadows/probes.h>
 
 namespace cuticle::study {
-
-/// A method with its parameters, as one point of the comparison.
-struct Candidate {
-  const shadows::Method* method = nullptr;
-  registry::ParameterValues values;
-};
 
 /// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
 struct Sweep {
@@ -28,6 +25,7 @@ struct Sweep {
   std::vector<double> filter_radii;       ///< metres, "filter_radius_mm"; empty: the method's default
   std::vector<std::string> spacings;      ///< "spacing"; empty: the method's default
   bool skip_unfit = false;                ///< a method that takes none of the numbers is left out, not refused
+  std::vector<double> filter_texels;      ///< "filter_texels"; empty: the method's default
 };
 /// Each method with every combination of settings that it knows. A method without slices or layers comes in each of its
 /// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range.
@@ -37,21 +35,19 @@ std::vector<std::string> all_methods();
 /// What differs from the defaults, as `--set` would take it.
 std::string settings_text(const Candidate& candidate);
 
-/// Where transmittance is compared: at vertices; or in the middle of segments, looked up there (weights per fragment)
-/// or as the mean of that at both ends (weights per vertex).
-enum class Weights { at_vertices, per_fragment, per_vertex };
-
 /// What is compared, where, and how exact the truth is.
 struct ComparisonRequest {
   std::string name = "shadows", title = "Shadow methods against ray-traced truth";
   std::string groom_name;
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;              ///< opacity of one crossing, 0 .. 1
-  glm::dvec3 to_light{1, 1, 0.3};  ///< made unit
-  double footprint_radius = 0;     ///< metres; 0 = shadows::default_footprint_radius
-  int rays = 1024;                 ///< of the truth, per receiver
-  std::size_t receivers = 1000;    ///< strand vertices, spread evenly; all if there are fewer
-  Weights weights = Weights::at_vertices;
+  double alpha = 0.4;                      ///< opacity of one crossing, 0 .. 1
+  glm::dvec3 to_light{1, 1, 0.3};          ///< made unit
+  double footprint_radius = 0;             ///< metres; 0 = shadows::default_footprint_radius
+  int rays = 1024;                         ///< of the truth, per receiver
+  std::size_t receivers = 1000;            ///< spread evenly; all if there are fewer
+  Weights weights = Weights::at_vertices;  ///< else receivers are the middles of segments
+  std::optional<glm::dvec3> to_camera;     ///< receivers are what a camera in this direction sees instead
+  bool flicker = false;                    ///< measured as well, by two more evaluations of each setting
   std::vector<Candidate> candidates;
 };
 
@@ -63,6 +59,11 @@ struct ErrorStatistics {
   double mean = 0, percentile_95 = 0, maximum = 0, bias = 0;
   double mean_interval = 0, bias_interval = 0;
 };
+/// Milliseconds on a device, for all vertices: of a submission by wall clock, and of its passes by timestamps.
+struct DeviceCost {
+  std::string device;
+  double wall_ms = 0, build_ms = 0, lookup_ms = 0;
+};
 struct ComparisonRow {
   std::string method, settings;  ///< settings as `--set` would take them: what differs from the defaults
   registry::ParameterValues values;
@@ -70,6 +71,8 @@ struct ComparisonRow {
   shadows::Cost cost;                ///< lookup at the receivers
   double total_ms = 0;               ///< build, and lookup at every vertex of the groom
   std::vector<float> transmittance;  ///< at the receivers
+  std::optional<Flicker> flicker;
+  std::optional<DeviceCost> on_device;
 };
 /// A setting that its method did not take, and why.
 struct Refusal {
@@ -96,12 +99,8 @@ struct Comparison {
 /// candidate is refused; bad_input where a half has no receiver with 0.05 < truth < 0.95.
 Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress& progress);
 
-/// Vertices that stand for the groom: `count` of them, spread evenly over the list, with their numbers and strands.
-struct Probes {
-  std::vector<glm::vec3> points;
-  std::vector<std::uint32_t> vertices, strands;
-};
-Probes spread_probes(const strands::Groom& groom, std::size_t count);
+/// Whether errors are counted at a receiver: 0.05 < truth < 0.95.
+constexpr bool is_counted(float truth) { return truth > 0.05f && truth < 0.95f; }
 
 /// Statistics of values against the truth over the receivers of a half with 0.05 < truth < 0.95.
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half = Half::both);

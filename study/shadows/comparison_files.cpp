@@ -31,6 +31,13 @@ Json row_json(const ComparisonRow& row) {
   json["total_ms"] = row.total_ms;
   json["bytes"] = row.cost.bytes;
   json["device"] = row.cost.device;
+  if (row.on_device)
+    json["on_device"] = {{"device", row.on_device->device},
+                         {"wall_ms", row.on_device->wall_ms},
+                         {"build_timestamp_ms", row.on_device->build_ms},
+                         {"lookup_timestamp_ms", row.on_device->lookup_ms}};
+  if (row.flicker) json["light_flicker"] = row.flicker->light;
+  if (row.flicker && row.flicker->motion) json["motion_flicker"] = *row.flicker->motion;
   return json;
 }
 
@@ -61,11 +68,17 @@ std::string layers_of(const registry::ParameterValues& values) {
 }
 
 std::string csv_line(const ComparisonRow& row) {
-  return fmt::format("{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\"\n",
-                     row.method, row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean,
-                     row.error.mean_interval, row.error.percentile_95, row.error.maximum, row.error.bias,
-                     row.choosing.mean, row.cost.build_ms, row.cost.lookup_ms, row.total_ms, row.cost.bytes,
-                     row.cost.device);
+  const std::string light = row.flicker ? fmt::format("{:.6g}", row.flicker->light) : "";
+  const std::string motion = row.flicker && row.flicker->motion ? fmt::format("{:.6g}", *row.flicker->motion) : "";
+  const std::string device = row.on_device
+                                 ? fmt::format("{:.4g},{:.4g},{:.4g},\"{}\"", row.on_device->wall_ms,
+                                               row.on_device->build_ms, row.on_device->lookup_ms, row.on_device->device)
+                                 : ",,,";
+  return fmt::format(
+      "{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\",{},{},{}\n", row.method,
+      row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean, row.error.mean_interval,
+      row.error.percentile_95, row.error.maximum, row.error.bias, row.choosing.mean, row.cost.build_ms,
+      row.cost.lookup_ms, row.total_ms, row.cost.bytes, row.cost.device, light, motion, device);
 }
 ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error) {
   ComparisonRow row;
@@ -123,7 +136,8 @@ std::string to_json(const Comparison& comparison) {
 std::string to_csv(const Comparison& comparison) {
   std::string text =
       "method,settings,layers,resolution,mean_error,mean_interval,p95_error,max_error,bias,choosing_error,build_ms,"
-      "lookup_ms,total_ms,bytes,device\n";
+      "lookup_ms,total_ms,bytes,device,light_flicker,motion_flicker,device_wall_ms,"
+      "device_build_ms,device_lookup_ms,on_device\n";
   text += csv_line(baseline_row("none", comparison.none));
   text += csv_line(baseline_row("best constant", comparison.best_constant));
   for (const ComparisonRow& row : comparison.rows) text += csv_line(row);

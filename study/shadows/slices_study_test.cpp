@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cuticle/core/file.h>
@@ -183,6 +184,54 @@ TEST(CompareWithTruth, WeightsPerVertex_AreTheMeanOfTheEnds) {
   }
   EXPECT_NE(errors[0], errors[1]);
   EXPECT_NEAR(errors[0], errors[1], 0.1);
+}
+
+TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {
+  strands::Groom groom;
+  for (int i = 0; i < 100; ++i)
+    for (const float height : {0.0f, 0.1f}) {
+      const float x = 0.01f * float(i % 10), z = 0.01f * float(i / 10) + 0.1f * height;
+      groom.positions.insert(groom.positions.end(), {{x, height, z}, {x + 0.008f, height, z}});
+      groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+    }
+  groom.radii.assign(groom.positions.size(), 1e-3f);
+  const Probes above = visible_probes(groom, {0, 1, 0}, 50), below = visible_probes(groom, {0, -1, 0}, 50);
+  ASSERT_EQ(above.points.size(), 50u);
+  double upper = 0, lower = 0;
+  for (std::size_t i = 0; i < 50; ++i) {
+    upper += above.points[i].y > 0.05f ? 1 : 0;
+    lower += below.points[i].y < 0.05f ? 1 : 0;
+    const glm::vec3 a = groom.positions[above.vertices[i]], b = groom.positions[above.vertices[i] + 1];
+    EXPECT_NEAR(above.points[i].x, double(a.x) + double(above.fractions[i]) * double(b.x - a.x), 1e-6);
+    EXPECT_EQ(above.strands[i], above.vertices[i] / 2);
+  }
+  EXPECT_GT(upper, 25) << "one row of the lower fibres lies free";
+  EXPECT_GT(lower, 25);
+  EXPECT_EQ(visible_probes(groom, {0, 1, 0}, 50).points, above.points);
+}
+
+TEST(CompareWithTruth, Flicker_IsLessWithAFilter) {
+  const strands::Groom groom = study_coat(2000);
+  ComparisonRequest request;
+  request.groom = &groom;
+  request.rays = 64;
+  request.receivers = 200;
+  request.flicker = true;
+  const std::string methods[] = {"none", "opacity_map"};
+  request.candidates = candidates_of(methods, {{16}, {128}, {1e-6, 0.004}, {}}).value();
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  const auto& rows = comparison->rows;
+  for (const ComparisonRow& row : rows) {
+    std::printf("%s %s: light %.5f, motion %.5f\n", row.method.c_str(), row.settings.c_str(), row.flicker->light,
+                row.flicker->motion.value_or(-1));
+    EXPECT_GT(row.flicker->light, 0);
+  }
+  EXPECT_FALSE(rows[0].flicker->motion) << "none has no texels";
+  EXPECT_GT(*rows[1].flicker->motion, 2 * *rows[2].flicker->motion);
+  EXPECT_GT(rows[1].flicker->light, rows[2].flicker->light);
+  EXPECT_NEAR(std::acos(std::min(1.0, glm::dot(turned_light(comparison->to_light), comparison->to_light))),
+              0.1 * 3.14159265 / 180, 1e-7);
 }
 
 TEST(CompareWithTruth, NothingShadowed_IsRefused) {

@@ -18,8 +18,8 @@ inline void add_strand(strands::Groom& groom, std::initializer_list<glm::vec3> p
 
 inline double uniform(std::mt19937_64& random) { return double(random() >> 11) * 0x1p-53; }
 
-/// Straight fibres of 16 vertices across a box of `width` x `depth` x `width`: random places, directions at random in the
-/// plane y = constant, each running right through. Light along +y crosses them all square on.
+/// Straight fibres of 16 vertices across a box of `width` x `depth` x `width`: random places, directions at random in
+/// the plane y = constant, each running right through. Light along +y crosses them all square on.
 inline strands::Groom random_slab(int count, double width, double depth, float radius, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   strands::Groom groom;
@@ -73,6 +73,19 @@ inline strands::Groom coat(int count, int vertices, double length, float radius,
     groom.offsets.push_back(std::uint32_t(groom.positions.size()));
   }
   groom.radii.assign(groom.positions.size(), radius);
+  return groom;
+}
+
+/// Four layers of fibres along x, 1 mm apart, at 45 degrees to a light from above; 0.1 m on a side. `front`: points
+/// just before the first layer.
+inline strands::Groom slanted_sheet(std::vector<glm::vec3>& front) {
+  strands::Groom groom;
+  for (int i = 0; i < 400; ++i)
+    for (int layer = 0; layer < 4; ++layer) {
+      const float z = 0.00025f * float(i - 200), y = z - 0.001f * float(layer);
+      add_strand(groom, {{-0.05f, y, z}, {0, y, z}, {0.05f, y, z}}, 0.000125f);
+      if (layer == 0) front.emplace_back(0.001f, y + 0.0001f, z);
+    }
   return groom;
 }
 

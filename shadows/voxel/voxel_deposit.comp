@@ -1,0 +1,30 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per segment: its pieces add to the cells of their middles by integer sums.
+layout(local_size_x = 64) in;
+#include "cuticle/shadows/map_geometry.glsl"
+#include "cuticle/shadows/splat.glslh"
+#include "cuticle/shadows/voxel/volume.glslh"
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then the units of a crossing
+layout(std430, binding = 4) buffer Sums { uint sums[]; };
+
+const uint k_anisotropic = 2u;  // k_anisotropic_flag of voxel_gpu.cpp
+
+void main() {
+  const uint s = invocation();
+  if (s >= push.count) return;
+  const VolumePlacement placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
+  const vec4 a = vertices[segments[s]], b = vertices[segments[s] + 1u];
+  precise vec3 along = b.xyz - a.xyz;
+  precise float width = a.w + b.w;
+  const uint pieces = volume_pieces(placement, exact_length(along));
+  const float shown = shown_length(along, -push.forward.xyz, (push.flags & k_anisotropic) != 0u);
+  const float units = uintBitsToFloat(table[k_coverage_steps + 1u]);
+  const uint amount = piece_deposit(placement, units, width, shown, pieces);
+  for (uint i = 0u; i < pieces; ++i)
+    atomicAdd(sums[cell_number(placement, piece_in_cells(placement, a.xyz, b.xyz, i, pieces))], amount);
+}

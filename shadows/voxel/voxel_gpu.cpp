@@ -1,0 +1,40 @@
+// The volume on the GPU: clear (fills), fit, deposit, march; the integers of the cells equal the CPU's. It is held at
+// its largest, a cube.
+#include <bit>
+
+#include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/voxel/volume.h>
+
+#include <voxel_deposit_comp.spv.h>
+#include <voxel_march_comp.spv.h>
+
+namespace cuticle::shadows::voxel {
+namespace {
+
+constexpr std::uint32_t k_anisotropic_flag = 2;  // k_anisotropic of voxel_deposit.comp
+constexpr int k_sums = k_own;
+
+MapDescription describe(const Settings& settings) {
+  const std::uint64_t side = settings.map.resolution;
+  MapDescription map;
+  map.settings = settings.map;
+  map.in_world = true;
+  map.flags = settings.anisotropic ? k_anisotropic_flag : 0;
+  map.after_deposits = [settings](double alpha, double) {
+    return std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(units_per_crossing(alpha, settings))};
+  };
+  map.buffers = {{side * side * side}};
+  map.passes = {{"shadow.deposit", voxel_deposit_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}},
+                {"shadow.march", voxel_march_comp, {k_vertices, k_box, k_sums, k_transmittance}, MapRun::per_vertex}};
+  return map;
+}
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"voxel", create_map<settings_from, describe>,
+                                words_of_map<settings_from, build_volume>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::voxel

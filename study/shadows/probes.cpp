@@ -1,0 +1,136 @@
+#include <cuticle/study/shadows/probes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <cuticle/shadows/light_frame.h>
+// After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
+#include <cuticle/shadows/light_frame.glslh>
+
+namespace cuticle::study {
+namespace {
+
+glm::vec3 between(const glm::vec3& a, const glm::vec3& b, float t) { return a + t * (b - a); }
+
+void add_probe(const strands::Groom& groom, std::uint32_t vertex, std::uint32_t strand, float fraction,
+               Probes& probes) {
+  const std::uint32_t next = std::min(vertex + 1, groom.offsets[strand + 1] - 1);
+  probes.points.push_back(between(groom.positions[vertex], groom.positions[next], fraction));
+  probes.vertices.push_back(vertex);
+  probes.strands.push_back(strand);
+  probes.fractions.push_back(fraction);
+}
+
+/// The point of a fibre that a pixel sees.
+struct Seen {
+  float depth = std::numeric_limits<float>::infinity(), fraction = 0;
+  std::uint32_t vertex = 0, strand = 0;
+};
+
+/// A square picture of the groom.
+struct Picture {
+  shadows::LightAxes axes;
+  shadows::LightBox box;
+  float pixel = 1;
+  std::size_t side = 1;
+  std::vector<Seen> seen;
+
+  glm::vec3 view(const glm::vec3& p) const {
+    return shadows::light_point(axes.right, axes.up, axes.forward, p) - box.lower;
+  }
+  std::size_t index(const glm::vec3& p) const {
+    const auto along = [&](float x) { return std::min(side - 1, std::size_t(std::max(0.0f, x / pixel))); };
+    return along(p.y) * side + along(p.x);
+  }
+};
+
+/// Points of a segment half a pixel apart.
+void draw(const strands::Groom& groom, std::uint32_t vertex, std::uint32_t strand, Picture& picture) {
+  const glm::vec3 a = picture.view(groom.positions[vertex]), b = picture.view(groom.positions[vertex + 1]);
+  const int steps = 1 + int(2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) / picture.pixel);
+  for (int i = 0; i < steps; ++i) {
+    const float t = (float(i) + 0.5f) / float(steps);
+    const glm::vec3 p = between(a, b, t);
+    Seen& seen = picture.seen[picture.index(p)];
+    if (p.z < seen.depth) seen = {p.z, t, vertex, strand};
+  }
+}
+
+}  // namespace
+
+Probes spread_probes(const strands::Groom& groom, std::size_t count) {
+  const std::size_t vertices = groom.vertex_count(), wanted = std::min(count, vertices);
+  std::vector<std::size_t> chosen;
+  // Multiples of the golden ratio, so that no period of the strands' vertex counts is met.
+  for (std::size_t i = 0; i < wanted; ++i)
+    chosen.push_back(
+        wanted == vertices ? i : std::size_t(std::fmod(double(i) * 0.6180339887498949, 1.0) * double(vertices)));
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  Probes probes;
+  for (const std::size_t v : chosen) {
+    const auto after = std::upper_bound(groom.offsets.begin(), groom.offsets.end(), std::uint32_t(v));
+    add_probe(groom, std::uint32_t(v), std::uint32_t(after - groom.offsets.begin()) - 1, 0, probes);
+  }
+  return probes;
+}
+
+Probes middle_probes(const strands::Groom& groom, std::size_t count) {
+  const Probes ends = spread_probes(groom, count);
+  Probes probes;
+  for (std::size_t i = 0; i < ends.vertices.size(); ++i) {
+    const std::uint32_t v = ends.vertices[i], strand = ends.strands[i], first = groom.offsets[strand];
+    const bool is_last = v + 1 == groom.offsets[strand + 1];
+    add_probe(groom, is_last ? std::max(first + 1, v) - 1 : v, strand, 0.5f, probes);
+  }
+  return probes;
+}
+
+Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, std::size_t count) {
+  Picture picture;
+  picture.axes = shadows::light_axes(to_camera);
+  picture.box = shadows::light_box(picture.axes, groom.positions);
+  picture.side = 2 * std::size_t(std::ceil(std::sqrt(double(count))));
+  const glm::vec3 size = picture.box.upper - picture.box.lower;
+  picture.pixel = std::max(std::max(size.x, size.y), 1e-9f) / float(picture.side);
+  picture.seen.resize(picture.side * picture.side);
+  for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
+    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) draw(groom, v, s, picture);
+  std::erase_if(picture.seen, [](const Seen& seen) { return !std::isfinite(seen.depth); });
+  Probes probes;
+  const std::size_t found = picture.seen.size(), wanted = std::min(count, found);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const Seen& seen = picture.seen[i * found / wanted];
+    add_probe(groom, seen.vertex, seen.strand, seen.fraction, probes);
+  }
+  return probes;
+}
+
+Probes on_groom(const strands::Groom& groom, Probes probes) {
+  Probes moved;
+  for (std::size_t i = 0; i < probes.points.size(); ++i)
+    add_probe(groom, probes.vertices[i], probes.strands[i], probes.fractions[i], moved);
+  return moved;
+}
+
+Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
+                                           const Probes& probes, Weights weights) {
+  if (weights != Weights::per_vertex)
+    return candidate.method->evaluate(casters, {probes.points, probes.strands}, candidate.values);
+  std::vector<glm::vec3> ends;
+  std::vector<std::uint32_t> strands;
+  for (std::size_t i = 0; i < probes.points.size(); ++i) {
+    const std::uint32_t v = probes.vertices[i], strand = probes.strands[i];
+    ends.push_back(casters.groom->positions[v]);
+    ends.push_back(casters.groom->positions[std::min(v + 1, casters.groom->offsets[strand + 1] - 1)]);
+    strands.insert(strands.end(), 2, strand);
+  }
+  CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {ends, strands}, candidate.values));
+  for (std::size_t i = 0; i < probes.points.size(); ++i)
+    result.values[i] = std::lerp(result.values[2 * i], result.values[2 * i + 1], probes.fractions[i]);
+  result.values.resize(probes.points.size());
+  return result;
+}
+
+}  // namespace cuticle::study

@@ -1,0 +1,48 @@
+#pragma once
+// Points of a groom at which transmittance is compared.
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <cuticle/core/registry/parameter.h>
+#include <cuticle/core/result.h>
+#include <cuticle/shadows/method.h>
+#include <cuticle/strands/groom.h>
+
+namespace cuticle::study {
+
+/// A method with its parameters, as one point of a comparison.
+struct Candidate {
+  const shadows::Method* method = nullptr;
+  registry::ParameterValues values;
+};
+
+/// How transmittance comes to a point between two vertices: looked up there, or between that of the vertices.
+enum class Weights { at_vertices, per_fragment, per_vertex };
+
+/// Points that lie a fraction 0 .. 1 of the way from their vertex to the next of their strand.
+struct Probes {
+  std::vector<glm::vec3> points;
+  std::vector<std::uint32_t> vertices, strands;
+  std::vector<float> fractions;
+};
+
+/// `count` of the groom's vertices, spread evenly over the list; all if there are fewer.
+Probes spread_probes(const strands::Groom& groom, std::size_t count);
+
+/// The middles of the segments at such vertices, of the one that begins there unless its strand ends there.
+Probes middle_probes(const strands::Groom& groom, std::size_t count);
+
+/// What an orthographic camera in the direction `to_camera` (unit) sees: in each pixel the point of a fibre's axis that
+/// is nearest to it; `count` of the pixels that see some, spread evenly over the picture; all if there are fewer.
+Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, std::size_t count);
+
+/// The same places on the strands of another groom of as many vertices.
+Probes on_groom(const strands::Groom& groom, Probes probes);
+
+/// A method at the probes: looked up there, or, with weights per vertex, between the values at their two vertices.
+Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
+                                           const Probes& probes, Weights weights);
+
+}  // namespace cuticle::study
