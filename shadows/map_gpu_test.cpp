@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cuticle/shadows/clouds.h>
-#include <cuticle/shadows/groom_on_device.h>
+#include <cuticle/shadows/groom_gpu.h>
 #include <cuticle/shadows/light_frame.h>
 #include <cuticle/shadows/opacity_map/map.h>
 #include <cuticle/tests/support/shadow_runs.h>

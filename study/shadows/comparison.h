@@ -20,12 +20,12 @@ namespace cuticle::study {
 
 /// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
 struct Sweep {
-  std::vector<std::int64_t> layers;       ///< "slices" or "layers"; empty: the method's default
-  std::vector<std::int64_t> resolutions;  ///< "resolution"
-  std::vector<double> filter_radii;       ///< metres, "filter_radius_mm"; empty: the method's default
-  std::vector<std::string> spacings;      ///< "spacing"; empty: the method's default
-  bool skip_unfit = false;                ///< a method that takes none of the numbers is left out, not refused
-  std::vector<double> filter_texels;      ///< "filter_texels"; empty: the method's default
+  std::vector<std::int64_t> layers;        ///< "slices" or "layers"; empty: the method's default
+  std::vector<std::int64_t> resolutions;   ///< "resolution"
+  std::vector<double> filter_radii;        ///< metres, "filter_radius_mm"; empty: the method's default
+  std::vector<std::string> spacings;       ///< "spacing"; empty: the method's default
+  bool skip_unfit = false;                 ///< a method that takes none of the numbers is left out, not refused
+  std::vector<double> filter_texels = {};  ///< "filter_texels"; empty: the method's default
 };
 /// Each method with every combination of settings that it knows. A method without slices or layers comes in each of its
 /// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range.

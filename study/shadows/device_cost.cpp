@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/groom_on_device.h>
+#include <cuticle/shadows/groom_gpu.h>
 
 namespace cuticle::study {
 namespace {
