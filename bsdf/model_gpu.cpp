@@ -5,12 +5,10 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/gpu/groups.h>
 
 namespace cuticle::bsdf {
 namespace {
-
-constexpr std::uint32_t group_size = 64;      // local_size_x of gpu/evaluate.comp and gpu/sample.comp
-constexpr std::uint64_t most_groups = 65535;  // every Vulkan device allows so many in one direction
 
 /// Push constants of gpu/evaluate.comp.
 struct Batch {
@@ -19,8 +17,8 @@ struct Batch {
 };
 
 const GpuModel* find_gpu_model(std::string_view name) {
-  for (const GpuModel* model : gpu_models())
-    if (model->name == name) return model;
+  for (const GpuModel& model : gpu_models())
+    if (model.name == name) return &model;
   return nullptr;
 }
 
@@ -46,11 +44,6 @@ Sample widened(const DeviceSample& drawn) {
   return {drawn.theta_i, drawn.phi, drawn.pdf, {drawn.weight[0], drawn.weight[1], drawn.weight[2]}, int(drawn.lobe)};
 }
 
-/// Bytes of a storage buffer that one dispatch may read.
-std::uint64_t chunk_limit(const gpu::Device& device, std::size_t item_bytes) {
-  return std::min(device.info().max_storage_buffer_bytes, most_groups * group_size * item_bytes);
-}
-
 }  // namespace
 
 Result<GpuEvaluator> GpuEvaluator::make(gpu::Device& device, const Model& model) {
@@ -68,9 +61,9 @@ Result<void> GpuEvaluator::evaluate_chunk(const gpu::Buffer& parameters, const R
   CUTICLE_ASSIGN(gpu::Buffer results, device_->make_buffer(out.size() * sizeof(glm::vec3)));
   const Batch batch{std::uint32_t(out.size()), std::int32_t(request.quantity), request.lobe};
   gpu::Commands commands = device_->record();
+  const gpu::Groups groups = gpu::groups_for(batch.count);
   commands.begin_pass("bsdf evaluate");
-  commands.dispatch(kernel_, {&parameters, &points, &results}, {}, gpu::bytes_of(batch),
-                    (batch.count + group_size - 1) / group_size);
+  commands.dispatch(kernel_, {&parameters, &points, &results}, {}, gpu::bytes_of(batch), groups.x, groups.y);
   commands.end_pass();
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(std::vector<glm::vec3> values, gpu::read_buffer<glm::vec3>(*device_, results, out.size()));
@@ -88,7 +81,7 @@ Result<void> GpuEvaluator::evaluate(const registry::ParameterValues& values, con
                                     std::span<glm::dvec3> out) {
   CUTICLE_TRY(check_request(*model_, request, out.size()));
   CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
-  const std::uint64_t limit = chunk_limit(*device_, sizeof(DevicePoint));
+  const std::uint64_t limit = device_->info().max_storage_buffer_bytes;
   for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DevicePoint), limit)) {
     const std::size_t size = chunk.end - chunk.begin;
     const Request part{request.quantity, request.lobe, request.points.subspan(chunk.begin, size)};
@@ -114,9 +107,9 @@ Result<void> GpuEvaluator::sample_chunk(const gpu::Buffer& parameters, std::span
   CUTICLE_ASSIGN(gpu::Buffer results, device_->make_buffer(out.size() * sizeof(DeviceSample)));
   const std::uint32_t count = std::uint32_t(out.size());
   gpu::Commands commands = device_->record();
+  const gpu::Groups groups = gpu::groups_for(count);
   commands.begin_pass("bsdf sample");
-  commands.dispatch(*sample_kernel_, {&parameters, &numbers, &results}, {}, gpu::bytes_of(count),
-                    (count + group_size - 1) / group_size);
+  commands.dispatch(*sample_kernel_, {&parameters, &numbers, &results}, {}, gpu::bytes_of(count), groups.x, groups.y);
   commands.end_pass();
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(std::vector<DeviceSample> drawn, gpu::read_buffer<DeviceSample>(*device_, results, out.size()));
@@ -129,8 +122,8 @@ Result<void> GpuEvaluator::sample(const registry::ParameterValues& values, std::
   CUTICLE_TRY(check_queries(queries, out.size()));
   CUTICLE_TRY(make_sample_kernel());
   CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
-  for (const gpu::Chunk& chunk :
-       gpu::chunks(out.size(), sizeof(DeviceQuery), chunk_limit(*device_, sizeof(DeviceQuery)))) {
+  const std::uint64_t limit = device_->info().max_storage_buffer_bytes;
+  for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DeviceQuery), limit)) {
     const std::size_t size = chunk.end - chunk.begin;
     CUTICLE_TRY(sample_chunk(parameters, queries.subspan(chunk.begin, size), out.subspan(chunk.begin, size)));
   }

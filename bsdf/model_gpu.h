@@ -14,7 +14,7 @@ struct GpuModel {
   std::span<const std::uint32_t> evaluate_spirv;
   std::span<const std::uint32_t> sample_spirv = {};  ///< empty: the model has no sampler
 };
-std::span<const GpuModel* const> gpu_models();
+std::span<const GpuModel> gpu_models();  // written by CMake (bsdf/CMakeLists.txt)
 
 /// A model's kernels on a device, made once for many batches. Belongs to the device, which must outlive it.
 class GpuEvaluator {

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cuticle/gpu/groups.h>
 #include <cuticle/lut/cell_average.h>
 
 namespace cuticle::lut {
 namespace {
 
-constexpr std::uint32_t k_group_size = 64;  // local_size_x of bake.comp
 constexpr std::size_t k_channels = 4;
 
 /// As in bake.comp.
@@ -106,7 +106,7 @@ Result<void> BakeKernel::describe(gpu::Device& device, int size) {
     TableRecord& record = records.emplace_back();
     record.first = std::uint32_t(points.size());
     record.count = std::uint32_t(texels.x * texels.y);
-    groups_ = std::max(groups_, (record.count + k_group_size - 1) / k_group_size);
+    groups_ = std::max(groups_, gpu::groups_for(record.count).x);
     CUTICLE_TRY(add_channels(record, *model_, table->channels));
     for (int y = 0; y < texels.y; ++y)
       for (int x = 0; x < texels.x; ++x) points.push_back(point_of(*table, texels, x, y));

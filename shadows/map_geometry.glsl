@@ -17,10 +17,7 @@ layout(push_constant) uniform Push {
 const uint k_poisson = 1u;
 
 #ifndef MAP_IS_DRAWN  // by a vertex shader, which has no groups
-/// Invocation number of a dispatch that is split over two axes.
-uint invocation() {
-  return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-}
+#include "cuticle/gpu/groups.glsl"
 #endif
 
 vec3 in_light_axes(vec3 p) { return light_point(push.right.xyz, push.up.xyz, push.forward.xyz, p); }

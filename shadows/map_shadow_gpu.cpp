@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include <cuticle/gpu/groups.h>
 #include <cuticle/shadows/map_series.h>
 #include <cuticle/shadows/series.glslh>
 
@@ -125,7 +126,7 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, MapRun run) c
     case MapRun::per_vertex:
       return strands.vertex_count;
     case MapRun::one_group:
-      return 64;
+      return gpu::k_threads;
   }
   return 0;
 }
@@ -136,10 +137,10 @@ void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::
   std::vector<const gpu::Buffer*> bound;
   for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
   push.count = invocations(strands, pass.run);
-  const std::uint32_t groups = (push.count + 63) / 64, across = std::min(groups, 32768u);
+  const gpu::Groups groups = gpu::groups_for(push.count);
   commands.begin_pass(pass.name);
   commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},
-                    gpu::bytes_of(push), across, (groups + across - 1) / across);
+                    gpu::bytes_of(push), groups.x, groups.y);
   commands.end_pass();
 }
 

@@ -20,7 +20,8 @@ std::span<const Entry> entries();  // written by CMake (bsdf/CMakeLists.txt)
 
 namespace {
 
-constexpr std::size_t block = 4096;  // points in one call of a kernel, and the least that a thread takes
+// Points in one call, and the least that a thread takes: of a kernel, and where each takes its time.
+constexpr std::size_t kernel_block = 4096, slow_block = 64;
 
 const batch::Entry* find_entry(std::string_view model) {
   for (const batch::Entry& entry : batch::entries())
@@ -90,7 +91,7 @@ BatchPoints arrays_of_one(const glm::vec3& light, const glm::vec3& viewer, const
 
 /// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks.
 template <class Body>
-void in_blocks(std::size_t total, const Body& body) {
+void in_blocks(std::size_t total, std::size_t block, const Body& body) {
   const std::size_t blocks = (total + block - 1) / block;
   const auto one = [&](std::size_t b) { body(b * block, int(std::min(block, total - b * block))); };
   if (blocks == 1) return one(0);
@@ -129,7 +130,7 @@ Result<BatchEvaluator> BatchEvaluator::make(const Model& model, const registry::
 Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpans& color) const {
   CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
-  in_blocks(points.to_light.x.size(),
+  in_blocks(points.to_light.x.size(), kernels_ ? kernel_block : slow_block,
             [&](std::size_t first, int count) { evaluate_block(points, first, count, color); });
   return {};
 }
@@ -148,7 +149,8 @@ void BatchEvaluator::evaluate_block(const BatchPoints& points, std::size_t first
 Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> density) const {
   CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{"density", density.size()}}));
-  in_blocks(density.size(), [&](std::size_t first, int count) { pdf_block(points, first, count, density); });
+  in_blocks(density.size(), kernels_ ? kernel_block : slow_block,
+            [&](std::size_t first, int count) { pdf_block(points, first, count, density); });
   return {};
 }
 
@@ -205,7 +207,7 @@ Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpa
   const bool vectorised = draws_vectorised();
   CUTICLE_TRY(check_queries(queries, vectorised && kernels_ ? 4 : 5, needs_offset_));
   CUTICLE_TRY(check_output(count, to_light));
-  in_blocks(count, [&](std::size_t first, int size) {
+  in_blocks(count, vectorised ? kernel_block : slow_block, [&](std::size_t first, int size) {
     if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
     batch::in_whole_vectors(size, pointers(queries, first), pointers(to_light, first),
                             [&](int whole, const batch::QueryPointers& in, const std::array<float*, 3>& out) {
@@ -226,7 +228,7 @@ Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::sp
     CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{parameter.name, parameter.values.size()}}));
   CUTICLE_ASSIGN(const batch::RowColumns columns,
                  batch::RowColumns::make(*model_, values_, kernels_->numbers_in_row(), varying));
-  in_blocks(points.to_light.x.size(), [&](std::size_t first, int count) {
+  in_blocks(points.to_light.x.size(), kernel_block, [&](std::size_t first, int count) {
     const batch::RowBlock rows = columns.block(first, std::size_t(count));
     const batch::VaryingPointers from{rows.pointers, pointers(points, first)};
     batch::in_whole_vectors(count, from, pointers(color, first),

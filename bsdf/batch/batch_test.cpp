@@ -228,19 +228,24 @@ TEST_P(BatchSet, FarField_IsTheIntegralOfTheScalarFormulas) {
 
 // Models with kernels of their own and models without, with their default settings.
 TEST(Batch, EveryRegisteredModel_AgreesWithItsScalarFormulas) {
-  const Data data(64);
+  constexpr std::size_t count = 150;  // more than one block of those that go point by point
+  const Data data(count);
   for (const Model* model : models()) {
     const registry::ParameterValues values = registry::default_values(model->entry.parameters);
-    Arrays color(64);
-    ASSERT_TRUE((*BatchEvaluator::make(*model, values)).evaluate(data.points(), color.out()).ok()) << model->entry.name;
+    const BatchEvaluator batch = *BatchEvaluator::make(*model, values);
+    Arrays color(count);
+    ASSERT_TRUE(batch.evaluate(data.points(), color.out()).ok()) << model->entry.name;
     std::vector<Point> points;
-    for (std::size_t i = 0; i < 64; ++i) points.push_back(data.point(i));
-    std::vector<glm::dvec3> exact(64);
+    for (std::size_t i = 0; i < count; ++i) points.push_back(data.point(i));
+    std::vector<glm::dvec3> exact(count);
     model->evaluate_f32(values, {Quantity::S, -1, points}, exact);
     double largest = 0;
     for (const glm::dvec3& value : exact) largest = std::max(largest, value.x);
-    for (std::size_t i = 0; i < 64; ++i)
+    for (std::size_t i = 0; i < count; ++i)
       EXPECT_NEAR(color.x[i], exact[i].x, 1e-4 * exact[i].x + 1e-6 * largest) << model->entry.name << " point " << i;
+    const glm::vec3 last =
+        batch.evaluate(vector_at(data.light, count - 1), vector_at(data.viewer, count - 1), data.h[count - 1]);
+    EXPECT_NEAR(last.x, color.x[count - 1], 1e-5f * last.x) << model->entry.name;
   }
 }
 

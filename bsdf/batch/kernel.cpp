@@ -2,11 +2,13 @@
 // with CUTICLE_BATCH, which makes every shared function static and inlined, so that the linker cannot take code of one
 // instruction set for another. Every loop is one block of arithmetic without calls or branches, which the compiler
 // turns into vectors.
+#include <utility>
+
 #include <model_of_batch.h>
 
 #include <cuticle/bsdf/batch/kernel.h>
-#include <cuticle/bsdf/shared/directions.glslh>
 #include <cuticle/core/flush_to_zero.h>
+#include <cuticle/bsdf/shared/directions.glslh>
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
@@ -96,6 +98,15 @@ int row_numbers() {
   return numbers_in_row(ParameterRow<Real>{});
 }
 
+/// The numbers of point i, written one after the other: the compiler unrolls a loop of at most 16, and a loop inside
+/// keeps the one over points from becoming vectors.
+template <class Real, std::size_t... k>
+[[gnu::always_inline]] inline ParameterRow<Real> row_at(const RowPointers& from, int i, std::index_sequence<k...>) {
+  ParameterRow<Real> row;
+  ((int(k) < numbers_in_row(row) ? void(row.value[k] = from.value[k][i]) : void()), ...);
+  return row;
+}
+
 template <class Real>
 void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& in, const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
@@ -104,8 +115,7 @@ void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& 
   const ColorPointers to = out;
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    ParameterRow<Real> row;
-    for (int k = 0; k < numbers_in_row(row); ++k) row.value[k] = parameters.value[k][i];
+    const auto row = row_at<Real>(parameters, i, std::make_index_sequence<CUTICLE_ROW_COUNT>());
     const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, directions_at(from, i));
     to.red[i] = value.x;
     to.green[i] = value.y;

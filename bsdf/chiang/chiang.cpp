@@ -5,6 +5,7 @@
 
 #include <cuticle/bsdf/chiang/conversions.h>
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_table.h>
 #include <cuticle/bsdf/chiang/chiang.glslh>
 
 namespace cuticle::bsdf::chiang {
@@ -15,15 +16,8 @@ constexpr std::array<std::string_view, 2> fields = {"near", "far"};
 
 using registry::ParameterType;
 constexpr std::array<registry::Parameter, 9> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
-    {"sigma_a",
-     ParameterType::rgb,
-     "1/radius",
-     0,
-     100,
-     "0.2",
-     {},
-     "absorption per fibre radius, for red, green and blue"},
+    eta_parameter,
+    sigma_a_parameter,
     {"beta_m", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "longitudinal roughness, the paper's perceptual scale"},
     {"beta_n", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "azimuthal roughness, the paper's perceptual scale"},
     {"alpha",
@@ -55,13 +49,6 @@ constexpr std::array<registry::Parameter, 9> parameters = {{
      "relative error to which the far field is integrated"},
 }};
 
-// sigma_a from pigment: eumelanin (0.419, 0.697, 1.37) per unit of concentration (d'Eon et al. 2011, as tabulated in
-// pbrt), concentration 0.3 blonde, 1.3 brown, 8 black (pbrt).
-constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
-    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
-    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
-}};
 constexpr std::array<registry::StudyCase, 5> tiers = {{
     {"near", "field=near"},
     {"far, 1e-2", "field=far,tolerance=1e-2"},
@@ -72,13 +59,6 @@ constexpr std::array<registry::StudyCase, 5> tiers = {{
 constexpr std::array<Exception, 1> exceptions = {{
     {"reciprocity", "A takes theta_o alone, so exchanging the directions changes the energy of each path"},
 }};
-
-void pack_lobe(const LongitudinalLobe<double>& lobe, double* out) {
-  out[0] = lobe.inverse_variance;
-  out[1] = lobe.norm;
-  out[2] = lobe.sin_shift;
-  out[3] = lobe.cos_shift;
-}
 
 void pack_interval(const registry::ParameterValues& values, double* out) {
   const auto [from, to] = std::minmax({values.real("h_from"), values.real("h_to")});
@@ -92,10 +72,10 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   const Chiang<double> c = make_chiang<double>(values.real("eta"), values.rgb("sigma_a"), values.real("beta_m"),
                                                values.real("beta_n"), values.real("alpha"));
   Packed<double> packed{};
-  pack_lobe(c.r, packed.value);
-  pack_lobe(c.tt, packed.value + 4);
-  pack_lobe(c.trt, packed.value + 8);
-  pack_lobe(c.rest, packed.value + 12);
+  pack_longitudinal(c.r, packed.value);
+  pack_longitudinal(c.tt, packed.value + 4);
+  pack_longitudinal(c.trt, packed.value + 8);
+  pack_longitudinal(c.rest, packed.value + 12);
   packed.value[16] = c.blur.inverse_scale;
   packed.value[17] = c.blur.norm;
   packed.value[18] = c.blur.edge;
@@ -106,9 +86,6 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   packed.value[28] = values.choice("field") == "near" ? 1 : 0;
   return packed;
 }
-
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta_m = beta_m_from_deviation(fibre.longitudinal_deviation);
@@ -122,31 +99,30 @@ FibreMapping from_fibre(const Fibre& fibre) {
 
 bool near_field(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
 
+Model table() {
+  return {
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "chiang",
+                .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
+                .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
+                .parameters = parameters,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions = {.field = "near or far",
+                      .cosine = "not included",
+                      .tilt_sign =
+                          "positive alpha moves the R lobe toward theta_i + theta_o < 0, the root; opposite to pbrt "
+                          "and Tungsten (conversions.h)",
+                      .roughness = "the paper's perceptual beta_m and beta_n",
+                      .absorption = "per fibre radius"},
+      .presets = pigment_presets,
+      .near_field = near_field,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+}
+
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "chiang",
-                 .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
-                 .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
-                 .parameters = parameters,
-                 .study_cases = tiers},
-       .lobes = lobe_names,
-       .conventions = {.field = "near or far",
-                       .cosine = "not included",
-                       .tilt_sign =
-                           "positive alpha moves the R lobe toward theta_i + theta_o < 0, the root; opposite to pbrt "
-                           "and Tungsten (conversions.h)",
-                       .roughness = "the paper's perceptual beta_m and beta_n",
-                       .absorption = "per fibre radius"},
-       .presets = presets,
-       .near_field = near_field,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::chiang

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model_gpu.h>
 #include <cuticle/core/random.h>
+#include <cuticle/tests/support/model_on_device.h>
 
 namespace cuticle::bsdf {
 namespace {
@@ -13,9 +13,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 struct OnDevice {
-  std::shared_ptr<gpu::Device> device = *gpu::Device::open();
   const Model& model = **find_model("chiang");
-  GpuEvaluator evaluator = *GpuEvaluator::make(*device, model);
+  GpuEvaluator& evaluator = tests::evaluator_of(model);
 };
 OnDevice& on_device() {
   static OnDevice instance;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_table.h>
 #include <cuticle/bsdf/shared/rough_packing.h>
 #include <cuticle/bsdf/deon/deon.glslh>
 
@@ -17,15 +18,8 @@ constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
 using registry::ParameterType;
 constexpr std::array<registry::Parameter, 8> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
-    {"sigma_a",
-     ParameterType::rgb,
-     "1/radius",
-     0,
-     100,
-     "0.2",
-     {},
-     "absorption per fibre radius, for red, green and blue"},
+    eta_parameter,
+    sigma_a_parameter,
     {"beta_m",
      ParameterType::real,
      "rad",
@@ -64,12 +58,6 @@ constexpr std::array<registry::Parameter, 8> parameters = {{
      "theta_o: energy is kept exactly; theta_d: as the paper, reciprocal where alpha is 0"},
 }};
 
-// The pigment of the marschner presets (eumelanin 0.3, 1.3 and 8).
-constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
-    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
-    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
-}};
 constexpr std::array<registry::StudyCase, 3> tiers = {{
     {"tolerance 1e-2", "azimuthal_tolerance=1e-2"},
     {"tolerance 1e-4", "azimuthal_tolerance=1e-4"},
@@ -78,7 +66,7 @@ constexpr std::array<registry::StudyCase, 3> tiers = {{
 constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "attenuation belongs to theta_o, which keeps energy; attenuation_angle=theta_d is reciprocal",
      "attenuation_angle=theta_o"},
-    {"white_furnace", "paths of different widths take their shares at different theta_d", "attenuation_angle=theta_d"},
+    furnace_at_theta_d,
 }};
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
@@ -111,34 +99,23 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "deviations and tilt as they are; the cross-section is a circle and there is no medulla"};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "deon",
+                    .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
+                    .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
+                    .parameters = parameters,
+                    .systems = system_rows,
+                    .study_cases = tiers},
+          .lobes = lobe_names,
+          .conventions = conventions_of_shift("far", "standard deviation in theta_i and in phi"),
+          .presets = pigment_presets,
+          .from_fibre = from_fibre,
+          .exceptions = exceptions};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "deon",
-                 .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
-                 .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
-                 .parameters = parameters,
-                 .systems = system_rows,
-                 .study_cases = tiers},
-       .lobes = lobe_names,
-       .conventions =
-           {.field = "far",
-            .cosine = "not included",
-            .tilt_sign =
-                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
-            .roughness = "standard deviation in theta_i and in phi",
-            .absorption = "per fibre radius"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::deon

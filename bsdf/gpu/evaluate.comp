@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Any model over a batch of points, in the order of bsdf::Point; model_of_kernel.glslh is written by CMake for each model
 // and includes its formulas.
+#include "cuticle/gpu/groups.glsl"
 #include "model_of_kernel.glslh"
 
 layout(local_size_x = 64) in;
@@ -11,7 +12,7 @@ layout(std430, binding = 2) writeonly buffer Results { float rgb[]; };
 layout(push_constant) uniform Batch { uint count; int quantity; int lobe; } batch;
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
+  uint i = invocation();
   if (i >= batch.count) return;
   uint first = 6u * i;
   EvaluationPoint at = EvaluationPoint(coordinates[first], coordinates[first + 1u], coordinates[first + 2u],

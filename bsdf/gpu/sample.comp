@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Directions drawn from any model for a batch of queries, in the order of bsdf::SampleQuery, with their density and weight;
 // model_of_kernel.glslh is written by CMake for each model and includes its formulas.
+#include "cuticle/gpu/groups.glsl"
 #include "model_of_kernel.glslh"
 
 layout(local_size_x = 64) in;
@@ -24,7 +25,7 @@ SamplePoint query_at(uint i) {
 }
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
+  uint i = invocation();
   if (i >= batch.count) return;
   SamplePoint query = query_at(i);
   SampledDirection direction = sample_packed(packed, query);

@@ -138,34 +138,30 @@ FibreMapping from_fibre(const Fibre& fibre) {
           "other paths; no azimuthal roughness, no cross-section, no medulla"};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {
+      .entry =
+          {.kind = registry::EntryKind::model,
+           .name = "hairworks",
+           .summary =
+               "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
+           .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
+           .parameters = parameters,
+           .systems = system_rows},
+      .lobes = lobe_names,
+      .conventions =
+          {.field = "far",
+           .cosine = "not included",
+           .tilt_sign = "positive secondary_shift moves the secondary highlight toward theta_i + theta_o > 0, the tip",
+           .roughness = "exponent of the highlight: 1 / variance in theta_i",
+           .absorption = "none: colours instead"},
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry =
-           {.kind = registry::EntryKind::model,
-            .name = "hairworks",
-            .summary =
-                "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
-            .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
-            .parameters = parameters,
-            .systems = system_rows},
-       .lobes = lobe_names,
-       .conventions =
-           {.field = "far",
-            .cosine = "not included",
-            .tilt_sign = "positive secondary_shift moves the secondary highlight toward theta_i + theta_o > 0, the tip",
-            .roughness = "exponent of the highlight: 1 / variance in theta_i",
-            .absorption = "none: colours instead"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::hairworks

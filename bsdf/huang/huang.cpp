@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_table.h>
 #include <cuticle/bsdf/huang/huang.glslh>
 
 namespace cuticle::bsdf::huang {
@@ -15,7 +16,7 @@ constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
 using registry::ParameterType;
 constexpr std::array<registry::Parameter, 7> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
+    eta_parameter,
     {"sigma_a",
      ParameterType::rgb,
      "1/radius",
@@ -37,12 +38,6 @@ constexpr std::array<registry::Parameter, 7> parameters = {{
     {"field", ParameterType::choice, "1", 0, 0, "far", fields,
      "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer"},
     {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature of TT and of TRT"},
-}};
-
-constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
-    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
-    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
 }};
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
@@ -74,32 +69,27 @@ FibreMapping map_fibre(const Fibre& fibre) {
               roughness)};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "huang",
+                    .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
+                    .source = "Huang, Hullin and Hanika 2022",
+                    .parameters = parameters,
+                    .systems = system_rows,
+                    .study_cases = tiers},
+          .lobes = lobe_names,
+          .conventions = {.field = "near or far",
+                          .cosine = "not included",
+                          .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
+                          .roughness = "alpha of GGX's slopes",
+                          .absorption = "per semi-major axis"},
+          .presets = pigment_presets,
+          .near_field = is_near,
+          .from_fibre = map_fibre};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "huang",
-                 .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
-                 .source = "Huang, Hullin and Hanika 2022",
-                 .parameters = parameters,
-                 .systems = system_rows,
-                 .study_cases = tiers},
-       .lobes = lobe_names,
-       .conventions = {.field = "far",
-                       .cosine = "not included",
-                       .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
-                       .roughness = "alpha of GGX's slopes",
-                       .absorption = "per semi-major axis"},
-       .presets = presets,
-       .near_field = is_near,
-       .from_fibre = map_fibre});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::huang

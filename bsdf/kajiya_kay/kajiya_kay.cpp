@@ -64,30 +64,25 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "azimuth, no cross-section, no medulla"};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "kajiya_kay",
+                    .summary = "diffuse sin(t, l) and a highlight cos^p around the cone of reflection; not normalised",
+                    .source = "Kajiya and Kay 1989, section 4",
+                    .parameters = parameters},
+          .lobes = lobe_names,
+          .conventions = {.field = "far",
+                          .cosine = "not included",
+                          .tilt_sign = "no tilt",
+                          .roughness = "exponent of the highlight: 1 / variance in theta_i",
+                          .absorption = "none: colours instead"},
+          .presets = presets,
+          .from_fibre = from_fibre,
+          .exceptions = exceptions};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "kajiya_kay",
-                 .summary = "diffuse sin(t, l) and a highlight cos^p around the cone of reflection; not normalised",
-                 .source = "Kajiya and Kay 1989, section 4",
-                 .parameters = parameters},
-       .lobes = lobe_names,
-       .conventions = {.field = "far",
-                       .cosine = "not included",
-                       .tilt_sign = "no tilt",
-                       .roughness = "exponent of the highlight: 1 / variance in theta_i",
-                       .absorption = "none: colours instead"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::kajiya_kay

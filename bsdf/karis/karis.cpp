@@ -26,7 +26,7 @@ constexpr std::array<registry::Parameter, 3> parameters = {{
      "tilt of the cuticle's scales: R moves by -2, TT by 1, TRT by 4 times it"},
 }};
 
-// color = exp(-4 sigma_a) of the presets of marschner.
+// color = exp(-4 sigma_a) of pigment_presets (fibre_table.h).
 constexpr std::array<registry::StudyCase, 3> presets = {{
     {"blonde", "color=0.6048/0.4333/0.1932"},
     {"brown", "color=0.1132/0.02667/0.000806"},
@@ -50,9 +50,6 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
       make_karis<double>(density_of(values.rgb("color")), values.real("roughness"), values.real("shift")));
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
-
 FibreMapping from_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(std::sqrt(fibre.longitudinal_deviation), 0.032, 1.0);
   const double shift = std::clamp(fibre.scale_tilt, 0.0, 0.17453292519943295);
@@ -65,27 +62,25 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "cross-section, no medulla"};
 }
 
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "karis",
+                    .summary = "closed forms fitted to R, TT and TRT for real-time shading",
+                    .source = "Karis 2016, SIGGRAPH course Physically based shading",
+                    .parameters = parameters},
+          .lobes = lobe_names,
+          .conventions = {.field = "far",
+                          .cosine = "not included",
+                          .tilt_sign = "positive shift moves the R lobe toward theta_i + theta_o < 0, the root",
+                          .roughness = "root of the standard deviation in sin theta_i",
+                          .absorption = "color = exp(-4 sigma_a), sigma_a per fibre radius"},
+          .presets = presets,
+          .from_fibre = from_fibre,
+          .exceptions = exceptions};
+}
+
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "karis",
-                 .summary = "closed forms fitted to R, TT and TRT for real-time shading",
-                 .source = "Karis 2016, SIGGRAPH course Physically based shading",
-                 .parameters = parameters},
-       .lobes = lobe_names,
-       .conventions = {.field = "far",
-                       .cosine = "not included",
-                       .tilt_sign = "positive shift moves the R lobe toward theta_i + theta_o < 0, the root",
-                       .roughness = "root of the standard deviation in sin theta_i",
-                       .absorption = "color = exp(-4 sigma_a), sigma_a per fibre radius"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::karis

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_table.h>
 #include <cuticle/bsdf/marschner/marschner.glslh>
 
 namespace cuticle::bsdf::marschner {
@@ -19,15 +20,8 @@ using registry::ParameterType;
 // Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees
 // in theta_i.
 constexpr std::array<registry::Parameter, 11> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of the fibre"},
-    {"sigma_a",
-     ParameterType::rgb,
-     "1/radius",
-     0,
-     100,
-     "0.2",
-     {},
-     "absorption per fibre radius, for red, green and blue"},
+    eta_parameter,
+    sigma_a_parameter,
     {"beta",
      ParameterType::real,
      "rad",
@@ -83,14 +77,6 @@ constexpr std::array<registry::Parameter, 11> parameters = {{
      "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper"},
 }};
 
-// sigma_a from pigment: eumelanin (0.419, 0.697, 1.37) and pheomelanin (0.187, 0.4, 1.05) per unit of concentration
-// (d'Eon et al. 2011, as tabulated in pbrt), concentration of eumelanin 0.3 blonde, 1.3 brown, 8 black (pbrt).
-constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
-    {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
-    {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
-}};
-
 // The last is what the others are compared with: the paper's cubic and its M, and its caustic without singularities.
 constexpr std::array<registry::StudyCase, 3> tiers = {{
     {"literal, cubic roots", "variant=literal"},
@@ -117,9 +103,6 @@ Marschner<double> make(const registry::ParameterValues& values) {
 }
 
 Packed<double> pack_double(const registry::ParameterValues& values) { return pack_marschner(make(values)); }
-
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
 
 /// Means over intervals of one theta_d after another; what two neighbours share is found once.
 class AzimuthalMeans {
@@ -190,32 +173,24 @@ constexpr std::array<Exception, 6> exceptions = {{
     {"absorbing_furnace", "glints add energy", "caustic=smoothed"},
 }};
 
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "marschner",
+                    .summary = "smooth fibre, circular or elliptical: R, TT and TRT with exact roots, or as printed",
+                    .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
+                    .parameters = parameters,
+                    .systems = system_rows,
+                    .study_cases = tiers},
+          .lobes = lobe_names,
+          .conventions = conventions_of_shift("far", "standard deviation in theta_i"),
+          .presets = pigment_presets,
+          .from_fibre = from_fibre,
+          .exceptions = exceptions,
+          .azimuthal_means = azimuthal_means};
+}
+
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "marschner",
-                 .summary = "smooth fibre, circular or elliptical: R, TT and TRT with exact roots, or as printed",
-                 .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
-                 .parameters = parameters,
-                 .systems = system_rows,
-                 .study_cases = tiers},
-       .lobes = lobe_names,
-       .conventions =
-           {.field = "far",
-            .cosine = "not included",
-            .tilt_sign =
-                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; the paper's is negative",
-            .roughness = "standard deviation in theta_i",
-            .absorption = "per fibre radius"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions,
-       .azimuthal_means = azimuthal_means});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::marschner

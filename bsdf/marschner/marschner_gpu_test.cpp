@@ -4,18 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/tests/support/model_on_device.h>
 
 namespace cuticle::bsdf {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// A device and the model's kernel on it, made once.
 struct OnDevice {
-  std::shared_ptr<gpu::Device> device = *gpu::Device::open();
   const Model& model = **find_model("marschner");
-  GpuEvaluator evaluator = *GpuEvaluator::make(*device, model);
+  GpuEvaluator& evaluator = tests::evaluator_of(model);
 };
 OnDevice& on_device() {
   static OnDevice instance;

@@ -107,32 +107,28 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "azimuthal roughness, no cross-section, no medulla"};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "scheuermann",
+                .summary =
+                    "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
+                .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
+                .parameters = parameters,
+                .systems = system_rows},
+      .lobes = lobe_names,
+      .conventions = {.field = "far",
+                      .cosine = "not included",
+                      .tilt_sign = "positive shift reflects toward the root, theta_i + theta_o = -2 atan(shift)",
+                      .roughness = "exponent of the highlight: 4 / variance in theta_i",
+                      .absorption = "none: colours instead"},
+      .presets = presets,
+      .from_fibre = from_fibre,
+      .exceptions = exceptions};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "scheuermann",
-                 .summary =
-                     "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
-                 .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
-                 .parameters = parameters,
-                 .systems = system_rows},
-       .lobes = lobe_names,
-       .conventions = {.field = "far",
-                       .cosine = "not included",
-                       .tilt_sign = "positive shift reflects toward the root, theta_i + theta_o = -2 atan(shift)",
-                       .roughness = "exponent of the highlight: 4 / variance in theta_i",
-                       .absorption = "none: colours instead"},
-       .presets = presets,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::scheuermann

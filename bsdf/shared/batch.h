@@ -1,8 +1,7 @@
 #pragma once
 // What every model's CPU batch loops need: numbers narrowed to the precision asked for, points made ready for the
-// formulas, and the loops themselves. A model says how to pack and which formulas to call:
-//   using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-//                               decltype([](const auto&... a) { return sample_packed(a...); })>;
+// formulas, and the loops themselves. A model's file ends with CUTICLE_MODEL.
+#include <algorithm>
 #include <cmath>
 
 #include <cuticle/bsdf/model.h>
@@ -103,3 +102,16 @@ Model with_functions(Model model) {
 }
 
 }  // namespace cuticle::bsdf
+
+/// What the registries ask of a model's namespace: its entry, and its numbers. `pack` gives Packed<double> of parameter
+/// values, `table` the Model without functions; these are made of evaluate_packed and sample_packed.
+#define CUTICLE_MODEL(pack, table)                                                                    \
+  namespace {                                                                                         \
+  using Formulas = FormulasOf<pack, decltype([](const auto&... a) { return evaluate_packed(a...); }), \
+                              decltype([](const auto&... a) { return sample_packed(a...); })>;        \
+  }                                                                                                   \
+  Packed<double> packed_values(const registry::ParameterValues& values) { return pack(values); }      \
+  const Model& entry() {                                                                              \
+    static const Model model = with_functions<Formulas>(table());                                     \
+    return model;                                                                                     \
+  }

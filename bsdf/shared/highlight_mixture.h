@@ -14,11 +14,7 @@ struct Proposal {
 };
 
 inline void pack_proposal(const Proposal& proposal, double* out) {
-  const auto lobe = make_longitudinal_lobe<double>(std::clamp(proposal.width, 5e-4, 2.0), proposal.shift);
-  out[0] = lobe.inverse_variance;
-  out[1] = lobe.norm;
-  out[2] = lobe.sin_shift;
-  out[3] = lobe.cos_shift;
+  pack_longitudinal(make_longitudinal_lobe<double>(std::clamp(proposal.width, 5e-4, 2.0), proposal.shift), out);
 }
 
 /// Writes CUTICLE_MIXTURE_COUNT numbers. Lobes are drawn in proportion to their energies, the even one at least for a

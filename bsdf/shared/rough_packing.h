@@ -8,11 +8,7 @@ namespace cuticle::bsdf {
 
 /// A lobe of M of that standard deviation in theta_i [rad] whose peak is at theta_i + theta_o = shift [rad].
 inline void pack_longitudinal(double width, double shift, double* out) {
-  const LongitudinalLobe<double> lobe = make_longitudinal_lobe(width, shift);
-  out[0] = lobe.inverse_variance;
-  out[1] = lobe.norm;
-  out[2] = lobe.sin_shift;
-  out[3] = lobe.cos_shift;
+  pack_longitudinal(make_longitudinal_lobe(width, shift), out);
 }
 
 /// A wrapped Gaussian of that standard deviation [rad].

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/bsdf/shared/batch.h>
+#include <cuticle/bsdf/shared/fibre_table.h>
 #include <cuticle/bsdf/shared/rough_packing.h>
 #include <cuticle/bsdf/yan_fur/way_out.h>
 #include <cuticle/bsdf/yan_fur/yan_fur.glslh>
@@ -71,11 +72,6 @@ constexpr std::array<registry::Parameter, 13> parameters = {{
      "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i"},
 }};
 
-constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "sigma_a=0.1257/0.2091/0.411"},
-    {"brown", "sigma_a=0.5447/0.9061/1.781"},
-    {"black", "sigma_a=3.352/5.576/10.96"},
-}};
 constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"near field", "field=near"},
     {"tolerance 1e-2", "azimuthal_tolerance=1e-2"},
@@ -87,7 +83,7 @@ constexpr std::array<Exception, 2> exceptions = {{
      "attenuation belongs to theta_o, which keeps energy, and scattered light leaves by Lambert's law; "
      "attenuation_angle=theta_d is reciprocal",
      "attenuation_angle=theta_o"},
-    {"white_furnace", "paths of different widths take their shares at different theta_d", "attenuation_angle=theta_d"},
+    furnace_at_theta_d,
 }};
 
 /// Width of the von Mises-Fisher lobe whose mean cosine is `mean`, in (0, 1): 1/tanh(1/v) - v = mean, bisected in v.
@@ -158,35 +154,24 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "deviations, tilt and medulla as they are, with one layer of cuticle; the cross-section is a circle"};
 }
 
-using Formulas = FormulasOf<pack_double, decltype([](const auto&... a) { return evaluate_packed(a...); }),
-                            decltype([](const auto&... a) { return sample_packed(a...); })>;
+Model table() {
+  return {.entry = {.kind = registry::EntryKind::model,
+                    .name = "yan_fur",
+                    .summary = "fur: rough cortex around a scattering medulla, near and far field",
+                    .source = "Yan et al. 2017; M of d'Eon et al. 2011",
+                    .parameters = parameters,
+                    .systems = system_rows,
+                    .study_cases = tiers},
+          .lobes = lobe_names,
+          .conventions = conventions_of_shift("near or far", "standard deviation in theta_i and in phi"),
+          .presets = pigment_presets,
+          .near_field = is_near,
+          .from_fibre = from_fibre,
+          .exceptions = exceptions};
+}
 
 }  // namespace
 
-Packed<double> packed_values(const registry::ParameterValues& values) { return Formulas::pack(values); }
-
-const Model& entry() {
-  static const Model model = with_functions<Formulas>(
-      {.entry = {.kind = registry::EntryKind::model,
-                 .name = "yan_fur",
-                 .summary = "fur: rough cortex around a scattering medulla, near and far field",
-                 .source = "Yan et al. 2017; M of d'Eon et al. 2011",
-                 .parameters = parameters,
-                 .systems = system_rows,
-                 .study_cases = tiers},
-       .lobes = lobe_names,
-       .conventions =
-           {.field = "far or near, by the parameter field",
-            .cosine = "not included",
-            .tilt_sign =
-                "positive alpha moves the R lobe toward theta_i + theta_o > 0, the tip; that of hair is negative",
-            .roughness = "standard deviation in theta_i and in phi",
-            .absorption = "per fibre radius"},
-       .presets = presets,
-       .near_field = is_near,
-       .from_fibre = from_fibre,
-       .exceptions = exceptions});
-  return model;
-}
+CUTICLE_MODEL(pack_double, table)
 
 }  // namespace cuticle::bsdf::yan_fur

@@ -1,6 +1,7 @@
 // Kernels, recorded work and what it costs.
 #include <numeric>
 
+#include <cuticle/gpu/groups.h>
 #include "shared_device.h"
 
 #include <scale_comp.spv.h>
@@ -27,7 +28,8 @@ std::vector<float> ramp(std::size_t count) {
 
 void scale(Commands& commands, const Kernel& kernel, const Buffer& from, const Buffer& to, float factor) {
   const ScaleConstants constants{factor, std::uint32_t(to.size() / sizeof(float))};
-  commands.dispatch(kernel, {&from, &to}, {}, bytes_of(constants), (constants.count + 63) / 64);
+  const Groups groups = groups_for(constants.count);
+  commands.dispatch(kernel, {&from, &to}, {}, bytes_of(constants), groups.x, groups.y);
 }
 
 TEST(GpuKernel, PushConstantsAndSpecialization_ReachTheShader) {
@@ -54,6 +56,17 @@ TEST(GpuKernel, EachDispatch_SeesWhatTheOneBeforeWrote) {
   must(device.submit(std::move(commands)));
   const auto result = must(read_buffer<float>(device, a, data.size()));
   for (std::size_t i = 0; i < data.size(); ++i) ASSERT_EQ(result[i], data[i] + 7.5f);  // five times (2x + 1) / 2 + 1
+}
+
+TEST(GpuKernel, MoreThreadsThanOneAxisOfGroupsHolds_ReachEveryItem) {
+  Device& device = shared_device();
+  std::vector<float> data = ramp(32768 * 64 + 100);
+  const Buffer source = must(make_buffer_from<float>(device, data)), target = must(device.make_buffer(source.size()));
+  Commands commands = device.record();
+  scale(commands, scale_kernel(), source, target, 2);
+  must(device.submit(std::move(commands)));
+  for (float& value : data) value *= 2;
+  EXPECT_EQ(must(read_buffer<float>(device, target, data.size())), data);
 }
 
 TEST(GpuKernel, WrongNumberOfBuffers_IsRefusedAtSubmit) {

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H2: one thread per control vertex: its place in the frame of its root on the moved mesh.
+#include "cuticle/gpu/groups.glsl"
 #include "cuticle/strands/binding/surface_frame.glslh"
 
 layout(local_size_x = 64) in;
@@ -14,8 +15,7 @@ layout(std430, binding = 6) writeonly buffer Positions { vec4 positions[]; };
 layout(push_constant) uniform Constants { uint count; };
 
 void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint v = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  const uint v = invocation();
   if (v >= count) return;
   const uint strand = strand_of[v];
   const uvec4 t = corners[strand];

@@ -1,6 +1,6 @@
 #include <cuticle/strands/binding/carry_gpu.h>
 
-#include <cuticle/strands/detail/groups_gpu.h>
+#include <cuticle/gpu/groups.h>
 
 #include <carry_comp.spv.h>
 
@@ -21,7 +21,7 @@ Result<GpuCarry> GpuCarry::create(gpu::Device& device, const RestOnMesh& rest) {
 }
 
 void GpuCarry::record(gpu::Commands& commands, const gpu::Buffer& mesh_positions, const gpu::Buffer& mesh_normals) {
-  const Groups groups = groups_for(count_);
+  const gpu::Groups groups = gpu::groups_for(count_);
   commands.begin_pass("generate.carry");
   commands.dispatch(kernel_, {&mesh_positions, &mesh_normals, &corners_, &weights_, &locals_, &strand_of_, &positions_},
                     {}, gpu::bytes_of(count_), groups.x, groups.y);

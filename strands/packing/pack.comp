@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H15: one thread per strand: centre, half extent and largest radius of its vertices, then these in 12 bytes each.
+#include "cuticle/gpu/groups.glsl"
 #include "cuticle/strands/packing/packing.glslh"
 
 layout(local_size_x = 64) in;
@@ -11,8 +12,7 @@ layout(std430, binding = 3) writeonly buffer PackedStrands { float strand_units[
 layout(push_constant) uniform Constants { uint strands; uint count; };
 
 void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint strand = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  const uint strand = invocation();
   if (strand >= strands) return;
   const uint first = strand * count;
   vec4 lower = vertices[first], upper = lower;

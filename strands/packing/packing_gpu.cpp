@@ -1,6 +1,6 @@
 #include <cuticle/strands/packing/packing_gpu.h>
 
-#include <cuticle/strands/detail/groups_gpu.h>
+#include <cuticle/gpu/groups.h>
 
 #include <pack_comp.spv.h>
 
@@ -18,7 +18,7 @@ Result<GpuPacking> GpuPacking::create(gpu::Device& device, std::uint32_t strands
 }
 
 void GpuPacking::record(gpu::Commands& commands, const gpu::Buffer& vertices, const gpu::Buffer& tangents) {
-  const Groups groups = groups_for(constants_[0]);
+  const gpu::Groups groups = gpu::groups_for(constants_[0]);
   commands.dispatch(kernel_, {&vertices, &tangents, &vertices_, &strands_}, {}, gpu::bytes_of(constants_), groups.x,
                     groups.y);
 }

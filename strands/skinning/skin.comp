@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H1: one thread per vertex of the growth mesh.
+#include "cuticle/gpu/groups.glsl"
 #include "cuticle/strands/skinning/skinning.glslh"
 
 layout(local_size_x = 64) in;
@@ -44,8 +45,7 @@ void dual_quaternion(uint v) {
 }
 
 void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint v = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  const uint v = invocation();
   if (v >= count) return;
   if (dual != 0u)
     dual_quaternion(v);

@@ -1,6 +1,6 @@
 #include <cuticle/strands/skinning/skinning_gpu.h>
 
-#include <cuticle/strands/detail/groups_gpu.h>
+#include <cuticle/gpu/groups.h>
 
 #include <skin_comp.spv.h>
 
@@ -52,7 +52,7 @@ Result<void> GpuSkin::record(gpu::Commands& commands, std::span<const JointMotio
   for (std::size_t at = 0; at < bytes.size(); at += k_written_bytes)
     commands.write(motions_, bytes.subspan(at, std::min(k_written_bytes, bytes.size() - at)), at);
   const SkinConstants constants{count_, method == Skinning::dual_quaternion ? 1u : 0u};
-  const Groups groups = groups_for(count_);
+  const gpu::Groups groups = gpu::groups_for(count_);
   commands.begin_pass("generate.skin");
   commands.dispatch(kernel_,
                     {&positions_, &normals_, &joints_, &weights_, &motions_, &moved_positions_, &moved_normals_}, {},

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // N5: one thread per run of vertices of a drawn strand: position, radius, tangent and fraction of the length. Within a
 // run each vertex is blended once; the neighbours beyond its ends are blended again, which is cheaper than a barrier.
+#include "cuticle/gpu/groups.glsl"
 #include "cuticle/strands/spline/bezier.glslh"
 #include "cuticle/strands/tangent.glslh"
 
@@ -19,8 +20,7 @@ vec4 blended(uvec3 first, vec3 weight, uint i) {
 }
 
 void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint thread = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x, runs = (count + run - 1u) / run;
+  const uint thread = invocation(), runs = (count + run - 1u) / run;
   if (thread >= strands * runs) return;
   const uint strand = thread / runs, begin = (thread % runs) * run, end = min(begin + run, count);
   const uvec3 first = uvec3(hairs[3u * strand], hairs[3u * strand + 1u], hairs[3u * strand + 2u]) * count;

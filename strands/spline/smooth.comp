@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // N4: one thread per vertex of the smoothed control hairs; the tangents of its segment are computed on the way.
 // Beside the position goes the fraction of the control polygon's length, linear within a segment.
+#include "cuticle/gpu/groups.glsl"
 #include "cuticle/strands/spline/bezier.glslh"
 
 layout(local_size_x = 64) in;
@@ -36,8 +37,7 @@ vec4 smoothed_at(uint first, uint count, uint vertex) {
 }
 
 void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint i = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  const uint i = invocation();
   if (i >= hairs * vertices) return;
   const uint first = offsets[i / vertices], count = offsets[i / vertices + 1u] - first;
   smoothed[i] = smoothed_at(first, count, i % vertices);

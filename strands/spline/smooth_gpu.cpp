@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/strands/detail/groups_gpu.h>
+#include <cuticle/gpu/groups.h>
 
 #include <interpolate_comp.spv.h>
 #include <smooth_comp.spv.h>
@@ -129,7 +129,7 @@ Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr
 Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions) {
   const SmoothConstants constants{std::uint32_t(impl_->hairs), std::uint32_t(impl_->vertices_per_strand)};
   const std::size_t threads = impl_->hairs * impl_->vertices_per_strand;
-  const Groups groups = groups_for(threads);
+  const gpu::Groups groups = gpu::groups_for(threads);
   commands.begin_pass("generate.smooth");
   commands.dispatch(impl_->smooth, {&impl_->offsets, &control_positions, &impl_->smoothed}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);
@@ -141,7 +141,7 @@ Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
   const InterpolateConstants constants{std::uint32_t(impl_->strands), std::uint32_t(impl_->vertices_per_strand),
                                        std::uint32_t(impl_->run), impl_->radius, impl_->radius * k_tip_radius};
   const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
-  const Groups groups = groups_for(impl_->strands * runs);
+  const gpu::Groups groups = gpu::groups_for(impl_->strands * runs);
   commands.begin_pass("generate.interpolate");
   commands.dispatch(impl_->interpolate,
                     {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},

@@ -24,16 +24,20 @@ std::shared_ptr<gpu::Device> device() {
 #endif
 }
 
+/// Run once for all tests.
+const std::vector<Verdict>& verdicts() {
+  static const std::vector<Verdict> all = run_hard_cases(device(), silent_progress()).value();
+  return all;
+}
+
 TEST(HardCases, EveryCaseInEveryPrecision_Holds) {
-  const auto verdicts = run_hard_cases(device(), silent_progress()).value();
-  for (const Verdict& verdict : verdicts)
+  for (const Verdict& verdict : verdicts())
     EXPECT_NE(verdict.state, State::failed) << verdict.id << " in " << name_of(verdict.precision) << ": " << verdict.detail;
 }
 
 TEST(HardCases, Catalogue_HoldsAtLeastFortyCasesUnderNamesOfTheirOwn) {
-  const std::vector<Verdict> verdicts = run_hard_cases(nullptr, silent_progress()).value();
   std::multiset<std::string> ids;
-  for (const Verdict& verdict : verdicts)
+  for (const Verdict& verdict : verdicts())
     if (verdict.precision == Precision::f32) ids.insert(verdict.id);
   EXPECT_GE(ids.size(), 40u);
   for (const std::string& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;

@@ -9,7 +9,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/core/random.h>
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/bsdf/model_gpu.h>
+#include <cuticle/tests/support/model_on_device.h>
 #endif
 
 namespace cuticle::bsdf {
@@ -193,13 +193,8 @@ TEST_P(ModelsParity, Samples_AreSoundInFloatAndDouble) {
 }
 
 #ifdef CUTICLE_HAS_GPU
-gpu::Device& device() {
-  static const std::shared_ptr<gpu::Device> opened = gpu::Device::open({.choice = "", .validation = true}).value();
-  return *opened;
-}
-
 TEST_P(ModelsParity, DeviceAtRandomPoints_AgreesWithDouble) {
-  GpuEvaluator evaluator = GpuEvaluator::make(device(), *GetParam()).value();
+  GpuEvaluator& evaluator = tests::evaluator_of(*GetParam());
   const registry::ParameterValues values = coarse_defaults(*GetParam());
   for (Quantity quantity : {Quantity::S, Quantity::M, Quantity::N, Quantity::A, Quantity::pdf}) {
     const std::vector<Point> points = points_for(quantity, random_points(400));
@@ -211,7 +206,7 @@ TEST_P(ModelsParity, DeviceAtRandomPoints_AgreesWithDouble) {
 }
 
 TEST_P(ModelsParity, DeviceAtTheEdgesOfTheDomain_IsFinite) {
-  GpuEvaluator evaluator = GpuEvaluator::make(device(), *GetParam()).value();
+  GpuEvaluator& evaluator = tests::evaluator_of(*GetParam());
   const std::vector<registry::ParameterValues> settings = settings_of(*GetParam());
   for (std::size_t k = 0; k < settings.size(); ++k) {
     for (Quantity quantity : quantities) {
@@ -226,7 +221,7 @@ TEST_P(ModelsParity, DeviceAtTheEdgesOfTheDomain_IsFinite) {
 
 TEST_P(ModelsParity, DeviceSamples_AreSoundAndThoseOfFloat) {
   if (!GetParam()->sample_f32) GTEST_SKIP() << "no sampler";
-  GpuEvaluator evaluator = GpuEvaluator::make(device(), *GetParam()).value();
+  GpuEvaluator& evaluator = tests::evaluator_of(*GetParam());
   const std::vector<SampleQuery> all = queries(300);
   std::vector<Sample> samples(all.size()), expected(all.size());
   for (const registry::ParameterValues& values : settings_of(*GetParam())) {
