@@ -228,9 +228,8 @@ Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::sp
     CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{parameter.name, parameter.values.size()}}));
   CUTICLE_ASSIGN(const batch::RowColumns columns,
                  batch::RowColumns::make(*model_, values_, kernels_->numbers_in_row(), varying));
-  in_blocks(points.to_light.x.size(), kernel_block, [&](std::size_t first, int count) {
-    const batch::RowBlock rows = columns.block(first, std::size_t(count));
-    const batch::VaryingPointers from{rows.pointers, pointers(points, first)};
+  in_blocks(points.to_light.x.size(), batch::row_block, [&](std::size_t first, int count) {
+    const batch::VaryingPointers from{columns.block(first), pointers(points, first)};
     batch::in_whole_vectors(count, from, pointers(color, first),
                             [&](int size, const batch::VaryingPointers& in, const std::array<float*, 3>& out) {
                               kernels_->evaluate_rows(size, in.rows, in.directions, {out[0], out[1], out[2]});

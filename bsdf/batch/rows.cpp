@@ -36,7 +36,7 @@ Result<RowColumns> RowColumns::make(const Model& model, const registry::Paramete
   for (const Column& column : columns) known.push_back(column.name);
   RowColumns rows;
   rows.count_ = columns.size();
-  for (std::size_t k = 0; k < columns.size(); ++k) rows.constants_[k] = columns[k].constant;
+  for (const Column& column : columns) rows.constants_.insert(rows.constants_.end(), row_block, column.constant);
   for (const VaryingParameter& parameter : varying) {
     const auto at = std::ranges::find(known, parameter.name);
     if (at == known.end())
@@ -46,16 +46,11 @@ Result<RowColumns> RowColumns::make(const Model& model, const registry::Paramete
   return rows;
 }
 
-RowBlock RowColumns::block(std::size_t first, std::size_t count) const {
-  RowBlock block;
-  block.pointers.count = int(count_);
-  block.constants.resize(count_ * count);
-  for (std::size_t k = 0; k < count_; ++k) {
-    float* const own = block.constants.data() + k * count;
-    if (arrays_[k].empty()) std::fill(own, own + count, constants_[k]);
-    block.pointers.value[k] = arrays_[k].empty() ? own : arrays_[k].data() + first;
-  }
-  return block;
+RowPointers RowColumns::block(std::size_t first) const {
+  RowPointers pointers{{}, int(count_)};
+  for (std::size_t k = 0; k < count_; ++k)
+    pointers.value[k] = arrays_[k].empty() ? constants_.data() + k * row_block : arrays_[k].data() + first;
+  return pointers;
 }
 
 }  // namespace cuticle::bsdf::batch

@@ -1,6 +1,6 @@
 #pragma once
-// Parameters that change from point to point: arrays of the caller for some, a constant spread over a block for the
-// others.
+// Parameters that change from point to point: arrays of the caller for some, a constant spread over a block once for
+// the others.
 #include <array>
 #include <vector>
 
@@ -9,11 +9,7 @@
 
 namespace cuticle::bsdf::batch {
 
-/// Pointers for one block, and the constants that they point to.
-struct RowBlock {
-  RowPointers pointers{};
-  std::vector<float> constants;
-};
+constexpr std::size_t row_block = 256;  ///< points of a block: its arrays stay in the nearest cache
 
 /// The columns of ParameterRow, in the order of the model's parameters; an rgb counts as three, "sigma_a.r", ".g",
 /// ".b".
@@ -23,11 +19,12 @@ class RowColumns {
   /// them.
   static Result<RowColumns> make(const Model& model, const registry::ParameterValues& values, int numbers,
                                  std::span<const VaryingParameter> varying);
-  RowBlock block(std::size_t first, std::size_t count) const;
+  /// For the block of at most row_block points that begins at `first`.
+  RowPointers block(std::size_t first) const;
 
  private:
   std::array<std::span<const float>, CUTICLE_ROW_COUNT> arrays_;  ///< empty: constant
-  std::array<float, CUTICLE_ROW_COUNT> constants_{};
+  std::vector<float> constants_;                                  ///< row_block of each
   std::size_t count_ = 0;
 };
 
