@@ -49,11 +49,20 @@ void add_effects(const scene::Scene& scene, registry::Facts& facts) {
   }
 }
 
+void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
+  const std::string why = fmt::format("strands are drawn by '{}'", scene.render_method);
+  for (std::string_view method : scene::k_render_methods)
+    facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
+  facts["strand_colors"] = {scene.render_method != "lines", why};
+  facts["drawn_on_device"] = {scene.render_method != "truth", why};
+}
+
 }  // namespace
 
 registry::Facts facts_of(const scene::Scene& scene) {
   registry::Facts facts;
   add_effects(scene, facts);
+  add_render_method(scene, facts);
   facts["strands"] = strands_fact(scene);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};

@@ -17,10 +17,11 @@ struct FrameOptions {
   bool read_state = false;  ///< control hairs' state in the result
 };
 struct FrameResult {
-  Image color;           ///< linear RGBA
-  Image depth;           ///< when the scene asks for it
-  sim::State state;      ///< when asked for
-  gpu::SubmitCost cost;  ///< passes named as the plan names them
+  Image color;                     ///< linear RGBA
+  Image depth;                     ///< when the scene asks for it
+  sim::State state;                ///< when asked for
+  gpu::SubmitCost cost;            ///< passes named as the plan names them
+  std::vector<std::string> notes;  ///< what was left out of the picture, one sentence each
 };
 
 /// Owns everything a scene needs on the device. Frames are run in order; running frame k advances the simulation to k.

@@ -14,6 +14,8 @@ constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "
 constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}})";
 constexpr std::string_view k_simulation = R"("simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})";
 constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
+constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
+constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
 constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
 std::shared_ptr<gpu::Device> device() {
@@ -67,12 +69,14 @@ double mean(const std::vector<float>& values) {
 }
 
 TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
-  const std::vector<std::vector<std::string_view>> parts = {
-      {},
-      {k_light},
-      {k_light, k_shadow, k_motion},
-      {k_simulation, k_colliders},
-      {k_light, k_shadow, k_simulation, k_colliders, k_motion}};
+  const std::vector<std::vector<std::string_view>> parts = {{},
+                                                            {k_light},
+                                                            {k_light, k_shadow, k_motion},
+                                                            {k_simulation, k_colliders},
+                                                            {k_light, k_shadow, k_simulation, k_colliders, k_motion},
+                                                            {k_tiles},
+                                                            {k_light, k_shadow, k_tiles},
+                                                            {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
     for (std::string_view piece : part) text += ", " + std::string(piece);
@@ -89,6 +93,30 @@ TEST(FrameRunner, TwoRuns_AreBitIdentical) {
     runs.push_back(frame_of(*made, 4).color.pixels);
   }
   EXPECT_EQ(runs[0], runs[1]);
+}
+
+TEST(FrameRunner, TwoRunsByTiles_AreBitIdentical) {
+  std::vector<std::vector<float>> runs;
+  for (int run = 0; run < 2; ++run)
+    runs.push_back(frame_of(*runner({k_light, k_shadow, k_motion, k_tiles}), 2).color.pixels);
+  EXPECT_EQ(runs[0], runs[1]);
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t p = 0; p < a.pixels.size(); ++p) sum += std::abs(double(a.pixels[p]) - double(b.pixels[p]));
+  return sum / double(a.pixels.size());
+}
+
+// Hair before, behind and beside a head: far nearer to brute force than the head alone is.
+TEST(FrameRunner, Tiles_AreNearTheTruthAroundAHead) {
+  const Image truth = frame_of(*runner({k_light, k_shadow, k_truth}), 0).color;
+  const Image tiles = frame_of(*runner({k_light, k_shadow, k_tiles}), 0).color;
+  const Image bald = frame_of(*runner({k_light, R"("passes": {"tiles": {"opacity": 0}})", k_tiles}), 0).color;
+  const double error = mean_difference(tiles, truth);
+  RecordProperty("mean_error", std::to_string(error));
+  EXPECT_LT(error, 0.004);
+  EXPECT_LT(5 * error, mean_difference(bald, truth));
 }
 
 TEST(FrameRunner, AnEarlierFrame_StartsAnewAndRepeats) {

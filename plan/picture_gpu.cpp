@@ -2,16 +2,24 @@
 
 #include <algorithm>
 
+#include <glm/gtc/packing.hpp>
+
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/passes/resolve/resolve.h>
+#include <cuticle/render/passes/tiles/tiles.h>
+#include <cuticle/render/passes/truth/rasterise.h>
+#include <cuticle/render/passes/truth/truth.h>
 
 namespace cuticle::plan {
 
 namespace {
 
-constexpr int k_supersampling = 2;
+/// Texels across a pixel. The truth's own scene has no multisampling, and is not the place to save.
+int supersampling(const Plan& plan) { return find_pass(plan, "truth") ? 4 : 2; }
 
-/// The multisampling to draw with: 4 where the device offers it.
-int sample_count(const gpu::DeviceInfo& info) {
+/// The multisampling to draw with: 4 where the device offers it and only the strands' own draws read the depth.
+int sample_count(const gpu::DeviceInfo& info, const Plan& plan) {
+  if (!find_pass(plan, "lines")) return 1;
   return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
 }
 
@@ -85,8 +93,9 @@ Result<void> Picture::make_tables(Progress& progress) {
 
 Result<void> Picture::make_targets(glm::ivec2 resolution) {
   using gpu::Filter, gpu::TextureFormat;
-  const int samples = sample_count(device_->info());
-  const glm::ivec2 size = resolution * k_supersampling;
+  const int samples = sample_count(device_->info(), plan_);
+  resources_.supersampling = supersampling(plan_);
+  const glm::ivec2 size = resolution * resources_.supersampling;
   CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
   CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true}));
   CUTICLE_ASSIGN(output_, device_->make_texture({resolution, TextureFormat::rgba32f, Filter::nearest, 1, true}));
@@ -97,7 +106,6 @@ Result<void> Picture::make_targets(glm::ivec2 resolution) {
   resources_.depth = &depth_;
   resources_.resolved = samples > 1 ? &resolved_ : &color_;
   resources_.output = &output_;
-  resources_.supersampling = k_supersampling;
   return {};
 }
 
@@ -106,7 +114,9 @@ Result<void> Picture::make_passes() {
     const render::GpuPassEntry* entry = find_gpu_pass(planned.entry->name);
     if (!entry) continue;
     CUTICLE_ASSIGN(auto pass, entry->create(device_, resources_));
-    passes_.push_back({planned.entry->name, planned.entry->stage, std::move(pass)});
+    pass->publish(resources_);
+    const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
+    passes_.push_back({planned.entry->name, draws, std::move(pass)});
   }
   return {};
 }
@@ -125,20 +135,38 @@ Result<void> Picture::record_shadows(gpu::Commands& commands) {
 }
 
 Result<void> Picture::record_passes(gpu::Commands& commands) {
-  const auto shades = [](const DrawnPass& pass) { return pass.stage == registry::Stage::shade; };
-  auto left = std::ranges::count_if(passes_, shades);
+  auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
   resources_.keep_target = false;
   for (DrawnPass& drawn : passes_) {
-    if (shades(drawn)) resources_.resolve_target = --left == 0;
+    if (drawn.draws) resources_.resolve_target = --left == 0;
     commands.begin_pass(drawn.name);
     CUTICLE_TRY(drawn.pass->record(commands, resources_));
     commands.end_pass();
-    resources_.keep_target = resources_.keep_target || shades(drawn);
+    resources_.keep_target = resources_.keep_target || drawn.draws;
   }
   return {};
 }
 
 Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
+  for (;;) {
+    CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(input, trace));
+    CUTICLE_ASSIGN(const bool holds, settle());
+    if (holds) return cost;
+  }
+}
+
+Result<bool> Picture::settle() {
+  bool holds = true;
+  notes_.clear();
+  for (DrawnPass& drawn : passes_) {
+    CUTICLE_ASSIGN(const render::Settled settled, drawn.pass->settle());
+    holds = holds && settled.holds;
+    notes_.insert(notes_.end(), settled.notes.begin(), settled.notes.end());
+  }
+  return holds;
+}
+
+Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* trace) {
   resources_.strands.bounds = input.bounds;
   resources_.head_transform = input.head;
   resources_.camera = input.camera;
@@ -151,7 +179,32 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
   return device_->submit(std::move(commands), trace);
 }
 
+/// The strands as the device generated and shaded them, and the scene as it drew it, composited on the CPU.
+Result<Image> Picture::read_truth() const {
+  const std::size_t count = generator_->vertex_count();
+  CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, generator_->vertices(), count));
+  CUTICLE_ASSIGN(const auto halves, gpu::read_buffer<std::uint64_t>(*device_, *resources_.strand_colors, count));
+  CUTICLE_ASSIGN(const auto segments,
+                 gpu::read_buffer<std::uint32_t>(*device_, generator_->segments(), generator_->segment_count()));
+  std::vector<glm::vec4> colors(count);
+  std::ranges::transform(halves, colors.begin(), [](std::uint64_t packed) { return glm::unpackHalf4x16(packed); });
+  std::vector<float> scene_color, scene_depth;
+  if (resources_.keep_target) {
+    CUTICLE_ASSIGN(scene_color, device_->download(color_));
+    CUTICLE_ASSIGN(scene_depth, device_->download(depth_));
+  }
+  const render::truth::Sampling sampling{int(parameters_of(resources_, render::truth::entry()).integer("samples")),
+                                         parameters_of(resources_, render::tiles::entry()).real("opacity")};
+  return rasterise(resources_.camera, {vertices, colors, segments},
+                   {scene_color, scene_depth, resources_.supersampling}, sampling);
+}
+
 Result<Image> Picture::read_color() const {
+  if (find_pass(plan_, "truth")) {
+    CUTICLE_ASSIGN(Image image, read_truth());
+    render::resolve::add_background(image, parameters_of(resources_, render::resolve::entry()).rgb("background"));
+    return image;
+  }
   Image image = make_image(output_.size().x, output_.size().y, {"R", "G", "B", "A"});
   CUTICLE_ASSIGN(image.pixels, device_->download(output_));
   return image;

@@ -27,8 +27,10 @@ class Picture {
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
-  /// Runs every planned pass after the simulation, in one submission.
+  /// Runs every planned pass after the simulation, in one submission; once more where a pass's buffers were too small.
   Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
+  /// What the passes left out of the picture last painted, one sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
   Result<Image> read_color() const;
   Result<strands::Groom> read_strands() const;
   const lut::TableSet& tables() const { return table_set_; }
@@ -41,6 +43,9 @@ class Picture {
   Result<void> make_tables(Progress& progress);
   Result<void> make_targets(glm::ivec2 resolution);
   Result<void> make_passes();
+  Result<gpu::SubmitCost> paint_once(const PictureInput& input, Trace* trace);
+  Result<bool> settle();
+  Result<Image> read_truth() const;
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
   Result<void> record_shadows(gpu::Commands& commands);
   Result<void> record_passes(gpu::Commands& commands);
@@ -58,10 +63,11 @@ class Picture {
   render::FrameResources resources_;
   struct DrawnPass {
     std::string_view name;
-    registry::Stage stage;
+    bool draws;  ///< into the targets
     std::unique_ptr<render::GpuPass> pass;
   };
   std::vector<DrawnPass> passes_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace cuticle::plan

@@ -43,6 +43,15 @@ TEST(Plan, FullScene_RunsStagesInOrder) {
                                    "interpolate_strands", "opacity_map", "head", "lines", "resolve"));
 }
 
+TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
+  EXPECT_THAT(names(planned(R"("render": {"method": "tiles"})")),
+              testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "tile_lists", "shade_strands",
+                                   "tile_sort", "tiles", "resolve"));
+  EXPECT_THAT(names(planned(R"("render": {"method": "truth"})")),
+              testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "truth"));
+  EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
+}
+
 TEST(Plan, NoLight_HasNoShadowAndNoTables) {
   const Plan plan = planned(R"("shadow": {"method": {"opacity_map": {}}})");
   EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);

@@ -12,6 +12,10 @@
 
 namespace cuticle::render {
 
+namespace tile_lists {
+struct TileLists;
+}
+
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
 struct FrameResources {
   Camera camera;
@@ -21,10 +25,12 @@ struct FrameResources {
   std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
   std::vector<const gpu::Texture*> tables;        ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
-  std::uint32_t vertices_per_strand = 0;  ///< of the drawn strands, all alike
-  double strand_radius = 35e-6;           ///< of a drawn strand, metres, at the root
-  const strands::Mesh* head = nullptr;    ///< rest pose
-  const strands::Mesh* scalp = nullptr;   ///< the part of the head where hair grows, rest pose; may be null
+  const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
+  const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw
+  std::uint32_t vertices_per_strand = 0;              ///< of the drawn strands, all alike
+  double strand_radius = 35e-6;                       ///< of a drawn strand, metres, at the root
+  const strands::Mesh* head = nullptr;                ///< rest pose
+  const strands::Mesh* scalp = nullptr;               ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
@@ -49,10 +55,19 @@ gpu::GraphicsDescription target_description(const FrameResources& resources);
 /// Begins rendering into the frame's targets, as `keep_target` and `resolve_target` say.
 void begin_target(gpu::Commands& commands, const FrameResources& resources);
 
+/// What a pass says of the submission that it was recorded into.
+struct Settled {
+  bool holds = true;                    ///< false: its buffers were too small and have grown; the frame is drawn again
+  std::vector<std::string> notes = {};  ///< what was left out of the picture, one sentence each
+};
+
 /// The runner opens the pass of the entry's name around `record`.
 class GpuPass {
  public:
   virtual ~GpuPass() = default;
+  /// Adds what later passes read and this one owns; called once, before they are made.
+  virtual void publish(FrameResources&) const {}
+  virtual Result<Settled> settle() { return Settled{}; }
   virtual Result<void> record(gpu::Commands& commands, const FrameResources& resources) = 0;
 };
 struct GpuPassEntry {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cuticle/core/registry/entry.h>
@@ -72,6 +73,9 @@ struct Outputs {
   double exposure_stops = 0;
 };
 
+/// The ways in which strands become pixels.
+inline constexpr std::string_view k_render_methods[] = {"lines", "tiles", "truth"};
+
 struct Scene {
   int schema_version = 1;
   std::string name;
@@ -92,6 +96,7 @@ struct Scene {
   int strand_count = 4095;      ///< drawn strands
   double fibre_count = 100000;  ///< fibres that the drawn strands stand for; they are as wide as these together
   Outputs outputs;
+  std::string render_method = "lines";  ///< of k_render_methods
   std::map<std::string, registry::ParameterValues, std::less<>>
       passes;  ///< of render passes, by name; absent: defaults
 };

@@ -1,5 +1,7 @@
 #include <cuticle/scene/specification.h>
 
+#include <iterator>
+
 #include <cuticle/strands/spline/smooth.h>
 
 namespace cuticle::scene {
@@ -149,6 +151,12 @@ Spec outputs() {
                 {boolean("color", "radiance"), real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 
+Spec render() {
+  Spec method = text("method", "how strands become pixels; 'lines' unless given");
+  method.choices.assign(std::begin(k_render_methods), std::end(k_render_methods));
+  return object("render", "how the picture is made", {required(std::move(method))});
+}
+
 }  // namespace
 
 Spec specification(const Catalogue& catalogue) {
@@ -162,7 +170,7 @@ Spec specification(const Catalogue& catalogue) {
                "vertices of each drawn strand; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
             "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
-       real("frames_per_second", 1, 1000, "frame rate"), outputs(),
+       real("frames_per_second", 1, 1000, "frame rate"), outputs(), render(),
        blocks("passes", "parameters of render passes", catalogue.passes)});
 }
 

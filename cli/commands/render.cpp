@@ -16,7 +16,7 @@ namespace cuticle::cli {
 namespace {
 
 struct RenderOptions {
-  std::string scene, frames = "0:0", method = "lines", out = "render";
+  std::string scene, frames = "0:0", method, out = "render";
 };
 
 /// Sums over the frames, per pass.
@@ -72,6 +72,7 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
   for (int frame = frames.first; frame <= frames.second; ++frame) {
     CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
     costs.add(result.cost);
+    for (const std::string& note : result.notes) progress.message(note);
     CUTICLE_TRY(write_frame(options.out, frame, result.color, exposure_stops));
     progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
   }
@@ -82,7 +83,8 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
 
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
-  CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  if (!options.method.empty()) scene.render_method = options.method;
   if (!scene.outputs.color)
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
@@ -114,7 +116,9 @@ void add_render(CLI::App& app, Context& context) {
   auto options = std::make_shared<RenderOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
-  command->add_option("--method", options->method, "how strands are drawn")->check(CLI::IsMember({"lines"}));
+  const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
+  command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
+      ->check(CLI::IsMember(methods));
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }

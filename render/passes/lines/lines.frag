@@ -1,13 +1,12 @@
 #version 460
-// Marschner scattering from lookup tables by dot products alone (GPU Gems 2, chapter 23): no trigonometry here.
-//   sin theta_i = L.T, sin theta_o = E.T, cos phi from the parts of L and E across the fibre, cos theta_d from the M table.
-// Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M (docs/conventions.md).
+// A line's pixel: scattering from lookup tables along the interpolated tangent.
 #extension GL_GOOGLE_include_directive : require
 #include "lines_frame.glsl"
 
 layout(set = 0, binding = 4) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
 layout(set = 0, binding = 5) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
 layout(set = 0, binding = 6) uniform sampler2D table_n_trt;   // N_TRT rgb
+#include "scattering.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;
@@ -15,32 +14,13 @@ layout(location = 2) in vec4 reached[2];
 layout(location = 4) flat in float brightness;
 layout(location = 0) out vec4 color;
 
-const float k_tiny = 1e-12;  // keeps the cosine of an undefined azimuth (light or eye along the fibre) at 0
-
-vec3 scattering(float sin_i, float sin_o, float cos_phi) {
-  vec4 m = texture(table_m, vec2(sin_i, sin_o) * m_scale_bias.xy + m_scale_bias.zw) * m_scale;
-  vec2 n_coordinate = vec2(cos_phi, m.a) * n_scale_bias.xy + n_scale_bias.zw;
-  vec4 n_tt_r = texture(table_n_tt_r, n_coordinate) * n_tt_r_scale;
-  vec3 n_trt = texture(table_n_trt, n_coordinate).rgb * n_trt_scale.rgb;
-  return m.r * n_tt_r.aaa + m.g * n_tt_r.rgb + m.b * n_trt;
-}
-
-vec3 shade(uint light, vec3 t, vec3 to_eye) {
-  vec3 l = to_light[light].xyz;
-  float sin_i = dot(l, t), sin_o = dot(to_eye, t);
-  vec3 across_i = l - sin_i * t, across_o = to_eye - sin_o * t;
-  float cos_phi = dot(across_i, across_o) * inversesqrt(max(dot(across_i, across_i) * dot(across_o, across_o), k_tiny));
-  float cos_i = sqrt(max(1.0 - sin_i * sin_i, 0.0));
-  float through = clamp(reached[light >> 2][light & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
-  vec3 once = scattering(sin_i, sin_o, cos_phi) * through;
-  vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
-  return (once + often) * irradiance[light].rgb;
-}
-
 void main() {
   vec3 t = normalize(tangent);
   vec3 to_eye = normalize(eye.xyz - position);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k) sum += shade(k, t, to_eye);
+  for (uint k = 0u; k < light_count; ++k) {
+    float through = clamp(reached[k >> 2][k & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
+    sum += shade(k, through, t, to_eye);
+  }
   color = vec4(sum * brightness, 1.0);
 }

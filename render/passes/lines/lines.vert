@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/strands/packing/packing.glslh"
 #include "lines_frame.glsl"
+#include "strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
@@ -15,14 +16,6 @@ layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) out vec4 reached[2];
 layout(location = 4) flat out float brightness;
-
-// A number in [0, 1) for a strand and a purpose: a bit mixer (multiply and shift), the same on every device.
-float mixed(uint strand, uint purpose) {
-  uint bits = strand * 0x9E3779B1u + purpose * 0x85EBCA77u;
-  bits = (bits ^ (bits >> 15)) * 0x2C1B3C6Du;
-  bits = (bits ^ (bits >> 12)) * 0x297A2D39u;
-  return float((bits ^ (bits >> 15)) >> 8) * (1.0 / 16777216.0);
-}
 
 vec3 position_of(uint vertex) {
   if (packed_vertices == 0u) return vertices[vertex].xyz;
@@ -48,13 +41,12 @@ uint vertex_of(uint strand, uint end) {
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
-  vec3 tilt = vec3(mixed(strand, 0u), mixed(strand, 1u), mixed(strand, 2u)) - 0.5;
   position = position_of(vertex);
-  tangent = tangent_of(vertex) + variation * tilt;
-  brightness = 1.0 + variation * (2.0 * mixed(strand, 3u) - 1.0);
+  tangent = tangent_of(vertex) + tilt_of(strand, variation);
+  brightness = brightness_of(strand, variation);
   for (uint k = 0u; k < 8u; ++k)
     reached[k >> 2][k & 3u] = k < light_count ? transmittance[k * vertex_count + vertex] : 0.0;
   // A strand that chance cuts short ends in a segment of no length, outside the view.
-  bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= 1.0 - tip_variation * mixed(strand, 4u);
+  bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

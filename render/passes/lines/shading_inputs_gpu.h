@@ -1,0 +1,32 @@
+#pragma once
+// What the shaders that shade strands read in a frame: constants, the transmittance of all lights in one buffer,
+// tables.
+#include <cuticle/render/passes/lines/frame_gpu.h>
+
+namespace cuticle::render::lines {
+
+class ShadingInputs {
+ public:
+  /// `variation`, `tip_variation` and `ambient` are those of the pass 'lines', however strands are drawn.
+  static Result<ShadingInputs> make(std::shared_ptr<gpu::Device> device, const FrameResources& resources);
+  /// Sets the frame's constants, those of the tables where their parameters have changed (lut::LiveTables).
+  Result<Frame*> update(const FrameResources& resources);
+  /// Uploads the constants and records the copies of the lights' transmittance.
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources);
+
+  const gpu::Buffer& frame() const { return frame_buffer_; }
+  const gpu::Buffer& transmittance() const { return transmittance_; }
+  const gpu::Texture* table(const FrameResources& resources, std::size_t index) const;
+
+ private:
+  Result<void> take_tables(const FrameResources& resources);
+  void gather_transmittance(gpu::Commands& commands, const FrameResources& resources);
+
+  std::shared_ptr<gpu::Device> device_;
+  gpu::Buffer frame_buffer_, transmittance_;
+  gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
+  registry::ParameterValues values_;  ///< of the tables that frame_ was made for
+  Frame frame_{};
+};
+
+}  // namespace cuticle::render::lines

@@ -1,0 +1,168 @@
+#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/lines/lines.h>
+#include <cuticle/render/passes/tile_lists/tile_lists.h>
+#include <cuticle/render/passes/tile_sort/tile_sort.h>
+#include <cuticle/render/passes/tiles/tiles.h>
+
+#include <tile_count_comp.spv.h>
+#include <tile_scan_comp.spv.h>
+#include <tile_scatter_comp.spv.h>
+#include <tile_scene_comp.spv.h>
+
+namespace cuticle::render::tile_lists {
+
+namespace {
+
+constexpr std::size_t k_entry_bytes = 2 * sizeof(glm::uvec2);  // as scattered and as sorted
+constexpr double k_least_share = 1e-6;
+
+struct Kernels {
+  gpu::Kernel scene, count, scan, scatter;
+};
+
+/// Words counted on the device, as tile_count.comp and tile_scan.comp have them.
+enum Statistic : std::size_t { k_wanted, k_not_finite, k_statistics };
+
+class TileListsPass : public GpuPass {
+ public:
+  TileListsPass(std::shared_ptr<gpu::Device> device, Kernels kernels, TileLists lists, std::uint64_t most)
+      : device_(std::move(device)), kernels_(std::move(kernels)), lists_(std::move(lists)), most_(most) {}
+
+  void publish(FrameResources& resources) const override { resources.tile_lists = &lists_; }
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    const TilePush push = push_of(resources, lists_);
+    const auto bytes = gpu::bytes_of(push);
+    const gpu::Groups tiles = gpu::groups_for(std::size_t(lists_.grid.x) * lists_.grid.y),
+                      segments = gpu::groups_for(push.segment_count);
+    const gpu::Buffer *vertices = resources.strands.vertices, *indices = resources.strands.segments;
+    for (const gpu::Buffer* cleared : {&lists_.counts, &lists_.visible, &lists_.statistics}) commands.fill(*cleared, 0);
+    commands.dispatch(kernels_.scene, {&lists_.scene_depth, &lists_.tile_depth}, {resources.depth}, bytes, tiles.x,
+                      tiles.y);
+    commands.dispatch(kernels_.count,
+                      {vertices, resources.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.visible,
+                       &lists_.statistics},
+                      {}, bytes, segments.x, segments.y);
+    commands.dispatch(kernels_.scan, {&lists_.counts, &lists_.offsets, &lists_.statistics}, {}, bytes, 1);
+    commands.dispatch(kernels_.scatter,
+                      {vertices, resources.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries}, {},
+                      bytes, segments.x, segments.y);
+    return {};
+  }
+
+  Result<Settled> settle() override {
+    CUTICLE_ASSIGN(const auto words,
+                   gpu::read_buffer<std::uint32_t>(*device_, lists_.statistics, std::size_t(k_statistics)));
+    if (words[k_wanted] > lists_.capacity) {
+      CUTICLE_TRY(make_room(words[k_wanted]));
+      return Settled{.holds = false};
+    }
+    Settled settled;
+    if (words[k_not_finite] > 0)
+      settled.notes.push_back(fmt::format("tiles: {} segments left out: not finite", words[k_not_finite]));
+    if (lists_.kept_share < 1)
+      settled.notes.push_back(
+          fmt::format("tiles: {:.3g} of the segments drawn, wider, to stay within budget_mib", lists_.kept_share));
+    lists_.kept_share = 1;
+    return settled;
+  }
+
+  /// Lists for so many entries, or for the budget's, with fewer segments.
+  Result<void> make_room(std::uint64_t wanted) {
+    const std::uint64_t grown = std::min(most_, wanted + wanted / 4);
+    if (wanted > most_) lists_.kept_share *= 0.95 * double(most_) / double(wanted);
+    if (lists_.kept_share < k_least_share)
+      return Error{ErrorKind::out_of_memory,
+                   fmt::format("tile_lists.budget_mib: {} entries are far too few for the tiles' lists", most_),
+                   "raise passes.tile_lists.budget_mib"};
+    if (grown == lists_.capacity) return {};
+    lists_.capacity = std::uint32_t(grown);
+    for (gpu::Buffer* buffer : {&lists_.entries, &lists_.sorted}) {
+      *buffer = gpu::Buffer();  // before the next is made, so that they do not add up
+      CUTICLE_ASSIGN(*buffer, device_->make_buffer(std::size_t(grown) * sizeof(glm::uvec2)));
+    }
+    return {};
+  }
+
+ private:
+  std::shared_ptr<gpu::Device> device_;
+  Kernels kernels_;
+  TileLists lists_;
+  std::uint64_t most_;  ///< entries that the budget has room for
+};
+
+Result<Kernels> make_kernels(gpu::Device& device) {
+  constexpr std::uint32_t bytes = sizeof(TilePush);
+  Kernels kernels;
+  CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
+  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {7, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.scan, device.make_kernel(tile_scan_comp, {3, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {6, 0, bytes}));
+  return kernels;
+}
+
+Result<TileLists> make_lists(gpu::Device& device, const FrameResources& resources) {
+  const glm::uvec2 resolution(resources.camera.resolution);
+  TileLists lists;
+  lists.grid = (resolution + k_tile - 1u) / k_tile;
+  const std::size_t tiles = std::size_t(lists.grid.x) * lists.grid.y, word = sizeof(std::uint32_t);
+  CUTICLE_ASSIGN(lists.scene_depth, device.make_buffer(word * resolution.x * resolution.y));
+  CUTICLE_ASSIGN(lists.tile_depth, device.make_buffer(word * tiles));
+  CUTICLE_ASSIGN(lists.counts, device.make_buffer(word * tiles));
+  CUTICLE_ASSIGN(lists.offsets, device.make_buffer(word * (tiles + 1)));
+  CUTICLE_ASSIGN(lists.visible, device.make_buffer(word * ((resources.strands.vertex_count + 31) / 32)));
+  CUTICLE_ASSIGN(lists.statistics, device.make_buffer(word * std::size_t(k_statistics)));
+  return lists;
+}
+
+/// A first guess; the first frame's count corrects it.
+std::uint64_t likely_entries(const FrameResources& resources) {
+  return 2 * std::uint64_t(resources.strands.segment_count);
+}
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
+  const double budget = parameters_of(resources, entry()).real("budget_mib") * 1024 * 1024;
+  const std::uint64_t most = std::min(std::uint64_t(budget / double(k_entry_bytes)),
+                                      device->info().max_storage_buffer_bytes / sizeof(glm::uvec2));
+  auto pass = std::make_unique<TileListsPass>(std::move(device), std::move(kernels), std::move(lists), most);
+  CUTICLE_TRY(pass->make_room(std::min(most, likely_entries(resources))));
+  return std::unique_ptr<GpuPass>(std::move(pass));
+}
+
+}  // namespace
+
+TilePush push_of(const FrameResources& resources, const TileLists& lists) {
+  const Camera& camera = resources.camera;
+  TilePush push{};
+  push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
+  push.resolution = glm::uvec2(camera.resolution);
+  push.grid = lists.grid;
+  push.segment_count = resources.strands.segment_count;
+  push.vertices_per_strand = resources.vertices_per_strand;
+  push.capacity = lists.capacity;
+  push.supersampling = resources.keep_target ? std::uint32_t(resources.supersampling) : 0;
+  push.pixel_scale = float(camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
+  push.inverse_near = float(1 / camera.near_plane);
+  push.inverse_far = float(1 / camera.far_plane);
+  push.tip_variation = float(parameters_of(resources, lines::entry()).real("tip_variation"));
+  push.kept_share = float(lists.kept_share);
+  push.opacity = float(parameters_of(resources, tiles::entry()).real("opacity"));
+  push.slices = std::uint32_t(parameters_of(resources, tile_sort::entry()).integer("slices"));
+  return push;
+}
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"tile_lists", create};
+  return table;
+}
+
+}  // namespace cuticle::render::tile_lists

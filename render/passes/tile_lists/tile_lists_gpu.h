@@ -1,0 +1,33 @@
+#pragma once
+// Which segments each tile of the screen has to draw: buffers that the tile passes share.
+#include <cuticle/render/pass_gpu.h>
+
+namespace cuticle::render::tile_lists {
+
+inline constexpr std::uint32_t k_tile = 8;  ///< pixels each way, as in tile_push.glsl
+
+struct TileLists {
+  glm::uvec2 grid{0};           ///< tiles
+  std::uint32_t capacity = 0;   ///< entries that there is room for
+  double kept_share = 1;        ///< of the segments, in the frame being drawn
+  gpu::Buffer scene_depth;      ///< float per pixel: 1 / distance of the scene, 0 where there is none
+  gpu::Buffer tile_depth;       ///< float per tile: the farthest of its pixels
+  gpu::Buffer counts, offsets;  ///< uint per tile; offsets has one more
+  gpu::Buffer entries, sorted;  ///< uvec2 per entry: 1 / depth (bits of a float), first vertex of the segment
+  gpu::Buffer visible;          ///< a bit per vertex: it belongs to a segment in some tile's list
+  gpu::Buffer statistics;       ///< entries wanted, segments that are not finite
+};
+
+/// Push constants of the tile kernels; tile_push.glsl holds the same fields.
+struct TilePush {
+  glm::mat4 world_to_clip;
+  glm::uvec2 resolution, grid;
+  std::uint32_t segment_count, vertices_per_strand, capacity, supersampling;
+  float pixel_scale, inverse_near, inverse_far, tip_variation, kept_share, opacity;
+  std::uint32_t slices;
+};
+static_assert(sizeof(TilePush) == 124);
+
+TilePush push_of(const FrameResources& resources, const TileLists& lists);
+
+}  // namespace cuticle::render::tile_lists

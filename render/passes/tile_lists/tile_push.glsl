@@ -1,0 +1,16 @@
+// Push constants of the tile kernels (TilePush of tile_lists_gpu.h, word for word).
+layout(push_constant) uniform Push {
+  mat4 world_to_clip;
+  uvec2 resolution, grid;  // pixels, tiles
+  uint segment_count, vertices_per_strand;
+  uint capacity;       // entries of the lists
+  uint supersampling;  // texels of the scene's depth across a pixel; 0: no scene was drawn
+  float pixel_scale;   // half a width in pixels = radius * this / depth
+  float inverse_near, inverse_far;
+  float tip_variation;
+  float kept_share;    // of the segments: below 1 only where the lists would pass their budget
+  float opacity;
+  uint slices;         // of a tile's depth, within which segments are not sorted; 0: all are
+} push;
+
+const int k_tile = 8;  // pixels each way

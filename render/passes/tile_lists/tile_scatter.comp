@@ -1,0 +1,22 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Coarse rasteriser, second half: each tile's segments, in an order that the sort makes definite.
+layout(local_size_x = 64) in;
+#include "cuticle/render/passes/tile_lists/tile_walk.glsl"
+
+layout(std430, binding = 4) buffer Counts { uint counts[]; };  // where the tile's next entry goes
+layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };  // 1 / depth, first vertex
+
+void visit(uint tile, uint vertex, float inverse_depth) {
+  uint place = atomicAdd(counts[tile], 1u);
+  if (place < push.capacity) entries[place] = uvec2(floatBitsToUint(inverse_depth), vertex);
+}
+
+void main() {
+  uint segment = invocation();
+  if (segment >= push.segment_count) return;
+  uint vertex = segments[segment];
+  vec4 a = vertices[vertex], b = vertices[vertex + 1u];
+  Projected p;
+  if (is_finite(a) && is_finite(b) && is_kept(vertex) && project(a, b, p)) walk(vertex, p);
+}

@@ -1,0 +1,92 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One workgroup of eight per tile: entries counted into bins of depth, then each bin sorted by (depth, vertex), which
+// no two entries share: the order does not depend on that in which they arrived. Shell's sort, so that many entries at
+// one depth stay affordable. With slices, these are the bins, and within each the order is that of the vertices.
+layout(local_size_x = 8) in;
+#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+
+layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
+layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
+
+const uint k_lanes = 8u, k_bins = 256u, k_bins_of_lane = k_bins / k_lanes;
+shared uint bins[k_bins];
+shared float nearest_of[k_lanes], farthest_of[k_lanes];
+shared uint sum_of[k_lanes];
+
+float depth_of(uint entry) { return uintBitsToFloat(entries[entry].x); }
+
+// Greatest and least 1 / depth of the tile.
+vec2 depth_range(uint lane, uint begin, uint end) {
+  float nearest = 0.0, farthest = 3.0e38;
+  for (uint k = begin + lane; k < end; k += k_lanes) {
+    nearest = max(nearest, depth_of(k));
+    farthest = min(farthest, depth_of(k));
+  }
+  nearest_of[lane] = nearest;
+  farthest_of[lane] = farthest;
+  barrier();
+  for (uint k = 0u; k < k_lanes; ++k) {
+    nearest = max(nearest, nearest_of[k]);
+    farthest = min(farthest, farthest_of[k]);
+  }
+  return vec2(nearest, farthest);
+}
+
+// Counts become the places where the bins begin.
+void add_up(uint lane, uint begin) {
+  uint first = lane * k_bins_of_lane, sum = 0u;
+  for (uint k = 0u; k < k_bins_of_lane; ++k) sum += bins[first + k];
+  sum_of[lane] = sum;
+  barrier();
+  uint next = begin;
+  for (uint k = 0u; k < lane; ++k) next += sum_of[k];
+  for (uint k = 0u; k < k_bins_of_lane; ++k) {
+    uint own = bins[first + k];
+    bins[first + k] = next;
+    next += own;
+  }
+  barrier();
+}
+
+// Positive floats order as their bits.
+bool before(uvec2 a, uvec2 b) {
+  bool nearer = push.slices == 0u && a.x > b.x, level = push.slices > 0u || a.x == b.x;
+  return nearer || (level && a.y < b.y);
+}
+
+void sort(uint begin, uint end) {
+  uint gap = 1u;
+  while (gap < (end - begin) / 3u) gap = 3u * gap + 1u;
+  for (; gap > 0u; gap /= 3u)
+    for (uint k = begin + gap; k < end; ++k) {
+      uvec2 own = ordered[k];
+      uint place = k;
+      for (; place >= begin + gap && before(own, ordered[place - gap]); place -= gap)
+        ordered[place] = ordered[place - gap];
+      ordered[place] = own;
+    }
+}
+
+void main() {
+  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * push.grid.x + gl_WorkGroupID.x;
+  uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
+  if (begin == end) return;
+  vec2 range = depth_range(lane, begin, end);
+  float used = float(push.slices > 0u ? push.slices : k_bins);
+  float scale = range.x > range.y ? used * 0.99999 / (range.x - range.y) : 0.0;
+  for (uint k = lane; k < k_bins; k += k_lanes) bins[k] = 0u;
+  barrier();
+  for (uint k = begin + lane; k < end; k += k_lanes)
+    atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), k_bins - 1u)], 1u);
+  barrier();
+  add_up(lane, begin);
+  for (uint k = begin + lane; k < end; k += k_lanes) {
+    uint place = atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), k_bins - 1u)], 1u);
+    ordered[place] = entries[k];
+  }
+  memoryBarrierBuffer();
+  barrier();
+  for (uint k = lane; k < k_bins; k += k_lanes) sort(k == 0u ? begin : bins[k - 1u], bins[k]);  // now a bin's end
+}

@@ -1,0 +1,35 @@
+#include <cuticle/render/passes/tile_sort/tile_sort.h>
+
+namespace cuticle::render::tile_sort {
+
+namespace {
+
+constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
+constexpr std::string_view k_after[] = {"tile_lists"};
+constexpr registry::Parameter k_parameters[] = {
+    {.name = "slices",
+     .type = registry::ParameterType::integer,
+     .minimum = 0,
+     .maximum = 256,
+     .default_text = "0",
+     .summary = "of each tile's depth range, within which segments keep their order in memory; 0: sorted by depth"},
+};
+
+std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "tile_sort",
+                          .summary = "each tile's segments from near to far, in one definite order",
+                          .source = "counting sort over 256 depths, then Shell's sort of each depth",
+                          .parameters = k_parameters,
+                          .demands = k_demands,
+                          .stage = registry::Stage::shade,
+                          .dispatches = dispatches,
+                          .after = k_after}};
+  return pass;
+}
+
+}  // namespace cuticle::render::tile_sort

@@ -1,0 +1,66 @@
+#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+
+#include <resolve_vert.spv.h>
+#include <tiles_comp.spv.h>
+#include <tiles_frag.spv.h>
+
+namespace cuticle::render::tiles {
+
+namespace {
+
+/// As tiles.frag reads it.
+struct MergePush {
+  std::uint32_t width, supersampling;
+  float inverse_near, inverse_far;
+};
+
+class Tiles : public GpuPass {
+ public:
+  Tiles(gpu::Kernel fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth)
+      : fine_(std::move(fine)), merge_(std::move(merge)), picture_(std::move(picture)), depth_(std::move(depth)) {}
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    const tile_lists::TileLists& lists = *resources.tile_lists;
+    const tile_lists::TilePush push = push_of(resources, lists);
+    commands.dispatch(fine_,
+                      {resources.strands.vertices, resources.strand_colors, &lists.offsets, &lists.sorted,
+                       &lists.scene_depth, &picture_, &depth_},
+                      {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
+    const MergePush merge{push.resolution.x, std::uint32_t(resources.supersampling), push.inverse_near,
+                          push.inverse_far};
+    begin_target(commands, resources);
+    commands.draw(merge_, {&picture_, &depth_}, {}, gpu::bytes_of(merge), 3);
+    commands.end_rendering();
+    return {};
+  }
+
+ private:
+  gpu::Kernel fine_;
+  gpu::GraphicsPipeline merge_;
+  gpu::Buffer picture_, depth_;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  const std::size_t pixels = std::size_t(resources.camera.resolution.x) * std::size_t(resources.camera.resolution.y);
+  gpu::GraphicsDescription description = target_description(resources);
+  description.vertex_spirv = resolve_vert;
+  description.fragment_spirv = tiles_frag;
+  description.interface.storage_buffers = 2;
+  description.interface.push_constant_bytes = sizeof(MergePush);
+  description.blend = gpu::BlendMode::alpha;
+  CUTICLE_ASSIGN(gpu::GraphicsPipeline merge, device->make_graphics(description));
+  CUTICLE_ASSIGN(gpu::Kernel fine, device->make_kernel(tiles_comp, {7, 0, sizeof(tile_lists::TilePush)}));
+  CUTICLE_ASSIGN(gpu::Buffer picture, device->make_buffer(pixels * sizeof(glm::uvec2)));
+  CUTICLE_ASSIGN(gpu::Buffer depth, device->make_buffer(pixels * sizeof(float)));
+  return std::unique_ptr<GpuPass>(
+      std::make_unique<Tiles>(std::move(fine), std::move(merge), std::move(picture), std::move(depth)));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"tiles", create};
+  return table;
+}
+
+}  // namespace cuticle::render::tiles

@@ -1,0 +1,180 @@
+#include <cuticle/study/render/render_study.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <cuticle/core/expect.h>
+#include <cuticle/plan/frame_runner_gpu.h>
+
+namespace cuticle::study {
+
+namespace {
+
+/// A way to draw: a method, and what its passes are told beside the scene's own.
+struct Variant {
+  std::string method, settings;
+  std::string pass = {}, parameter = {};
+  registry::Value value = {};
+  bool shown = false;  ///< at its defaults, in the pictures
+};
+
+std::vector<Variant> variants(int truth_samples) {
+  std::vector<Variant> list = {{.method = "lines", .settings = "", .shown = true},
+                               {"lines", "widest_px=16", "lines", "widest_px", 16.0},
+                               {.method = "tiles", .settings = "", .shown = true}};
+  for (int slices : {8, 32})
+    list.push_back({"tiles", fmt::format("slices={}", slices), "tile_sort", "slices", std::int64_t(slices)});
+  for (int samples = 1; samples < truth_samples; samples *= 2)
+    list.push_back({"truth", fmt::format("samples={}", samples), "truth", "samples", std::int64_t(samples)});
+  return list;
+}
+
+void apply(const Variant& variant, scene::Scene& scene) {
+  scene.render_method = variant.method;
+  if (variant.pass.empty()) return;
+  const auto& passes = plan::catalogue().passes;
+  const auto entry = std::ranges::find(passes, variant.pass, &registry::Entry::name);
+  CUTICLE_EXPECT(entry != passes.end(), "the study names registered passes");
+  auto& values = scene.passes.try_emplace(variant.pass, registry::default_values((*entry)->parameters)).first->second;
+  values.set(variant.parameter, variant.value);
+}
+
+struct Picture {
+  Image image;
+  double ms = 0;
+  std::size_t bytes = 0;
+};
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The truth is timed whole, for the CPU does its work; the others by their submission.
+Result<Picture> draw(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, int repeats, Progress& progress) {
+  const std::size_t before = device->allocated_bytes();
+  const bool is_truth = scene.render_method == "truth";
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
+  Picture picture;
+  for (int k = 0; k < (is_truth ? 1 : repeats); ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
+    const double ms = is_truth ? milliseconds_since(start) : frame.cost.wall_ms;
+    picture.ms = k == 0 ? ms : std::min(picture.ms, ms);
+    picture.image = std::move(frame.color);
+  }
+  picture.bytes = device->allocated_bytes() - before;
+  return picture;
+}
+
+/// The hair alone, at rest.
+scene::Scene hair_of(const scene::Scene& scene) {
+  scene::Scene hair = scene;
+  hair.head.present = false;
+  hair.motion.reset();
+  hair.simulation = {};
+  hair.passes.erase("resolve");
+  return hair;
+}
+
+double luminance(const Image& image, std::size_t pixel) {
+  const float* p = image.pixels.data() + 4 * pixel;
+  return 0.2126 * double(p[0]) + 0.7152 * double(p[1]) + 0.0722 * double(p[2]);
+}
+
+/// Coverage that is missing in red, that is too much in green; four times the difference.
+Image difference(const Image& picture, const Image& truth) {
+  Image image = make_image(truth.width, truth.height, {"R", "G", "B", "A"});
+  for (std::size_t p = 0; p < image.pixels.size(); p += 4) {
+    const float more = 4 * (picture.pixels[p + 3] - truth.pixels[p + 3]);
+    image.pixels[p] = std::clamp(-more, 0.0f, 1.0f);
+    image.pixels[p + 1] = std::clamp(more, 0.0f, 1.0f);
+    image.pixels[p + 3] = 1;
+  }
+  return image;
+}
+
+class Study {
+ public:
+  Study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress)
+      : device_(std::move(device)), request_(request), progress_(progress) {
+    study_.device = device_->info().name;
+    study_.scene = request.scene.name;
+  }
+
+  Result<RenderStudy> run() {
+    scene::Scene scene = hair_of(request_.scene);
+    CUTICLE_TRY(run_view("near", scene));
+    Camera& camera = scene.camera.camera;
+    camera.position = camera.target + 4.0 * (camera.position - camera.target);
+    camera.far_plane *= 4;
+    if (!scene.camera.automatic) CUTICLE_TRY(run_view("four times as far", scene));
+    return std::move(study_);
+  }
+
+ private:
+  Result<void> run_view(const std::string& name, const scene::Scene& scene) {
+    const Variant reference{"truth", "", "truth", "samples", std::int64_t(request_.truth_samples)};
+    CUTICLE_ASSIGN(const Picture truth, draw_variant(reference, scene));
+    const double exposure = scene.outputs.exposure_stops;
+    RenderView view{name, {"truth"}, {tone_map(truth.image, exposure)}};
+    std::vector<Image> differences = {make_image(truth.image.width, truth.image.height, {"R", "G", "B", "A"})};
+    for (const Variant& variant : variants(request_.truth_samples)) {
+      CUTICLE_ASSIGN(const Picture picture, draw_variant(variant, scene));
+      study_.rows.push_back(
+          {name, variant.method, variant.settings, compare(picture.image, truth.image), picture.ms, picture.bytes});
+      if (!variant.shown) continue;
+      view.titles.push_back(variant.method);
+      view.pictures.push_back(tone_map(picture.image, exposure));
+      differences.push_back(difference(picture.image, truth.image));
+    }
+    view.pictures.insert(view.pictures.end(), differences.begin(), differences.end());
+    study_.views.push_back(std::move(view));
+    return {};
+  }
+
+  Result<Picture> draw_variant(const Variant& variant, scene::Scene scene) {
+    progress_.message(fmt::format("drawing: {} {}", variant.method, variant.settings));
+    apply(variant, scene);
+    return draw(device_, scene, request_.repeats, progress_);
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  const RenderRequest& request_;
+  Progress& progress_;
+  RenderStudy study_;
+};
+
+}  // namespace
+
+PictureError compare(const Image& picture, const Image& truth) {
+  PictureError error;
+  std::vector<double> apart;
+  double color = 0, brightness = 0;
+  for (std::size_t pixel = 0; pixel < truth.pixels.size() / 4; ++pixel) {
+    const double more = double(picture.pixels[4 * pixel + 3]) - double(truth.pixels[4 * pixel + 3]);
+    if (picture.pixels[4 * pixel + 3] <= 0 && truth.pixels[4 * pixel + 3] <= 0) continue;
+    apart.push_back(std::abs(more));
+    error.coverage += std::abs(more);
+    error.coverage_bias += more;
+    color += std::abs(luminance(picture, pixel) - luminance(truth, pixel));
+    brightness += luminance(truth, pixel);
+  }
+  if (apart.empty()) return error;
+  std::ranges::sort(apart);
+  error.coverage /= double(apart.size());
+  error.coverage_bias /= double(apart.size());
+  error.p95_coverage = apart[apart.size() * 95 / 100];
+  error.max_coverage = apart.back();
+  error.color = brightness > 0 ? color / brightness : 0;
+  return error;
+}
+
+Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request,
+                                     Progress& progress) {
+  return Study(std::move(device), request, progress).run();
+}
+
+}  // namespace cuticle::study

@@ -1,0 +1,54 @@
+#pragma once
+// What drawing hair costs and how far it is from brute force: method x settings, near and far.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cuticle/core/image/image.h>
+#include <cuticle/core/progress.h>
+#include <cuticle/gpu/device.h>
+#include <cuticle/scene/scene.h>
+
+namespace cuticle::study {
+
+/// Errors of one picture against the truth's: coverage (alpha) and colour (premultiplied linear radiance, over the
+/// truth's mean where it covers). Means are over all pixels that either of the two covers.
+struct PictureError {
+  double coverage = 0, p95_coverage = 0, max_coverage = 0, coverage_bias = 0, color = 0;
+};
+PictureError compare(const Image& picture, const Image& truth);
+
+struct RenderRow {
+  std::string view, method, settings;
+  PictureError error;
+  double ms = 0;          ///< of a frame without simulation, wall clock, the best of the repeats
+  std::size_t bytes = 0;  ///< of device memory that the scene took
+};
+
+struct RenderRequest {
+  scene::Scene scene;  ///< its first frame, at rest, without head
+  int repeats = 5;
+  int truth_samples = 16;
+};
+
+struct RenderView {
+  std::string name;
+  std::vector<std::string> titles;
+  std::vector<Image> pictures;  ///< the truth, then the methods at their defaults, then how far these are off
+};
+
+struct RenderStudy {
+  std::vector<RenderRow> rows;
+  std::vector<RenderView> views;
+  std::string device, scene;
+};
+
+/// Draws the scene as framed and from four times as far, by every method and setting.
+Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request,
+                                     Progress& progress);
+
+std::string to_csv(const RenderStudy& study);
+/// Writes demo.json with the pictures of each view, and study/study.json and study/study.csv (study/README.md).
+Result<void> write_render_study(const RenderStudy& study, const std::string& folder);
+
+}  // namespace cuticle::study
