@@ -100,10 +100,10 @@ Json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
           {"failed", count(verdicts, State::failed)}, {"cases", cases}};
 }
 
-int check_device(Context& context) {
+int check_device(const std::string& subject, Context& context) {
   const Result<Found> found = find_device(context);
   if (!found) return report(found.error());
-  const auto verdicts = hard_cases::run_hard_cases(found->device, *context.progress);
+  const auto verdicts = hard_cases::run_hard_cases(subject, found->device, *context.progress);
   if (!verdicts) return report(verdicts.error());
   if (context.json) {
     fmt::print("{}\n", to_json(*found, *verdicts).dump(2));
@@ -118,7 +118,9 @@ int check_device(Context& context) {
 
 void add_check_device(CLI::App& check, Context& context) {
   auto* command = check.add_subcommand("device", "what Vulkan offers, and the hard cases in f32, f64 and on the device");
-  command->callback([&context] { context.action = [&context] { return check_device(context); }; });
+  auto subject = std::make_shared<std::string>();
+  command->add_option("--subject", *subject, "only the cases about function, model, lut, strands, shadow or motion");
+  command->callback([&context, subject] { context.action = [&context, subject] { return check_device(*subject, context); }; });
 }
 
 }  // namespace cuticle::cli

@@ -1,11 +1,16 @@
 """The pages: self-contained, drawn by a browser without errors, and clear about data that are missing."""
 import base64
+import contextlib
+import io
 import json
 import pathlib
 import re
+import runpy
 import shutil
 import subprocess
 import sys
+import types
+import unittest.mock
 
 import numpy
 import pytest
@@ -20,7 +25,13 @@ const report = console.error; console.error = (...a) => { document.documentEleme
 
 
 def report(*arguments):
-    return subprocess.run([sys.executable, "-m", "cuticle_report", *map(str, arguments)], cwd=PACKAGE, capture_output=True, text=True, timeout=120)
+    """`python -m cuticle_report`, in this process: the plotting packages are loaded once."""
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said), unittest.mock.patch.object(sys, "argv", ["cuticle_report", *map(str, arguments)]), \
+         unittest.mock.patch.object(sys, "path", [str(PACKAGE), *sys.path]):
+        with pytest.raises(SystemExit) as end:
+            runpy.run_module("cuticle_report", run_name="__main__")
+    return types.SimpleNamespace(returncode=end.value.code, stderr=said.getvalue())
 
 
 def study_of(rows=None):
@@ -38,12 +49,13 @@ def study_of(rows=None):
                           {"method": "best constant", "mean_error": 0.21, "p95_error": 0.4, "max_error": 0.5, "bias": 0.0, "value": 0.4}]}
 
 
-@pytest.fixture
-def study(tmp_path):
-    (tmp_path / "study.json").write_text(json.dumps(study_of()))
-    done = report(tmp_path)
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("study")
+    (folder / "study.json").write_text(json.dumps(study_of()))
+    done = report(folder)
     assert done.returncode == 0, done.stderr
-    return tmp_path
+    return folder
 
 
 def browse(page, *flags):

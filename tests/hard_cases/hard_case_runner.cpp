@@ -152,8 +152,14 @@ Result<std::vector<Verdict>> run_catalogue(const std::string& text, [[maybe_unus
   }
 }
 
-Result<std::vector<Verdict>> run_hard_cases(const std::shared_ptr<gpu::Device>& device, Progress& progress) {
-  return run_catalogue(k_catalogue_text, device, progress);
+Result<std::vector<Verdict>> run_hard_cases(const std::string& subject, const std::shared_ptr<gpu::Device>& device, Progress& progress) {
+  if (subject.empty()) return run_catalogue(k_catalogue_text, device, progress);
+  CUTICLE_ASSIGN(const Json catalogue, Json::parse(k_catalogue_text));
+  Json chosen = Json::list();
+  for (const Json& item : catalogue["cases"])
+    if (item["subject"] == subject) chosen.push_back(item);
+  if (chosen.empty()) return usage_error(fmt::format("no hard case is about '{}'", subject), "cuticle check device lists the subjects");
+  return run_catalogue(Json{{"cases", chosen}}.dump(), device, progress);
 }
 
 }  // namespace cuticle::hard_cases

@@ -30,8 +30,9 @@ struct Verdict {
 
 /// Runs every case in f32 and f64, and on `device` unless it is null. Values must be finite; beyond that each case names a reference
 /// value (mpmath, reference_values.py) with a tolerance per precision, bounds, agreement with f64, or the error that must come.
-/// Error: internal, when the catalogue itself cannot be read.
-Result<std::vector<Verdict>> run_hard_cases(const std::shared_ptr<gpu::Device>& device, Progress& progress);
+/// `subject`: only the cases about it; empty: all. Errors: usage for a subject that no case has; internal, when the catalogue itself
+/// cannot be read.
+Result<std::vector<Verdict>> run_hard_cases(const std::string& subject, const std::shared_ptr<gpu::Device>& device, Progress& progress);
 
 /// As run_hard_cases, on a catalogue given as JSON text.
 Result<std::vector<Verdict>> run_catalogue(const std::string& json, const std::shared_ptr<gpu::Device>& device, Progress& progress);

@@ -26,7 +26,7 @@ std::shared_ptr<gpu::Device> device() {
 
 /// Run once for all tests.
 const std::vector<Verdict>& verdicts() {
-  static const std::vector<Verdict> all = run_hard_cases(device(), silent_progress()).value();
+  static const std::vector<Verdict> all = run_hard_cases("", device(), silent_progress()).value();
   return all;
 }
 
@@ -41,6 +41,12 @@ TEST(HardCases, Catalogue_HoldsAtLeastFortyCasesUnderNamesOfTheirOwn) {
     if (verdict.precision == Precision::f32) ids.insert(verdict.id);
   EXPECT_GE(ids.size(), 40u);
   for (const std::string& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;
+}
+
+TEST(HardCases, OfOneSubject_AreThoseOfTheCatalogue) {
+  const std::vector<Verdict> chosen = run_hard_cases("function", nullptr, silent_progress()).value();
+  for (const Verdict& verdict : chosen) EXPECT_EQ(verdict.subject, "function");
+  EXPECT_EQ(run_hard_cases("nonsense", nullptr, silent_progress()).error().kind, ErrorKind::usage);
 }
 
 Verdict verdict_of(const std::string& expect) {
