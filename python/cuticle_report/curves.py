@@ -9,6 +9,9 @@ from . import ReportError, page
 from .figures import COLORS
 
 DECADES = 5  # shown of a polar plot, below its largest value
+LEGEND_ROWS = 22  # that a PNG has room for
+DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}  # matplotlib's names, plotly's names
+LOOKS = [(color, dash) for dash in DASHES for color in COLORS]  # of a plot's curves, in turn
 
 
 def radii(values, largest):
@@ -27,10 +30,11 @@ def polar_labels(largest):
 def save_png(plot, path):
     """A PNG with labelled axes and a legend beside the plot."""
     polar, largest = plot["polar"], largest_of(plot)
-    figure, axes = pyplot.subplots(figsize=(7, 4.5), layout="constrained", subplot_kw={"projection": "polar" if polar else None})
-    for color, curve in zip(COLORS * 9, plot["curves"]):
+    columns = -(-len(plot["curves"]) // LEGEND_ROWS)
+    figure, axes = pyplot.subplots(figsize=(4.8 + 2.2 * columns, 4.5), layout="constrained", subplot_kw={"projection": "polar" if polar else None})
+    for (color, dash), curve in zip(LOOKS * 9, plot["curves"]):
         x = [math.radians(value) for value in curve["x"]] if polar else curve["x"]
-        axes.plot(x, radii(curve["y"], largest) if polar else curve["y"], color=color, linewidth=1.3, label=curve["name"])
+        axes.plot(x, radii(curve["y"], largest) if polar else curve["y"], color=color, linestyle=dash, linewidth=1.3, label=curve["name"])
     if polar:
         axes.set_rgrids(range(1, DECADES + 1), polar_labels(largest), fontsize=7)
         axes.set_xlabel(f"angle: {plot['x_label']}; radius: {plot['y_label']}")
@@ -39,7 +43,7 @@ def save_png(plot, path):
         axes.set(xlabel=plot["x_label"], ylabel=plot["y_label"], xscale=scale, yscale=scale)
         axes.grid(alpha=0.3)
     axes.set_title(plot["title"], fontsize=11)
-    figure.legend(loc="outside right upper", fontsize=8)
+    figure.legend(loc="outside right upper", fontsize=8, ncols=max(columns, 1))
     temporary = path.with_name(f".{path.stem}.{os.getpid()}.png")
     try:
         figure.savefig(temporary, dpi=110)
@@ -52,8 +56,8 @@ def save_png(plot, path):
 def interactive(plot):
     """The same as a plotly figure."""
     figure, largest = plotly.Figure(), largest_of(plot)
-    for color, curve in zip(COLORS * 9, plot["curves"]):
-        line = {"color": color}
+    for (color, dash), curve in zip(LOOKS * 9, plot["curves"]):
+        line = {"color": color, "dash": DASHES[dash]}
         if plot["polar"]:
             figure.add_scatterpolar(theta=curve["x"], r=radii(curve["y"], largest), name=curve["name"], mode="lines", line=line)
         else:

@@ -112,6 +112,7 @@ std::string to_json(const LutsStudy& study) {
   json["x"] = {{"key", "ns"}, {"label", "ns for one S, one CPU thread"}, {"scale", "log"}};
   json["y"] = {{"key", "rms_error"}, {"label", "rms error of S / rms of S"}, {"scale", "log"}};
   json["series"] = "format";
+  json["pareto"] = true;
   json["label"] = "size";
   json["words"] = study.verdicts;
   json["words"].push_back(
