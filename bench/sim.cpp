@@ -17,7 +17,7 @@ using namespace cuticle;
 struct Case {
   std::string name, solver, settings;
   int strands, threads;
-  bool sphere = false, wind = false;
+  bool sphere = false, wind = false, water = false, far_sphere = false;
 };
 
 strands::Groom straight_strands(int count) {
@@ -40,12 +40,13 @@ void run(const Case& c, double scale) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, std::size_t(c.threads));
   const strands::Groom groom = straight_strands(c.strands);
   sim::EffectBlocks effects{{"gravity", values_of("gravity", "")}};
-  if (c.sphere) effects["colliders"] = values_of("colliders", "pearl_radius=0");
+  if (c.sphere || c.far_sphere) effects["colliders"] = values_of("colliders", "pearl_radius=0");
   if (c.wind) effects["wind"] = values_of("wind", "");
+  if (c.water) effects["water"] = values_of("water", "");
   const auto solver = (*sim::find_effect(c.solver))->create(groom, values_of(c.solver, c.settings), effects).value();
-  const Sphere ball{{0.1, -0.2, 0}, 0.05};
+  const Sphere ball{{c.far_sphere ? 5 : 0.1, -0.2, 0}, 0.05};
   sim::FrameInput input;
-  if (c.sphere) input.colliders = {&ball, 1};
+  if (c.sphere || c.far_sphere) input.colliders = {&ball, 1};
   const double best = bench::best_ms(c.strands > 1000 ? 60 : 300, [&] {
     if (!solver->advance(input)) std::abort();
   });
@@ -60,14 +61,20 @@ int main(int argc, char** argv) {
   double scale = 1;
   if (argc > 1) scale = bench::machine_scale(argv[1]);
   const std::string four = "damping=0,shape_stiffness=0,clamped_vertices=1,inner_step=0.00417,max_substeps=4";
+  const std::string eight = "damping=0,inner_step=0.00209,max_substeps=8";
   fmt::print("case,strands,threads,best_ms,best_scaled_ms,largest_stretch\n");
   for (int threads : {1, 2}) {
     run({"exact, 4 substeps", "exact", four, 1000, threads}, scale);
     run({"exact, 4 substeps, sphere", "exact", four, 1000, threads, true}, scale);
+    run({"exact, 4 substeps, sphere out of reach", "exact", four, 1000, threads, false, false, false, true}, scale);
     run({"exact, 4 substeps, wind", "exact", four, 1000, threads, false, true}, scale);
+    run({"exact, 4 substeps, water", "exact", four, 1000, threads, false, false, true}, scale);
     run({"exact, 4 substeps, pull to the rest pose", "exact", "inner_step=0.00417,max_substeps=4", 1000, threads},
         scale);
     run({"exact, 4 substeps", "exact", four, 10000, threads}, scale);
+    run({"rod, 8 substeps", "rod", eight, 1000, threads}, scale);
+    run({"rod, 8 substeps, sphere", "rod", eight, 1000, threads, true}, scale);
+    run({"rod, 8 substeps", "rod", eight, 10000, threads}, scale);
   }
   run({"classic, 4 substeps of 4 sweeps", "classic", four, 1000, 2}, scale);
 }

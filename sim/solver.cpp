@@ -1,5 +1,8 @@
 #include <cuticle/sim/solver.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -14,6 +17,29 @@ std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3
       if (length > 0) ratios[i] = glm::distance(positions[i - 1], positions[i]) / length;
     }
   return ratios;
+}
+
+namespace {
+
+/// 2 tan(a / 2) = 2 |sum across| / (1 + cosine) of the angle between two segments, over their mean length.
+float curvature_between(const glm::dvec3& before, const glm::dvec3& after) {
+  const double shorter = std::min(glm::length(before), glm::length(after));
+  if (!(shorter > 0)) return 0;
+  const glm::dvec3 a = glm::normalize(before), b = glm::normalize(after);
+  const double across = glm::length(glm::cross(a, b)), along = std::max(1 + glm::dot(a, b), 1e-12);
+  return static_cast<float>(std::min(1e6, 4 * across / (along * (glm::length(before) + glm::length(after)))));
+}
+
+}  // namespace
+
+std::vector<float> curvature(const strands::Groom& rest, std::span<const glm::vec3> positions) {
+  CUTICLE_EXPECT(positions.size() == rest.vertex_count(), "one position per vertex of the rest pose");
+  std::vector<float> values(positions.size(), 0.f);
+  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+    for (std::size_t i = rest.offsets[s] + 1; i + 1 < rest.offsets[s + 1]; ++i)
+      values[i] = curvature_between(glm::dvec3(positions[i]) - glm::dvec3(positions[i - 1]),
+                                    glm::dvec3(positions[i + 1]) - glm::dvec3(positions[i]));
+  return values;
 }
 
 Result<const Effect*> find_effect(std::string_view name) {

@@ -35,12 +35,19 @@ struct FrameInput {
 struct State {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> velocities;         ///< metres per second, the mean over the last substep
+  /// Tension in the segment towards the root over the fibre's mass per length, m^2/s^2 (so times rho A: newtons); 0 in
+  /// pressure, at roots and at carried vertices. Empty where the solver solves no tensions (classic).
+  std::vector<float> tensions = {};
   std::uint32_t guards_fired = 0;            ///< strands reset in the last frame because something was not finite
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots
 /// and where the rest length is 0).
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions);
+
+/// Curvature of the strands at these positions, 1/m: at a vertex 2 tan(a / 2) over the mean of the two segments' lengths,
+/// a the angle between them, at most 1e6; 0 at ends and beside segments of no length.
+std::vector<float> curvature(const strands::Groom& rest, std::span<const glm::vec3> positions);
 
 class Solver {
  public:

@@ -19,6 +19,9 @@ Error not_finite(std::string_view what, const glm::vec3& v, int frame, std::size
 
 Telemetry measure(const strands::Groom& rest, const State& state) {
   Telemetry telemetry{.guards_fired = state.guards_fired};
+  for (float tension : state.tensions) telemetry.largest_tension = std::max(telemetry.largest_tension, double(tension));
+  for (float bent : curvature(rest, state.positions))
+    telemetry.largest_curvature = std::max(telemetry.largest_curvature, double(bent));
   const std::vector<float> ratios = stretch(rest, state.positions);
   double sum = 0, largest = 0;
   std::size_t segments = 0;
@@ -43,11 +46,12 @@ Result<void> check_finite(const strands::Groom& rest, const State& state, int fr
   return {};
 }
 
-std::string telemetry_header() { return "frame,time,max_stretch,mean_stretch,guards_fired,wall_ms\n"; }
+std::string telemetry_header() { return "frame,time,max_stretch,mean_stretch,max_tension,max_curvature,guards_fired,wall_ms\n"; }
 
 std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms) {
-  return fmt::format("{},{:.9g},{:.9g},{:.9g},{},{:.4g}\n", frame, time, telemetry.largest_stretch, telemetry.mean_stretch,
-                     telemetry.guards_fired, wall_ms);
+  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{:.4g}\n", frame, time, telemetry.largest_stretch,
+                     telemetry.mean_stretch, telemetry.largest_tension, telemetry.largest_curvature, telemetry.guards_fired,
+                     wall_ms);
 }
 
 }  // namespace cuticle::sim

@@ -9,6 +9,8 @@ namespace cuticle::sim {
 /// Stretch is a segment's length over its rest length.
 struct Telemetry {
   double largest_stretch = 1, mean_stretch = 1;
+  double largest_tension = 0;    ///< m^2/s^2, of State::tensions; 0 without
+  double largest_curvature = 0;  ///< 1/m
   std::uint32_t guards_fired = 0;
 };
 Telemetry measure(const strands::Groom& rest, const State& state);
@@ -16,7 +18,7 @@ Telemetry measure(const strands::Groom& rest, const State& state);
 /// Error: internal, naming frame, strand and vertex of the first position or velocity that is not finite.
 Result<void> check_finite(const strands::Groom& rest, const State& state, int frame);
 
-/// Columns frame, time (s), max_stretch, mean_stretch, guards_fired, wall_ms.
+/// Columns frame, time (s), max_stretch, mean_stretch, max_tension (m^2/s^2), max_curvature (1/m), guards_fired, wall_ms.
 std::string telemetry_header();
 std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms);
 

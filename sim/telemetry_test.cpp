@@ -20,7 +20,7 @@ strands::Groom two_strands() {
   return groom;
 }
 State stretched(const strands::Groom& groom) {
-  State state{groom.positions, std::vector<glm::vec3>(groom.vertex_count(), glm::vec3(0)), 2};
+  State state{groom.positions, std::vector<glm::vec3>(groom.vertex_count(), glm::vec3(0)), {}, 2};
   state.positions[5].x += 0.05f;
   return state;
 }
@@ -40,6 +40,24 @@ TEST(Telemetry, OneSegmentStretched_IsTheLargestAndMovesTheMean) {
   EXPECT_EQ(telemetry.guards_fired, 2u);
 }
 
+TEST(Curvature, OfACircle_IsOneOverItsRadius) {
+  strands::Groom groom;
+  for (int i = 0; i < 9; ++i) groom.positions.emplace_back(0.05 * std::cos(0.01 * i), 0.05 * std::sin(0.01 * i), 0);
+  groom.radii.assign(9, strands::k_default_radius);
+  groom.offsets = {0, 9};
+  const std::vector<float> bent = curvature(groom, groom.positions);
+  EXPECT_EQ(bent[0], 0.f);
+  EXPECT_NEAR(bent[4], 20, 0.02);
+}
+
+TEST(Curvature, OfAFold_IsBounded) {
+  strands::Groom groom;
+  groom.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  groom.radii.assign(4, strands::k_default_radius);
+  groom.offsets = {0, 4};
+  for (float bent : curvature(groom, groom.positions)) EXPECT_TRUE(bent >= 0 && bent <= 1e6f);
+}
+
 TEST(Telemetry, NoSegments_ReadsOne) {
   const strands::Groom none;
   EXPECT_EQ(measure(none, State{}).largest_stretch, 1.0);
@@ -56,9 +74,9 @@ TEST(Telemetry, StateThatIsNotFinite_IsNamedByFrameStrandAndVertex) {
 }
 
 TEST(Telemetry, Row_HasTheColumnsOfTheHeader) {
-  const std::string header = telemetry_header(), row = telemetry_row(3, 0.1, {1.5, 1.01, 2}, 4.5);
+  const std::string header = telemetry_header(), row = telemetry_row(3, 0.1, {1.5, 1.01, 9, 30, 2}, 4.5);
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
-  EXPECT_EQ(row, "3,0.1,1.5,1.01,2,4.5\n");
+  EXPECT_EQ(row, "3,0.1,1.5,1.01,9,30,2,4.5\n");
 }
 
 TEST(Effects, UnknownName_SuggestsTheNearest) {

@@ -65,7 +65,9 @@ struct Series {
 Result<void> write_state(const strands::Groom& rest, const sim::State& state, const Formats& formats, const std::string& stem) {
   if (formats.vtp) {
     const std::vector<float> stretch = sim::stretch(rest, state.positions);
-    CUTICLE_TRY(write_text_file(stem + ".vtp", strands::format_vtp({&rest, state.positions, state.velocities, stretch})));
+    const std::vector<float> curvature = sim::curvature(rest, state.positions);
+    CUTICLE_TRY(write_text_file(stem + ".vtp", strands::format_vtp({&rest, state.positions, state.velocities, stretch,
+                                                                    state.tensions, curvature})));
   }
   if (!formats.hair) return {};
   strands::Groom moved = rest;

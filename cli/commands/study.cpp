@@ -8,6 +8,7 @@ void add_study(CLI::App& app, Context& context) {
   study->fallthrough();
   add_study_lobes(*study, context);
   add_study_luts(*study, context);
+  add_study_motion(*study, context);
   add_study_skinning(*study, context);
   add_study_render(*study, context);
   add_study_shadows(*study, context);

@@ -133,7 +133,7 @@ class ClassicSolver final : public Solver {
   }
 
   Result<State> state() override {
-    State state{positions_, velocities_, 0};
+    State state{.positions = positions_, .velocities = velocities_};
     for (glm::vec3& position : state.positions) position += translation_;
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
     return state;

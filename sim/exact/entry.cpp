@@ -1,3 +1,4 @@
+#include <cuticle/sim/detail/chain_parameters.h>
 #include <cuticle/sim/exact/exact.h>
 
 namespace cuticle::sim::exact {
@@ -7,26 +8,9 @@ using registry::Parameter;
 using registry::ParameterType;
 
 constexpr Parameter k_parameters[] = {
-    {.name = "inner_step",
-     .type = ParameterType::real,
-     .unit = "s",
-     .minimum = 1e-5,
-     .maximum = 100,
-     .default_text = "0.0020833333333333333",
-     .summary = "longest substep; a frame is cut into equal parts of at most this"},
-    {.name = "max_substeps",
-     .type = ParameterType::integer,
-     .minimum = 1,
-     .maximum = 4096,
-     .default_text = "64",
-     .summary = "most substeps in a frame; past that the substep stretches"},
-    {.name = "damping",
-     .type = ParameterType::real,
-     .unit = "1/s",
-     .minimum = 0,
-     .maximum = 1000,
-     .default_text = "2",
-     .summary = "drag of still air: velocity decays as exp(-damping t)"},
+    detail::k_inner_step,
+    detail::k_max_substeps,
+    detail::k_damping,
     {.name = "shape_stiffness",
      .type = ParameterType::real,
      .unit = "1/s",
@@ -52,16 +36,9 @@ constexpr Parameter k_parameters[] = {
      .default_text = "2",
      .summary =
          "first vertices of a strand that the head carries: 2 keeps the direction in which hair leaves the scalp"},
-    {.name = "double_precision",
-     .type = ParameterType::boolean,
-     .default_text = "false",
-     .summary = "the CPU computes in double, without wide vectors: for tests and studies"},
+    detail::k_double_precision,
 };
-constexpr std::string_view k_demands[] = {"simulation"};
 constexpr std::string_view k_systems[] = {"N6", "N8"};
-
-/// All substeps of a frame, with their effects, are one kernel.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
 
 }  // namespace
 
@@ -73,12 +50,12 @@ const Effect& entry() {
                                           .source = "Han and Harada 2012 (direct lengths); Mueller et al. 2012 (follow "
                                                     "the leader); BDF2, Curtiss and Hirschfelder 1952",
                                           .parameters = k_parameters,
-                                          .demands = k_demands,
+                                          .demands = detail::k_demands,
                                           .stage = registry::Stage::simulate,
                                           .systems = k_systems,
-                                          .dispatches = dispatches},
+                                          .dispatches = detail::one_dispatch},
                                 .create = create,
-                                .substeps = substeps,
+                                .substeps = detail::substeps,
                                 .fuses_effects = true};
   return effect;
 }

@@ -1,95 +1,11 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
-// Every loop over lanes is one block of arithmetic without calls or branches, which the compiler turns into vectors.
-#include <cuticle/core/flush_to_zero.h>
+#include <cuticle/sim/detail/chain_lanes.h>
 #include <cuticle/sim/exact/kernel.h>
-
-#define CUTICLE_JOIN_NAMES(a, b) a##b
-#define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
 
 namespace cuticle::sim::exact {
 namespace {
 
-constexpr int W = k_lanes;
-
-// A loop whose body is a function of its own, inlined: locals of a loop would become arrays, which no vector holds.
-#define CUTICLE_INLINED __attribute__((always_inline))
-template <class Body>
-[[gnu::always_inline]] inline void each_lane(const Body& body) {
-#pragma omp simd
-  for (int lane = 0; lane < W; ++lane) body(lane);
-}
-
-FN glm::vec<3, Real> vector_at(const Real* row, int lane) { return {row[lane], row[W + lane], row[2 * W + lane]}; }
-FN void put(Real* row, int lane, const glm::vec<3, Real>& v) {
-  row[lane] = v.x;
-  row[W + lane] = v.y;
-  row[2 * W + lane] = v.z;
-}
-
-/// What a block's strands share with their links within a substep, a row for each number.
-template <class Real>
-struct StrandRows {
-  Real root_step[3 * W], history[W], time[W], excess[W];
-  Real place[3 * W], direction[3 * W], normal[3 * W], inverse_mass[W], inverse_pivot[W], residual[W];  ///< LinkCarry
-  Real sum[3 * W], stiffness[W], tension_pivot[W];                                                     ///< TensionCarry
-  Real newton[3 * W], newton_parent[3 * W], aim[3 * W], turned[3 * W], pushed[3 * W], free_parent[W];
-};
-
-FN StrandStep<Real> step_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.root_step, lane), rows.history[lane], rows.time[lane]};
-}
-FN LinkCarry<Real> carry_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.place, lane), vector_at(rows.direction, lane), vector_at(rows.normal, lane),
-          rows.inverse_mass[lane],     rows.inverse_pivot[lane],        rows.residual[lane]};
-}
-FN TensionCarry<Real> tension_carry_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.sum, lane), rows.stiffness[lane], rows.tension_pivot[lane]};
-}
-FN void put_carry(StrandRows<Real>& rows, int lane, const LinkCarry<Real>& carry) {
-  put(rows.place, lane, carry.place);
-  put(rows.direction, lane, carry.direction);
-  put(rows.normal, lane, carry.normal);
-  rows.inverse_mass[lane] = carry.inverse_mass;
-  rows.inverse_pivot[lane] = carry.inverse_pivot;
-  rows.residual[lane] = carry.residual;
-}
-
-/// Rows of vertex i.
-template <class Real>
-struct VertexRows {
-  const Real* rest;
-  Real *state, *scratch;
-  VertexRows(const ChainBlock<Real>& block, int i)
-      : rest(block.rest + i * rest_row::count * W),
-        state(block.state + i * state_row::count * W),
-        scratch(block.scratch + i * scratch_row::count * W) {}
-  const Real* rest_at(int row) const { return rest + row * W; }
-  Real* state_at(int row) const { return state + row * W; }
-  Real* scratch_at(int row) const { return scratch + row * W; }
-};
-
-template <class Real>
-void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step, StrandRows<Real>& rows) {
-  const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * W, *guarded = block.strand + strand_row::guarded * W;
-  const VertexRows<Real> root(block, 0);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const StrandStep<Real> strand = strand_step(s, vector_at(anchor, lane), guarded[lane]);
-    put(rows.root_step, lane, strand.root_step);
-    put(root.state_at(state_row::velocity), lane, strand.root_step / s.duration);
-    rows.history[lane] = strand.history;
-    rows.time[lane] = strand.time;
-    rows.excess[lane] = 0;
-    rows.free_parent[lane] = 0;
-    put_carry(rows, lane, at_anchor<Real>());
-    const TensionCarry<Real> tip = below_tip<Real>();
-    put(rows.sum, lane, tip.sum);
-    rows.stiffness[lane] = tip.stiffness;
-    rows.tension_pivot[lane] = tip.inverse_pivot;
-    put(rows.newton_parent, lane, glm::vec<3, Real>(0));
-    put(rows.pushed, lane, glm::vec<3, Real>(0));
-  });
-}
+using namespace detail;
 
 /// Tip to root: the scheme's prediction, and the lagged tensions' elimination.
 template <class Real, bool Pulls>
@@ -134,49 +50,6 @@ void lead(const VertexRows<Real> v, const StrandRows<Real>& rows) {
         within_reach(vector_at(v.scratch_at(scratch_row::place), lane) +
                          vector_at(rows.place, lane) * v.scratch_at(scratch_row::follows)[lane],
                      v.rest_at(rest_row::reach)[lane]));
-  });
-}
-
-template <class Real>
-void clear_touch(const VertexRows<Real> v) {
-  each_lane([&](int lane) CUTICLE_INLINED {
-    put(v.scratch_at(scratch_row::normal), lane, glm::vec<3, Real>(0));
-    put(v.scratch_at(scratch_row::begin_pushed), lane, glm::vec<3, Real>(0));
-  });
-}
-
-FN LinkSphere<Real> sphere_at(const Real* rows, int lane) { return {vector_at(rows, lane), rows[3 * W + lane]}; }
-
-template <class Real>
-void place_spheres(const ChainBlock<Real>& block, const ChainStep<Real>& step, const ChainFrame<Real>& frame) {
-  const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * W,
-             *length = VertexRows<Real>(block, 1).rest_at(rest_row::length);
-  for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Real> sphere = frame.spheres[k];
-    Real* const rows = frame.sphere_rows + 4 * W * k;
-    each_lane([&](int lane) CUTICLE_INLINED {
-      const LinkSphere<Real> placed =
-          link_sphere(s, sphere.centre, sphere.radius, vector_at(anchor, lane), length[lane]);
-      put(rows, lane, placed.centre);
-      rows[3 * W + lane] = placed.radius;
-    });
-  }
-}
-
-template <class Real>
-void push_out(const VertexRows<Real> v, const ChainStep<Real>& step, const Real* sphere) {
-  const ChainStep<Real> s = step;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const glm::vec<3, Real> here = vector_at(v.state_at(state_row::here), lane);
-    const Touch<Real> touch = pushed_from(Touch<Real>{vector_at(v.scratch_at(scratch_row::place), lane),
-                                                      vector_at(v.scratch_at(scratch_row::normal), lane),
-                                                      vector_at(v.scratch_at(scratch_row::begin_pushed), lane)},
-                                          sphere_at(sphere, lane), carried_by_head(s, here),
-                                          direction_or(here, Real(0), s.end_y), s.friction);
-    put(v.scratch_at(scratch_row::place), lane, touch.place);
-    put(v.scratch_at(scratch_row::normal), lane, touch.normal);
-    put(v.scratch_at(scratch_row::begin_pushed), lane, touch.begin_pushed);
   });
 }
 
@@ -226,84 +99,12 @@ void aim(const VertexRows<Real> v, const VertexRows<Real> parent, const VertexRo
         vector_at(below.scratch_at(scratch_row::direction), lane) * below.scratch_at(scratch_row::value)[lane];
     glm::vec<3, Real> normal(0);
     if constexpr (Touches) normal = vector_at(v.scratch_at(scratch_row::normal), lane);
-    const Real length = v.rest_at(rest_row::length)[lane];
     const glm::vec<3, Real> place = newton_place(vector_at(v.scratch_at(scratch_row::place), lane), normal,
                                                  v.scratch_at(scratch_row::inverse_mass)[lane], above, under);
-    rows.excess[lane] = max(rows.excess[lane], excess_of_newton(place - vector_at(rows.newton_parent, lane), length));
-    const glm::vec<3, Real> aimed =
-        direction_or(place - vector_at(parent.state_at(state_row::here), lane), Real(1e-3) * length, direction);
     v.state_at(state_row::tension)[lane] =
         next_tension(v.state_at(state_row::tension)[lane], v.scratch_at(scratch_row::value)[lane],
                      v.rest_at(rest_row::inverse_length)[lane], rows.time[lane]);
-    put(rows.newton, lane, place);
-    put(rows.newton_parent, lane, place);
-    put(rows.aim, lane, aimed);
-    put(rows.turned, lane, aimed);
-  });
-}
-
-template <class Real>
-void turn_out(const VertexRows<Real> v, const VertexRows<Real> parent, const ChainStep<Real>& step, const Real* sphere,
-              StrandRows<Real>& rows) {
-  const glm::vec<3, Real> side = step.end_x, other = step.end_y;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const LinkSphere<Real> met = sphere_at(sphere, lane);
-    const glm::vec<3, Real> from = vector_at(parent.state_at(state_row::here), lane),
-                            aimed = vector_at(rows.turned, lane);
-    const Real length = v.rest_at(rest_row::length)[lane];
-    const glm::vec<3, Real> turned = turned_out(from, aimed, length, met, side, other), moved = turned - aimed;
-    const glm::vec<3, Real> outward = direction_or(from + turned * length - met.centre, Real(0), turned);
-    put(v.scratch_at(scratch_row::normal), lane,
-        either(inner(moved, moved) > 0, outward, vector_at(v.scratch_at(scratch_row::normal), lane)));
-    put(rows.turned, lane, turned);
-  });
-}
-
-/// The link at its length, the velocities, and the share of the clean-up that the parent's velocity gives back.
-template <class Real>
-void follow(const VertexRows<Real> v, const VertexRows<Real> parent, StrandRows<Real>& rows) {
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], time = rows.time[lane];
-    const glm::vec<3, Real> place =
-        vector_at(parent.state_at(state_row::here), lane) + vector_at(rows.aim, lane) * length;
-    const glm::vec<3, Real> pull =
-        cleanup_pull(place - vector_at(rows.newton, lane), length, v.rest_at(rest_row::mass_ratio)[lane], time);
-    put(parent.state_at(state_row::velocity), lane, vector_at(parent.state_at(state_row::velocity), lane) - pull);
-    put(v.state_at(state_row::velocity), lane, (place - vector_at(v.state_at(state_row::velocity), lane)) / time);
-    put(v.state_at(state_row::here), lane, place);
-  });
-}
-
-/// The same beside spheres. What a contact moved says nothing of the pull on the parent, and a parent in contact feels
-/// none.
-template <class Real>
-void follow_beside(const VertexRows<Real> v, const VertexRows<Real> parent, const ChainStep<Real>& step,
-                   StrandRows<Real>& rows) {
-  const ChainStep<Real> s = step;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], time = rows.time[lane];
-    const glm::vec<3, Real> from = vector_at(parent.state_at(state_row::here), lane),
-                            normal = vector_at(v.scratch_at(scratch_row::normal), lane);
-    const glm::vec<3, Real> aimed = from + vector_at(rows.aim, lane) * length,
-                            place = from + vector_at(rows.turned, lane) * length;
-    const glm::vec<3, Real> pushed = pushed_along(vector_at(rows.pushed, lane), vector_at(rows.aim, lane)),
-                            turn = place - aimed;
-    const glm::vec<3, Real> pull = cleanup_pull(aimed - vector_at(rows.newton, lane) - pushed, length,
-                                                v.rest_at(rest_row::mass_ratio)[lane], time);
-    put(parent.state_at(state_row::velocity), lane,
-        vector_at(parent.state_at(state_row::velocity), lane) - pull * rows.free_parent[lane]);
-    const bool touches = inner(normal, normal) > 0;
-    const glm::vec<3, Real> begin = vector_at(v.state_at(state_row::before), lane);
-    const Touch<Real> touch{place, normal, vector_at(v.scratch_at(scratch_row::begin_pushed), lane)};
-    const glm::vec<3, Real> beside =
-        touching_velocity(place, begin, carried_by_head(s, begin + vector_at(rows.root_step, lane)), touch,
-                          sqrt(inner(turn, turn)), s.friction, s.duration);
-    const glm::vec<3, Real> free = (place - vector_at(v.state_at(state_row::velocity), lane)) / time;
-    put(v.state_at(state_row::velocity), lane, either(touches, beside, free));
-    put(v.state_at(state_row::here), lane, place);
-    put(rows.pushed, lane, pushed + turn);
-    rows.free_parent[lane] = touches ? Real(0) : Real(1);
-    rows.excess[lane] = touches ? Real(1) : rows.excess[lane];
+    aim_lane(v, parent, lane, place, direction, rows);
   });
 }
 
@@ -316,25 +117,12 @@ void substep(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const
   for (int i = block.links; i >= 1; --i) predict<Real, Pulls>(vertex(i), step, rows);
   for (int i = 1; i <= block.links; ++i) {
     lead(vertex(i), rows);
-    if constexpr (Touches) {
-      clear_touch(vertex(i));
-      for (int k = 0; k < frame.sphere_count; ++k) push_out(vertex(i), step, frame.sphere_rows + 4 * W * k);
-    }
+    if constexpr (Touches) push_out_of_all(frame, step, vertex(i));
     eliminate<Real, Touches>(vertex(i), vertex(i - 1), i % 2 ? step.end_x : step.end_y, rows);
   }
   for (int i = block.links; i >= 1; --i) substitute(vertex(i), vertex(i + 1));
-  for (int i = 1; i <= block.links; ++i) {
+  follow_all<Real, Touches>(block, frame, step, rows, [&](int i) {
     aim<Real, Touches>(vertex(i), vertex(i - 1), vertex(i + 1), rows);
-    if constexpr (Touches) {
-      for (int k = 0; k < frame.sphere_count; ++k)
-        turn_out(vertex(i), vertex(i - 1), step, frame.sphere_rows + 4 * W * k, rows);
-      follow_beside(vertex(i), vertex(i - 1), step, rows);
-    } else {
-      follow(vertex(i), vertex(i - 1), rows);
-    }
-  }
-  each_lane([&](int lane) CUTICLE_INLINED {
-    block.strand[strand_row::guarded * W + lane] = rows.excess[lane] > 0 ? Real(1) : Real(0);
   });
 }
 

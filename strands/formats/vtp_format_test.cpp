@@ -51,6 +51,16 @@ TEST(VtpFormat, PointArrays_AreThoseNamed) {
   EXPECT_THAT(array_of(text, "strand_id"), ElementsAre(0, 0, 0, 1, 2, 2));
 }
 
+TEST(VtpFormat, TensionAndCurvature_AreThereWhenGiven) {
+  const Sample sample;
+  EXPECT_THAT(sample.text(), ::testing::Not(HasSubstr("tension")));
+  const std::vector<float> numbers{0, 1, 2, 3, 4, 5};
+  const std::string text =
+      format_vtp({&sample.groom, sample.positions, sample.velocities, numbers, numbers, numbers});
+  EXPECT_THAT(array_of(text, "tension"), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_EQ(array_of(text, "curvature").size(), 6u);
+}
+
 TEST(VtpFormat, SingleVertexStrand_HasNoLine) {
   const std::string text = Sample().text();
   EXPECT_THAT(text, HasSubstr("NumberOfPoints=\"6\" NumberOfLines=\"2\""));

@@ -1,4 +1,4 @@
-// Solvers: {"groom", "solver": settings, "effects": {name: settings}, "colliders": [[x, y, z, radius]], "frames", "measure"}.
+// Every solver, one after the other: {"groom", "solver": {name: settings}, "effects": {name: settings}, "colliders": [[x, y, z, radius]], "frames", "measure"}.
 // A frame: {"duration", "turn_deg" about y, "move", "teleport", "repeat"}. Measures: "stretch", "head_distance", "speed".
 #include <numbers>
 
@@ -27,13 +27,16 @@ Result<registry::ParameterValues> values_of(const std::string& effect, const std
   return registry::parse_assignments(entry->entry.parameters, settings);
 }
 
-Result<Setting> setting_from(const Json& inputs) {
+constexpr std::string_view k_solvers[] = {"classic", "exact", "rod"};
+
+Result<Setting> setting_from(const Json& inputs, std::string_view solver) {
   Setting setting;
   setting.groom = groom_from(inputs.at("groom"));
-  CUTICLE_ASSIGN(setting.solver, values_of("classic", inputs.value("solver", std::string())));
+  const std::string name(solver), settings = inputs.value("solver", Json::object()).value(name, std::string());
+  CUTICLE_ASSIGN(setting.solver, values_of(name, settings));
   const Json effects = inputs.value("effects", Json::object());
-  for (const auto& [name, settings] : effects.items()) {
-    CUTICLE_ASSIGN(setting.effects[name], values_of(name, settings.text()));
+  for (const auto& [effect, values] : effects.items()) {
+    CUTICLE_ASSIGN(setting.effects[effect], values_of(effect, values.text()));
   }
   return setting;
 }
@@ -75,28 +78,39 @@ Values measured(const std::string& measure, const strands::Groom& rest, const si
   return values;
 }
 
-Result<Values> run(sim::Solver& solver, const strands::Groom& rest, const Json& inputs) {
+Result<void> run(sim::Solver& solver, const strands::Groom& rest, const Json& inputs, Values& values) {
   CUTICLE_ASSIGN(const glm::dvec3 head, run_frames(solver, inputs));
   CUTICLE_ASSIGN(const sim::State state, solver.state());
-  return measured(inputs.at("measure").text(), rest, state, head);
+  const Values more = measured(inputs.at("measure").text(), rest, state, head);
+  values.insert(values.end(), more.begin(), more.end());
+  return {};
 }
 
 }  // namespace
 
 Result<Values> run_motion_f32(const Json& inputs, GpuSession*) {
-  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
-  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect("classic"));
-  CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, effect->create(setting.groom, setting.solver, setting.effects));
-  return run(*solver, setting.groom, inputs);
+  Values values;
+  for (std::string_view name : k_solvers) {
+    CUTICLE_ASSIGN(const Setting setting, setting_from(inputs, name));
+    CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
+    CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver,
+                   effect->create(setting.groom, setting.solver, setting.effects));
+    CUTICLE_TRY(run(*solver, setting.groom, inputs, values));
+  }
+  return values;
 }
 
 #ifdef CUTICLE_HAS_GPU
 Result<Values> run_motion_gpu(const Json& inputs, GpuSession* session) {
-  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
-  CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect("classic"));
-  CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,
-                 effect->create(session->device, setting.groom, setting.solver, setting.effects));
-  return run(*solver, setting.groom, inputs);
+  Values values;
+  for (std::string_view name : k_solvers) {
+    CUTICLE_ASSIGN(const Setting setting, setting_from(inputs, name));
+    CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect(name));
+    CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,
+                   effect->create(session->device, setting.groom, setting.solver, setting.effects));
+    CUTICLE_TRY(run(*solver, setting.groom, inputs, values));
+  }
+  return values;
 }
 #endif
 

@@ -23,12 +23,16 @@ std::string format_vtp(const StrandState& state) {
   const Groom& groom = *state.groom;
   const std::size_t points = groom.offsets.back();
   CUTICLE_EXPECT(
-      state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points,
+      state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points &&
+          (state.tension.empty() || state.tension.size() == points) &&
+          (state.curvature.empty() || state.curvature.size() == points),
       "one entry per vertex");
   std::string text = open_piece(points, line_count(groom));
   text += "<PointData Scalars=\"stretch\" Vectors=\"velocity\">\n";
   append_array(text, "velocity", state.velocities);
   append_array(text, "stretch", 1, state.stretch);
+  if (!state.tension.empty()) append_array(text, "tension", 1, state.tension);
+  if (!state.curvature.empty()) append_array(text, "curvature", 1, state.curvature);
   append_array(text, "UInt32", "strand_id", strand_ids(groom));
   text += "</PointData>\n<Points>\n";
   append_array(text, "position", state.positions);
@@ -40,7 +44,7 @@ std::string format_vtp(const StrandState& state) {
 
 std::size_t vtp_bytes_at_most(const Groom& groom) {
   constexpr std::size_t number = 16, index = 11, frame = 2048;  // -1.23456789e-05 and 4294967295, with what parts them
-  return frame + groom.offsets.back() * (7 * number + 2 * index) + groom.strand_count() * index;
+  return frame + groom.offsets.back() * (9 * number + 2 * index) + groom.strand_count() * index;
 }
 
 std::string format_pvd(std::span<const SeriesMember> members) {

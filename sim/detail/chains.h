@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include <cuticle/sim/exact/settings.h>
+#include <cuticle/sim/detail/chain_settings.h>
 #include <cuticle/strands/groom.h>
 
-#include <cuticle/sim/exact/kernel.h>
+#include <cuticle/sim/detail/chain_rows.h>
 
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 
 /// Where a strand's chain is. `anchor`: the last vertex that the head carries, counted from the strand's first.
 struct ChainPlace {
@@ -33,6 +33,8 @@ struct Chains {
   std::uint32_t longest = 0;  ///< links of the longest chain
 
   ChainBlock<Real> block(std::size_t index, Real* scratch);
+  /// Whether any vertex of the block, predicted at most a tenth past its reach, could be inside the sphere.
+  bool within_reach(std::size_t block, const LinkSphere<Real>& sphere, double pearl) const;
   /// A row of a chain's vertex (0: the anchor).
   Real* state_at(std::size_t block, std::size_t vertex, std::size_t field) {
     return state.data() + ((blocks[block].first_vertex + vertex) * state_row::count + field) * k_lanes;
@@ -41,6 +43,9 @@ struct Chains {
     return rest.data() + ((blocks[block].first_vertex + vertex) * rest_row::count + field) * k_lanes;
   }
   Real* strand_at(std::size_t block, std::size_t field) {
+    return strand.data() + (block * strand_row::count + field) * k_lanes;
+  }
+  const Real* strand_at(std::size_t block, std::size_t field) const {
     return strand.data() + (block * strand_row::count + field) * k_lanes;
   }
 };
@@ -55,8 +60,12 @@ void put_vector(Real* row, std::size_t lane, const glm::dvec3& v) {
   for (std::size_t c = 0; c < 3; ++c) row[c * k_lanes + lane] = Real(v[int(c)]);
 }
 
+/// State::tensions: `numbers` holds the state's rows of the chains.
+template <class Real>
+std::vector<float> tensions_of(const Chains<Real>& chains, const strands::Groom& rest, std::span<const Real> numbers);
+
 /// At rest in rest space.
 template <class Real>
-Chains<Real> make_chains(const strands::Groom& groom, const Settings& settings);
+Chains<Real> make_chains(const strands::Groom& groom, const ChainSettings& settings);
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

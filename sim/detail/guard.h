@@ -1,10 +1,10 @@
 #pragma once
 // What is not finite is put back, strand by strand.
-#include <cuticle/sim/exact/placing.h>
+#include <cuticle/sim/detail/placing.h>
 
-#include <cuticle/sim/exact/chains.h>
+#include <cuticle/sim/detail/chains.h>
 
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 
 /// As strand_row::guarded: the lane was put back; it starts anew with the first order too.
 constexpr int k_was_reset = 2;
@@ -14,4 +14,4 @@ constexpr int k_was_reset = 2;
 template <class Real>
 void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const Placing& placing);
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

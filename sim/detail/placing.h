@@ -6,15 +6,10 @@
 
 #include <cuticle/sim/head_motion.h>
 
-#include <cuticle/sim/exact/kernel.h>
-
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 
 /// From a unit quaternion (xyz, w).
 glm::dmat3 matrix_of(const glm::vec4& rotation);
-
-/// The units of the widest instruction set that this processor has.
-const Kernels& best_kernels();
 
 class Placing {
  public:
@@ -30,4 +25,4 @@ class Placing {
   glm::dvec3 translation_{0}, moving_{0};
 };
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

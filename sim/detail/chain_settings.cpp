@@ -1,8 +1,8 @@
-#include <cuticle/sim/exact/settings.h>
+#include <cuticle/sim/detail/chain_settings.h>
 
-#include <cuticle/sim/exact/placing.h>
+#include <cuticle/sim/detail/placing.h>
 
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 namespace {
 
 std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
@@ -35,9 +35,19 @@ void set_rotations(ChainStep<Real>& step, const glm::dmat3& begin, const glm::dm
 }
 
 /// The pull towards the rest pose carries the weight that the strand has there; the head turns that force along.
-glm::dvec3 unbalanced_gravity(const Settings& settings, const glm::dmat3& rotation) {
+glm::dvec3 unbalanced_gravity(const ChainSettings& settings, const glm::dmat3& rotation) {
   const bool balanced = settings.sag_free && settings.shape_stiffness > 0;
   return balanced ? settings.gravity - rotation * settings.gravity : settings.gravity;
+}
+
+wind::Push fluid_push(const ChainSettings& settings, double time) {
+  wind::Push push = settings.wind ? wind::push_at(*settings.wind, time) : wind::Push{};
+  if (settings.water) {
+    const wind::Push current = wind::push_at(settings.water->current, time);
+    push.acceleration += current.acceleration;
+    push.drag += current.drag;
+  }
+  return push;
 }
 
 }  // namespace
@@ -45,37 +55,39 @@ glm::dvec3 unbalanced_gravity(const Settings& settings, const glm::dmat3& rotati
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
   return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
 }
-std::uint32_t substeps(const Settings& settings, double duration) {
+std::uint32_t substeps(const ChainSettings& settings, double duration) {
   return inner_steps(duration, settings.inner_step, settings.max_substeps);
 }
 
-Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  Settings settings;
+ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  ChainSettings settings;
   settings.inner_step = solver.real("inner_step");
   settings.max_substeps = whole(solver, "max_substeps");
   settings.clamped_vertices = whole(solver, "clamped_vertices");
   settings.damping = solver.real("damping");
-  settings.shape_stiffness = solver.real("shape_stiffness");
-  settings.shape_tip = solver.real("shape_tip");
   settings.sag_free = solver.boolean("sag_free");
   settings.double_precision = solver.boolean("double_precision");
   if (auto gravity = effects.find("gravity"); gravity != effects.end())
     settings.gravity = gravity->second.rgb("acceleration");
   if (auto wind = effects.find("wind"); wind != effects.end()) settings.wind = wind::make_wind(wind->second);
+  if (auto water = effects.find("water"); water != effects.end()) {
+    settings.water = water::make_water(water->second);
+    settings.gravity *= 1 - settings.water->buoyancy;
+  }
   if (auto contact = effects.find("colliders"); contact != effects.end())
     settings.contact = colliders::make_contact_settings(contact->second);
   return settings;
 }
 
 template <class Real>
-std::vector<ChainStep<Real>> ChainClock::steps(const Settings& settings, std::span<const Substep> parts) {
+std::vector<ChainStep<Real>> ChainClock::steps(const ChainSettings& settings, std::span<const Substep> parts) {
   using Vector = glm::vec<3, Real>;
   std::vector<ChainStep<Real>> steps;
   for (const Substep& part : parts) {
     const double duration = double(part.duration);
     if (!(duration > 0)) continue;
     time_ += duration;
-    const wind::Push push = settings.wind ? wind::push_at(*settings.wind, time_) : wind::Push{};
+    const wind::Push push = fluid_push(settings, time_);
     const glm::dmat3 end = matrix_of(part.rotation_end);
     ChainStep<Real> step{};
     set_scheme(step, duration, previous_duration_);
@@ -92,17 +104,17 @@ std::vector<ChainStep<Real>> ChainClock::steps(const Settings& settings, std::sp
   }
   return steps;
 }
-template std::vector<ChainStep<float>> ChainClock::steps<float>(const Settings&, std::span<const Substep>);
-template std::vector<ChainStep<double>> ChainClock::steps<double>(const Settings&, std::span<const Substep>);
+template std::vector<ChainStep<float>> ChainClock::steps<float>(const ChainSettings&, std::span<const Substep>);
+template std::vector<ChainStep<double>> ChainClock::steps<double>(const ChainSettings&, std::span<const Substep>);
 
 template <class Real>
-std::vector<LinkSphere<Real>> link_spheres(const Settings& settings, std::span<const Sphere> spheres) {
+std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres) {
   std::vector<LinkSphere<Real>> result;
   if (!settings.contact) return result;
   for (const Sphere& sphere : spheres) result.push_back({glm::vec<3, Real>(sphere.center), Real(sphere.radius)});
   return result;
 }
-template std::vector<LinkSphere<float>> link_spheres<float>(const Settings&, std::span<const Sphere>);
-template std::vector<LinkSphere<double>> link_spheres<double>(const Settings&, std::span<const Sphere>);
+template std::vector<LinkSphere<float>> link_spheres<float>(const ChainSettings&, std::span<const Sphere>);
+template std::vector<LinkSphere<double>> link_spheres<double>(const ChainSettings&, std::span<const Sphere>);
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

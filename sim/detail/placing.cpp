@@ -1,18 +1,6 @@
-#include <cuticle/sim/exact/placing.h>
+#include <cuticle/sim/detail/placing.h>
 
-#include <cuticle/core/instruction_set.h>
-
-namespace cuticle::sim::exact {
-
-extern const Kernels kernels_baseline, kernels_avx2, kernels_avx512;
-
-const Kernels& best_kernels() {
-#if defined(CUTICLE_HAS_WIDE_SETS)
-  if (processor_has(InstructionSet::avx512)) return kernels_avx512;
-  if (processor_has(InstructionSet::avx2)) return kernels_avx2;
-#endif
-  return kernels_baseline;
-}
+namespace cuticle::sim::detail {
 
 glm::dmat3 matrix_of(const glm::vec4& rotation) {
   const glm::dvec4 q(rotation);
@@ -33,4 +21,4 @@ void Placing::advance(std::span<const Substep> parts) {
   }
 }
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

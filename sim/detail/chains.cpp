@@ -3,11 +3,11 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/exact/chains.h>
+#include <cuticle/sim/detail/chains.h>
 
 #include <cuticle/sim/classic/verlet.glslh>
 
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 namespace {
 
 constexpr double k_welded = 1e-7;  // of the strand's length
@@ -60,7 +60,7 @@ double mass(const Chain& chain, std::size_t i) {
 }
 
 template <class Real>
-void fill_lane(Chains<Real>& chains, const Chain& chain, const Settings& settings, std::size_t block,
+void fill_lane(Chains<Real>& chains, const Chain& chain, const ChainSettings& settings, std::size_t block,
                std::size_t lane) {
   const std::size_t first = chains.blocks[block].first_vertex, links = chain.places.size() - 1;
   double mean = 0, reach = 0;
@@ -85,7 +85,7 @@ void fill_lane(Chains<Real>& chains, const Chain& chain, const Settings& setting
 
 template <class Real>
 void add_block(Chains<Real>& chains, std::span<const Chain> all, std::span<const std::size_t> strands,
-               const Settings& settings) {
+               const ChainSettings& settings) {
   const std::size_t links = all[strands[0]].places.size() - 1, block = chains.blocks.size();
   const std::size_t first = chains.rest.size() / (rest_row::count * k_lanes);
   chains.blocks.push_back({std::uint32_t(links), std::uint32_t(first), std::uint32_t(strands.size()), 0});
@@ -109,11 +109,22 @@ ChainBlock<Real> Chains<Real>::block(std::size_t index, Real* scratch) {
   const BlockPlace& place = blocks[index];
   return {int(place.links), rest.data() + place.first_vertex * rest_row::count * k_lanes,
           state.data() + place.first_vertex * state_row::count * k_lanes,
-          strand.data() + index * strand_row::count * k_lanes, scratch};
+          strand.data() + index * strand_row::count * k_lanes, scratch, scratch_row::count, nullptr};
 }
 
 template <class Real>
-Chains<Real> make_chains(const strands::Groom& groom, const Settings& settings) {
+bool Chains<Real>::within_reach(std::size_t block, const LinkSphere<Real>& sphere, double pearl) const {
+  const Real* const reach = rest_at(block, blocks[block].links, rest_row::reach);
+  for (std::size_t lane = 0; lane < blocks[block].strands; ++lane) {
+    const glm::dvec3 anchor = vector_at(strand_at(block, strand_row::anchor), lane);
+    const double most = 1.1 * double(reach[lane]) + double(sphere.radius) + pearl;
+    if (!(glm::distance(anchor, glm::dvec3(sphere.centre)) > most)) return true;
+  }
+  return false;
+}
+
+template <class Real>
+Chains<Real> make_chains(const strands::Groom& groom, const ChainSettings& settings) {
   Chains<Real> chains;
   chains.places.resize(groom.strand_count());
   chains.links_of_vertex.resize(groom.vertex_count(), 0);
@@ -135,9 +146,28 @@ Chains<Real> make_chains(const strands::Groom& groom, const Settings& settings) 
   return chains;
 }
 
+template <class Real>
+std::vector<float> tensions_of(const Chains<Real>& chains, const strands::Groom& rest, std::span<const Real> numbers) {
+  std::vector<float> tensions(rest.vertex_count(), 0.f);
+  for (std::size_t s = 0; s < rest.strand_count(); ++s) {
+    const ChainPlace& place = chains.places[s];
+    if (!place.has_links) continue;
+    const BlockPlace& block = chains.blocks[place.block];
+    const double mean = double(chains.rest_at(place.block, block.links, rest_row::reach)[place.lane]) / block.links;
+    for (std::size_t i = rest.offsets[s] + place.anchor + 1; i < rest.offsets[s + 1]; ++i) {
+      const std::size_t link = chains.links_of_vertex[i], row = (block.first_vertex + link) * state_row::count;
+      const double length = double(chains.rest_at(place.block, link, rest_row::length)[place.lane]);
+      tensions[i] = static_cast<float>(double(numbers[(row + state_row::tension) * k_lanes + place.lane]) * length * mean);
+    }
+  }
+  return tensions;
+}
+template std::vector<float> tensions_of<float>(const Chains<float>&, const strands::Groom&, std::span<const float>);
+template std::vector<float> tensions_of<double>(const Chains<double>&, const strands::Groom&, std::span<const double>);
+
 template struct Chains<float>;
 template struct Chains<double>;
-template Chains<float> make_chains<float>(const strands::Groom&, const Settings&);
-template Chains<double> make_chains<double>(const strands::Groom&, const Settings&);
+template Chains<float> make_chains<float>(const strands::Groom&, const ChainSettings&);
+template Chains<double> make_chains<double>(const strands::Groom&, const ChainSettings&);
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

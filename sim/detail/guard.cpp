@@ -1,8 +1,8 @@
-#include <cuticle/sim/exact/guard.h>
+#include <cuticle/sim/detail/guard.h>
 
 #include <cmath>
 
-namespace cuticle::sim::exact {
+namespace cuticle::sim::detail {
 namespace {
 
 template <class Real>
@@ -38,4 +38,4 @@ void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const Placing& 
 template void reset_broken_lanes<float>(Chains<float>&, std::size_t, const Placing&);
 template void reset_broken_lanes<double>(Chains<double>&, std::size_t, const Placing&);
 
-}  // namespace cuticle::sim::exact
+}  // namespace cuticle::sim::detail

@@ -1,0 +1,40 @@
+#include <fmt/core.h>
+
+#include <cuticle/cli/shared_files.h>
+#include <cuticle/cli/study/study.h>
+#include <cuticle/study/motion/motion_study.h>
+
+namespace cuticle::cli {
+namespace {
+
+struct Options {
+  std::string out;
+  bool quick = false;
+};
+
+Result<study::MotionStudy> run_motion(const Options& options, Progress& progress) {
+  const study::MotionRequest request = options.quick ? study::quick_motion_request() : study::MotionRequest{};
+  CUTICLE_ASSIGN(const study::MotionStudy motion, study::run_motion_study(request, progress));
+  CUTICLE_TRY(study::write_motion_study(motion, options.out));
+  return motion;
+}
+
+int study_motion(const Options& options, Context& context) {
+  const auto motion = run_motion(options, *context.progress);
+  if (!motion) return report(motion.error());
+  fmt::print("{}", study::motion_csv(*motion));
+  return make_page("", options.out, *context.progress);
+}
+
+}  // namespace
+
+void add_study_motion(CLI::App& study, Context& context) {
+  auto* command = study.add_subcommand("motion", "strand solvers: error against time by substeps and iterations");
+  auto options = std::make_shared<Options>();
+  command->add_option("--out", options->out, "folder to write")->required();
+  command->add_flag("--quick", options->quick, "fewer settings and timings");
+  command->callback(
+      [&context, options] { context.action = [&context, options] { return study_motion(*options, context); }; });
+}
+
+}  // namespace cuticle::cli

@@ -1,0 +1,84 @@
+// The kernels of the solvers of rigid links against the CPU, against themselves, and their cost against what the
+// registry says.
+#include <cuticle/sim/classic/test_gpu.h>
+
+namespace cuticle::sim {
+namespace {
+
+using namespace testing;
+
+class ChainGpu : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Solvers, ChainGpu, ::testing::Values("exact", "rod"),
+                         [](const auto& info) { return info.param; });
+
+/// Strands of several lengths, with welded segments and without links.
+strands::Groom mixed() {
+  strands::Groom groom = ring(70);
+  add_straight(groom, {0, 0, 0}, {1, 0, 0}, {});
+  add_straight(groom, {0, 0.1, 0}, {1, 0, 0}, {0.02, 0, 0.05, 0, 0.03});
+  add_straight(groom, {0, 0.1, 0}, {0, 1, 0}, uniform_segments(5, 0.2));
+  return groom;
+}
+
+/// Limp rods that hang as they like. Those that balance a slanted rest pose part within 0.2 s by rounding alone.
+constexpr const char* k_slack = "sag_free=false";
+
+struct Variant {
+  std::string solver, settings;
+};
+const Variant k_variants[] = {{"exact", ""}, {"exact", k_free}, {"rod", k_slack}, {"rod", "fibre_radius=1e-3"}};
+
+TEST(ChainGpuVariants, Each_StaysNearTheCpu) {
+  const strands::Groom groom = mixed();
+  for (const auto& [solver, settings] : k_variants)
+    for (const EffectBlocks& effects : {gravity(), gravity_and_colliders()}) {
+      auto cpu = make_solver(solver, groom, settings, effects);
+      auto kernel = make_gpu(solver, groom, settings, effects);
+      const State a1 = run_frames(*cpu, 1, {&k_head, 1}), b1 = run_frames(*kernel, 1, {&k_head, 1});
+      const State a = run_frames(*cpu, 4, {&k_head, 1}), b = run_frames(*kernel, 4, {&k_head, 1});
+      const double speeds = worst_distance(a1.velocities, b1.velocities);
+      const double one = worst_distance(a1.positions, b1.positions), five = worst_distance(a.positions, b.positions);
+      std::printf("%s %s, %s: CPU and kernel differ by %.1e m after 1 frame, %.1e m after 5, %.1e m/s\n",
+                  solver.c_str(), settings.c_str(), effects.size() > 1 ? "sphere" : "no sphere", one, five, speeds);
+      EXPECT_LT(one, 5e-6);
+      EXPECT_LT(five, 3.5e-5);
+      EXPECT_LT(speeds, 5e-3);
+    }
+}
+
+TEST_P(ChainGpu, TwoRuns_AreBitIdentical) { expect_bit_identical_runs(GetParam(), mixed()); }
+
+TEST_P(ChainGpu, DispatchesOfAFrame_AreThoseTheRegistryStates) {
+  const Effect& effect = **find_effect(GetParam());
+  auto solver = make_gpu(GetParam(), ring(4), "", gravity_and_colliders());
+  FrameInput input = frame_of(0);
+  input.colliders = {&k_head, 1};
+  const auto counts = recorded(*solver, input);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts.at(std::string("simulate.") + GetParam()), effect.entry.dispatches(settings_of(GetParam()), {}));
+  EXPECT_TRUE(effect.fuses_effects);
+  EXPECT_EQ(solver->dispatches(input).at(GetParam()), 1u);
+}
+
+TEST_P(ChainGpu, HardSteps_KeepLengths) {
+  strands::Groom groom;
+  add_straight(groom, {0, 0, 0}, {1, 0, 0}, uniform_segments(31, 0.3));
+  for (double duration : {0.0, 1e-3, 1.0, 100.0}) {
+    const State state =
+        run_still(*make_gpu(GetParam(), groom, "clamped_vertices=1,inner_step=100", gravity()), 5, duration);
+    EXPECT_TRUE(all_finite(state)) << duration;
+    EXPECT_LT(worst_stretch(groom, state), 1e-5) << duration;
+  }
+}
+
+TEST_P(ChainGpu, Teleport_EqualsTheCpu) {
+  expect_teleport_of_the_cpu(GetParam(), GetParam() == std::string("rod") ? k_slack : "");
+}
+
+TEST_P(ChainGpu, DoublePrecision_IsRefused) {
+  const auto settings = settings_of(GetParam(), "double_precision=true");
+  EXPECT_FALSE((*find_gpu_effect(GetParam()))->create(device(), ring(1), settings, {}).ok());
+}
+
+}  // namespace
+}  // namespace cuticle::sim

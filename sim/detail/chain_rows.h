@@ -1,0 +1,54 @@
+#pragma once
+// The arrays of a block of strands that have equally many links. Included by units for one instruction set that no symbol
+// may leave, so it holds types only.
+#include <cuticle/sim/detail/link_contact.glslh>
+
+namespace cuticle::sim::detail {
+
+constexpr int k_lanes = 16;  ///< strands in a block: a multiple of the lanes of every instruction set, in float
+
+/// Rows of a vertex, each of k_lanes numbers. Vertex 0 is the anchor; one more than there are vertices ends the arrays.
+namespace rest_row {
+constexpr int length = 0, inverse_length = 1, mass = 2, inverse_mass = 3, mass_ratio = 4, reach = 5, pull = 6,
+              target = 7, count = 10;
+}
+namespace state_row {
+constexpr int here = 0, before = 3, velocity = 6, velocity_before = 9, tension = 12, count = 13;
+}
+namespace scratch_row {  // a solver may add rows of its own after these
+constexpr int place = 0, direction = 3, inverse_mass = 6, coupling = 7, value = 8, follows = 9, normal = 10,
+              begin_pushed = 13, count = 16;
+}
+/// Rows of a strand.
+namespace strand_row {
+constexpr int anchor = 0, guarded = 3, count = 4;
+}
+
+/// rest_row: lengths (m), their inverses, masses over the mean, their inverses, mass over the parent's (0 next to the
+/// anchor), arc from the anchor (m), pull to the rest pose (1/s), rest place relative to the anchor's in rest space
+/// (m). state_row: ChainVertex, and tension over mean mass and length (1/s^2). strand_row: anchor in rest space (m); 1
+/// where the next substep must be of first order.
+template <class Real>
+struct ChainBlock {
+  int links;
+  const Real* rest;
+  Real *state, *strand;
+  Real* scratch;     ///< (links + 2) * scratch_rows * k_lanes, zero at the end row
+  int scratch_rows;  ///< of a vertex: scratch_row::count, or more
+  Real* own;         ///< rows of a vertex that a solver adds; null without
+};
+
+/// The substeps of a frame and the spheres within reach, whose centres are in rest space; `sphere_rows`: 4 * k_lanes for each.
+template <class Real>
+struct ChainFrame {
+  const ChainStep<Real>* steps;
+  int count;
+  const LinkSphere<Real>* spheres;
+  int sphere_count;
+  Real* sphere_rows;
+};
+
+template <class Real>
+using Advance = void (*)(const ChainBlock<Real>&, const ChainFrame<Real>&);
+
+}  // namespace cuticle::sim::detail

@@ -1,0 +1,48 @@
+#pragma once
+// Parameters of the solvers of rigid links as numbers, and the constants of a frame's substeps: shared by the CPU and the
+// kernels.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cuticle/sim/colliders/contact.h>
+#include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/water/water.h>
+#include <cuticle/sim/wind/wind.h>
+#include <cuticle/sim/detail/link_contact.glslh>
+
+namespace cuticle::sim::detail {
+
+/// Parameters of the solver and of the effects that act in it; see entry.cpp of each for units, ranges and defaults.
+struct ChainSettings {
+  double inner_step = 0;
+  std::uint32_t max_substeps = 1, clamped_vertices = 1;
+  double damping = 0, shape_stiffness = 0, shape_tip = 0;
+  bool sag_free = false, double_precision = false;
+  glm::dvec3 gravity{0};                              ///< m/s^2, less buoyancy; zero without the effect
+  std::optional<wind::Wind> wind;                     ///< present with the effect
+  std::optional<water::Water> water;                  ///< present with the effect
+  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+};
+/// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision, effects.
+ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
+std::uint32_t substeps(const ChainSettings& settings, double duration);
+
+/// Follows time from frame to frame: what a substep needs to know of the one before, and of the wind.
+class ChainClock {
+ public:
+  /// The substeps of a frame as constants; none when no time passes.
+  template <class Real>
+  std::vector<ChainStep<Real>> steps(const ChainSettings& settings, std::span<const Substep> parts);
+
+ private:
+  double time_ = 0, previous_duration_ = 0;
+};
+
+/// Centres in rest space.
+template <class Real>
+std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres);
+
+}  // namespace cuticle::sim::detail

@@ -1,0 +1,187 @@
+#include <bit>
+
+#include <fmt/core.h>
+
+#include <cuticle/sim/detail/chain_solver_gpu.h>
+#include <cuticle/sim/detail/placing.h>
+
+namespace cuticle::sim::detail {
+namespace {
+
+constexpr std::uint32_t k_buffers = 15;
+
+/// The kernel's push constants.
+struct Constants {
+  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, carries = 0;
+};
+
+/// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
+std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placing) {
+  std::vector<glm::vec4> place;
+  const glm::dmat3 carried = matrix_of(carry);
+  const auto axis = [](int k) { return glm::dvec3(k == 0, k == 1, k == 2); };
+  const glm::dvec3 zero(0), moving = placing.velocity(zero);
+  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(carried[k], 0));
+  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(placing.turned(axis(k)), 0));
+  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(placing.velocity(axis(k)) - moving, 0));
+  place.emplace_back(glm::dvec4(placing.world(zero), 0));
+  place.emplace_back(glm::dvec4(moving, 0));
+  return place;
+}
+
+struct Buffers {
+  gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
+      velocities, resets, own;
+};
+
+template <class T>
+Result<void> refill(gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& data) {
+  const std::span<const T> values(data);
+  if (buffer.size() >= values.size_bytes()) return device.upload(buffer, std::as_bytes(values));
+  CUTICLE_ASSIGN(buffer, gpu::make_buffer_from(device, values));
+  return {};
+}
+
+class ChainGpuSolver final : public GpuSolver {
+ public:
+  ChainGpuSolver(std::shared_ptr<gpu::Device> device, const strands::Groom& rest, const ChainSettings& settings,
+                 Chains<float> chains, ChainGpuProgram program)
+      : device_(std::move(device)), settings_(settings), rest_(rest), chains_(std::move(chains)), program_(std::move(program)) {}
+
+  Result<void> make() {
+    CUTICLE_TRY(make_buffers());
+    const gpu::ShaderInterface interface { .storage_buffers = k_buffers, .push_constant_bytes = sizeof(Constants) };
+    CUTICLE_ASSIGN(free_, device_->make_kernel(program_.free, interface));
+    if (!settings_.contact) return {};
+    CUTICLE_ASSIGN(touching_, device_->make_kernel(program_.touching, interface));
+    return {};
+  }
+
+  Result<void> record(gpu::Commands& commands, const FrameInput& input) override {
+    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
+    placing_.advance(parts);
+    std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
+    std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
+    const Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
+                              std::uint32_t(spheres.size()), parts[0].carry.w != 1.f};
+    if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
+    if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
+    CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
+    commands.begin_pass(fmt::format("simulate.{}", program_.name));
+    dispatch(commands, spheres.empty() ? free_ : touching_, constants);
+    commands.end_pass();
+    return {};
+  }
+
+  Result<void> advance(const FrameInput& input) override {
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(record(commands, input));
+    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+    return {};
+  }
+
+  Result<State> state() override {
+    const std::size_t vertices = rest_.vertex_count();
+    CUTICLE_ASSIGN(const std::vector<glm::vec4> world, gpu::read_buffer<glm::vec4>(*device_, buffers_.world, vertices));
+    CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities,
+                   gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
+    CUTICLE_ASSIGN(const std::vector<std::uint32_t> resets,
+                   gpu::read_buffer<std::uint32_t>(*device_, buffers_.resets, rest_.strand_count()));
+    CUTICLE_ASSIGN(const std::vector<float> numbers,
+                   gpu::read_buffer<float>(*device_, buffers_.state, buffers_.state.size() / sizeof(float)));
+    State state;
+    state.tensions = tensions_of<float>(chains_, rest_, numbers);
+    state.positions.assign(world.begin(), world.end());
+    state.velocities.assign(velocities.begin(), velocities.end());
+    for (std::uint32_t fired : resets) state.guards_fired += fired;
+    return state;
+  }
+
+  const gpu::Buffer& positions() const override { return buffers_.world; }
+
+  std::map<std::string, std::uint32_t> dispatches(const FrameInput&) const override {
+    return {{std::string(program_.name), 1}};
+  }
+
+ private:
+  Result<void> make_buffers() {
+    std::vector<glm::uvec4> places, blocks{{0, 0, 0, 0}};
+    for (const ChainPlace& place : chains_.places)
+      places.emplace_back(place.block, place.lane, place.anchor, place.has_links);
+    if (!chains_.blocks.empty()) blocks.clear();
+    for (const BlockPlace& block : chains_.blocks)
+      blocks.emplace_back(block.links, block.first_vertex, block.strands, 0);
+    std::vector<glm::uvec4> vertices;
+    std::vector<glm::vec4> world;
+    for (std::size_t i = 0; i < rest_.vertex_count(); ++i) {
+      const glm::vec3& at = rest_.positions[i];
+      vertices.push_back({std::bit_cast<glm::uvec3>(at), chains_.links_of_vertex[i]});
+      world.emplace_back(at, 1);
+    }
+    CUTICLE_TRY(make_chain_buffers());
+    CUTICLE_TRY(refill(*device_, buffers_.places, places));
+    CUTICLE_TRY(refill(*device_, buffers_.blocks, blocks));
+    CUTICLE_TRY(refill(*device_, buffers_.offsets, rest_.offsets));
+    CUTICLE_TRY(refill(*device_, buffers_.vertices, vertices));
+    CUTICLE_TRY(refill(*device_, buffers_.world, world));
+    CUTICLE_TRY(refill(*device_, buffers_.velocities, std::vector<glm::vec4>(vertices.size(), glm::vec4(0))));
+    return refill(*device_, buffers_.resets,
+                  std::vector<std::uint32_t>(std::max<std::size_t>(1, rest_.strand_count()), 0));
+  }
+
+  Result<void> make_chain_buffers() {
+    const auto or_one = [](std::vector<float> values) {
+      if (values.empty()) values.resize(1, 0.f);
+      return values;
+    };
+    const std::size_t vertices = chains_.state.size() / std::size_t(state_row::count);
+    CUTICLE_TRY(refill(*device_, buffers_.rest, or_one(chains_.rest)));
+    CUTICLE_TRY(refill(*device_, buffers_.state, or_one(chains_.state)));
+    CUTICLE_TRY(refill(*device_, buffers_.strands, or_one(chains_.strand)));
+    CUTICLE_TRY(refill(*device_, buffers_.scratch,
+                       or_one(std::vector<float>(vertices * std::size_t(program_.scratch_rows), 0.f))));
+    CUTICLE_TRY(refill(*device_, buffers_.own, or_one(program_.own)));
+    CUTICLE_TRY(refill(*device_, buffers_.steps, std::vector<ChainStep<float>>(1)));
+    return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
+  }
+
+  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants) const {
+    const Buffers& b = buffers_;
+    commands.dispatch(kernel,
+                      {&b.places, &b.blocks, &b.offsets, &b.vertices, &b.rest, &b.state, &b.strands, &b.scratch,
+                       &b.steps, &b.spheres, &b.frame, &b.world, &b.velocities, &b.resets, &b.own},
+                      {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  ChainSettings settings_;
+  strands::Groom rest_;
+  Chains<float> chains_;
+  ChainGpuProgram program_;
+  Buffers buffers_;
+  gpu::Kernel free_, touching_;
+  HeadMotion motion_;
+  Placing placing_;
+  ChainClock clock_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
+                                                         const ChainSettings& settings, Chains<float> chains,
+                                                         ChainGpuProgram program) {
+  auto made =
+      std::make_unique<ChainGpuSolver>(std::move(device), rest, settings, std::move(chains), std::move(program));
+  CUTICLE_TRY(made->make());
+  return std::unique_ptr<GpuSolver>(std::move(made));
+}
+
+Result<void> check_for_gpu(const strands::Groom& rest, const ChainSettings& settings) {
+  CUTICLE_TRY(strands::validate(rest));
+  if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
+  if (settings.double_precision)
+    return usage_error("double_precision: the kernel computes in float", "leave it out on a GPU");
+  return {};
+}
+
+}  // namespace cuticle::sim::detail

@@ -1,0 +1,147 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+// rod/kernel.cpp without its lanes. Compiled with TOUCHES 0 or 1.
+const uint k_scratch_rows = 85u;
+#include "cuticle/sim/detail/chain_kernel.glsl"
+#include "cuticle/sim/rod/rod_step.glslh"
+
+const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_bend_y = 3u, k_natural_angle = 4u,
+           k_hinge_inverse_length = 5u, k_angle = 6u, k_clamp_direction = 0u, k_clamp_director = 3u;
+const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_natural_spin = 28u, k_across = 31u,
+           k_along = 32u, k_moment = 33u, k_rounding = 34u, k_angle_coupling = 35u, k_angle_value = 36u, k_pull_row = 37u,
+           k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
+
+#define ROWS uint
+#define ROLLED [[dont_unroll]]
+#define UNROLLED [[unroll]]
+#define AT(rows, row) scratch[(rows) + uint(row) * k_lanes]
+#define BAND_BEGIN 45
+#define RIGHT_BEGIN 81
+#include "cuticle/sim/rod/rod_band.glslh"
+
+uint hinge_at(uint i, uint row) { return ((first_vertex + i) * k_hinge_rows + row) * k_lanes + lane; }
+float hinge(uint i, uint row) { return own[hinge_at(i, row)]; }
+vec3 hinge_vector(uint i, uint row) { return vec3(hinge(i, row), hinge(i, row + 1u), hinge(i, row + 2u)); }
+float scratch_number(uint i, uint row) { return scratch[scratch_at(i, row)]; }
+void put_number(uint i, uint row, float value) { scratch[scratch_at(i, row)] = value; }
+
+void coast(uint i, uint links, ChainStep s, StrandStep strand) {
+  ChainVertex v = ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
+                              state_vector(i, k_velocity_before));
+  vec3 from = scheme_from(v, strand), drift = coasted(v, strand);
+  Coast c = coast_of(v.here, from, drift, free_displacement(s, strand, drift).moved, fall_of(s, strand.time),
+                     rest[rest_at(links, k_reach)]);
+  float rest_length = rest[rest_at(i, k_length)];
+  vec3 before = (v.here - state_vector(i - 1u, k_here)) * rest[rest_at(i, k_inverse_length)];
+  vec3 direction = direction_or(c.place - scratch_vector(i - 1u, k_coasted), 1e-3 * rest_length, before);
+  put_scratch(i, k_coasted, c.place);
+  put_scratch(i, k_coast, scratch_vector(i - 1u, k_coast) + direction * rest_length);
+  put_scratch(i, k_direction, direction);
+  put_scratch(i, k_place, c.predicted);
+  put_state(i, k_before, v.here - strand.root_step);
+  put_state(i, k_velocity_before, v.velocity);
+  put_state(i, k_velocity, from);  // until the velocity is known
+}
+
+void bend(uint i) {
+  vec3 above = scratch_vector(i - 1u, k_direction), here = scratch_vector(i, k_direction),
+       director = scratch_vector(i - 1u, k_director);
+  Hinge h = hinge_between(above, here, director, hinge(i, k_bend_x), hinge(i, k_bend_y),
+                          0.5 * (sane_angle(hinge(i - 1u, k_angle)) + sane_angle(hinge(i, k_angle))));
+  put_scratch(i, k_director, transported(director, above, here));
+  put_scratch(i, k_natural, h.natural);
+  put_scratch(i, k_natural_spin, h.natural_spin);
+  put_number(i, k_across, h.across);
+  put_number(i, k_along, h.along);
+  put_number(i, k_moment, hinge(i, k_stiffness) * spin_moment(h));
+  put_number(i, k_rounding, hinge(i, k_stiffness) * spin_stiffness(h));
+}
+
+AngleHinge angle_hinge(uint i) {
+  float stiffness = hinge(i, k_twist);
+  float turned = sane_angle(hinge(i, k_angle)) - sane_angle(hinge(i - 1u, k_angle)) - hinge(i, k_natural_angle);
+  return AngleHinge(stiffness, scratch_number(i, k_moment), scratch_number(i, k_rounding), stiffness * turned);
+}
+
+void turn_angles(uint links) {
+  for (uint i = 1u; i <= links; ++i) {
+    AngleRow parent = AngleRow(scratch_number(i - 1u, k_angle_coupling), scratch_number(i - 1u, k_angle_value));
+    AngleRow row = angle_eliminated(angle_hinge(i), angle_hinge(i + 1u), parent);
+    put_number(i, k_angle_coupling, row.coupling);
+    put_number(i, k_angle_value, row.value);
+  }
+  for (uint i = links; i >= 1u; --i)
+    put_number(i, k_angle_value,
+               limited_turn(multiplier(scratch_number(i, k_angle_value), scratch_number(i, k_angle_coupling),
+                                       scratch_number(i + 1u, k_angle_value))));
+}
+
+void pull(uint i, StrandStep strand) {
+  float turn = scratch_number(i, k_angle_value), above = scratch_number(i - 1u, k_angle_value);
+  vec3 natural = spun(scratch_vector(i, k_natural), scratch_vector(i, k_natural_spin), 0.5 * (turn + above));
+  vec3 here = scratch_vector(i, k_direction), parent = scratch_vector(i - 1u, k_direction), chord = here - parent;
+  float across = scratch_number(i, k_across), along = scratch_number(i, k_along),
+        weight = hinge(i, k_stiffness) * (strand.time * strand.time);
+  float now = sane_angle(hinge(i, k_angle)) + turn, twist_weight = hinge(i, k_twist) * (strand.time * strand.time);
+  own[hinge_at(i, k_angle)] = now;
+  put_scratch(i, k_spin_pull,
+              spin_by(parent, here) * (twist_weight * (now - hinge(i - 1u, k_angle) - hinge(i, k_natural_angle))));
+  put_scratch(i, k_pull_row, bending_pull(chord, across, along, natural) * weight);
+  put_number(i, k_gain, weight * across * along);
+  put_number(i, k_spin, twist_weight * (along * along - 1.0));
+}
+
+HingeRow hinge_row(uint i) {
+  return HingeRow(scratch_vector(i, k_pull_row), scratch_vector(i, k_spin_pull), scratch_number(i, k_gain), scratch_number(i, k_spin),
+                  hinge(i, k_hinge_inverse_length));
+}
+
+void assemble(uint i, uint end, ChainStep s, StrandStep strand) {
+  uint above = i > 1u ? i - 1u : end;  // nothing bends past the ends: rows of the end are zero
+  BendRow bends =
+      bend_row(hinge_row(i), hinge_row(i + 1u), hinge_row(min(i + 2u, end)), hinge(above, k_hinge_inverse_length));
+  float time = strand.time, mass = rest[rest_at(i, k_mass)] * (1.0 + s.drag * time);
+  float taut = state[state_at(i, k_tension)] * (time * time), below = state[state_at(i + 1u, k_tension)] * (time * time);
+  vec3 wanted = scratch_vector(i, k_place) - scratch_vector(i, k_coast);
+  vec3 contact = normal_of(i) * sqrt(contact_weight(mass));
+  put_rows(scratch_at(i, 0u), 0, mass + taut + below + bends.diagonal, bends.beside - taut, bends.beyond,
+           scratch_vector(i, k_direction), contact, wanted * mass + contact * inner(contact, wanted) + bends.force);
+}
+
+void eliminate_band(uint i) {
+  uint own_rows = scratch_at(i, 0u), parent = scratch_at(i - 1u, 0u), grandparent = scratch_at(max(i, 2u) - 2u, 0u);
+  ROLLED for (int c = 0; c < 4; ++c) {
+    UNROLLED for (int j = 8; j >= 1; --j) eliminate_entry(own_rows, parent, grandparent, c, j, 0);
+    eliminate_pivot(own_rows, parent, grandparent, c, 0);
+  }
+}
+
+void substep(uint links, ChainStep s) {
+  StrandStep strand = begun(s);
+  put_scratch(0u, k_direction, turned_to_end(s, hinge_vector(0u, k_clamp_direction)));
+  put_scratch(0u, k_director, turned_to_end(s, hinge_vector(0u, k_clamp_director)));
+  for (uint i = 1u; i <= links; ++i) {
+    coast(i, links, s, strand);
+#if TOUCHES
+    push_out(i, s);
+#endif
+  }
+  for (uint i = 1u; i <= links; ++i) bend(i);
+  turn_angles(links);
+  for (uint i = 1u; i <= links; ++i) pull(i, strand);
+  for (uint i = 1u; i <= links; ++i) {
+    assemble(i, links + 1u, s, strand);
+    eliminate_band(i);
+  }
+  for (uint i = links; i >= 1u; --i)
+    ROLLED for (int c = 3; c >= 0; --c)
+      substitute_row(scratch_at(i, 0u), scratch_at(i + 1u, 0u), scratch_at(min(i + 2u, links + 1u), 0u), c, 0);
+  Following f = Following(vec3(0), vec3(0), 0, 0);
+  for (uint i = 1u; i <= links; ++i) {
+    state[state_at(i, k_tension)] =
+        next_tension(0.0, -scratch_number(i, k_right + 3u), hinge(i, k_hinge_inverse_length), strand.time);
+    go_down(i, s, strand, scratch_vector(i, k_coast) + scratch_vector(i, k_right), scratch_vector(i, k_direction), f);
+  }
+  ended(f);
+}

@@ -1,0 +1,53 @@
+#include <cuticle/sim/rod/rod.h>
+
+#include <cuticle/core/instruction_set.h>
+#include <cuticle/sim/detail/chain_solver.h>
+#include <cuticle/sim/rod/kernel.h>
+
+namespace cuticle::sim::rod {
+
+extern const Kernels kernels_baseline, kernels_avx2, kernels_avx512;
+
+namespace {
+
+const Kernels& best_kernels() {
+#if defined(CUTICLE_HAS_WIDE_SETS)
+  if (processor_has(InstructionSet::avx512)) return kernels_avx512;
+  if (processor_has(InstructionSet::avx2)) return kernels_avx2;
+#endif
+  return kernels_baseline;
+}
+
+template <class Real>
+std::unique_ptr<Solver> make(const strands::Groom& rest, const Settings& settings, const detail::Advance<Real> (&advance)[2]) {
+  detail::Chains<Real> chains = detail::make_chains<Real>(rest, settings.chain);
+  std::vector<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  return detail::make_chain_solver<Real>(rest, settings.chain, std::move(chains),
+                                         {.free = advance[0],
+                                          .touching = advance[1],
+                                          .scratch_rows = rod_row::count,
+                                          .own_rows = hinge_row::count,
+                                          .own = std::move(hinges)});
+}
+
+}  // namespace
+
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  Settings settings{.chain = detail::make_chain_settings(solver, effects), .stiffness = {}};
+  const double radius = solver.real("fibre_radius"), density = solver.real("density");
+  settings.stiffness.bending = solver.real("young_modulus") * radius * radius / (4 * density);
+  settings.stiffness.twisting = solver.real("shear_modulus") * radius * radius / (2 * density);
+  if (settings.chain.sag_free) settings.balanced_gravity = settings.chain.gravity;
+  return settings;
+}
+
+Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
+                                       const EffectBlocks& effects) {
+  CUTICLE_TRY(strands::validate(rest));
+  const Settings settings = make_settings(solver, effects);
+  const Kernels& kernels = best_kernels();
+  if (settings.chain.double_precision) return make<double>(rest, settings, kernels.advance_double);
+  return make<float>(rest, settings, kernels.advance);
+}
+
+}  // namespace cuticle::sim::rod

@@ -1,0 +1,24 @@
+#pragma once
+// The rod solver: chains that cannot stretch, bend as fibres do, and twist.
+#include <memory>
+
+#include <cuticle/sim/detail/chain_settings.h>
+#include <cuticle/sim/rod/hinges.h>
+
+namespace cuticle::sim::rod {
+
+/// The solver's parameters and those of its effects as numbers.
+struct Settings {
+  detail::ChainSettings chain;
+  Stiffness stiffness;
+  glm::dvec3 balanced_gravity{0};  ///< that the natural shape holds up; zero unless sag_free
+};
+Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+/// A solver for these strands, in metres. Effects that are read: "gravity", "colliders", "wind", "water". Threads, lengths,
+/// welded segments and resets: as sim/exact. The bent rest pose is kept; a clamped rod under gravity is the discrete elastica
+/// to 3e-5 of H/W at any step (RodTruth.HeavyElastica_...). Error: that of strands::validate.
+Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
+                                       const EffectBlocks& effects);
+
+}  // namespace cuticle::sim::rod

@@ -1,0 +1,32 @@
+#include <cuticle/sim/detail/chain_solver_gpu.h>
+#include <cuticle/sim/rod/kernel.h>
+#include <cuticle/sim/rod/rod.h>
+
+#include <rod_free.spv.h>
+#include <rod_touching.spv.h>
+
+namespace cuticle::sim::rod {
+namespace {
+
+Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
+                                              const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  const Settings settings = make_settings(solver, effects);
+  CUTICLE_TRY(detail::check_for_gpu(rest, settings.chain));
+  detail::Chains<float> chains = detail::make_chains<float>(rest, settings.chain);
+  std::vector<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  return detail::make_chain_solver_gpu(std::move(device), rest, settings.chain, std::move(chains),
+                                       {.name = "rod",
+                                        .free = rod_free,
+                                        .touching = rod_touching,
+                                        .scratch_rows = rod_row::count,
+                                        .own = std::move(hinges)});
+}
+
+}  // namespace
+
+const GpuEffect& gpu_entry() {
+  static const GpuEffect effect{"rod", create_gpu};
+  return effect;
+}
+
+}  // namespace cuticle::sim::rod

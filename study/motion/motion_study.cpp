@@ -1,0 +1,182 @@
+#include <cuticle/study/motion/motion_study.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <tbb/global_control.h>
+
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::study {
+namespace {
+
+constexpr int k_strands = 16, k_early = 12, k_frames = 30;
+constexpr double k_frame = 1.0 / 60, k_length = 0.3;
+
+struct MotionCase {
+  std::string name, reference;                   ///< reference: a solver
+  std::map<std::string, std::string> solvers;    ///< name, settings
+  strands::Groom groom;                          ///< equal strands
+  bool turns = false;
+  std::vector<Sphere> spheres;
+  double length = k_length;
+};
+
+strands::Groom repeated(const std::vector<glm::vec3>& strand) {
+  strands::Groom groom;
+  for (int s = 0; s < k_strands; ++s) {
+    groom.positions.insert(groom.positions.end(), strand.begin(), strand.end());
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+strands::Groom straight(const glm::dvec3& root, const glm::dvec3& direction) {
+  std::vector<glm::vec3> strand;
+  for (int i = 0; i <= 31; ++i) strand.emplace_back(root + direction * (k_length * i / 31));
+  return repeated(strand);
+}
+strands::Groom curl() {
+  std::vector<glm::vec3> strand;
+  for (int i = 0; i <= 48; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 16;
+    strand.emplace_back(0.1 + 0.008 * std::cos(angle), -0.0015 * i, 0.008 * std::sin(angle));
+  }
+  return repeated(strand);
+}
+
+std::vector<MotionCase> motion_cases() {
+  const std::string free = "damping=0,shape_stiffness=0,clamped_vertices=1";
+  const std::string limp = "damping=0,young_modulus=0,shear_modulus=0,sag_free=false";
+  const std::map<std::string, std::string> flexible{{"classic", free}, {"exact", free}, {"rod", limp}};
+  const std::string held = "damping=2,clamped_vertices=1";
+  const double curl_length = 48 * std::hypot(0.0015, 2 * 0.008 * std::sin(std::numbers::pi / 16));
+  return {{"swing", "exact", flexible, straight({0, 0, 0}, {1, 0, 0}), false, {}, k_length},
+          {"head turn", "exact", flexible, straight({0.1, 0, 0}, {0, -1, 0}), true, {}, k_length},
+          {"contact", "exact", flexible, straight({0, 0, 0}, {1, 0, 0}), false, {{{0.03, -0.12, 0.01}, 0.06}}, k_length},
+          {"curl", "rod", {{"classic", held}, {"exact", held}, {"rod", "damping=2"}}, curl(), true, {}, curl_length}};
+}
+
+/// A quarter turn within 0.25 s, eased in and out.
+glm::dmat4 head_at(const MotionCase& scene, int frame) {
+  if (!scene.turns) return glm::dmat4(1);
+  const double share = std::min(1.0, frame / 15.0), eased = share * share * (3 - 2 * share);
+  return glm::rotate(glm::dmat4(1), eased * std::numbers::pi / 2, glm::dvec3(0, 1, 0));
+}
+
+struct Run {
+  std::vector<glm::vec3> early, late;
+  double us = 1e30, largest_stretch = 1;
+};
+
+Result<registry::ParameterValues> values_of(std::string_view name, const std::string& settings) {
+  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
+  return registry::parse_assignments(effect->entry.parameters, settings);
+}
+
+Result<std::unique_ptr<sim::Solver>> solver_of(const MotionCase& scene, const std::string& name, const std::string& settings) {
+  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
+  CUTICLE_ASSIGN(const registry::ParameterValues values, values_of(name, settings));
+  sim::EffectBlocks effects;
+  CUTICLE_ASSIGN(effects["gravity"], values_of("gravity", ""));
+  if (!scene.spheres.empty()) {
+    CUTICLE_ASSIGN(effects["colliders"], values_of("colliders", "pearl_radius=0"));
+  }
+  return effect->create(scene.groom, values, effects);
+}
+
+Result<Run> run_once(const MotionCase& scene, const std::string& name, const std::string& settings) {
+  CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, solver_of(scene, name, settings));
+  Run run;
+  double seconds = 0;
+  for (int frame = 0; frame < k_frames; ++frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    CUTICLE_TRY(solver->advance({.duration = k_frame,
+                                 .head_begin = head_at(scene, frame),
+                                 .head_end = head_at(scene, frame + 1),
+                                 .colliders = scene.spheres}));
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (frame + 1 != k_early && frame + 1 != k_frames) continue;
+    CUTICLE_ASSIGN(const sim::State state, solver->state());
+    (frame + 1 == k_early ? run.early : run.late) = state.positions;
+    const std::vector<float> stretch = sim::stretch(scene.groom, state.positions);
+    run.largest_stretch = double(*std::max_element(stretch.begin(), stretch.end()));
+  }
+  run.us = 1e6 * seconds / (k_frames * k_strands);
+  return run;
+}
+
+double distance(const MotionCase& scene, const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const glm::dvec3 away = glm::dvec3(a[i]) - glm::dvec3(b[i]);
+    sum += glm::dot(away, away);
+  }
+  return std::sqrt(sum / double(a.size())) / scene.length;
+}
+
+std::string stepped(const std::string& settings, int substeps) {
+  return fmt::format("{},inner_step={:.17g},max_substeps={}", settings, k_frame / substeps, substeps);
+}
+
+Result<MotionRow> measured(const MotionCase& scene, const Run& truth, MotionRow row, const std::string& settings, int repeats) {
+  Run best;
+  for (int k = 0; k < repeats; ++k) {
+    CUTICLE_ASSIGN(Run run, run_once(scene, row.solver, settings));
+    if (run.us < best.us) best = std::move(run);
+  }
+  row.early_error = distance(scene, best.early, truth.early);
+  row.error = distance(scene, best.late, truth.late);
+  row.largest_stretch = best.largest_stretch;
+  row.us = best.us;
+  return row;
+}
+
+Result<void> add_case(MotionStudy& study, const MotionCase& scene, const MotionRequest& request) {
+  const std::string exact = scene.solvers.at(scene.reference) + ",double_precision=true";
+  CUTICLE_ASSIGN(const Run truth, run_once(scene, scene.reference, stepped(exact, request.reference_substeps)));
+  CUTICLE_ASSIGN(const Run half, run_once(scene, scene.reference, stepped(exact, request.reference_substeps / 2)));
+  study.reference_change = std::max(study.reference_change, distance(scene, half.late, truth.late));
+  for (const auto& [solver, settings] : scene.solvers)
+    for (int substeps : request.substeps)
+      for (int iterations : solver == "classic" ? request.iterations : std::vector<int>{1}) {
+        const std::string sweeps = solver == "classic" ? fmt::format(",iterations={}", iterations) : std::string();
+        CUTICLE_ASSIGN(MotionRow row,
+                       measured(scene, truth, {.scene = scene.name, .solver = solver, .substeps = substeps, .iterations = iterations},
+                                stepped(settings + sweeps, substeps), request.repeats));
+        study.rows.push_back(std::move(row));
+      }
+  return {};
+}
+
+}  // namespace
+
+MotionRequest quick_motion_request() {
+  return {.substeps = {2, 8}, .iterations = {4}, .reference_substeps = 32, .repeats = 1};
+}
+
+Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& progress) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  MotionStudy study;
+  const std::vector<MotionCase> cases = motion_cases();
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    progress.update(cases[i].name, i, cases.size());
+    CUTICLE_TRY(add_case(study, cases[i], request));
+  }
+  return study;
+}
+
+const MotionRow* cheapest(const MotionStudy& study, const std::string& scene, double error) {
+  const MotionRow* best = nullptr;
+  for (const MotionRow& row : study.rows)
+    if (row.scene == scene && row.error <= error && (!best || row.us < best->us)) best = &row;
+  return best;
+}
+
+}  // namespace cuticle::study

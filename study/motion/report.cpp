@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
+#include <cuticle/study/motion/motion_study.h>
+
+namespace cuticle::study {
+namespace {
+
+std::string curve_name(const MotionRow& row) {
+  return row.solver == "classic" ? fmt::format("classic, {} sweeps", row.iterations) : row.solver;
+}
+
+std::vector<std::string> scenes_of(const MotionStudy& study) {
+  std::vector<std::string> scenes;
+  for (const MotionRow& row : study.rows)
+    if (scenes.empty() || scenes.back() != row.scene) scenes.push_back(row.scene);
+  return scenes;
+}
+
+std::string verdict(const MotionStudy& study, const std::string& scene) {
+  std::string words = scene + ":";
+  for (double error : {0.1, 0.03, 0.01, 0.003}) {
+    const MotionRow* row = cheapest(study, scene, error);
+    words += row ? fmt::format(" {} % of the length: {} with {} substeps, {:.3g} us;", 100 * error, curve_name(*row), row->substeps, row->us)
+                 : fmt::format(" {} %: none;", 100 * error);
+  }
+  words.back() = '.';
+  return words;
+}
+
+Json row_json(const MotionRow& row) {
+  return {{"method", row.scene + ", " + curve_name(row)},
+          {"settings", fmt::format("{} substeps", row.substeps)},
+          {"substeps", row.substeps},
+          {"us", row.us},
+          {"early_error", row.early_error},
+          {"error", row.error},
+          {"largest_stretch", row.largest_stretch}};
+}
+
+/// A case's errors after `early` (0.2 s) or 0.5 s against the cost, a curve for each solver.
+Json plot_json(const MotionStudy& study, const std::string& scene) {
+  Json curves = Json::list();
+  for (const MotionRow& row : study.rows) {
+    if (row.scene != scene) continue;
+    if (auto known = std::find_if(curves.begin(), curves.end(), [&](const Json& c) { return c["name"] == curve_name(row); });
+        known != curves.end()) {
+      (*known)["x"].push_back(row.us);
+      (*known)["y"].push_back(row.error);
+    } else {
+      curves.push_back({{"name", curve_name(row)}, {"x", Json::list({row.us})}, {"y", Json::list({row.error})}});
+    }
+  }
+  std::string name = scene;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return {{"name", name},
+          {"title", scene + ": after 0.5 s"},
+          {"x_label", "us a frame and strand, one thread"},
+          {"y_label", "rms distance from the reference over the length"},
+          {"polar", false},
+          {"logarithmic", true},
+          {"curves", curves}};
+}
+
+std::string to_json(const MotionStudy& study) {
+  Json json{{"name", "motion"}, {"title", "Strand solvers: error against time"}};
+  json["x"] = {{"key", "us"}, {"label", "us a frame (1/60 s) and strand, one thread"}, {"scale", "log"}};
+  json["y"] = {{"key", "error"}, {"label", "rms distance from the reference over the length, after 0.5 s"}, {"scale", "log"}};
+  json["series"] = "";
+  json["label"] = "substeps";
+  json["pareto"] = false;  // the cases are not alternatives
+  Json words = Json::list();
+  words.push_back("Cheapest solver for an error after 0.5 s, rms distance over the length, in a frame of 1/60 s and per strand:");
+  for (const std::string& scene : scenes_of(study)) words.push_back(verdict(study, scene));
+  words.push_back(fmt::format("The references are converged in double: half their substeps change at most {:.1e} of the length.",
+                              study.reference_change));
+  json["words"] = words;
+  json["baselines"] = Json::list();
+  json["plots"] = Json::list();
+  for (const MotionRow& row : study.rows) json["rows"].push_back(row_json(row));
+  for (const std::string& scene : scenes_of(study)) json["plots"].push_back(plot_json(study, scene));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string motion_csv(const MotionStudy& study) {
+  std::string text = "scene,solver,substeps,iterations,early_error,error,largest_stretch,us\n";
+  for (const MotionRow& row : study.rows)
+    text += fmt::format("{},{},{},{},{:.4g},{:.4g},{:.6g},{:.4g}\n", row.scene, row.solver, row.substeps, row.iterations,
+                        row.early_error, row.error, row.largest_stretch, row.us);
+  return text;
+}
+
+Result<void> write_motion_study(const MotionStudy& study, const std::string& folder) {
+  CUTICLE_TRY(make_folder(folder));
+  CUTICLE_TRY(write_text_file(folder + "/study.csv", motion_csv(study)));
+  return write_text_file(folder + "/study.json", to_json(study));
+}
+
+}  // namespace cuticle::study
