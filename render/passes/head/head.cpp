@@ -1,5 +1,7 @@
 #include <cuticle/render/passes/head/head.h>
 
+#include <cuticle/render/shading.h>
+
 namespace cuticle::render::head {
 
 namespace {
@@ -32,14 +34,13 @@ constexpr Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "head",
-                          .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
-                          .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::shade,
-                          .draws = 1}};
+  static const Pass pass =
+      shading({.name = "head",
+               .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
+               .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
+               .parameters = k_parameters,
+               .demands = k_demands,
+               .draws = 1});
   return pass;
 }
 

@@ -1,5 +1,7 @@
 #include <cuticle/render/passes/lines/lines.h>
 
+#include <cuticle/render/shading.h>
+
 namespace cuticle::render::lines {
 
 namespace {
@@ -59,17 +61,16 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "lines",
-                          .summary = "strands as line primitives, shaded from the lookup tables, shadowed per vertex",
-                          .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::shade,
-                          .systems = k_systems,
-                          .dispatches = dispatches,
-                          .draws = 1,
-                          .after = k_after}};
+  static const Pass pass =
+      shading({.name = "lines",
+               .summary = "strands as line primitives, shaded from the lookup tables, shadowed per vertex",
+               .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
+               .parameters = k_parameters,
+               .demands = k_demands,
+               .systems = k_systems,
+               .dispatches = dispatches,
+               .draws = 1,
+               .after = k_after});
   return pass;
 }
 

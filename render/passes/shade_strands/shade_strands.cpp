@@ -1,4 +1,4 @@
-#include <cuticle/render/pass.h>
+#include <cuticle/render/shading.h>
 
 namespace cuticle::render::shade_strands {
 
@@ -7,19 +7,16 @@ namespace {
 constexpr std::string_view k_demands[] = {"strands", "output_color", "strand_colors"};
 constexpr std::string_view k_after[] = {"tile_lists"};
 
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
-
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "shade_strands",
-                          .summary = "radiance once per vertex of the strands that are seen, from the lookup tables",
-                          .source = "Frostbite, Every Strand Counts (2023): strand-space shading",
-                          .demands = k_demands,
-                          .stage = registry::Stage::shade,
-                          .dispatches = dispatches,
-                          .after = k_after}};
+  static const Pass pass =
+      shading({.name = "shade_strands",
+               .summary = "radiance once per vertex of the strands that are seen, from the lookup tables",
+               .source = "Frostbite, Every Strand Counts (2023): strand-space shading",
+               .demands = k_demands,
+               .dispatches = always<1>,
+               .after = k_after});
   return pass;
 }
 

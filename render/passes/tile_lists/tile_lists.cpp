@@ -1,5 +1,7 @@
 #include <cuticle/render/passes/tile_lists/tile_lists.h>
 
+#include <cuticle/render/shading.h>
+
 namespace cuticle::render::tile_lists {
 
 namespace {
@@ -16,22 +18,17 @@ constexpr registry::Parameter k_parameters[] = {
      .summary = "memory of the tiles' lists; where it is too small, fewer and wider segments are drawn, and counted"},
 };
 
-/// Scene depth, count, scan, scatter.
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 4; }
-
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "tile_lists",
-                          .summary = "segments to lists of the screen's tiles, those behind the scene culled",
-                          .source = "Frostbite, Every Strand Counts (2023): coarse rasteriser",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::shade,
-                          .systems = k_systems,
-                          .dispatches = dispatches,
-                          .after = k_after}};
+  static const Pass pass = shading({.name = "tile_lists",
+                                    .summary = "segments to lists of the screen's tiles, those behind the scene culled",
+                                    .source = "Frostbite, Every Strand Counts (2023): coarse rasteriser",
+                                    .parameters = k_parameters,
+                                    .demands = k_demands,
+                                    .systems = k_systems,
+                                    .dispatches = always<4>,  // scene depth, count, scan, scatter
+                                    .after = k_after});
   return pass;
 }
 

@@ -1,5 +1,7 @@
 #include <cuticle/render/passes/tile_sort/tile_sort.h>
 
+#include <cuticle/render/shading.h>
+
 namespace cuticle::render::tile_sort {
 
 namespace {
@@ -15,20 +17,16 @@ constexpr registry::Parameter k_parameters[] = {
      .summary = "of each tile's depth range, within which segments keep their order in memory; 0: sorted by depth"},
 };
 
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
-
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "tile_sort",
-                          .summary = "each tile's segments from near to far, in one definite order",
-                          .source = "counting sort over 256 depths, then Shell's sort of each depth",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::shade,
-                          .dispatches = dispatches,
-                          .after = k_after}};
+  static const Pass pass = shading({.name = "tile_sort",
+                                    .summary = "each tile's segments from near to far, in one definite order",
+                                    .source = "counting sort over 256 depths, then Shell's sort of each depth",
+                                    .parameters = k_parameters,
+                                    .demands = k_demands,
+                                    .dispatches = always<1>,
+                                    .after = k_after});
   return pass;
 }
 

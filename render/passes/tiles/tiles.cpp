@@ -1,5 +1,7 @@
 #include <cuticle/render/passes/tiles/tiles.h>
 
+#include <cuticle/render/shading.h>
+
 namespace cuticle::render::tiles {
 
 namespace {
@@ -15,23 +17,19 @@ constexpr registry::Parameter k_parameters[] = {
      .summary = "of a drawn strand where it covers a pixel whole; 'truth' draws with the same"},
 };
 
-std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
-
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{
-      {.kind = registry::EntryKind::pass,
-       .name = "tiles",
-       .summary = "tiles to pixels: coverage by formula, blended from near to far, merged into the scene",
-       .source = "Frostbite, Every Strand Counts (2023): fine rasteriser and resolve",
-       .parameters = k_parameters,
-       .demands = k_demands,
-       .stage = registry::Stage::shade,
-       .systems = k_systems,
-       .dispatches = dispatches,
-       .draws = 1,
-       .after = k_after}};
+  static const Pass pass =
+      shading({.name = "tiles",
+               .summary = "tiles to pixels: coverage by formula, blended from near to far, merged into the scene",
+               .source = "Frostbite, Every Strand Counts (2023): fine rasteriser and resolve",
+               .parameters = k_parameters,
+               .demands = k_demands,
+               .systems = k_systems,
+               .dispatches = always<1>,
+               .draws = 1,
+               .after = k_after});
   return pass;
 }
 

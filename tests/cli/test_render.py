@@ -1,0 +1,55 @@
+"""Pictures of a small scene from the command line, by every way of drawing strands."""
+import csv
+import json
+
+import pytest
+from program import refused, run
+
+METHODS = ("lines", "tiles", "truth")
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    path = tmp_path_factory.mktemp("scene") / "small.json"
+    path.write_text(json.dumps({
+        "schema_version": 1, "name": "small", "strand_count": 300, "strand_vertices": 8, "material": {"lut_size": 16},
+        "lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}],
+        "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]}}))
+    return path
+
+
+@pytest.fixture(scope="module")
+def pictures(scene, tmp_path_factory):
+    """By method: the costs that were printed, and the folder."""
+    drawn = {}
+    for method in METHODS:
+        out = tmp_path_factory.mktemp(method)
+        done = run("render", scene, "--method", method, "--out", out, "--json")
+        assert done.returncode == 0, done.stderr
+        drawn[method] = (json.loads(done.stdout), out)
+    return drawn
+
+
+def test_Render_EveryMethod_WritesItsOwnPicture(pictures):
+    frames = {(folder / "frame_0000.exr").read_bytes() for _, folder in pictures.values()}
+    assert len(frames) == len(METHODS)
+    assert all((folder / "frame_0000.png").stat().st_size > 0 for _, folder in pictures.values())
+
+
+def test_Render_Costs_NameThePassesOfTheMethodAlone(pictures):
+    for method, (costs, _) in pictures.items():
+        names = {entry["name"] for entry in costs["passes"]}
+        assert names & {"lines", "tiles"} == {method} - {"truth"}
+
+
+def test_Render_UnknownMethod_IsRefusedWithTheKnownOnes(scene):
+    assert "tiles" in refused(2, "render", scene, "--method", "tile")
+
+
+def test_StudyRender_Quick_HasEveryMethodNearAndFar(scene, tmp_path):
+    done = run("study", "render", scene, "--quick", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    rows = list(csv.DictReader((tmp_path / "study/study.csv").open()))
+    assert {(row["view"], row["method"]) for row in rows} == {(v, m) for v in ("near", "four times as far") for m in METHODS}
+    assert all(0 <= float(row["mean_error"]) <= float(row["max_error"]) <= 1 for row in rows)
+    assert (tmp_path / "index.html").stat().st_size > 0
