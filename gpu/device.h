@@ -45,7 +45,7 @@ struct DeviceRequest {
 /// All Vulkan devices; empty when there is no loader or no driver.
 std::vector<DeviceInfo> list_devices();
 
-enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, depth32f };
+enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, r32u, depth32f };
 enum class Filter { nearest, linear };
 /// alpha: color = source * source alpha + target * (1 - source alpha), alpha likewise with factor 1; additive: the sum.
 enum class BlendMode { none, alpha, additive };
@@ -95,6 +95,7 @@ struct TextureDescription {
   Filter filter = Filter::linear;
   int samples = 1;
   bool render_target = false;
+  bool read_samples = false;  ///< multisampled, and shaders read it sample by sample
 };
 
 /// Shader resources are set 0. Bindings 0 .. storage_buffers-1 are storage buffers; the textures follow at
@@ -243,7 +244,7 @@ class Device : public std::enable_shared_from_this<Device> {
   Result<Texture> make_texture(const TextureDescription& description);
   /// `data`: tightly packed rows of the texture's format (rgba16f and rgba32f take floats and are converted).
   Result<void> upload(const Texture& texture, std::span<const float> data);
-  /// Floats, four per texel (one for r32f and depth32f).
+  /// Floats, four per texel (one for r32f, r32u and depth32f).
   Result<std::vector<float>> download(const Texture& texture);
 
   Result<Kernel> make_kernel(std::span<const std::uint32_t> spirv, const ShaderInterface& interface);

@@ -53,7 +53,7 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   const std::string why = fmt::format("strands are drawn by '{}'", scene.render_method);
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
-  facts["strand_colors"] = {scene.render_method != "lines", why};
+  facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
   facts["drawn_on_device"] = {scene.render_method != "truth", why};
 }
 

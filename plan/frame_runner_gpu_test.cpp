@@ -15,6 +15,7 @@ constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"
 constexpr std::string_view k_simulation = R"("simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})";
 constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
 constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
+constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
 constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
 constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
@@ -76,6 +77,7 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
                                                             {k_light, k_shadow, k_simulation, k_colliders, k_motion},
                                                             {k_tiles},
                                                             {k_light, k_shadow, k_tiles},
+                                                            {k_light, k_shadow, k_quads},
                                                             {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
@@ -117,6 +119,30 @@ TEST(FrameRunner, Tiles_AreNearTheTruthAroundAHead) {
   RecordProperty("mean_error", std::to_string(error));
   EXPECT_LT(error, 0.004);
   EXPECT_LT(5 * error, mean_difference(bald, truth));
+}
+
+TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
+  const Image truth = frame_of(*runner({k_light, k_shadow, k_truth}), 0).color;
+  double last = 1;
+  for (std::string_view samples :
+       {R"("passes": {"quads": {"samples": 1}})", R"("passes": {"quads": {"samples": 4}})"}) {
+    const Image quads = frame_of(*runner({k_light, k_shadow, k_quads, samples}), 0).color;
+    const double error = mean_difference(quads, truth);
+    std::printf("quads: mean error %.5f\n", error);
+    EXPECT_LT(error, last);
+    last = error;
+  }
+  EXPECT_LT(last, 0.008);
+}
+
+// H11: a quarter of the strands, four times as wide, shadows all of them.
+TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
+  constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "caster_share": 0.25})";
+  const double all = mean(luminance(frame_of(*runner({k_light, k_shadow}), 0).color));
+  const double quarter = mean(luminance(frame_of(*runner({k_light, few}), 0).color));
+  const double open = mean(luminance(frame_of(*runner({k_light}), 0).color));
+  std::printf("mean luminance: %.5f by all, %.5f by a quarter, %.5f without shadow\n", all, quarter, open);
+  EXPECT_LT(std::abs(quarter - all), 0.16 * (open - all));
 }
 
 TEST(FrameRunner, AnEarlierFrame_StartsAnewAndRepeats) {

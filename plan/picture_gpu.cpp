@@ -1,10 +1,12 @@
 #include <cuticle/plan/picture_gpu.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/gtc/packing.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/render/passes/resolve/resolve.h>
 #include <cuticle/render/passes/tiles/tiles.h>
 #include <cuticle/render/passes/truth/rasterise.h>
@@ -14,11 +16,16 @@ namespace cuticle::plan {
 
 namespace {
 
-/// Texels across a pixel. The truth's own scene has no multisampling, and is not the place to save.
-int supersampling(const Plan& plan) { return find_pass(plan, "truth") ? 4 : 2; }
+/// Texels across a pixel. Quads have multisampling alone; the truth's own scene has none, and is not the place to save.
+int supersampling(const Plan& plan) {
+  if (find_pass(plan, "quads")) return 1;
+  return find_pass(plan, "truth") ? 4 : 2;
+}
 
-/// The multisampling to draw with: 4 where the device offers it and only the strands' own draws read the depth.
-int sample_count(const gpu::DeviceInfo& info, const Plan& plan) {
+/// The multisampling to draw with: what quads ask for; else 4 where the device offers it and only the strands' own
+/// draws read the depth.
+int sample_count(const gpu::DeviceInfo& info, const Plan& plan, const render::FrameResources& resources) {
+  if (find_pass(plan, "quads")) return int(parameters_of(resources, render::quads::entry()).integer("samples"));
   if (!find_pass(plan, "lines")) return 1;
   return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
 }
@@ -93,7 +100,7 @@ Result<void> Picture::make_tables(Progress& progress) {
 
 Result<void> Picture::make_targets(glm::ivec2 resolution) {
   using gpu::Filter, gpu::TextureFormat;
-  const int samples = sample_count(device_->info(), plan_);
+  const int samples = sample_count(device_->info(), plan_, resources_);
   resources_.supersampling = supersampling(plan_);
   const glm::ivec2 size = resolution * resources_.supersampling;
   CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
@@ -127,10 +134,20 @@ Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInpu
   return generator_->record_interpolate(commands);
 }
 
+/// H11: shadows cast by a prefix of the strands, which are in random order, and received by all.
+shadows::GpuStrands Picture::casters() const {
+  shadows::GpuStrands strands = resources_.strands;
+  const std::uint32_t segments = resources_.vertices_per_strand - 1, all = strands.segment_count / segments;
+  const auto casting = std::clamp(std::uint32_t(std::lround(scene_.caster_share * all)), std::min(1u, all), all);
+  strands.segment_count = casting * segments;
+  strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
+  return strands;
+}
+
 Result<void> Picture::record_shadows(gpu::Commands& commands) {
   for (std::size_t k = 0; k < shadows_.size(); ++k)
-    CUTICLE_TRY(shadows_[k]->record(commands, resources_.strands, scene_.fibre_alpha, scene_.lights[k].to_light,
-                                    transmittance_[k]));
+    CUTICLE_TRY(
+        shadows_[k]->record(commands, casters(), scene_.fibre_alpha, scene_.lights[k].to_light, transmittance_[k]));
   return {};
 }
 

@@ -47,6 +47,7 @@ class Picture {
   Result<bool> settle();
   Result<Image> read_truth() const;
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
+  shadows::GpuStrands casters() const;
   Result<void> record_shadows(gpu::Commands& commands);
   Result<void> record_passes(gpu::Commands& commands);
 

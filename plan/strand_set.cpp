@@ -124,10 +124,11 @@ void add_followers(std::size_t wanted, StrandSet& set) {
   }
 }
 
-/// Whether the line pass may draw a prefix of the strands.
-bool may_draw_a_prefix(const scene::Scene& scene) {
-  const auto lines = scene.passes.find("lines");
-  return lines != scene.passes.end() && lines->second.real("full_px") > 0;
+/// Whether a prefix of the strands may stand for all: for the eye (a pass's level of detail) or for the light.
+bool may_use_a_prefix(const scene::Scene& scene) {
+  return scene.caster_share < 1 || std::ranges::any_of(scene.passes, [](const auto& pass) {
+           return pass.second.all().contains("full_px") && pass.second.real("full_px") > 0;
+         });
 }
 
 /// F10: a file's strands stand in an order of its own; grown ones are in one of chance already.
@@ -152,7 +153,7 @@ Result<void> read(const scene::Scene& scene, StrandSet& set) {
     return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
   for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
   add_followers(std::size_t(scene.strand_count), set);
-  if (may_draw_a_prefix(scene)) put_in_random_order(set);
+  if (may_use_a_prefix(scene)) put_in_random_order(set);
   if (scene.character || (scene.head.present && scene.head.mesh.empty())) {
     CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
     if (scene.head.present) set.head = std::move(head.mesh);

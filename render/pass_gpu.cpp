@@ -15,11 +15,13 @@ gpu::GraphicsDescription target_description(const FrameResources& resources) {
   return description;
 }
 
+gpu::Commands::Target color_target(const FrameResources& resources) {
+  const bool resolves = resources.resolve_target && resources.color != resources.resolved;
+  return {.color = resources.color, .resolve = resolves ? resources.resolved : nullptr, .keep = resources.keep_target};
+}
+
 void begin_target(gpu::Commands& commands, const FrameResources& resources) {
-  const gpu::Commands::Target target{
-      .color = resources.color,
-      .resolve = resources.resolve_target && resources.color != resources.resolved ? resources.resolved : nullptr,
-      .keep = resources.keep_target};
+  const gpu::Commands::Target target = color_target(resources);
   commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
 }
 

@@ -52,6 +52,8 @@ inline constexpr std::size_t k_max_lights = 8;
 registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
 /// A pipeline that draws into the frame's targets, nearest wins; shaders and interface are still to be set.
 gpu::GraphicsDescription target_description(const FrameResources& resources);
+/// The colour target of a rendering, as `keep_target` and `resolve_target` say.
+gpu::Commands::Target color_target(const FrameResources& resources);
 /// Begins rendering into the frame's targets, as `keep_target` and `resolve_target` say.
 void begin_target(gpu::Commands& commands, const FrameResources& resources);
 

@@ -203,6 +203,7 @@ void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   const Reader reader = root.child("shadow");
   scene.shadow = block_of(catalogue.methods, reader.value["method"]);
   reader.get("fibre_alpha", scene.fibre_alpha);
+  reader.get("caster_share", scene.caster_share);
 }
 
 Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {

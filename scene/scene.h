@@ -74,7 +74,7 @@ struct Outputs {
 };
 
 /// The ways in which strands become pixels.
-inline constexpr std::string_view k_render_methods[] = {"lines", "tiles", "truth"};
+inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "truth"};
 
 struct Scene {
   int schema_version = 1;
@@ -90,6 +90,7 @@ struct Scene {
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   double fibre_alpha = 0.4;     ///< opacity of one crossing
+  double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;
   int strand_vertices = 30;     ///< per drawn strand, 2 .. strands::k_most_vertices

@@ -132,9 +132,11 @@ Spec lights() {
 }
 
 Spec shadow(const Catalogue& catalogue) {
-  return object("shadow", "self-shadowing; absent: none",
-                {required(block("method", "shadow method and its parameters", catalogue.methods)),
-                 real("fibre_alpha", 0, 1, "opacity of one fibre crossing")});
+  return object(
+      "shadow", "self-shadowing; absent: none",
+      {required(block("method", "shadow method and its parameters", catalogue.methods)),
+       real("fibre_alpha", 0, 1, "opacity of one fibre crossing"),
+       real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all")});
 }
 
 Spec camera() {

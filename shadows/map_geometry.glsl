@@ -13,6 +13,7 @@ layout(push_constant) uniform Push {
   float pieces_per_step;     // of a segment, per depth step
   float own[3];              // the method's own numbers
   float depth_offset;        // metres behind a point that fibres still count
+  float caster_width;        // factor on the radii of segments
 } push;
 const uint k_poisson = 1u;
 

@@ -18,6 +18,7 @@ struct MapPush {
   float pieces_per_step;
   float own[3];
   float depth_offset;
+  float caster_width;
 };
 inline constexpr std::uint32_t k_poisson_flag = 1;
 

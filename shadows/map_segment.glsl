@@ -22,7 +22,7 @@ MapSegment map_segment(uint s, uint count) {
   const uint v = segments[s];
   const MapPlacement placement = placement_of(least);
   precise float radius_sum = vertices[v].w + vertices[v + 1u].w;
-  precise float half_width = 0.5 * radius_sum * placement.scale.x;
+  precise float half_width = 0.5 * radius_sum * push.caster_width * placement.scale.x;
   MapSegment segment;
   segment.a = place(placement, vertices[v].xyz);
   segment.b = place(placement, vertices[v + 1u].xyz);

@@ -31,7 +31,7 @@ class MapShadowGpu : public GpuShadow {
   Result<void> make_drawing();
   Result<void> make_kernels();
   void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
-  MapPush push_for(const LightAxes& axes) const;
+  MapPush push_for(const LightAxes& axes, const GpuStrands& strands) const;
   void clear(gpu::Commands& commands) const;
   std::uint32_t invocations(const GpuStrands& strands, MapRun run) const;
   void run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel, const GpuStrands& strands,
@@ -89,7 +89,7 @@ Result<void> MapShadowGpu::make_kernels() {
   return {};
 }
 
-MapPush MapShadowGpu::push_for(const LightAxes& axes) const {
+MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands) const {
   const MapSettings& settings = description_.settings;
   MapPush push{{axes.right, 0},
                {axes.up, 0},
@@ -104,7 +104,8 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes) const {
                description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0),
                description_.pieces_per_step,
                {},
-               float(settings.depth_offset)};
+               float(settings.depth_offset),
+               strands.caster_width};
   std::copy(description_.own.begin(), description_.own.end(), push.own);
   return push;
 }
@@ -164,9 +165,9 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   }
   CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
-  const MapPush push = push_for(light_axes(direction));
+  const MapPush push = push_for(light_axes(direction), strands);
   clear(commands);
-  run(commands, k_fit, fit_, strands, description_.in_world ? push_for({}) : push, transmittance);
+  run(commands, k_fit, fit_, strands, description_.in_world ? push_for({}, strands) : push, transmittance);
   if (!targets_.empty()) draw(commands, strands, push);
   for (std::size_t i = 0; i < kernels_.size(); ++i)
     run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);

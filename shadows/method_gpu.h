@@ -14,6 +14,7 @@ struct GpuStrands {
   const gpu::Buffer* segments = nullptr;  ///< uint x segment_count; the segment joins vertex k and k + 1
   std::uint32_t vertex_count = 0, segment_count = 0;
   strands::Bounds bounds;  ///< of all vertices, metres; the light's frame is fitted to it
+  float caster_width = 1;  ///< factor on the radii of segments that cast shadows (H11)
 };
 
 /// A method's passes, recorded into a frame. `transmittance` receives one float per vertex.

@@ -6,7 +6,7 @@ namespace cuticle::gpu {
 
 VkFormat vulkan_format(TextureFormat format);
 VkImageAspectFlags aspect_of(TextureFormat format);
-/// Floats per texel on the host side: 1 for r32f and depth32f, else 4.
+/// Floats per texel on the host side: 1 for r32f, r32u and depth32f, else 4.
 std::size_t floats_per_texel(TextureFormat format);
 std::size_t bytes_per_texel(TextureFormat format);
 

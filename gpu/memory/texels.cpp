@@ -41,6 +41,8 @@ VkFormat vulkan_format(TextureFormat format) {
       return VK_FORMAT_R32G32B32A32_SFLOAT;
     case TextureFormat::r32f:
       return VK_FORMAT_R32_SFLOAT;
+    case TextureFormat::r32u:
+      return VK_FORMAT_R32_UINT;
     case TextureFormat::depth32f:
       return VK_FORMAT_D32_SFLOAT;
   }
@@ -52,7 +54,14 @@ VkImageAspectFlags aspect_of(TextureFormat format) {
 }
 
 std::size_t floats_per_texel(TextureFormat format) {
-  return format == TextureFormat::r32f || format == TextureFormat::depth32f ? 1 : 4;
+  switch (format) {
+    case TextureFormat::r32f:
+    case TextureFormat::r32u:
+    case TextureFormat::depth32f:
+      return 1;
+    default:
+      return 4;
+  }
 }
 
 std::size_t bytes_per_texel(TextureFormat format) {
@@ -72,6 +81,8 @@ void texels_from_floats(TextureFormat format, std::span<const float> floats, std
       return to_texels<std::uint8_t>(floats, texels, byte_from_float);
     case TextureFormat::rgba16f:
       return to_texels<std::uint16_t>(floats, texels, half_from_float);
+    case TextureFormat::r32u:
+      return to_texels<std::uint32_t>(floats, texels, [](float value) { return std::uint32_t(value); });
     default:
       std::memcpy(texels.data(), floats.data(), floats.size_bytes());
   }
@@ -83,6 +94,8 @@ void floats_from_texels(TextureFormat format, std::span<const std::byte> texels,
       return to_floats<std::uint8_t>(texels, floats, [](std::uint8_t value) { return float(value) / 255; });
     case TextureFormat::rgba16f:
       return to_floats<std::uint16_t>(texels, floats, float_from_half);
+    case TextureFormat::r32u:
+      return to_floats<std::uint32_t>(texels, floats, [](std::uint32_t value) { return float(value); });
     default:
       std::memcpy(floats.data(), texels.data(), floats.size_bytes());
   }

@@ -13,11 +13,33 @@ Result<void> check_size(const DeviceInfo& info, glm::ivec2 size) {
   return bad_input(fmt::format("a texture of {} x {}: {} allows 1..{} a side", size.x, size.y, info.name, limit));
 }
 
-Result<void> check_samples(const DeviceInfo& info, const TextureDescription& description) {
-  const auto& offered = info.sample_counts;
+VkImageUsageFlags usage_of(const TextureDescription& description) {
+  const VkImageUsageFlags target = description.format == TextureFormat::depth32f
+                                       ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                       : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  if (description.samples > 1) return target | (description.read_samples ? VK_IMAGE_USAGE_SAMPLED_BIT : 0);
+  const VkImageUsageFlags sampled =
+      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return sampled | (description.render_target ? target : 0);
+}
+
+/// The counts that the device offers for this format, used so.
+std::vector<int> offered_samples(const Device::Impl& device, const TextureDescription& description) {
+  VkImageFormatProperties offered{};
+  vkGetPhysicalDeviceImageFormatProperties(device.physical, vulkan_format(description.format), VK_IMAGE_TYPE_2D,
+                                           VK_IMAGE_TILING_OPTIMAL, usage_of(description), 0, &offered);
+  std::vector<int> counts;
+  for (int count : device.info.sample_counts)
+    if (offered.sampleCounts & VkSampleCountFlags(count)) counts.push_back(count);
+  return counts;
+}
+
+Result<void> check_samples(const Device::Impl& device, const TextureDescription& description) {
+  const std::vector<int> offered =
+      description.samples > 1 ? offered_samples(device, description) : device.info.sample_counts;
   if (std::find(offered.begin(), offered.end(), description.samples) == offered.end())
-    return bad_input(
-        fmt::format("{} samples a pixel: {} offers {}", description.samples, info.name, fmt::join(offered, ", ")));
+    return bad_input(fmt::format("{} samples a pixel: {} offers {}", description.samples, device.info.name,
+                                 fmt::join(offered, ", ")));
   if (description.samples > 1 && !description.render_target)
     return internal_error("gpu: a multisampled texture that is no render target");
   return {};
@@ -39,16 +61,6 @@ Result<void> check_format(const Device::Impl& device, const TextureDescription& 
   return bad_input(fmt::format("{} cannot sample, filter or render to texture format {} as asked for", device.info.name,
                                int(description.format)),
                    "use Filter::nearest or rgba16f");
-}
-
-VkImageUsageFlags usage_of(const TextureDescription& description) {
-  const VkImageUsageFlags target = description.format == TextureFormat::depth32f
-                                       ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                       : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-  if (description.samples > 1) return target;  // neither sampled nor copied, only resolved
-  const VkImageUsageFlags sampled =
-      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  return sampled | (description.render_target ? target : 0);
 }
 
 Result<void> create_image(TextureObject& object) {
@@ -136,7 +148,7 @@ TextureObject::~TextureObject() {
 
 Result<Texture> Device::make_texture(const TextureDescription& description) {
   CUTICLE_TRY(check_size(info(), description.size));
-  CUTICLE_TRY(check_samples(info(), description));
+  CUTICLE_TRY(check_samples(*impl_, description));
   CUTICLE_TRY(check_format(*impl_, description));
   auto object = std::make_shared<TextureObject>();
   object->device = shared_from_this();

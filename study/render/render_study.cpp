@@ -24,6 +24,8 @@ struct Variant {
 std::vector<Variant> variants(int truth_samples) {
   std::vector<Variant> list = {{.method = "lines", .settings = "", .shown = true},
                                {"lines", "widest_px=16", "lines", "widest_px", 16.0},
+                               {"quads", "samples=1", "quads", "samples", std::int64_t(1)},
+                               {.method = "quads", .settings = "", .shown = true},
                                {.method = "tiles", .settings = "", .shown = true}};
   for (int slices : {8, 32})
     list.push_back({"tiles", fmt::format("slices={}", slices), "tile_sort", "slices", std::int64_t(slices)});

@@ -33,11 +33,6 @@ float fraction_of(uint vertex) {
   return packed_vertices == 0u ? tangents[vertex].w
                                : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
 }
-// Segment ends are evenly spaced among the strand's vertices, whatever the level of detail.
-uint vertex_of(uint strand, uint end) {
-  return strand * vertices_per_strand + end * (vertices_per_strand - 1u) / drawn_segments;
-}
-
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));

@@ -1,4 +1,5 @@
 // A strand's segment on the screen. Depth is kept as 1 / distance along the view, which is linear on the screen.
+#include "cuticle/render/finite.glsl"
 #include "cuticle/render/passes/tile_lists/tile_push.glsl"
 
 struct Projected {
@@ -11,9 +12,6 @@ struct Projected {
 
 const float k_guard = 4.0;      // the axis is cut this many half screens from the middle, where floats are still fine
 const float k_shortest = 1e-6;  // pixels; a shorter axis has no direction
-
-// Not by isnan: shaders may be compiled as if numbers were always finite.
-bool is_finite(vec4 v) { return all(notEqual(floatBitsToUint(v) & 0x7F800000u, uvec4(0x7F800000u))); }
 
 // The part of `range` where a value, linear from 0 to 1, is not negative.
 vec2 cut(vec2 range, float at_0, float at_1) {

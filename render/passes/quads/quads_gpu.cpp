@@ -1,0 +1,110 @@
+#include <cmath>
+
+#include <cuticle/render/passes/lines/shading_inputs_gpu.h>
+#include <cuticle/render/passes/quads/quads.h>
+
+#include <quads_frag.spv.h>
+#include <quads_shade_many_frag.spv.h>
+#include <quads_shade_one_frag.spv.h>
+#include <quads_vert.spv.h>
+#include <resolve_vert.spv.h>
+
+namespace cuticle::render::quads {
+
+namespace {
+
+constexpr int k_taper_texels = 64;
+
+class Quads : public GpuPass {
+ public:
+  explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
+
+  Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
+    const gpu::Texture& color = *resources.color;
+    CUTICLE_ASSIGN(seen_, device.make_texture({.size = color.size(),
+                                               .format = gpu::TextureFormat::r32u,
+                                               .filter = gpu::Filter::nearest,
+                                               .samples = color.samples(),
+                                               .render_target = true,
+                                               .read_samples = color.samples() > 1}));
+    CUTICLE_TRY(make_taper(device, resources));
+    return make_pipelines(device, resources);
+  }
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    CUTICLE_ASSIGN(lines::Frame* const frame, inputs_.update(resources));
+    const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, entry()));
+    frame->drawn_segments = part.segments;
+    CUTICLE_TRY(inputs_.record(commands, resources));
+    see(commands, resources, part);
+    const gpu::Commands::Target target = color_target(resources);
+    commands.begin_rendering({&target, 1}, nullptr);
+    commands.draw(shade_, {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame()},
+                  {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2), &seen_}, {},
+                  3);
+    commands.end_rendering();
+    return {};
+  }
+
+ private:
+  Result<void> make_taper(gpu::Device& device, const FrameResources& resources) {
+    const registry::ParameterValues parameters = parameters_of(resources, entry());
+    const double root = parameters.real("root_width"), tip = parameters.real("tip_width");
+    std::vector<float> texels;
+    for (int k = 0; k < k_taper_texels; ++k) {
+      const double along = std::pow(double(k) / (k_taper_texels - 1), parameters.real("taper_power"));
+      texels.insert(texels.end(), {float(root + (tip - root) * along), 0, 0, 0});
+    }
+    CUTICLE_ASSIGN(taper_, device.make_texture({.size = {k_taper_texels, 1}}));
+    return device.upload(taper_, texels);
+  }
+
+  Result<void> make_pipelines(gpu::Device& device, const FrameResources& resources) {
+    gpu::GraphicsDescription description = target_description(resources);
+    description.vertex_spirv = quads_vert;
+    description.fragment_spirv = quads_frag;
+    description.interface = {.storage_buffers = 4, .textures = 1, .push_constant_bytes = sizeof(float)};
+    description.color_formats = {seen_.format()};
+    CUTICLE_ASSIGN(see_, device.make_graphics(description));
+    const int samples = seen_.samples();
+    description = target_description(resources);
+    description.depth_test = description.depth_write = false;
+    description.vertex_spirv = resolve_vert;
+    description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
+                                             : std::span<const std::uint32_t>(quads_shade_one_frag);
+    description.interface = {.storage_buffers = 4, .textures = 4, .specialization = {std::uint32_t(samples)}};
+    CUTICLE_ASSIGN(shade_, device.make_graphics(description));
+    return {};
+  }
+
+  /// The visibility buffer, in front of what was drawn before.
+  void see(gpu::Commands& commands, const FrameResources& resources, const lines::DrawnPart& part) const {
+    const gpu::Commands::Target target{.color = &seen_};
+    const float width = float(part.width);
+    commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
+    commands.draw(see_, {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame()},
+                  {&taper_}, gpu::bytes_of(width), 6 * part.strands * part.segments);
+    commands.end_rendering();
+  }
+
+  lines::ShadingInputs inputs_;
+  gpu::GraphicsPipeline see_, shade_;
+  gpu::Texture seen_;  ///< per sample the segment that it sees, from 1
+  gpu::Texture taper_;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(device, resources));
+  auto pass = std::make_unique<Quads>(std::move(inputs));
+  CUTICLE_TRY(pass->make_parts(*device, resources));
+  return std::unique_ptr<GpuPass>(std::move(pass));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"quads", create};
+  return table;
+}
+
+}  // namespace cuticle::render::quads

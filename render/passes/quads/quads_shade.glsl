@@ -1,0 +1,66 @@
+// A pixel's strands, each shaded once and counted as often as samples see it. The sum goes to the samples that see hair.
+// Before this stand the version, and after it `seen`, the visibility buffer, at binding 7.
+#extension GL_GOOGLE_include_directive : require
+#include "cuticle/render/passes/lines/lines_frame.glsl"
+#include "cuticle/render/passes/lines/strand_chance.glsl"
+
+layout(constant_id = 0) const int k_samples = 1;
+layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
+layout(set = 0, binding = 4) uniform sampler2D table_m;
+layout(set = 0, binding = 5) uniform sampler2D table_n_tt_r;
+layout(set = 0, binding = 6) uniform sampler2D table_n_trt;
+#include "cuticle/render/passes/lines/scattering.glsl"
+
+layout(location = 0) out vec4 color;
+
+/// The segment that a sample sees, from 1; 0: none.
+uint segment_at(ivec2 pixel, int sample_index);
+
+// Share of the way from end to end, as seen in perspective, at which the segment is nearest to the pixel's middle.
+float share_at(vec2 middle, vec2 size, vec3 from, vec3 to) {
+  vec4 a = world_to_clip * vec4(from, 1.0), b = world_to_clip * vec4(to, 1.0);
+  if (min(a.w, b.w) <= 0.0) return a.w > b.w ? 0.0 : 1.0;
+  vec2 start = (a.xy / a.w * 0.5 + 0.5) * size, along = (b.xy / b.w * 0.5 + 0.5) * size - start;
+  float share = clamp(dot(middle - start, along) / max(dot(along, along), k_tiny), 0.0, 1.0);
+  return share * a.w / mix(b.w, a.w, share);
+}
+
+vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
+  uint strand = segment / drawn_segments, begin = segment % drawn_segments;
+  uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
+  float share = share_at(middle, size, vertices[first].xyz, vertices[last].xyz);
+  vec3 t = normalize(mix(tangents[first].xyz, tangents[last].xyz, share) + tilt_of(strand, variation));
+  vec3 to_eye = normalize(eye.xyz - mix(vertices[first].xyz, vertices[last].xyz, share));
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < light_count; ++k)
+    sum += shade(k, mix(transmittance[k * vertex_count + first], transmittance[k * vertex_count + last], share), t,
+                 to_eye);
+  return sum * brightness_of(strand, variation);
+}
+
+void shade_pixel(ivec2 pixel, vec2 size) {
+  uint seen_by[k_samples];
+  int mask = 0, hair = 0;
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < k_samples; ++k) {
+    seen_by[k] = segment_at(pixel, k);
+    mask |= seen_by[k] > 0u ? 1 << k : 0;
+  }
+  for (int k = 0; k < k_samples; ++k) {
+    if (seen_by[k] == 0u) continue;
+    uint segment = seen_by[k] - 1u;
+    int count = 0;
+    for (int j = k; j < k_samples; ++j)
+      if (seen_by[j] > 0u && (seen_by[j] - 1u) / drawn_segments == segment / drawn_segments) {
+        seen_by[j] = 0u;
+        ++count;
+      }
+    sum += float(count) * radiance_of(segment, vec2(pixel) + 0.5, size);
+    hair += count;
+  }
+  if (hair == 0) discard;
+  color = vec4(sum / float(hair), 1.0);
+  gl_SampleMask[0] = mask;
+}

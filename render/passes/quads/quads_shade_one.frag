@@ -1,0 +1,8 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "cuticle/render/passes/quads/quads_shade.glsl"
+layout(set = 0, binding = 7) uniform usampler2D seen;
+
+uint segment_at(ivec2 pixel, int sample_index) { return texelFetch(seen, pixel, 0).r; }
+
+void main() { shade_pixel(ivec2(gl_FragCoord.xy), vec2(textureSize(seen, 0))); }
