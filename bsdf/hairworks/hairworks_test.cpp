@@ -1,9 +1,13 @@
 // The features of HairWorks' shading. Labels: H13 H14.
+#define GLM_FORCE_XYZW_ONLY
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cuticle/bsdf/hairworks/hairworks.glslh"
 
 #include <cuticle/tests/support/model_values.h>
 
@@ -102,6 +106,17 @@ TEST(HairWorks, Colour_GoesFromTheRootsToTheTipsWithinItsReach) {
 TEST(HairWorks, DiffuseAlbedo_IsItsClosedForm) {
   EXPECT_DOUBLE_EQ(value("tip_color=1,diffuse_blend=1", "diffuse", {.theta_o = 1}, Quantity::albedo), pi);
   EXPECT_DOUBLE_EQ(value("tip_color=1", "diffuse", {.theta_o = 1}, Quantity::albedo), pi * pi);
+}
+
+TEST(HairWorks, RotationWithinAQuarterInFloat_StaysWithinBound) {
+  double worst = 0;
+  for (int i = -200000; i <= 200000; ++i) {
+    const float x = float(i * 0.5 * pi / 200000);
+    const glm::vec2 turned = hairworks::rotation_within_quarter(x);
+    worst = std::max(
+        {worst, std::abs(double(turned.x) - std::cos(double(x))), std::abs(double(turned.y) - std::sin(double(x)))});
+  }
+  EXPECT_LT(worst, 2e-7);
 }
 
 }  // namespace

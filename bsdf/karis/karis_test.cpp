@@ -186,6 +186,15 @@ TEST(Karis, AtTheEdgesOfTheDomain_IsFiniteAndNotNegative) {
           }
 }
 
+// Only vectors give a cosine of exactly 0, where absorption over it would be 0 times infinity.
+TEST(Karis, LightAndViewerAtOppositeEndsOfTheAxis_PassWhiteFibresUnattenuated) {
+  const Karis<float> white = make_karis<float>(glm::vec3(0), 0.3f, 0.0f);
+  EXPECT_EQ(karis_transmittance(white, 0.8f, 0.0f), glm::vec3(1));
+  const Directions<float> along{.sin_i = 1, .cos_i = 0, .sin_o = -1, .cos_o = 0, .azimuth = {1, 0}, .h = 0};
+  const glm::vec3 value = evaluate_directions(pack_karis(white), CUTICLE_QUANTITY_S, along);
+  EXPECT_TRUE(std::isfinite(value.x) && value.x > 0) << value.x;
+}
+
 TEST(Karis, Mapping_PutsRWhereTheScalesDo) {
   const FibreMapping mapping = model().from_fibre({.scale_tilt = 0.05});
   const auto m = [&](double theta_i) { return value_at(mapping.settings, Quantity::M, 0, {.theta_i = theta_i}); };

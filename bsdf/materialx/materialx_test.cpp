@@ -119,6 +119,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"input", document(input("iorr", "float", "1.5")), {"iorr", "ior"}},
         Refusal{"twice", document(input("ior", "float", "1.5") + input("ior", "float", "1.6")), {"ior", "twice"}},
         Refusal{"nowhere", document(link("roughness_R", "vector2", "gone", "roughness_R")), {"roughness_R", "gone"}},
+        Refusal{"linked_type",
+                document(link("absorption_coefficient", "vector3", "r", "roughness_R"),
+                         "<chiang_hair_roughness name=\"r\"/>"),
+                {"absorption_coefficient", "vector3", "vector2"}},
         Refusal{"itself", document(link("roughness_R", "vector2", "hair", "out")), {"roughness_R", "BSDF"}},
         Refusal{"tilt", document(input("cuticle_angle", "float", "0.9")), {"cuticle_angle", "0.9"}},
         Refusal{"node", document(link("roughness_R", "vector2", "x", ""), "<noise2d name=\"x\"/>"), {"noise2d"}},
@@ -134,7 +138,9 @@ TEST_P(MaterialXRefusal, Document_IsRefusedByName) {
 }
 
 TEST(MaterialX, MissingFile_IsNamed) {
-  EXPECT_THAT(read_materialx("/nonexistent/a.mtlx").error().message, HasSubstr("/nonexistent/a.mtlx"));
+  const auto mapping = read_materialx("/nonexistent/a.mtlx");
+  ASSERT_FALSE(mapping.ok());
+  EXPECT_THAT(mapping.error().message, HasSubstr("/nonexistent/a.mtlx"));
 }
 
 }  // namespace

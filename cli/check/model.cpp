@@ -54,6 +54,7 @@ int check_model(const ModelOptions& options, const Context& context) {
   if (context.json) fmt::print("{}\n", study::model_check::to_json(*reports));
   for (const Report& one : *reports)
     if (!context.json) fmt::print("{}", to_text(one));
+  if (!context.json && reports->size() > 1) fmt::print("\n{}", to_table(*reports));
   const bool sound = std::all_of(reports->begin(), reports->end(), [](const Report& one) { return one.sound(); });
   return sound ? Exit::ok : Exit::check_failed;
 }

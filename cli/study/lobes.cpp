@@ -21,7 +21,8 @@ Result<study::LobesRequest> request_of(const Options& options) {
   if (options.models != "all") request.models = split_list(options.models);
   if (!options.quick) return request;
   request.points = 256;
-  request.repeats = 3;
+  request.reference_seconds = 1;
+  request.seconds = 0.03;
   request.samples = 91;
   return request;
 }

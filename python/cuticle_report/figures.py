@@ -25,15 +25,28 @@ def plain_numbers(axis):
     axis.set_tick_params(which="minor", labelsize=8)
 
 
+def label_points(axes, labels):
+    """Texts (x, y, text, color) beside points, each in the first corner where it covers no other; those that find none stay away."""
+    axes.figure.canvas.draw()
+    inside, taken = axes.get_window_extent(), []
+    for x, y, text, color in labels:
+        for across, up in (("left", 4), ("left", -11), ("right", 4), ("right", -11)):
+            note = axes.annotate(text, (x, y), xytext=(4 if across == "left" else -4, up), textcoords="offset points", fontsize=7, color=color,
+                                 ha=across)
+            box = note.get_window_extent()
+            if box.x0 > inside.x0 and box.x1 < inside.x1 and not any(box.overlaps(other) for other in taken):
+                taken.append(box)
+                break
+            note.remove()
+
+
 def save_png(study, x, path):
     """A PNG with labelled axes and the legend beside the plot."""
     figure, axes = pyplot.subplots(figsize=(8.5, 5), layout="constrained")
+    labels = []
     for color, (name, rows) in zip(COLORS * 9, study.curves().items()):
         axes.plot([row[x.key] for row in rows], [row[study.y.key] for row in rows], "o-", color=color, markersize=4, label=name)
-        if x.key != study.point_label:
-            for row in rows:
-                axes.annotate(str(row.get(study.point_label, "")), (row[x.key], row[study.y.key]), xytext=(4, 4),
-                              textcoords="offset points", fontsize=7, color=color)
+        labels += [(row[x.key], row[study.y.key], str(row.get(study.point_label, "")), color) for row in rows]
     if study.raw.get("pareto") and x.key == study.x.key:
         front = study.front()
         axes.step([row[x.key] for row in front], [row[study.y.key] for row in front], where="post", color="#bbbbbb", linewidth=5, zorder=0,
@@ -50,6 +63,8 @@ def save_png(study, x, path):
     axes.set_title(study.title, fontsize=11, wrap=True)
     axes.grid(alpha=0.3, which="both")
     figure.legend(loc="outside right upper", fontsize=8)
+    if x.key != study.point_label:
+        label_points(axes, labels)
     temporary = path.with_name(f".{path.stem}.{os.getpid()}.png")
     try:
         figure.savefig(temporary, dpi=150)

@@ -35,10 +35,14 @@ class Study:
     def baselines(self):
         return [(row["method"], row[self.y.key]) for row in self.raw["baselines"]]
 
+    def drawn_rows(self):
+        """All but those without error, which a logarithmic axis has no place for: a reference beside itself."""
+        return [row for row in self.raw["rows"] if row[self.y.key] > 0 or self.y.scale != "log"]
+
     def curves(self):
         """Name of each curve and its rows, in the order of the column that labels the points."""
         series, named = self.raw["series"], {}
-        for row in self.raw["rows"]:
+        for row in self.drawn_rows():
             name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
             named.setdefault(name, []).append(row)
         if self.raw.get("pareto") and len(named) > MOST_CURVES:  # then the front of each method

@@ -56,14 +56,76 @@ Result<double> longitudinal_peak(const bsdf::Model& model, const registry::Param
   return peak_of(curve);
 }
 
+/// Marschner et al. 2003: phi of the caustic of TRT for eta' = 1.55.
+constexpr double caustic_deg = 18.62;
+
+/// A line at x as high as what the plot has.
+Curve upright(std::string name, double x, const Plot& plot) {
+  double height = 0;
+  for (const Curve& curve : plot.curves) height = std::max(height, *std::max_element(curve.y.begin(), curve.y.end()));
+  return {std::move(name), {x, x}, {0, height}};
+}
+
+Result<Landmarks> longitudinal_landmarks(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
+  // A wide lobe's M peaks further out than its shift (0.8 degrees for TRT at a width of 0.4), so the fibre is made
+  // smooth.
+  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings + ",beta=0.02"));
+  const double shift = -2 * values.real("alpha") / degree;
+  Landmarks found;
+  Plot plot{"landmarks_M", "marschner: M of narrow lobes at theta_o = 0", "theta_i, degrees", "M, 1/rad", false, {}};
+  const Sweep sweep{bsdf::Quantity::M, &bsdf::Point::theta_i, 15, {}};
+  CUTICLE_TRY(add_curves(plot, model, values, sweep, samples));
+  const struct {
+    const char* lobe;
+    double factor;
+  } shifts[] = {{"R", -1}, {"TT", 0.5}, {"TRT", 1.5}};
+  for (const auto& expected : shifts) {
+    CUTICLE_ASSIGN(const int lobe, bsdf::find_lobe(model, expected.lobe));
+    CUTICLE_ASSIGN(const double peak, longitudinal_peak(model, values, lobe));
+    found.places.push_back({std::string(model.entry.name),
+                            fmt::format("peak of M_{} in theta_i at theta_o = 0", expected.lobe),
+                            expected.factor * shift, peak});
+    plot.curves.push_back(upright(fmt::format("{} expected", expected.lobe), expected.factor * shift, plot));
+  }
+  found.plots.push_back(std::move(plot));
+  return found;
+}
+
+Result<Landmarks> azimuthal_landmarks(const bsdf::Model& model, std::size_t samples) {
+  Plot plot{"landmarks_N",  "marschner: N of a round fibre of index 1.55 at theta_d = 0",
+            "phi, degrees", "N, 1/rad",
+            false,          {}};
+  CUTICLE_ASSIGN(const registry::ParameterValues glass, bsdf::parse_settings(model, "", "eta=1.55"));
+  CUTICLE_TRY(add_curves(plot, model, glass, {bsdf::Quantity::N, &bsdf::Point::phi, 60, {}}, samples));
+  CUTICLE_ASSIGN(const int trt, bsdf::find_lobe(model, "TRT"));
+  CUTICLE_ASSIGN(const Curve fine,
+                 sweep_curve(model, glass, {bsdf::Quantity::N, &bsdf::Point::phi, 60, {}}, trt, 12001));
+  for (const double side : {-1.0, 1.0}) plot.curves.push_back(upright("caustic expected", side * caustic_deg, plot));
+  return Landmarks{
+      {{std::string(model.entry.name), "caustic of N_TRT at eta' = 1.55", caustic_deg, std::abs(peak_of(fine))}},
+      {std::move(plot)}};
+}
+
 }  // namespace
 
 Result<std::vector<Plot>> lobe_plots(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings));
   const std::string name(model.entry.name);
+  // Models with colours in place of absorption have factors whose peak is 1 as M.
+  const bool has_colors = model.conventions.absorption.starts_with("none");
   std::vector<Plot> plots = {
-      {name + "_M", name + ": M at theta_o = 20 degrees", "theta_i, degrees", "M, 1/rad", false, {}},
-      {name + "_N", name + ": N at theta_d = 0 (green)", "phi, degrees", "N, 1/rad", false, {}},
+      {name + "_M",
+       name + ": M at theta_o = 20 degrees",
+       "theta_i, degrees",
+       has_colors ? "M, factor" : "M, 1/rad",
+       false,
+       {}},
+      {name + "_N",
+       name + ": N at theta_d = 0 (green)",
+       "phi, degrees",
+       has_colors ? "N, 1/sr" : "N, 1/rad",
+       false,
+       {}},
       {name + "_S", name + ": S at theta_i = theta_o = 0 (green), logarithmic", "phi, degrees", "S, 1/sr", true, {}}};
   const Sweep sweeps[] = {{bsdf::Quantity::M, &bsdf::Point::theta_i, 90, {.theta_o = 20 * degree}},
                           {bsdf::Quantity::N, &bsdf::Point::phi, 180, {}},
@@ -80,30 +142,12 @@ Result<Curve> albedo_curve(const bsdf::Model& model, const std::string& settings
   return curve;
 }
 
-Result<std::vector<Landmark>> landmarks_of(const bsdf::Model& model, const std::string& settings) {
-  std::vector<Landmark> landmarks;
-  // A wide lobe's M peaks further out than its shift (0.8 degrees for TRT at a width of 0.4), so the fibre is made
-  // smooth.
-  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings + ",beta=0.02"));
-  const double shift = -2 * values.real("alpha") / degree;
-  const struct {
-    const char* lobe;
-    double factor;
-  } shifts[] = {{"R", -1}, {"TT", 0.5}, {"TRT", 1.5}};
-  for (const auto& expected : shifts) {
-    CUTICLE_ASSIGN(const int lobe, bsdf::find_lobe(model, expected.lobe));
-    CUTICLE_ASSIGN(const double peak, longitudinal_peak(model, values, lobe));
-    landmarks.push_back({std::string(model.entry.name),
-                         fmt::format("peak of M_{} in theta_i at theta_o = 0", expected.lobe), expected.factor * shift,
-                         peak});
-  }
-  const Sweep sweep{bsdf::Quantity::N, &bsdf::Point::phi, 60, {}};
-  CUTICLE_ASSIGN(const registry::ParameterValues glass, bsdf::parse_settings(model, "", "eta=1.55"));
-  CUTICLE_ASSIGN(const int trt, bsdf::find_lobe(model, "TRT"));
-  CUTICLE_ASSIGN(const Curve curve, sweep_curve(model, glass, sweep, trt, 12001));
-  landmarks.push_back(
-      {std::string(model.entry.name), "caustic of N_TRT at eta' = 1.55", 18.62, std::abs(peak_of(curve))});
-  return landmarks;
+Result<Landmarks> landmarks_of(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
+  CUTICLE_ASSIGN(Landmarks found, longitudinal_landmarks(model, settings, samples));
+  CUTICLE_ASSIGN(const Landmarks azimuthal, azimuthal_landmarks(model, samples));
+  found.places.insert(found.places.end(), azimuthal.places.begin(), azimuthal.places.end());
+  found.plots.insert(found.plots.end(), azimuthal.plots.begin(), azimuthal.plots.end());
+  return found;
 }
 
 }  // namespace cuticle::study

@@ -29,25 +29,23 @@ Result<void> add_model(LobesStudy& study, Plot& albedo, const bsdf::Model& model
   study.notes.push_back(fmt::format("{}: {} ({})", model.entry.name, mapping.settings, mapping.words));
   CUTICLE_ASSIGN(const std::vector<TierRow> rows, compare_tiers(model, mapping.settings, request));
   study.rows.insert(study.rows.end(), rows.begin(), rows.end());
-  CUTICLE_ASSIGN(const std::vector<Plot> plots, lobe_plots(model, mapping.settings, request.samples));
+  const std::string finest = finest_settings(model, mapping.settings);
+  CUTICLE_ASSIGN(const std::vector<Plot> plots, lobe_plots(model, finest, request.samples));
   study.plots.insert(study.plots.end(), plots.begin(), plots.end());
-  CUTICLE_ASSIGN(Curve curve, albedo_curve(model, mapping.settings, std::min<std::size_t>(request.samples, 61)));
+  CUTICLE_ASSIGN(Curve curve, albedo_curve(model, finest, std::min<std::size_t>(request.samples, 61)));
   albedo.curves.push_back(std::move(curve));
   if (model.entry.name != "marschner") return {};
-  CUTICLE_ASSIGN(study.landmarks, landmarks_of(model, mapping.settings));
+  CUTICLE_ASSIGN(const Landmarks landmarks, landmarks_of(model, mapping.settings, request.samples));
+  study.landmarks = landmarks.places;
+  study.plots.insert(study.plots.end(), landmarks.plots.begin(), landmarks.plots.end());
   return {};
 }
 
 Json row_json(const TierRow& row) {
-  return {{"method", row.model},
-          {"settings", row.settings},
-          {"tier", row.tier},
-          {"precision", row.precision},
-          {"reference", row.reference},
-          {"ns", row.ns},
-          {"median_error", row.median_error},
-          {"p99_error", row.p99_error},
-          {"max_error", row.max_error}};
+  return {
+      {"method", row.model},        {"settings", row.settings},  {"tier", row.tier}, {"precision", row.precision},
+      {"reference", row.reference}, {"points", row.points},      {"ns", row.ns},     {"median_error", row.median_error},
+      {"p99_error", row.p99_error}, {"max_error", row.max_error}};
 }
 
 Json plot_json(const Plot& plot) {
@@ -91,11 +89,11 @@ std::string to_json(const LobesStudy& study) {
 }
 
 std::string to_csv(const LobesStudy& study) {
-  std::string text = "model,tier,precision,reference,ns,median_error,p99_error,max_error,settings\n";
+  std::string text = "model,tier,precision,reference,points,ns,median_error,p99_error,max_error,settings\n";
   for (const TierRow& row : study.rows)
-    text +=
-        fmt::format("{},\"{}\",{},{},{:.4g},{:.3g},{:.3g},{:.3g},\"{}\"\n", row.model, row.tier, row.precision,
-                    row.reference ? "yes" : "no", row.ns, row.median_error, row.p99_error, row.max_error, row.settings);
+    text += fmt::format("{},\"{}\",{},{},{},{:.4g},{:.3g},{:.3g},{:.3g},\"{}\"\n", row.model, row.tier, row.precision,
+                        row.reference ? "yes" : "no", row.points, row.ns, row.median_error, row.p99_error,
+                        row.max_error, row.settings);
   return text;
 }
 

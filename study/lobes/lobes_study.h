@@ -13,8 +13,9 @@ struct LobesRequest {
   bsdf::Fibre fibre;                ///< mapped onto each model by its own `from_fibre`
   std::string fibre_name;           ///< for the page
   std::vector<std::string> models;  ///< empty: all that are registered
-  std::size_t points = 4096;        ///< random directions that errors are taken over
-  int repeats = 30;                 ///< timings, of which the best counts
+  std::size_t points = 4096;        ///< random directions that errors are taken over, at most
+  double reference_seconds = 20;    ///< one thread's time for a reference; where it takes more, fewer points
+  double seconds = 0.3;             ///< for the timings of a row together, of which the best counts
   std::size_t samples = 361;        ///< of each curve
 };
 
@@ -23,7 +24,8 @@ struct LobesRequest {
 struct TierRow {
   std::string model, tier, precision, settings;
   bool reference = false;
-  double ns = 0;  ///< per evaluation of S, rgb, one thread
+  std::size_t points = 0;  ///< that the errors are over
+  double ns = 0;           ///< per evaluation of S, rgb, one thread
   double median_error = 0, p99_error = 0, max_error = 0;
 };
 
@@ -43,6 +45,10 @@ struct Landmark {
   std::string model, what;
   double expected = 0, measured = 0;
 };
+struct Landmarks {
+  std::vector<Landmark> places;
+  std::vector<Plot> plots;
+};
 
 struct LobesStudy {
   std::string fibre_name;
@@ -58,12 +64,14 @@ Result<LobesStudy> run_lobes_study(const LobesRequest& request, Progress& progre
 /// The parts of run_lobes_study for one model whose parameters are `settings`.
 Result<std::vector<TierRow>> compare_tiers(const bsdf::Model& model, const std::string& settings,
                                            const LobesRequest& request);
+/// The settings with those of the model's last study case over them: the reference's.
+std::string finest_settings(const bsdf::Model& model, const std::string& settings);
 Result<std::vector<Plot>> lobe_plots(const bsdf::Model& model, const std::string& settings, std::size_t samples);
 /// Albedo against theta_o, as one curve.
 Result<Curve> albedo_curve(const bsdf::Model& model, const std::string& settings, std::size_t samples);
 /// Peaks of M at normal incidence with beta = 0.02, and the caustic of TRT for an index of 1.55, of a model called
-/// marschner.
-Result<std::vector<Landmark>> landmarks_of(const bsdf::Model& model, const std::string& settings);
+/// marschner; and the curves that they are places of.
+Result<Landmarks> landmarks_of(const bsdf::Model& model, const std::string& settings, std::size_t samples);
 
 std::string to_json(const LobesStudy& study);
 std::string to_csv(const LobesStudy& study);

@@ -41,18 +41,43 @@ std::vector<Tier> tiers_of(const bsdf::Model& model, const std::string& settings
 
 using Evaluate = void (*)(const registry::ParameterValues&, const bsdf::Request&, std::span<glm::dvec3>);
 
-/// The best of several runs over all points on one thread, in ns a point.
-double best_ns(Evaluate evaluate, const registry::ParameterValues& values, const std::vector<bsdf::Point>& points,
-               int repeats, Values& out) {
+Evaluate evaluate_of(const bsdf::Model& model, bsdf::Precision precision) {
+  return precision == bsdf::Precision::f64 ? model.evaluate_f64 : model.evaluate_f32;
+}
+
+/// Of one run over the points on one thread.
+double seconds_of(Evaluate evaluate, const registry::ParameterValues& values, std::span<const bsdf::Point> points,
+                  Values& out) {
+  const auto start = std::chrono::steady_clock::now();
+  evaluate(values, {bsdf::Quantity::S, -1, points}, std::span(out).first(points.size()));
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+constexpr std::size_t fewest_points = 16;
+
+/// The first of the points, as many as one thread takes `seconds` for.
+std::span<const bsdf::Point> points_within(double seconds, Evaluate evaluate, const registry::ParameterValues& values,
+                                           std::span<const bsdf::Point> points) {
+  if (points.size() <= fewest_points) return points;
+  Values out(fewest_points);
+  const double each = seconds_of(evaluate, values, points.first(fewest_points), out) / double(fewest_points);
+  return points.first(std::size_t(std::clamp(seconds / each, double(fewest_points), double(points.size()))));
+}
+
+constexpr double one_run = 1e-3;  // s: short ones find quiet moments on a busy machine
+
+/// The best of several runs on one thread, in ns a point; where points are slow, over fewer of them.
+double best_ns(Evaluate evaluate, const registry::ParameterValues& values, std::span<const bsdf::Point> points,
+               double seconds) {
+  const std::span<const bsdf::Point> timed = points_within(one_run, evaluate, values, points);
+  Values out(timed.size());
   double best = 1e300;
-  for (int run = 0; run < repeats; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    evaluate(values, {bsdf::Quantity::S, -1, points}, out);
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    best = std::min(best, time.count());
-    if (time.count() > 1e9) break;
+  for (double spent = 0; spent < seconds;) {
+    const double time = seconds_of(evaluate, values, timed, out);
+    best = std::min(best, time);
+    spent += time;
   }
-  return best / double(points.size());
+  return 1e9 * best / double(timed.size());
 }
 
 void set_errors(TierRow& row, const Values& values, const Values& reference) {
@@ -72,25 +97,46 @@ bool is_near(const bsdf::Model& model, const registry::ParameterValues& values) 
   return model.near_field && model.near_field(values);
 }
 
+/// The values that a field's tiers are compared with; as many points as they were worth.
+struct Reference {
+  std::span<const bsdf::Point> points;
+  Values values;
+};
+
+/// Evaluates on all threads at the reference's points, sets the row's errors, and times it.
+Result<void> measure(TierRow& row, const bsdf::Model& model, const registry::ParameterValues& values,
+                     bsdf::Precision precision, const LobesRequest& request, Reference& reference) {
+  Values out(reference.points.size());
+  CUTICLE_TRY(bsdf::evaluate(model, values, precision, {bsdf::Quantity::S, -1, reference.points}, out));
+  if (row.reference) reference.values = out;
+  set_errors(row, out, reference.values);
+  row.points = out.size();
+  row.ns = best_ns(evaluate_of(model, precision), values, reference.points, request.seconds);
+  return {};
+}
+
 }  // namespace
+
+std::string finest_settings(const bsdf::Model& model, const std::string& settings) {
+  return tiers_of(model, settings).back().settings;
+}
 
 Result<std::vector<TierRow>> compare_tiers(const bsdf::Model& model, const std::string& settings,
                                            const LobesRequest& request) {
   const std::vector<bsdf::Point> points = random_points(request.points);
   const std::vector<Tier> tiers = tiers_of(model, settings);
   // The near field is another function than the far field, so each has its own reference.
-  std::array<std::optional<Values>, 2> references;
-  Values out(points.size());
+  std::array<std::optional<Reference>, 2> references;
   std::vector<TierRow> rows;
   for (auto tier = tiers.rbegin(); tier != tiers.rend(); ++tier) {
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", tier->settings));
-    std::optional<Values>& reference = references[is_near(model, values)];
-    for (const bool in_double : {true, false}) {
-      TierRow row{std::string(model.entry.name), tier->name, in_double ? "f64" : "f32", tier->settings};
-      row.ns = best_ns(in_double ? model.evaluate_f64 : model.evaluate_f32, values, points, request.repeats, out);
+    std::optional<Reference>& reference = references[is_near(model, values)];
+    for (const bsdf::Precision precision : {bsdf::Precision::f64, bsdf::Precision::f32}) {
+      TierRow row{std::string(model.entry.name), tier->name, precision == bsdf::Precision::f64 ? "f64" : "f32",
+                  tier->settings};
       row.reference = !reference;
-      if (row.reference) reference = out;
-      set_errors(row, out, *reference);
+      if (row.reference) reference = {points_within(request.reference_seconds, model.evaluate_f64, values, points), {}};
+      CUTICLE_TRY(measure(row, model, values, precision, request, *reference));
       rows.push_back(std::move(row));
     }
   }

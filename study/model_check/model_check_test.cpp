@@ -122,6 +122,14 @@ TEST(ChiSquareOfASampler, ForAnotherDensity_IsImprobable) {
   EXPECT_LT(sampler_probability(*fibre, {.theta_o = 0.7, .h = 0.3}, 20000, 1), 1e-6);
 }
 
+// Beyond the samples' own range a bin is as wide as the sphere, and the tail of a lobe like this one would be missed.
+TEST(ChiSquareOfASampler, OfNarrowLobesTowardThePole_IsProbable) {
+  const bsdf::Model& karis = **bsdf::find_model("karis");
+  const Subject subject = subject_of(karis, *bsdf::parse_settings(karis, "", ""), bsdf::Precision::f64);
+  const std::optional<Scatterer> fibre = subject.make({Absorption::given, Roughness::narrow, Tilt::strong});
+  EXPECT_GT(sampler_probability(*fibre, {.theta_o = -80 * pi / 180}, 65536, 1), 1e-3);
+}
+
 TEST(Checks, SameSeed_GivesTheSameVerdicts) {
   const Check& check = checks()[4];
   EXPECT_EQ(check.name, "chi_square");

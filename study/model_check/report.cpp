@@ -1,6 +1,7 @@
 #include <cuticle/study/model_check/report.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/core.h>
 
@@ -57,8 +58,10 @@ bool Report::sound() const {
 
 Report check_subject(const Subject& subject, std::vector<bsdf::Exception> exceptions, const Options& options,
                      Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
   Report report{subject.name, run_checks(subject, options, progress), std::move(exceptions), {}};
   if (!report.sound()) report.diagnosis = diagnose(subject, report.verdicts, options);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 
@@ -70,11 +73,24 @@ std::string to_text(const Report& report) {
   return text;
 }
 
+std::string to_table(std::span<const Report> reports) {
+  std::string text = fmt::format("{:<34}", "model");
+  for (const Check& check : checks()) text += fmt::format(" {:<11}", check.name.substr(0, check.name.find('_')));
+  text += fmt::format(" {:>7}\n", "s");
+  for (const Report& report : reports) {
+    text += fmt::format("{:<34}", report.name);
+    for (const Verdict& verdict : report.verdicts) text += fmt::format(" {:<11}", word(report, verdict));
+    text += fmt::format(" {:7.1f}\n", report.seconds);
+  }
+  return text;
+}
+
 std::string to_json(std::span<const Report> reports) {
   Json all = Json::list();
   for (const Report& report : reports)
     all.push_back({{"model", report.name},
                    {"sound", report.sound()},
+                   {"seconds", report.seconds},
                    {"cause", name_of(report.diagnosis.cause)},
                    {"cause_words", report.diagnosis.words},
                    {"checks", checks_json(report)}});

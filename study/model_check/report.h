@@ -9,6 +9,7 @@ struct Report {
   std::vector<Verdict> verdicts;
   std::vector<bsdf::Exception> exceptions;  ///< checks that the model does not meet by its nature
   Diagnosis diagnosis;                      ///< where a check failed that is no exception
+  double seconds = 0;                       ///< wall clock of all checks
 
   /// The exception that excuses a check; null: none.
   const bsdf::Exception* stated(const Verdict& verdict) const;
@@ -22,8 +23,10 @@ Report check_subject(const Subject& subject, std::vector<bsdf::Exception> except
 
 /// One line a check: its name, "pass", "FAIL", "stated" or "-", measured and allowed, words.
 std::string to_text(const Report& report);
-/// An array of objects: model, sound, cause, cause_words, checks (check, verdict, measured, allowed, at_least, words,
-/// exception).
+/// One row a subject: the word of each check, and the seconds that they took together.
+std::string to_table(std::span<const Report> reports);
+/// An array of objects: model, sound, seconds, cause, cause_words, checks (check, verdict, measured, allowed, at_least,
+/// words, exception).
 std::string to_json(std::span<const Report> reports);
 
 /// A subject without parameters, from its callbacks; `white`: it absorbs nothing.

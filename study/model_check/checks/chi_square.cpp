@@ -44,12 +44,13 @@ double upper_fraction(double a, double x) {
   return value;
 }
 
-/// Inner edges that hold equal shares of the values.
+/// Inner edges that hold equal shares of the values, and where the values begin and end: beyond, a bin as wide as it
+/// is may hold the tail of a lobe that its quadrature would not find.
 std::vector<double> edges(std::vector<double> values, int bins, double low, double high) {
   std::sort(values.begin(), values.end());
   std::vector<double> all = {low};
-  for (int k = 1; k < bins; ++k) {
-    const double edge = values[values.size() * std::size_t(k) / std::size_t(bins)];
+  for (int k = 0; k <= bins; ++k) {
+    const double edge = values[(values.size() - 1) * std::size_t(k) / std::size_t(bins)];
     if (edge - all.back() > 1e-7 && high - edge > 1e-7) all.push_back(edge);
   }
   all.push_back(high);
