@@ -12,5 +12,11 @@ constexpr std::size_t instruction_set_count = 3;
 std::string_view name_of(InstructionSet set);
 /// Whether this processor has all that the compiler may use for it.
 bool processor_has(InstructionSet set);
+/// Of the same compiled for each set, that of the widest one that this processor has.
+template <class T>
+const T& widest(const T& baseline, const T& avx2, const T& avx512) {
+  if (processor_has(InstructionSet::avx512)) return avx512;
+  return processor_has(InstructionSet::avx2) ? avx2 : baseline;
+}
 
 }  // namespace cuticle

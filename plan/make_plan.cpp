@@ -34,17 +34,18 @@ Candidate one_of(const Entry& entry, const std::optional<scene::Block>& chosen, 
       chosen ? fmt::format("the scene's {} is '{}'", what, chosen->name) : fmt::format("the scene names no {}", what)};
 }
 
-bool fuses_effects(const scene::Scene& scene) {
+/// Whether the scene's solver does the work of this effect in its own dispatches.
+bool is_fused(const scene::Scene& scene, const Entry& entry) {
   if (!scene.simulation.solver) return false;
-  const auto solver = sim::find_effect(scene.simulation.solver->name);
-  return solver && (*solver)->fuses_effects;
+  const auto solver = sim::find_effect(scene.simulation.solver->name), effect = sim::find_effect(entry.name);
+  return solver && effect && (*solver)->fuses_effects && !(*effect)->acts_on_result;
 }
 
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> all;
   for (const Entry* entry : catalogue().solvers) all.push_back(one_of(*entry, scene.simulation.solver, "solver"));
   for (const Entry* entry : catalogue().effects)
-    all.push_back({entry, values_in(scene.simulation.effects, *entry), "", fuses_effects(scene)});
+    all.push_back({entry, values_in(scene.simulation.effects, *entry), "", is_fused(scene, *entry)});
   for (const Entry* entry : catalogue().methods) all.push_back(one_of(*entry, scene.shadow, "shadow method"));
   for (const Entry* entry : catalogue().passes) all.push_back({entry, values_in(scene.passes, *entry), ""});
   return all;

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <cuticle/sim/control/control_gpu.h>
+
 namespace cuticle::plan {
 
 sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
@@ -41,7 +43,11 @@ Result<void> StrandMotion::restart() {
   if (!scene_.simulation.solver) return {};
   const scene::Block& block = *scene_.simulation.solver;
   CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect(block.name));
-  CUTICLE_ASSIGN(solver_, effect->create(device_, set_.control, block.values, planned_effects(scene_, plan_)));
+  const sim::EffectBlocks effects = planned_effects(scene_, plan_);
+  CUTICLE_ASSIGN(solver_, effect->create(device_, set_.control, block.values, effects));
+  if (const auto control = effects.find("control"); control != effects.end()) {
+    CUTICLE_ASSIGN(solver_, sim::control::controlled_gpu(device_, std::move(solver_), set_.control, control->second));
+  }
   return settle();
 }
 

@@ -21,18 +21,20 @@ Result<void> check_transform(std::string_view name, const glm::dmat4& transform)
   double worst = std::abs(glm::determinant(turn) - 1);
   for (int k = 0; k < 9; ++k) worst = std::max(worst, std::abs(identity[k / 3][k % 3] - (k % 4 == 0 ? 1 : 0)));
   if (worst > k_rigid_tolerance)
-    return bad_input(fmt::format("{}: differs from a rotation by {:.3g}, allowed 0 .. {}", name, worst, k_rigid_tolerance),
-                     "give a rigid transform, without scale, shear or mirror");
+    return bad_input(
+        fmt::format("{}: differs from a rotation by {:.3g}, allowed 0 .. {}", name, worst, k_rigid_tolerance),
+        "give a rigid transform, without scale, shear or mirror");
   return {};
 }
 
 Result<void> check_colliders(std::span<const Sphere> colliders) {
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     const Sphere& sphere = colliders[i];
-    const bool finite = std::isfinite(sphere.center.x) && std::isfinite(sphere.center.y) && std::isfinite(sphere.center.z);
+    const bool finite =
+        std::isfinite(sphere.center.x) && std::isfinite(sphere.center.y) && std::isfinite(sphere.center.z);
     if (!finite || !std::isfinite(sphere.radius) || sphere.radius < 0)
-      return bad_input(fmt::format("colliders[{}]: centre ({}, {}, {}), radius {}: must be finite, radius at least 0", i,
-                                   sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius));
+      return bad_input(fmt::format("colliders[{}]: centre ({}, {}, {}), radius {}: must be finite, radius at least 0",
+                                   i, sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius));
   }
   return {};
 }

@@ -10,15 +10,15 @@
 
 namespace cuticle::sim {
 
-/// One substep. Rotations are unit quaternions (xyz, w), rest -> world. Positions in the state are relative to the head's
-/// translation, so a substep only needs how far that moved: no precision is lost 100 m from the origin.
+/// One substep. Rotations are unit quaternions (xyz, w), rest -> world. Positions in the state are relative to the
+/// head's translation, so a substep only needs how far that moved: no precision is lost 100 m from the origin.
 struct Substep {
-  float duration = 0;                     ///< seconds; 0: the state is carried, velocities kept
-  float gravity_factor = 0;               ///< h (h + previous h) / 2: what an acceleration adds to a position, s^2
-  glm::vec4 carry{0, 0, 0, 1};            ///< turn applied to the state before the step (first frame, teleport)
+  float duration = 0;           ///< seconds; 0: the state is carried, velocities kept
+  float gravity_factor = 0;     ///< h (h + previous h) / 2: what an acceleration adds to a position, s^2
+  glm::vec4 carry{0, 0, 0, 1};  ///< turn applied to the state before the step (first frame, teleport)
   glm::vec4 rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
-  glm::vec3 translation_step{0};          ///< metres that the head moves in the substep
-  glm::vec3 translation{0};               ///< the head's translation at the end of the frame, world
+  glm::vec3 translation_step{0};  ///< metres that the head moves in the substep
+  glm::vec3 translation{0};       ///< the head's translation at the end of the frame, world
 };
 
 /// ceil(duration / inner_step), between 1 and `most`: past that the step stretches.
@@ -27,9 +27,9 @@ std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most
 /// Follows the head from frame to frame.
 class HeadMotion {
  public:
-  /// Cuts a frame into `substeps` equal parts, and remembers where it ends. Error: bad_input naming the field when a matrix is
-  /// not finite or not rigid within 1e-3, the duration is outside 0 .. 100 s, or a collider is not finite or has a negative
-  /// radius; nothing is then remembered.
+  /// Cuts a frame into `substeps` equal parts, and remembers where it ends. Error: bad_input naming the field when a
+  /// matrix is not finite or not rigid within 1e-3, the duration is outside 0 .. 100 s, or a collider is not finite or
+  /// has a negative radius; nothing is then remembered.
   Result<std::vector<Substep>> advance(const FrameInput& input, std::uint32_t substeps);
 
  private:

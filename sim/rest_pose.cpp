@@ -11,7 +11,8 @@ constexpr double k_smallest_mass = 1e-3;
 
 std::vector<double> segment_lengths(std::span<const glm::vec3> strand) {
   std::vector<double> lengths(strand.size() + 1, 0.0);
-  for (std::size_t i = 1; i < strand.size(); ++i) lengths[i] = glm::distance(glm::dvec3(strand[i - 1]), glm::dvec3(strand[i]));
+  for (std::size_t i = 1; i < strand.size(); ++i)
+    lengths[i] = glm::distance(glm::dvec3(strand[i - 1]), glm::dvec3(strand[i]));
   return lengths;
 }
 
@@ -30,8 +31,8 @@ void append_strand(RestPose& pose, std::span<const glm::vec3> strand, std::uint3
     if (i >= clamped) reach += lengths[i];
     pose.places.emplace_back(strand[i], static_cast<float>(lengths[i]));
     pose.traits.emplace_back(i < clamped ? 0.f : inverse_mass(lengths, i, mean),
-                             static_cast<float>(total > 0 ? std::min(1.0, arc / total) : 0.0), static_cast<float>(reach),
-                             static_cast<float>(std::max(lengths[i], lengths[i + 1])));
+                             static_cast<float>(total > 0 ? std::min(1.0, arc / total) : 0.0),
+                             static_cast<float>(reach), static_cast<float>(std::max(lengths[i], lengths[i + 1])));
   }
 }
 

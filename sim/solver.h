@@ -1,5 +1,6 @@
 #pragma once
-// The concept of a strand solver and of the effects that act in it. State is stored relative to the head's frame origin.
+// The concept of a strand solver and of the effects that act in it. State is stored relative to the head's frame
+// origin.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -17,42 +18,47 @@
 
 namespace cuticle::sim {
 
-/// Parameters of the effects that the plan demands, by effect name ("gravity", "colliders", ...). An absent name: the effect
-/// is not simulated and none of its work is dispatched.
+/// Parameters of the effects that the plan demands, by effect name ("gravity", "colliders", ...). An absent name: the
+/// effect is not simulated and none of its work is dispatched.
 using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
 
-/// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space of
-/// the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is taken to
-/// stand at head_begin; the first frame starts from the rest pose there.
+/// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space
+/// of the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is
+/// taken to stand at head_begin; the first frame starts from the rest pose there.
 struct FrameInput {
-  double duration = 1.0 / 60;                ///< seconds, 0 .. 100; 0: a motion acts as a teleport
+  double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders;
-  bool teleport = false;                     ///< the whole state moves rigidly with the head, velocity kept in its frame
+  bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
+  /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
+  /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).
+  std::span<const glm::vec3> authored = {};
+  std::span<const float> control = {};
 };
 
 /// State at the end of a frame, in world space, one entry per control vertex.
 struct State {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> velocities;         ///< metres per second, the mean over the last substep
+  std::vector<glm::vec3> velocities;  ///< metres per second, the mean over the last substep
   /// Tension in the segment towards the root over the fibre's mass per length, m^2/s^2 (so times rho A: newtons); 0 in
   /// pressure, at roots and at carried vertices. Empty where the solver solves no tensions (classic).
   std::vector<float> tensions = {};
-  std::uint32_t guards_fired = 0;            ///< strands reset in the last frame because something was not finite
+  std::uint32_t guards_fired = 0;  ///< strands reset in the last frame because something was not finite
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots
 /// and where the rest length is 0).
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions);
 
-/// Curvature of the strands at these positions, 1/m: at a vertex 2 tan(a / 2) over the mean of the two segments' lengths,
-/// a the angle between them, at most 1e6; 0 at ends and beside segments of no length.
+/// Curvature of the strands at these positions, 1/m: at a vertex 2 tan(a / 2) over the mean of the two segments'
+/// lengths, a the angle between them, at most 1e6; 0 at ends and beside segments of no length.
 std::vector<float> curvature(const strands::Groom& rest, std::span<const glm::vec3> positions);
 
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// Error: bad_input naming the field when the input is not finite, not rigid or out of range; the state is then unchanged.
+  /// Error: bad_input naming the field when the input is not finite, not rigid or out of range; the state is then
+  /// unchanged.
   virtual Result<void> advance(const FrameInput& input) = 0;
   virtual Result<State> state() = 0;
 };
@@ -66,6 +72,8 @@ struct Effect {
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
   /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
   bool fuses_effects = false;
+  /// Whether an effect acts on the result of every solver, by dispatches of its own ("control").
+  bool acts_on_result = false;
 };
 std::span<const Effect* const> effects();
 Result<const Effect*> find_effect(std::string_view name);

@@ -9,8 +9,9 @@ namespace cuticle::sim {
 
 class GpuSolver : public Solver {
  public:
-  /// Records one frame into `commands`, as passes named "simulate." + effect name ("simulate.classic", "simulate.colliders").
-  /// A pass of that name is opened once per substep. Submit what was recorded before recording the next frame.
+  /// Records one frame into `commands`, as passes named "simulate." + effect name ("simulate.classic",
+  /// "simulate.colliders"). A pass of that name is opened once per substep. Submit what was recorded before recording
+  /// the next frame.
   virtual Result<void> record(gpu::Commands& commands, const FrameInput& input) = 0;
   /// World positions after the recorded work, vec4 per control vertex.
   virtual const gpu::Buffer& positions() const = 0;

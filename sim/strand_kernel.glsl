@@ -1,10 +1,15 @@
-// Storage and constants that the strand kernels share: sim/rest_pose.h, sim/classic/kernel_gpu.h. One thread per strand.
-layout(local_size_x = 64) in;
+// Storage and constants that the strand kernels share: sim/rest_pose.h, sim/classic/kernel_gpu.h. One thread per strand, or
+// the group that a kernel defines.
+#ifndef STRAND_THREADS
+#define STRAND_THREADS 64
+#define POSITIONS buffer
+#endif
+layout(local_size_x = STRAND_THREADS) in;
 
 layout(binding = 0) readonly buffer Offsets { uint offsets[]; };
 layout(binding = 1) readonly buffer Places { vec4 places[]; };      // rest position, segment length
 layout(binding = 2) readonly buffer Traits { vec4 traits[]; };      // inverse mass, fraction of length, reach, longest segment
-layout(binding = 3) buffer Positions { vec4 positions[]; };         // relative to the head's translation
+layout(binding = 3) POSITIONS Positions { vec4 positions[]; };         // relative to the head's translation
 layout(binding = 4) buffer Starts { vec4 starts[]; };               // the same at the substep's begin
 layout(binding = 5) buffer Velocities { vec4 velocities[]; };
 layout(binding = 6) buffer Resets { uint resets[]; };               // per strand: whether the guard fired in this frame

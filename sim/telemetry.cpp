@@ -11,8 +11,8 @@ namespace {
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Error not_finite(std::string_view what, const glm::vec3& v, int frame, std::size_t strand, std::size_t vertex) {
-  return internal_error(fmt::format("frame {}, strand {}, vertex {}: {} ({}, {}, {}) is not finite", frame, strand, vertex, what,
-                                    v.x, v.y, v.z));
+  return internal_error(fmt::format("frame {}, strand {}, vertex {}: {} ({}, {}, {}) is not finite", frame, strand,
+                                    vertex, what, v.x, v.y, v.z));
 }
 
 }  // namespace
@@ -41,17 +41,20 @@ Result<void> check_finite(const strands::Groom& rest, const State& state, int fr
   for (std::size_t s = 0; s < rest.strand_count(); ++s)
     for (std::size_t i = rest.offsets[s]; i < rest.offsets[s + 1]; ++i) {
       if (!finite(state.positions[i])) return not_finite("position", state.positions[i], frame, s, i - rest.offsets[s]);
-      if (!finite(state.velocities[i])) return not_finite("velocity", state.velocities[i], frame, s, i - rest.offsets[s]);
+      if (!finite(state.velocities[i]))
+        return not_finite("velocity", state.velocities[i], frame, s, i - rest.offsets[s]);
     }
   return {};
 }
 
-std::string telemetry_header() { return "frame,time,max_stretch,mean_stretch,max_tension,max_curvature,guards_fired,wall_ms\n"; }
+std::string telemetry_header() {
+  return "frame,time,max_stretch,mean_stretch,max_tension,max_curvature,guards_fired,wall_ms\n";
+}
 
 std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms) {
   return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{:.4g}\n", frame, time, telemetry.largest_stretch,
-                     telemetry.mean_stretch, telemetry.largest_tension, telemetry.largest_curvature, telemetry.guards_fired,
-                     wall_ms);
+                     telemetry.mean_stretch, telemetry.largest_tension, telemetry.largest_curvature,
+                     telemetry.guards_fired, wall_ms);
 }
 
 }  // namespace cuticle::sim

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cuticle/sim/classic/length_constraint.glslh>
+#include <cuticle/sim/classic/shape_sphere.glslh>
 #include <cuticle/sim/classic/verlet.glslh>
 #include <cuticle/sim/turn.glslh>
 
@@ -67,28 +68,49 @@ void keep_length(StrandView strand, std::size_t i, const glm::vec4& rotation) {
   strand.positions[i] -= excess * strand.traits[i].x;
 }
 
-/// One pass over the segments, root to tip.
-void sweep_lengths(StrandView strand, const StepConstants& step) {
-  const std::size_t anchor = anchor_of(strand, step);
+void keep_in_sphere(StrandView strand, std::size_t i, const glm::vec4& rotation, const Sweep& sweep) {
+  const float radius = shape_radius(sweep.sphere_root, sweep.sphere_tip, strand.traits[i].y);
+  strand.positions[i] = kept_within(strand.positions[i], strand.target(i, rotation), radius);
+}
+
+void sweep_in_sequence(StrandView strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
   for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
-    keep_reach(strand, i, anchor);
+    if (sweep.long_range) keep_reach(strand, i, anchor);
     keep_length(strand, i, step.rotation_end);
   }
 }
 
-void constrain(StrandView strand, const StepConstants& step, std::uint32_t iterations) {
-  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep) sweep_lengths(strand, step);
+/// The segments of a colour share no vertex, so that a kernel may correct them at once.
+void sweep_red_black(StrandView strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
+  for (std::size_t i = anchor + 1; sweep.long_range && i < strand.size(); ++i) keep_reach(strand, i, anchor);
+  for (std::size_t colour : {1, 2})
+    for (std::size_t i = anchor + colour; i < strand.size(); i += 2) keep_length(strand, i, step.rotation_end);
 }
 
-/// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so that
-/// leaving an overlap gives no velocity.
-void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts, std::uint32_t iterations) {
+/// One pass over the constraints of a strand.
+void sweep_lengths(StrandView strand, const StepConstants& step, const Sweep& sweep) {
   const std::size_t anchor = anchor_of(strand, step);
-  const glm::vec3 outward = direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
-  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward}, contacts.spheres, contacts.settings);
-  for (std::uint32_t sweep = 0; sweep < iterations; ++sweep) {
-    sweep_lengths(strand, step);
-    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward}, contacts.spheres, contacts.settings);
+  (sweep.red_black ? sweep_red_black : sweep_in_sequence)(strand, anchor, step, sweep);
+  for (std::size_t i = anchor + 1; sweep.has_spheres() && i < strand.size(); ++i)
+    keep_in_sphere(strand, i, step.rotation_end, sweep);
+}
+
+void constrain(StrandView strand, const StepConstants& step, const Settings& settings) {
+  for (std::uint32_t k = 0; k < settings.iterations; ++k) sweep_lengths(strand, step, settings.sweep);
+}
+
+/// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so
+/// that leaving an overlap gives no velocity.
+void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts, const Settings& settings) {
+  const std::size_t anchor = anchor_of(strand, step);
+  const glm::vec3 outward =
+      direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
+  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward}, contacts.spheres,
+                      contacts.settings);
+  for (std::uint32_t k = 0; k < settings.iterations; ++k) {
+    sweep_lengths(strand, step, settings.sweep);
+    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward}, contacts.spheres,
+                        contacts.settings);
   }
 }
 
@@ -117,8 +139,12 @@ bool finish(StrandView strand, const StepConstants& step) {
 class ClassicSolver final : public Solver {
  public:
   ClassicSolver(const strands::Groom& rest, const Settings& settings)
-      : settings_(settings), rest_(make_rest_pose(rest, settings.clamped_vertices)), positions_(rest.positions),
-        starts_(rest.positions), velocities_(rest.vertex_count(), glm::vec3(0)), resets_(rest.strand_count(), 0) {}
+      : settings_(settings),
+        rest_(make_rest_pose(rest, settings.clamped_vertices)),
+        positions_(rest.positions),
+        starts_(rest.positions),
+        velocities_(rest.vertex_count(), glm::vec3(0)),
+        resets_(rest.strand_count(), 0) {}
 
   Result<void> advance(const FrameInput& input) override {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
@@ -146,8 +172,8 @@ class ClassicSolver final : public Solver {
     if (strand.size() == 0) return;
     for (const StepConstants& step : steps) {
       integrate(strand, step);
-      constrain(strand, step, settings_.iterations);
-      if (!contacts.spheres.empty()) meet_spheres(strand, step, contacts, settings_.iterations);
+      constrain(strand, step, settings_);
+      if (!contacts.spheres.empty()) meet_spheres(strand, step, contacts, settings_);
       if (finish(strand, step)) resets_[index] = 1;
     }
   }

@@ -4,7 +4,10 @@
 #include <cuticle/sim/solver_gpu.h>
 #include <cuticle/sim/strand_buffers_gpu.h>
 
+#include <bit>
+
 #include <constraints_comp.spv.h>
+#include <constraints_red_black_comp.spv.h>
 #include <integrate_comp.spv.h>
 
 namespace cuticle::sim::classic {
@@ -22,6 +25,19 @@ static_assert(sizeof(KernelConstants) == 128, "the layout of sim/strand_kernel.g
 
 constexpr std::string_view k_pass = "simulate.classic";
 
+/// In the order of the constant ids in constraints.glsl.
+std::vector<std::uint32_t> specialization(const Sweep& sweep) {
+  return {sweep.red_black, sweep.long_range, std::bit_cast<std::uint32_t>(sweep.sphere_root),
+          std::bit_cast<std::uint32_t>(sweep.sphere_tip)};
+}
+std::span<const std::uint32_t> constraints_code(const Sweep& sweep) {
+  if (sweep.red_black) return constraints_red_black_comp;
+  return constraints_comp;
+}
+
+/// Work groups that every device takes in one dispatch; the kernel of a group per strand walks on from there.
+constexpr std::uint32_t k_most_groups = 65535;
+
 class ClassicGpuSolver final : public GpuSolver {
  public:
   ClassicGpuSolver(std::shared_ptr<gpu::Device> device, const strands::Groom& rest, const Settings& settings)
@@ -29,9 +45,12 @@ class ClassicGpuSolver final : public GpuSolver {
 
   Result<void> make() {
     CUTICLE_ASSIGN(buffers_, make_strand_buffers(*device_, pose_));
-    const gpu::ShaderInterface interface{.storage_buffers = k_strand_buffers, .push_constant_bytes = sizeof(KernelConstants)};
+    const gpu::ShaderInterface interface {
+      .storage_buffers = k_strand_buffers, .push_constant_bytes = sizeof(KernelConstants),
+      .specialization = specialization(settings_.sweep)
+    };
     CUTICLE_ASSIGN(integrate_, device_->make_kernel(integrate_comp, interface));
-    CUTICLE_ASSIGN(constraints_, device_->make_kernel(constraints_comp, interface));
+    CUTICLE_ASSIGN(constraints_, device_->make_kernel(constraints_code(settings_.sweep), interface));
     if (!settings_.contact) return {};
     CUTICLE_ASSIGN(contact_, colliders::make_contact_kernel(*device_, interface));
     return {};
@@ -41,7 +60,8 @@ class ClassicGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     const bool touches = settings_.contact && !input.colliders.empty();
     if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, colliders::packed(input.colliders)));
-    for (std::size_t k = 0; k < parts.size(); ++k) record_substep(commands, constants(parts[k], k == 0, input), touches);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      record_substep(commands, constants(parts[k], k == 0, input), touches);
     return {};
   }
 
@@ -55,7 +75,8 @@ class ClassicGpuSolver final : public GpuSolver {
   Result<State> state() override {
     const std::size_t vertices = pose_.places.size();
     CUTICLE_ASSIGN(const std::vector<glm::vec4> world, gpu::read_buffer<glm::vec4>(*device_, buffers_.world, vertices));
-    CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities, gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
+    CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities,
+                   gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
     CUTICLE_ASSIGN(const std::vector<std::uint32_t> resets,
                    gpu::read_buffer<std::uint32_t>(*device_, buffers_.resets, pose_.strand_count()));
     State state;
@@ -87,23 +108,26 @@ class ClassicGpuSolver final : public GpuSolver {
     return constants;
   }
 
-  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const KernelConstants& constants) const {
+  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const KernelConstants& constants,
+                std::uint32_t groups) const {
     const StrandBuffers& b = buffers_;
-    commands.dispatch(kernel, {&b.offsets, &b.places, &b.traits, &b.positions, &b.starts, &b.velocities, &b.resets, &b.world,
-                               &b.spheres},
-                      {}, gpu::bytes_of(constants), (constants.step.strand_count + 63) / 64);
+    commands.dispatch(
+        kernel,
+        {&b.offsets, &b.places, &b.traits, &b.positions, &b.starts, &b.velocities, &b.resets, &b.world, &b.spheres}, {},
+        gpu::bytes_of(constants), groups);
   }
 
   /// With spheres the contact's kernel, which sweeps lengths and spheres in turn, ends the substep.
   void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches) const {
+    const std::uint32_t strands = constants.step.strand_count, groups = (strands + 63) / 64;
     commands.begin_pass(k_pass);
-    dispatch(commands, integrate_, constants);
+    dispatch(commands, integrate_, constants, groups);
     constants.ends_substep = !touches;
-    dispatch(commands, constraints_, constants);
+    dispatch(commands, constraints_, constants, settings_.sweep.red_black ? std::min(strands, k_most_groups) : groups);
     commands.end_pass();
     if (!touches) return;
     commands.begin_pass(colliders::k_contact_pass);
-    dispatch(commands, contact_, constants);
+    dispatch(commands, contact_, constants, groups);
     commands.end_pass();
   }
 

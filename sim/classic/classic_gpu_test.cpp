@@ -23,7 +23,28 @@ TEST(ClassicGpu, TenFrames_StayNearCpuTwin) {
   const State a = run_frames(*cpu, 10, {&k_head, 1}), b = run_frames(*kernels, 10, {&k_head, 1});
   const double worst = worst_distance(a.positions, b.positions);
   std::printf("after 10 frames of 8 substeps: %.2e m\n", worst);
-  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(ClassicGpu, RedBlackWithSpheresAroundTargets_StaysNearCpuTwin) {
+  const strands::Groom groom = ring(100);
+  for (const std::string settings :
+       {"order=red_black", "order=red_black,long_range=false,sphere_root=0.01,sphere_tip=0.1"}) {
+    auto cpu = make_classic(groom, settings, gravity());
+    auto kernels = make_gpu("classic", groom, settings, gravity());
+    const double worst = worst_distance(run_frames(*cpu, 10).positions, run_frames(*kernels, 10).positions);
+    std::printf("%s: after 10 frames %.2e m\n", settings.c_str(), worst);
+    EXPECT_LT(worst, 1e-6);
+  }
+}
+
+TEST(ClassicGpu, RedBlackBesideACollider_StaysNearCpuTwin) {
+  const strands::Groom groom = ring(100);
+  const std::string settings = "order=red_black,sphere_root=0.01,sphere_tip=0.1";
+  auto cpu = make_classic(groom, settings, gravity_and_colliders());
+  auto kernels = make_gpu("classic", groom, settings, gravity_and_colliders());
+  const State a = run_frames(*cpu, 5, {&k_head, 1}), b = run_frames(*kernels, 5, {&k_head, 1});
+  EXPECT_LT(worst_distance(a.positions, b.positions), 1e-6);
 }
 
 TEST(ClassicGpu, TwoRuns_AreBitIdentical) { expect_bit_identical_runs("classic", ring(100)); }
@@ -49,7 +70,8 @@ TEST(ClassicGpu, NoColliders_NoCollisionDispatch) {
   const FrameInput none = frame_of(0);
   FrameInput spheres = none;
   spheres.colliders = {&k_head, 1};
-  auto without_effect = make_gpu("classic", groom, "", gravity()), without_spheres = make_gpu("classic", groom, "", gravity_and_colliders());
+  auto without_effect = make_gpu("classic", groom, "", gravity()),
+       without_spheres = make_gpu("classic", groom, "", gravity_and_colliders());
   EXPECT_EQ(recorded(*without_effect, spheres).count("simulate.colliders"), 0u);
   EXPECT_EQ(recorded(*without_spheres, none).count("simulate.colliders"), 0u);
   EXPECT_EQ(without_spheres->dispatches(none).count("colliders"), 0u);

@@ -111,15 +111,18 @@ State after_swing(const strands::Groom& groom, const std::function<void(FrameInp
 
 TEST(ClassicHard, TeleportThenFrame_IsFrameThenRigidMove) {
   const strands::Groom groom = ring(8);
-  const glm::dmat4 jump = glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(40, -3, 25)), 2.2, glm::normalize(glm::dvec3(1, 2, -1)));
+  const glm::dmat4 jump =
+      glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(40, -3, 25)), 2.2, glm::normalize(glm::dvec3(1, 2, -1)));
   const State stayed = after_swing(groom, [](FrameInput&) {});
   const State jumped = after_swing(groom, [&](FrameInput& input) {
     input.head_end = jump * input.head_begin;
     input.teleport = true;
   });
   for (std::size_t i = 0; i < groom.vertex_count(); ++i) {
-    EXPECT_LT(glm::distance(glm::dvec3(jumped.positions[i]), glm::dvec3(jump * glm::dvec4(stayed.positions[i], 1))), 2e-5);
-    EXPECT_LT(glm::distance(glm::dvec3(jumped.velocities[i]), glm::dmat3(jump) * glm::dvec3(stayed.velocities[i])), 5e-4);
+    EXPECT_LT(glm::distance(glm::dvec3(jumped.positions[i]), glm::dvec3(jump * glm::dvec4(stayed.positions[i], 1))),
+              2e-5);
+    EXPECT_LT(glm::distance(glm::dvec3(jumped.velocities[i]), glm::dmat3(jump) * glm::dvec3(stayed.velocities[i])),
+              5e-4);
   }
 }
 
@@ -146,7 +149,9 @@ TEST(ClassicHard, FirstFrameFarFromOrigin_StartsInTheRestPoseThere) {
   ASSERT_TRUE(solver->advance(input).ok());
   const State state = solver->state().value();
   for (std::size_t i = 0; i < groom.vertex_count(); ++i)
-    EXPECT_LT(glm::distance(glm::dvec3(state.positions[i]), glm::dvec3(input.head_end * glm::dvec4(groom.positions[i], 1))), 4e-6);
+    EXPECT_LT(
+        glm::distance(glm::dvec3(state.positions[i]), glm::dvec3(input.head_end * glm::dvec4(groom.positions[i], 1))),
+        4e-6);
 }
 
 TEST(ClassicHard, BadInput_IsRefusedByNameAndChangesNothing) {

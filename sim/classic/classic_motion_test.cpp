@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <cuticle/sim/classic/test_strands.h>
+#include <cuticle/sim/rest_pose.h>
 
 namespace cuticle::sim {
 namespace {
@@ -59,11 +60,13 @@ TEST(ClassicMotion, HangingChain_ComesToRestStraightAndUnstretched) {
 }
 
 /// Worst stretch while a horizontal strand falls and swings for a second.
-double swing_stretch(const std::vector<double>& segments, int iterations) {
+double swing_stretch(const std::vector<double>& segments, int iterations, const std::string& settings = {}) {
   const strands::Groom groom = one_strand(segments);
-  auto solver = make_classic(groom, k_free + ",damping=2,iterations=" + std::to_string(iterations), gravity());
+  auto solver =
+      make_classic(groom, k_free + ",damping=2,iterations=" + std::to_string(iterations) + settings, gravity());
   double worst = 0;
-  for (int frame = 0; frame < 30; ++frame) worst = std::max(worst, worst_stretch(groom, run_still(*solver, 1, 1.0 / 30)));
+  for (int frame = 0; frame < 30; ++frame)
+    worst = std::max(worst, worst_stretch(groom, run_still(*solver, 1, 1.0 / 30)));
   return worst;
 }
 
@@ -78,6 +81,66 @@ TEST(ClassicMotion, MoreIterations_StretchLess) {
   EXPECT_LT(previous, 0.02);
 }
 
+TEST(ClassicMotion, RedBlackOrder_ConvergesAsTheSequenceDoes) {
+  double previous = 10;
+  for (int iterations : {4, 16, 64}) {
+    const double worst = swing_stretch(uniform_segments(16, 0.3), iterations, ",order=red_black");
+    std::printf("red and black, %d iterations: worst stretch %.4f\n", iterations, worst);
+    EXPECT_LT(worst, previous);
+    previous = worst;
+  }
+  EXPECT_LT(previous, 0.0035);
+}
+
+/// Farthest that a vertex of a falling strand gets from its root over the arc between them.
+double farthest_over_reach(const std::string& settings) {
+  const std::vector<double> segments = uniform_segments(16, 0.3);
+  const strands::Groom groom = one_strand(segments);
+  auto solver = make_classic(groom, k_free + ",iterations=1," + settings, gravity());
+  double worst = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    const State state = run_still(*solver, 1, 1.0 / 30);
+    for (std::size_t i = 1; i < groom.vertex_count(); ++i)
+      worst = std::max(worst, double(glm::distance(state.positions[i], state.positions[0])) / (0.3 * double(i) / 16));
+  }
+  return worst;
+}
+
+TEST(ClassicMotion, LongRangeAttachments_HoldTheReachThatOneSweepLoses) {
+  for (const std::string order : {"sequence", "red_black"}) {
+    const double free = farthest_over_reach("long_range=false,order=" + order),
+                 held = farthest_over_reach("order=" + order);
+    std::printf("%s, one sweep: farthest over the reach %.4f, with long range attachments %.4f\n", order.c_str(), free,
+                held);
+    EXPECT_GT(free, 1.5);
+    EXPECT_LT(held, 1.06);
+  }
+}
+
+TEST(ClassicMotion, SphereAroundTheTarget_HoldsEveryVertexWithinItsRadius) {
+  const strands::Groom groom = ring(8);
+  for (const std::string order : {"sequence", "red_black"}) {
+    auto solver = make_classic(groom, k_free + ",sphere_root=0.005,sphere_tip=0.05,order=" + order, gravity());
+    const RestPose pose = make_rest_pose(groom, 1);
+    double worst = 0, tip = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+      const FrameInput input = frame_of(frame);
+      ASSERT_TRUE(solver->advance(input).ok());
+      const State state = solver->state().value();
+      for (std::size_t i = 0; i < groom.vertex_count(); ++i) {
+        const glm::dvec3 target(input.head_end * glm::dvec4(groom.positions[i], 1));
+        const double radius = 0.005 + 0.045 * double(pose.traits[i].y),
+                     away = glm::distance(glm::dvec3(state.positions[i]), target);
+        worst = std::max(worst, away - radius);
+        tip = std::max(tip, away);
+      }
+    }
+    std::printf("%s: farthest past the sphere %.2e m, farthest from the target %.4f m\n", order.c_str(), worst, tip);
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_GT(tip, 0.045);
+  }
+}
+
 TEST(ClassicMotion, SevenVerticesGrowingOneToEight_StretchIsBounded) {
   const double worst = swing_stretch(growing_segments(6, 0.3, 8), 4);
   std::printf("6 segments growing 1:8, 4 iterations: worst stretch %.4f\n", worst);
@@ -89,7 +152,9 @@ TEST(ClassicMotion, FallingHead_LeavesItsHairInShape) {
   const strands::Groom groom = one_strand(growing_segments(8, 0.3, 8), {0.6, 0.8, 0});
   auto solver = make_classic(groom, k_free + ",inner_step=1", gravity());
   const double h = 1.0 / 60;
-  const auto fallen = [&](int k) { return glm::translate(glm::dmat4(1), glm::dvec3(0, -0.5 * 9.80665 * h * h * k * k, 0)); };
+  const auto fallen = [&](int k) {
+    return glm::translate(glm::dmat4(1), glm::dvec3(0, -0.5 * 9.80665 * h * h * k * k, 0));
+  };
   FrameInput input;
   input.duration = h;
   for (int k = 0; k < 30; ++k) {
@@ -133,7 +198,8 @@ TEST(ClassicMotion, ClampedVertices_FollowTheHeadExactly) {
   const glm::dmat4 head = frame_of(9).head_end;
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     for (std::size_t i : {groom.offsets[s], groom.offsets[s] + 1})
-      EXPECT_LT(glm::distance(glm::dvec3(state.positions[i]), glm::dvec3(head * glm::dvec4(groom.positions[i], 1))), 2e-7);
+      EXPECT_LT(glm::distance(glm::dvec3(state.positions[i]), glm::dvec3(head * glm::dvec4(groom.positions[i], 1))),
+                2e-7);
 }
 
 TEST(ClassicMotion, HundredMetresFromOrigin_MovesAsAtTheOrigin) {

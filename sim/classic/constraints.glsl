@@ -1,4 +1,11 @@
-// N8 in the kernels: length sweeps over a strand, and the end of a substep. After sim/strand_kernel.glsl.
+// N8, H4 to H6 in the kernels: sweeps over a strand's constraints, and the end of a substep. After sim/strand_kernel.glsl.
+#include "cuticle/sim/classic/shape_sphere.glslh"
+layout(constant_id = 0) const uint red_black = 0u;
+layout(constant_id = 1) const uint long_range = 1u;
+layout(constant_id = 2) const float sphere_root = 0;
+layout(constant_id = 3) const float sphere_tip = 0;
+bool has_spheres() { return sphere_root > 0 || sphere_tip > 0; }
+
 void keep_reach(uint i, uint anchor) {
   vec3 before = direction_of(starts[i].xyz - starts[anchor].xyz);
   positions[i].xyz -= reach_excess(positions[i].xyz - positions[anchor].xyz, traits[i].z, before);
@@ -15,12 +22,32 @@ void keep_length(uint i) {
   positions[i].xyz -= excess * traits[i].x;
 }
 
-// One pass over the segments, root to tip.
-void sweep_lengths(uint anchor, uint last) {
+void keep_in_sphere(uint i) {
+  float radius = shape_radius(sphere_root, sphere_tip, traits[i].y);
+  positions[i].xyz = kept_within(positions[i].xyz, target_of(i, rotation_end), radius);
+}
+
+void sweep_in_sequence(uint anchor, uint last) {
   for (uint i = anchor + 1u; i < last; ++i) {
-    keep_reach(i, anchor);
+    if (long_range != 0u) keep_reach(i, anchor);
     keep_length(i);
   }
+}
+
+void sweep_red_black(uint anchor, uint last) {
+  for (uint i = anchor + 1u; long_range != 0u && i < last; ++i) keep_reach(i, anchor);
+  for (uint i = anchor + 1u; i < last; i += 2u) keep_length(i);
+  for (uint i = anchor + 2u; i < last; i += 2u) keep_length(i);
+}
+
+// One pass over the constraints of a strand, by one thread.
+void sweep_lengths(uint anchor, uint last) {
+  if (red_black != 0u) {
+    sweep_red_black(anchor, last);
+  } else {
+    sweep_in_sequence(anchor, last);
+  }
+  for (uint i = anchor + 1u; has_spheres() && i < last; ++i) keep_in_sphere(i);
 }
 
 #include "cuticle/sim/finite.glsl"

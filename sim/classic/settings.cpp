@@ -23,7 +23,7 @@ std::uint32_t substeps(const Settings& settings, double duration) {
 
 Result<void> check_effects(const EffectBlocks& effects) {
   for (const auto& [name, values] : effects)
-    if (name != "gravity" && name != "colliders")
+    if (name != "gravity" && name != "colliders" && name != "control")
       return usage_error("the solver 'classic' has no effect '" + name + "'", "choose the solver 'exact'");
   return {};
 }
@@ -38,7 +38,12 @@ Settings make_settings(const registry::ParameterValues& solver, const EffectBloc
   settings.shape_stiffness = solver.real("shape_stiffness");
   settings.shape_tip = static_cast<float>(solver.real("shape_tip"));
   settings.sag_free = settings.shape_stiffness > 0 && solver.boolean("sag_free");
-  if (auto gravity = effects.find("gravity"); gravity != effects.end()) settings.gravity = gravity->second.rgb("acceleration");
+  settings.sweep = {.red_black = solver.choice("order") == "red_black",
+                    .long_range = solver.boolean("long_range"),
+                    .sphere_root = static_cast<float>(solver.real("sphere_root")),
+                    .sphere_tip = static_cast<float>(solver.real("sphere_tip"))};
+  if (auto gravity = effects.find("gravity"); gravity != effects.end())
+    settings.gravity = gravity->second.rgb("acceleration");
   if (auto contact = effects.find("colliders"); contact != effects.end())
     settings.contact = colliders::make_contact_settings(contact->second);
   return settings;
@@ -62,7 +67,8 @@ StepConstants make_step(const Settings& settings, const Substep& substep, std::u
   step.rotation_end = substep.rotation_end;
   step.head_step = substep.translation_step;
   step.velocity_to_step = static_cast<float>(h * std::exp(-settings.damping * h));
-  step.fall = glm::vec3((settings.gravity - balancing_force(settings, substep.rotation_end)) * double(substep.gravity_factor));
+  step.fall =
+      glm::vec3((settings.gravity - balancing_force(settings, substep.rotation_end)) * double(substep.gravity_factor));
   step.shape_rate = static_cast<float>(settings.shape_stiffness * h);
   step.shape_tip = settings.shape_tip;
   step.inverse_duration = h > 0 ? static_cast<float>(1 / h) : 0.f;

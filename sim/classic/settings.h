@@ -9,6 +9,14 @@
 
 namespace cuticle::sim::classic {
 
+/// What a sweep of the constraints does.
+struct Sweep {
+  bool red_black = false;                 ///< every other segment at once, then the rest: order of H4; else root to tip
+  bool long_range = true;                 ///< H5: no vertex beyond its arc from the last carried one
+  float sphere_root = 0, sphere_tip = 0;  ///< H6: radii, metres; both 0: no spheres
+  bool has_spheres() const { return sphere_root > 0 || sphere_tip > 0; }
+};
+
 /// Parameters of the solver and of the effects that act in it; see entry.cpp for units, ranges and defaults.
 struct Settings {
   double inner_step = 0;
@@ -16,7 +24,8 @@ struct Settings {
   double damping = 0, shape_stiffness = 0;
   float shape_tip = 0;
   bool sag_free = false;
-  glm::dvec3 gravity{0};                          ///< m/s^2; zero without the effect
+  Sweep sweep;
+  glm::dvec3 gravity{0};                              ///< m/s^2; zero without the effect
   std::optional<colliders::ContactSettings> contact;  ///< present with the effect
 };
 /// Error: usage, naming an effect that this solver does not know.
@@ -29,12 +38,12 @@ std::uint32_t substeps(const Settings& settings, double duration);
 /// Constants of one substep; the layout is that of the kernels' push constants.
 struct StepConstants {
   glm::vec4 carry{0, 0, 0, 1}, rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
-  glm::vec3 head_step{0};         ///< metres that the head's translation moves
-  float velocity_to_step = 0;     ///< h exp(-damping h): what is left of a velocity, as a displacement
-  glm::vec3 fall{0};              ///< gravity's share of the new position, metres
-  float shape_rate = 0;           ///< shape stiffness times h, at the root
+  glm::vec3 head_step{0};      ///< metres that the head's translation moves
+  float velocity_to_step = 0;  ///< h exp(-damping h): what is left of a velocity, as a displacement
+  glm::vec3 fall{0};           ///< gravity's share of the new position, metres
+  float shape_rate = 0;        ///< shape stiffness times h, at the root
   float shape_tip = 0;
-  float inverse_duration = 0;     ///< 1/h; 0 when no time passes: velocities are kept
+  float inverse_duration = 0;  ///< 1/h; 0 when no time passes: velocities are kept
   std::uint32_t strand_count = 0, clamped_vertices = 1;
 };
 StepConstants make_step(const Settings& settings, const Substep& substep, std::uint32_t strand_count);

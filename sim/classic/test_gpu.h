@@ -9,8 +9,8 @@ inline std::shared_ptr<gpu::Device> device() {
   static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
   return shared;
 }
-inline std::unique_ptr<GpuSolver> make_gpu(std::string_view name, const strands::Groom& groom, const std::string& settings,
-                                           const EffectBlocks& effects) {
+inline std::unique_ptr<GpuSolver> make_gpu(std::string_view name, const strands::Groom& groom,
+                                           const std::string& settings, const EffectBlocks& effects) {
   return (*find_gpu_effect(name))->create(device(), groom, settings_of(name, settings), effects).value();
 }
 

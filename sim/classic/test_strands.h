@@ -7,23 +7,26 @@
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <cuticle/sim/solver.h>
 
 namespace cuticle::sim::testing {
 
 /// A straight strand from `root` along `direction` (unit) with these segment lengths, metres.
-inline void add_straight(strands::Groom& groom, glm::dvec3 root, const glm::dvec3& direction, const std::vector<double>& segments) {
+inline void add_straight(strands::Groom& groom, glm::dvec3 root, const glm::dvec3& direction,
+                         const std::vector<double>& segments) {
   groom.positions.emplace_back(root);
   for (double segment : segments) groom.positions.emplace_back(root += direction * segment);
   groom.radii.resize(groom.positions.size(), strands::k_default_radius);
   groom.offsets.push_back(static_cast<std::uint32_t>(groom.positions.size()));
 }
-inline std::vector<double> uniform_segments(int count, double total) { return std::vector<double>(count, total / count); }
+inline std::vector<double> uniform_segments(int count, double total) {
+  return std::vector<double>(count, total / count);
+}
 /// Segments that grow geometrically from root to tip; the last is `ratio` times the first.
 inline std::vector<double> growing_segments(int count, double total, double ratio) {
   std::vector<double> segments(count);
@@ -52,14 +55,16 @@ inline EffectBlocks gravity() { return {{"gravity", settings_of("gravity")}}; }
 inline EffectBlocks gravity_and_colliders(const std::string& colliders = {}) {
   return {{"gravity", settings_of("gravity")}, {"colliders", settings_of("colliders", colliders)}};
 }
-inline std::unique_ptr<Solver> make_solver(std::string_view name, const strands::Groom& groom, const std::string& settings,
-                                           const EffectBlocks& effects) {
+inline std::unique_ptr<Solver> make_solver(std::string_view name, const strands::Groom& groom,
+                                           const std::string& settings, const EffectBlocks& effects) {
   return (*find_effect(name))->create(groom, settings_of(name, settings), effects).value();
 }
-inline std::unique_ptr<Solver> make_classic(const strands::Groom& groom, const std::string& settings, const EffectBlocks& effects) {
+inline std::unique_ptr<Solver> make_classic(const strands::Groom& groom, const std::string& settings,
+                                            const EffectBlocks& effects) {
   return make_solver("classic", groom, settings, effects);
 }
-inline std::unique_ptr<Solver> make_exact(const strands::Groom& groom, const std::string& settings, const EffectBlocks& effects) {
+inline std::unique_ptr<Solver> make_exact(const strands::Groom& groom, const std::string& settings,
+                                          const EffectBlocks& effects) {
   return make_solver("exact", groom, settings, effects);
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 using glm::dvec3;
 
-/// Position after `time` in steps of h, from x0 with v0; the first step starts from a true velocity, so its fall is half.
+/// Position after `time` in steps of h, from x0 with v0; the first step starts from a true velocity, so its fall is
+/// half.
 dvec3 run(dvec3 x0, dvec3 v0, dvec3 acceleration, double damping, double stiffness, double h, double time) {
   dvec3 x = x0, displacement = v0 * h;
   const int steps = int(std::lround(time / h));

@@ -39,13 +39,15 @@ Penetration fallen_on_ball(const std::string& settings) {
   const Sphere ball{{0.1, -0.03, 0}, 0.05};
   auto solver = make_classic(groom, k_free + ",damping=2,iterations=16", gravity_and_colliders(settings));
   Penetration worst;
-  for (int frame = 0; frame < 60; ++frame) worst = deeper(worst, penetration(groom, run_still(*solver, 1, 1.0 / 30, {&ball, 1}), ball));
+  for (int frame = 0; frame < 60; ++frame)
+    worst = deeper(worst, penetration(groom, run_still(*solver, 1, 1.0 / 30, {&ball, 1}), ball));
   return worst;
 }
 
 TEST(Colliders, FittedPearls_KeepVerticesAndSegmentsOut) {
   const Penetration depth = fallen_on_ball("pearl_radius=0,fit_pearls=true");
-  std::printf("fitted pearls, ball of 50 mm, segments of 100 mm: vertices %.2e m, segments %.2e m\n", depth.vertices, depth.segments);
+  std::printf("fitted pearls, ball of 50 mm, segments of 100 mm: vertices %.2e m, segments %.2e m\n", depth.vertices,
+              depth.segments);
   EXPECT_LT(depth.vertices, 1e-5);
   EXPECT_LT(depth.segments, 1e-4);
 }

@@ -22,11 +22,11 @@ std::vector<glm::vec4> packed(std::span<const Sphere> spheres);
 
 /// One strand at one end of a substep. Spans hold one entry per vertex.
 struct Contact {
-  std::span<const glm::vec4> traits;   ///< RestPose::traits
-  std::span<glm::vec3> places;         ///< relative to the head's translation
-  std::size_t anchor = 0;              ///< last vertex that the head carries
-  glm::vec4 rotation{0, 0, 0, 1};      ///< of the head, at that end
-  glm::vec3 fallback{0, 1, 0};         ///< unit: where a vertex at a sphere's very centre leaves to
+  std::span<const glm::vec4> traits;  ///< RestPose::traits
+  std::span<glm::vec3> places;        ///< relative to the head's translation
+  std::size_t anchor = 0;             ///< last vertex that the head carries
+  glm::vec4 rotation{0, 0, 0, 1};     ///< of the head, at that end
+  glm::vec3 fallback{0, 1, 0};        ///< unit: where a vertex at a sphere's very centre leaves to
 };
 /// Pushes the free vertices out of every sphere in turn.
 void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings);

@@ -8,7 +8,8 @@ namespace cuticle::sim::colliders {
 
 inline constexpr std::string_view k_contact_pass = "simulate.colliders";
 
-/// Pushes strands out of the spheres, keeping lengths, and ends the substep: buffers and constants as in sim/strand_kernel.glsl, one thread per strand.
+/// Pushes strands out of the spheres, keeping lengths, and ends the substep: buffers and constants as in
+/// sim/strand_kernel.glsl, one thread per strand.
 Result<gpu::Kernel> make_contact_kernel(gpu::Device& device, const gpu::ShaderInterface& interface);
 
 }  // namespace cuticle::sim::colliders

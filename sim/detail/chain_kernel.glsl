@@ -40,32 +40,20 @@ uint first_vertex, lane, strand_base;
 uint rest_at(uint i, uint row) { return ((first_vertex + i) * k_rest_rows + row) * k_lanes + lane; }
 uint state_at(uint i, uint row) { return ((first_vertex + i) * k_state_rows + row) * k_lanes + lane; }
 uint scratch_at(uint i, uint row) { return ((first_vertex + i) * k_scratch_rows + row) * k_lanes + lane; }
-vec3 state_vector(uint i, uint row) {
-  uint at = state_at(i, row);
-  return vec3(state[at], state[at + k_lanes], state[at + 2u * k_lanes]);
-}
-void put_state(uint i, uint row, vec3 v) {
-  uint at = state_at(i, row);
-  state[at] = v.x;
-  state[at + k_lanes] = v.y;
-  state[at + 2u * k_lanes] = v.z;
-}
-vec3 scratch_vector(uint i, uint row) {
-  uint at = scratch_at(i, row);
-  return vec3(scratch[at], scratch[at + k_lanes], scratch[at + 2u * k_lanes]);
-}
-void put_scratch(uint i, uint row, vec3 v) {
-  uint at = scratch_at(i, row);
-  scratch[at] = v.x;
-  scratch[at + k_lanes] = v.y;
-  scratch[at + 2u * k_lanes] = v.z;
-}
-vec3 target_of(uint i) {
-  uint at = rest_at(i, k_target);
-  return vec3(rest[at], rest[at + k_lanes], rest[at + 2u * k_lanes]);
-}
-vec3 anchor_place() {
-  return vec3(strands[strand_base], strands[strand_base + k_lanes], strands[strand_base + 2u * k_lanes]);
+#define VECTOR_AT(rows, at) vec3(rows[at], rows[(at) + k_lanes], rows[(at) + 2u * k_lanes])
+#define PUT_VECTOR(rows, at, v) \
+  rows[at] = (v).x;             \
+  rows[(at) + k_lanes] = (v).y; \
+  rows[(at) + 2u * k_lanes] = (v).z
+vec3 state_vector(uint i, uint row) { return VECTOR_AT(state, state_at(i, row)); }
+void put_state(uint i, uint row, vec3 v) { PUT_VECTOR(state, state_at(i, row), v); }
+vec3 scratch_vector(uint i, uint row) { return VECTOR_AT(scratch, scratch_at(i, row)); }
+void put_scratch(uint i, uint row, vec3 v) { PUT_VECTOR(scratch, scratch_at(i, row), v); }
+vec3 target_of(uint i) { return VECTOR_AT(rest, rest_at(i, k_target)); }
+vec3 anchor_place() { return VECTOR_AT(strands, strand_base); }
+ChainVertex chain_vertex(uint i) {
+  return ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
+                     state_vector(i, k_velocity_before));
 }
 
 LinkSphere sphere_at(ChainStep s, uint k) {

@@ -1,7 +1,7 @@
 #pragma once
-// What the solvers of rigid links do with all lanes of a block, for their units of one instruction set: those are compiled
-// several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. Every loop over lanes is one
-// block of arithmetic without calls or branches, which the compiler turns into vectors.
+// What the solvers of rigid links do with all lanes of a block, for their units of one instruction set: those are
+// compiled several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. Every loop over
+// lanes is one block of arithmetic without calls or branches, which the compiler turns into vectors.
 #include <cuticle/core/flush_to_zero.h>
 #include <cuticle/sim/detail/chain_rows.h>
 
@@ -69,6 +69,12 @@ struct VertexRows {
   Real* state_at(int row) const { return state + row * W; }
   Real* scratch_at(int row) const { return scratch + row * W; }
 };
+
+template <class Real>
+[[gnu::always_inline]] inline ChainVertex<Real> chain_vertex(const VertexRows<Real>& v, int lane) {
+  return {vector_at(v.state_at(state_row::here), lane), vector_at(v.state_at(state_row::before), lane),
+          vector_at(v.state_at(state_row::velocity), lane), vector_at(v.state_at(state_row::velocity_before), lane)};
+}
 
 template <class Real>
 void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step, StrandRows<Real>& rows) {

@@ -1,6 +1,6 @@
 #pragma once
-// The arrays of a block of strands that have equally many links. Included by units for one instruction set that no symbol
-// may leave, so it holds types only.
+// The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
+// symbol may leave, so it holds types only.
 #include <cuticle/sim/detail/link_contact.glslh>
 
 namespace cuticle::sim::detail {
@@ -38,7 +38,8 @@ struct ChainBlock {
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };
 
-/// The substeps of a frame and the spheres within reach, whose centres are in rest space; `sphere_rows`: 4 * k_lanes for each.
+/// The substeps of a frame and the spheres within reach, whose centres are in rest space; `sphere_rows`: 4 * k_lanes
+/// for each.
 template <class Real>
 struct ChainFrame {
   const ChainStep<Real>* steps;

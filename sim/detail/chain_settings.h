@@ -1,6 +1,6 @@
 #pragma once
-// Parameters of the solvers of rigid links as numbers, and the constants of a frame's substeps: shared by the CPU and the
-// kernels.
+// Parameters of the solvers of rigid links as numbers, and the constants of a frame's substeps: shared by the CPU and
+// the kernels.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -24,7 +24,8 @@ struct ChainSettings {
   std::optional<water::Water> water;                  ///< present with the effect
   std::optional<colliders::ContactSettings> contact;  ///< present with the effect
 };
-/// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision, effects.
+/// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
+/// effects.
 ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
 
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration);

@@ -11,7 +11,8 @@ namespace {
 template <class Real>
 class ChainSolver final : public Solver {
  public:
-  ChainSolver(const strands::Groom& rest, const ChainSettings& settings, Chains<Real> chains, ChainProgram<Real> program)
+  ChainSolver(const strands::Groom& rest, const ChainSettings& settings, Chains<Real> chains,
+              ChainProgram<Real> program)
       : settings_(settings),
         rest_(rest),
         chains_(std::move(chains)),
@@ -55,8 +56,8 @@ class ChainSolver final : public Solver {
     if (!program_.own.empty())
       block.own = program_.own.data() + chains_.blocks[b].first_vertex * std::size_t(program_.own_rows) * k_lanes;
     const Advance<Real> advance = room.near.empty() ? program_.free : program_.touching;
-    advance(block, {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()),
-                    room.numbers.data() + scratch});
+    advance(block,
+            {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()), room.numbers.data() + scratch});
     reset_broken_lanes(chains_, b, placing_);
   }
 
@@ -117,8 +118,8 @@ class ChainSolver final : public Solver {
 }  // namespace
 
 template <class Real>
-std::unique_ptr<Solver> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings, Chains<Real> chains,
-                                          ChainProgram<Real> program) {
+std::unique_ptr<Solver> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
+                                          Chains<Real> chains, ChainProgram<Real> program) {
   return std::make_unique<ChainSolver<Real>>(rest, settings, std::move(chains), std::move(program));
 }
 template std::unique_ptr<Solver> make_chain_solver<float>(const strands::Groom&, const ChainSettings&, Chains<float>,

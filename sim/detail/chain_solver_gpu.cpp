@@ -46,7 +46,11 @@ class ChainGpuSolver final : public GpuSolver {
  public:
   ChainGpuSolver(std::shared_ptr<gpu::Device> device, const strands::Groom& rest, const ChainSettings& settings,
                  Chains<float> chains, ChainGpuProgram program)
-      : device_(std::move(device)), settings_(settings), rest_(rest), chains_(std::move(chains)), program_(std::move(program)) {}
+      : device_(std::move(device)),
+        settings_(settings),
+        rest_(rest),
+        chains_(std::move(chains)),
+        program_(std::move(program)) {}
 
   Result<void> make() {
     CUTICLE_TRY(make_buffers());
@@ -167,9 +171,9 @@ class ChainGpuSolver final : public GpuSolver {
 
 }  // namespace
 
-Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
-                                                         const ChainSettings& settings, Chains<float> chains,
-                                                         ChainGpuProgram program) {
+Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device,
+                                                         const strands::Groom& rest, const ChainSettings& settings,
+                                                         Chains<float> chains, ChainGpuProgram program) {
   auto made =
       std::make_unique<ChainGpuSolver>(std::move(device), rest, settings, std::move(chains), std::move(program));
   CUTICLE_TRY(made->make());

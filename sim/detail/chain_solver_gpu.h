@@ -12,9 +12,9 @@ struct ChainGpuProgram {
   int scratch_rows = scratch_row::count;
   std::vector<float> own;  ///< the rows that the solver adds to a vertex of the chains, see ChainProgram
 };
-Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
-                                                         const ChainSettings& settings, Chains<float> chains,
-                                                         ChainGpuProgram program);
+Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device,
+                                                         const strands::Groom& rest, const ChainSettings& settings,
+                                                         Chains<float> chains, ChainGpuProgram program);
 
 /// Error: that of strands::validate; bad_input for an empty groom; usage where double precision is asked for.
 Result<void> check_for_gpu(const strands::Groom& rest, const ChainSettings& settings);

@@ -107,9 +107,13 @@ void add_block(Chains<Real>& chains, std::span<const Chain> all, std::span<const
 template <class Real>
 ChainBlock<Real> Chains<Real>::block(std::size_t index, Real* scratch) {
   const BlockPlace& place = blocks[index];
-  return {int(place.links), rest.data() + place.first_vertex * rest_row::count * k_lanes,
+  return {int(place.links),
+          rest.data() + place.first_vertex * rest_row::count * k_lanes,
           state.data() + place.first_vertex * state_row::count * k_lanes,
-          strand.data() + index * strand_row::count * k_lanes, scratch, scratch_row::count, nullptr};
+          strand.data() + index * strand_row::count * k_lanes,
+          scratch,
+          scratch_row::count,
+          nullptr};
 }
 
 template <class Real>
@@ -157,7 +161,8 @@ std::vector<float> tensions_of(const Chains<Real>& chains, const strands::Groom&
     for (std::size_t i = rest.offsets[s] + place.anchor + 1; i < rest.offsets[s + 1]; ++i) {
       const std::size_t link = chains.links_of_vertex[i], row = (block.first_vertex + link) * state_row::count;
       const double length = double(chains.rest_at(place.block, link, rest_row::length)[place.lane]);
-      tensions[i] = static_cast<float>(double(numbers[(row + state_row::tension) * k_lanes + place.lane]) * length * mean);
+      tensions[i] =
+          static_cast<float>(double(numbers[(row + state_row::tension) * k_lanes + place.lane]) * length * mean);
     }
   }
   return tensions;

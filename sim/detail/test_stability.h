@@ -108,7 +108,6 @@ inline double run(std::string_view name, const strands::Groom& groom, const std:
 
 inline constexpr const char* k_names[] = {"still", "50 m/s kicks", "100 m jumps", "teleports"};
 
-
 /// Every shape and disturbance at every duration with these settings keeps its lengths; prints a row for each.
 inline void expect_lengths(std::string_view name, const std::vector<std::string>& parameters, int frames) {
   for (const auto& [shape, groom] : shapes())
@@ -143,13 +142,13 @@ struct BallCase {
   double resting = 1e-3;  ///< m/s
 };
 inline const BallCase k_balls[] = {{"rooted on the head", {-0.05, -0.0866, 0}, 0.0999, {0.866, -0.5, 0}},
-                            {"rooted on the head, aslant", {-0.05, -0.0866, 0}, 0.0999, {0.5, 0.33, 0.8}},
-                            {"ball under the root", {0.02, -0.15, 0.01}, 0.1, {1, 0, 0}, 2e-3},
-                            {"smaller ball under the root", {0.05, -0.2, 0}, 0.08, {1, 0, 0}},
-                            {"ball under the root, centred", {0, -0.15, 0}, 0.1, {0, 1, 0}},
-                            {"rope over a small ball", {0.1, -0.02, 0}, 0.02, {1, 0, 0}},
-                            {"ball smaller than a link", {0.1, -0.02, 0}, 0.003, {1, 0, 0}},
-                            {"starts inside", {0.15, 0, 0.01}, 0.05, {1, 0, 0}}};
+                                   {"rooted on the head, aslant", {-0.05, -0.0866, 0}, 0.0999, {0.5, 0.33, 0.8}},
+                                   {"ball under the root", {0.02, -0.15, 0.01}, 0.1, {1, 0, 0}, 2e-3},
+                                   {"smaller ball under the root", {0.05, -0.2, 0}, 0.08, {1, 0, 0}},
+                                   {"ball under the root, centred", {0, -0.15, 0}, 0.1, {0, 1, 0}},
+                                   {"rope over a small ball", {0.1, -0.02, 0}, 0.02, {1, 0, 0}},
+                                   {"ball smaller than a link", {0.1, -0.02, 0}, 0.003, {1, 0, 0}},
+                                   {"starts inside", {0.15, 0, 0.01}, 0.05, {1, 0, 0}}};
 
 struct Rest {
   double stretch = 0, depth = 0,

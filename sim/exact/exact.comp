@@ -6,8 +6,7 @@ const uint k_scratch_rows = 16u;
 
 // Tip to root.
 void predict(uint i, ChainStep s, StrandStep strand, inout TensionCarry below) {
-  ChainVertex v = ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
-                              state_vector(i, k_velocity_before));
+  ChainVertex v = chain_vertex(i);
   vec3 from = scheme_from(v, strand), coast = coasted(v, strand);
 #if PULLS
   vec3 target = turned_to_end(s, target_of(i));

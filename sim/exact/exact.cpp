@@ -10,10 +10,10 @@ extern const Kernels kernels_baseline, kernels_avx2, kernels_avx512;
 
 const Kernels& best_kernels() {
 #if defined(CUTICLE_HAS_WIDE_SETS)
-  if (processor_has(InstructionSet::avx512)) return kernels_avx512;
-  if (processor_has(InstructionSet::avx2)) return kernels_avx2;
-#endif
+  return widest(kernels_baseline, kernels_avx2, kernels_avx512);
+#else
   return kernels_baseline;
+#endif
 }
 
 detail::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
@@ -29,8 +29,9 @@ Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registr
   const detail::ChainSettings settings = make_settings(solver, effects);
   const Kernels& kernels = best_kernels();
   if (settings.double_precision)
-    return detail::make_chain_solver<double>(rest, settings, detail::make_chains<double>(rest, settings),
-                                             {.free = kernels.advance_double, .touching = kernels.advance_double, .own = {}});
+    return detail::make_chain_solver<double>(
+        rest, settings, detail::make_chains<double>(rest, settings),
+        {.free = kernels.advance_double, .touching = kernels.advance_double, .own = {}});
   const auto& advance = kernels.advance[settings.shape_stiffness > 0];
   return detail::make_chain_solver<float>(rest, settings, detail::make_chains<float>(rest, settings),
                                           {.free = advance[0], .touching = advance[1], .own = {}});

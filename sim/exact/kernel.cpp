@@ -12,9 +12,7 @@ template <class Real, bool Pulls>
 void predict(const VertexRows<Real> v, const ChainStep<Real>& step, StrandRows<Real>& rows) {
   const ChainStep<Real> s = step;
   each_lane([&](int lane) CUTICLE_INLINED {
-    const ChainVertex<Real> vertex{
-        vector_at(v.state_at(state_row::here), lane), vector_at(v.state_at(state_row::before), lane),
-        vector_at(v.state_at(state_row::velocity), lane), vector_at(v.state_at(state_row::velocity_before), lane)};
+    const ChainVertex<Real> vertex = chain_vertex(v, lane);
     const StrandStep<Real> strand = step_at(rows, lane);
     const glm::vec<3, Real> from = scheme_from(vertex, strand), coast = coasted(vertex, strand);
     Displacement<Real> d;
@@ -121,9 +119,8 @@ void substep(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const
     eliminate<Real, Touches>(vertex(i), vertex(i - 1), i % 2 ? step.end_x : step.end_y, rows);
   }
   for (int i = block.links; i >= 1; --i) substitute(vertex(i), vertex(i + 1));
-  follow_all<Real, Touches>(block, frame, step, rows, [&](int i) {
-    aim<Real, Touches>(vertex(i), vertex(i - 1), vertex(i + 1), rows);
-  });
+  follow_all<Real, Touches>(block, frame, step, rows,
+                            [&](int i) { aim<Real, Touches>(vertex(i), vertex(i - 1), vertex(i + 1), rows); });
 }
 
 template <class Real, bool Pulls, bool Touches>

@@ -72,8 +72,8 @@ struct Balance {
 };
 
 template <class Real>
-void fill_hinge(const RestRod& rod, std::size_t i, const Stiffness& stiffness, const glm::dvec3& gravity, Balance& below,
-                std::array<Real, hinge_row::count>& row) {
+void fill_hinge(const RestRod& rod, std::size_t i, const Stiffness& stiffness, const glm::dvec3& gravity,
+                Balance& below, std::array<Real, hinge_row::count>& row) {
   const glm::dvec3 &above = rod.directions[i - 1], &here = rod.directions[i];
   const Hinge<double> axes = hinge_between(above, here, rod.directors[i - 1], 1.0, 0.0, 0.0);  // C: the first axis
   const glm::dvec3 middle = glm::cross(axes.natural, axes.natural_spin);
@@ -102,8 +102,8 @@ void fill_hinge(const RestRod& rod, std::size_t i, const Stiffness& stiffness, c
 }
 
 template <class Real>
-void fill_lane(std::vector<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod, const Stiffness& stiffness,
-               const glm::dvec3& gravity) {
+void fill_lane(std::vector<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod,
+               const Stiffness& stiffness, const glm::dvec3& gravity) {
   const auto at = [&](std::size_t i, std::size_t row) -> Real& {
     return hinges[((first + i) * hinge_row::count + row) * k_lanes + lane];
   };
@@ -122,7 +122,8 @@ void fill_lane(std::vector<Real>& hinges, std::size_t first, std::size_t lane, c
 }  // namespace
 
 template <class Real>
-std::vector<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness, const glm::dvec3& gravity) {
+std::vector<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
+                              const glm::dvec3& gravity) {
   std::vector<Real> hinges(chains.rest.size() / detail::rest_row::count * hinge_row::count, Real(0));
   for (std::size_t b = 0; b < chains.blocks.size(); ++b)
     for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)

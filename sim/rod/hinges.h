@@ -10,10 +10,11 @@ struct Stiffness {
 };
 
 /// Rows of hinge_row for every vertex of the chains. The clamp is half a cell: a hinge of 2 EI / l_1 against the rest
-/// direction of the first link. Hinges bend by half of the adjacent lengths, of which none counts as less than 1/1000 of
-/// the strand. Without `gravity` (m/s^2, rest space) the rest pose is the natural shape; with it the natural shape is the
-/// one that gravity bends and twists into the rest pose, hinge by hinge from the tip, exactly.
+/// direction of the first link. Hinges bend by half of the adjacent lengths, of which none counts as less than 1/1000
+/// of the strand. Without `gravity` (m/s^2, rest space) the rest pose is the natural shape; with it the natural shape
+/// is the one that gravity bends and twists into the rest pose, hinge by hinge from the tip, exactly.
 template <class Real>
-std::vector<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness, const glm::dvec3& gravity);
+std::vector<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
+                              const glm::dvec3& gravity);
 
 }  // namespace cuticle::sim::rod

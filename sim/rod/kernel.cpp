@@ -12,7 +12,7 @@ using namespace detail;
 
 #define ROWS Real*
 #define UNROLLED
-#define AT(rows, row) (rows)[(row) * k_lanes + lane]
+#define AT(rows, row) (rows)[(row)*k_lanes + lane]
 #define BAND_BEGIN rod_row::band
 #define RIGHT_BEGIN rod_row::right
 #include "cuticle/sim/rod/rod_band.glslh"
@@ -26,9 +26,7 @@ void coast(const ChainBlock<Real>& block, int i, const ChainStep<Real>& step, co
   const VertexRows<Real> v(block, i), parent(block, i - 1), tip(block, block.links);
   const ChainStep<Real> s = step;
   each_lane([&](int lane) CUTICLE_INLINED {
-    const ChainVertex<Real> vertex{
-        vector_at(v.state_at(state_row::here), lane), vector_at(v.state_at(state_row::before), lane),
-        vector_at(v.state_at(state_row::velocity), lane), vector_at(v.state_at(state_row::velocity_before), lane)};
+    const ChainVertex<Real> vertex = chain_vertex(v, lane);
     const StrandStep<Real> strand = step_at(rows, lane);
     const glm::vec<3, Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
     const Coast<Real> c = coast_of(vertex.here, from, drift, free_displacement(s, strand, drift).moved,
@@ -39,8 +37,7 @@ void coast(const ChainBlock<Real>& block, int i, const ChainStep<Real>& step, co
                             direction = direction_or(c.place - vector_at(parent.scratch_at(rod_row::coasted), lane),
                                                      Real(1e-3) * length, before);
     put(v.scratch_at(rod_row::coasted), lane, c.place);
-    put(v.scratch_at(rod_row::coast), lane,
-        vector_at(parent.scratch_at(rod_row::coast), lane) + direction * length);
+    put(v.scratch_at(rod_row::coast), lane, vector_at(parent.scratch_at(rod_row::coast), lane) + direction * length);
     put(v.scratch_at(scratch_row::direction), lane, direction);
     put(v.scratch_at(scratch_row::place), lane, c.predicted);
     put(v.state_at(state_row::before), lane, vertex.here - strand.root_step);
@@ -109,9 +106,9 @@ template <class Real>
 void substitute_angle(const ChainBlock<Real>& block, int i) {
   const VertexRows<Real> v(block, i), below(block, i + 1);
   each_lane([&](int lane) CUTICLE_INLINED {
-    v.scratch_at(rod_row::angle_value)[lane] = limited_turn(
-        multiplier(v.scratch_at(rod_row::angle_value)[lane], v.scratch_at(rod_row::angle_coupling)[lane],
-                   below.scratch_at(rod_row::angle_value)[lane]));
+    v.scratch_at(rod_row::angle_value)[lane] =
+        limited_turn(multiplier(v.scratch_at(rod_row::angle_value)[lane], v.scratch_at(rod_row::angle_coupling)[lane],
+                                below.scratch_at(rod_row::angle_value)[lane]));
   });
 }
 
@@ -126,8 +123,9 @@ void pull(const ChainBlock<Real>& block, int i, const StrandRows<Real>& rows) {
   each_lane([&](int lane) CUTICLE_INLINED {
     const Real turn = v.scratch_at(rod_row::angle_value)[lane], time = rows.time[lane];
     const Real above = parent.scratch_at(rod_row::angle_value)[lane];
-    const glm::vec<3, Real> natural = spun(vector_at(v.scratch_at(rod_row::natural), lane),
-                                           vector_at(v.scratch_at(rod_row::natural_spin), lane), Real(0.5) * (turn + above));
+    const glm::vec<3, Real> natural =
+        spun(vector_at(v.scratch_at(rod_row::natural), lane), vector_at(v.scratch_at(rod_row::natural_spin), lane),
+             Real(0.5) * (turn + above));
     const glm::vec<3, Real> here = vector_at(v.scratch_at(scratch_row::direction), lane),
                             parent_direction = vector_at(parent.scratch_at(scratch_row::direction), lane);
     const glm::vec<3, Real> chord = here - parent_direction;
@@ -145,20 +143,21 @@ void pull(const ChainBlock<Real>& block, int i, const StrandRows<Real>& rows) {
 
 FN HingeRow<Real> hinge_row_at(const ChainBlock<Real>& block, const VertexRows<Real>& v, int i, int lane) {
   return {vector_at(v.scratch_at(rod_row::pull), lane), vector_at(v.scratch_at(rod_row::spin_pull), lane),
-          v.scratch_at(rod_row::gain)[lane],
-          v.scratch_at(rod_row::spin)[lane], hinge_at(block, i, hinge_row::inverse_length)[lane]};
+          v.scratch_at(rod_row::gain)[lane], v.scratch_at(rod_row::spin)[lane],
+          hinge_at(block, i, hinge_row::inverse_length)[lane]};
 }
 
 template <class Real, bool Touches>
 void assemble(const ChainBlock<Real>& block, int i, const ChainStep<Real>& step, const StrandRows<Real>& rows) {
-  const int end = block.links + 1, above = i > 1 ? i - 1 : end;  // nothing bends past the ends: rows of the end are zero
+  const int end = block.links + 1,
+            above = i > 1 ? i - 1 : end;  // nothing bends past the ends: rows of the end are zero
   const VertexRows<Real> v(block, i), child(block, i + 1), grandchild(block, i + 2 < end ? i + 2 : end);
-  const Real *parent_inverse = hinge_at(block, above, hinge_row::inverse_length);
+  const Real* parent_inverse = hinge_at(block, above, hinge_row::inverse_length);
   const Real drag = step.drag;
   each_lane([&](int lane) CUTICLE_INLINED {
-    const BendRow<Real> bends = bend_row(hinge_row_at(block, v, i, lane), hinge_row_at(block, child, i + 1, lane),
-                                         hinge_row_at(block, grandchild, i + 2 < end ? i + 2 : end, lane),
-                                         parent_inverse[lane]);
+    const BendRow<Real> bends =
+        bend_row(hinge_row_at(block, v, i, lane), hinge_row_at(block, child, i + 1, lane),
+                 hinge_row_at(block, grandchild, i + 2 < end ? i + 2 : end, lane), parent_inverse[lane]);
     const Real time = rows.time[lane], mass = v.rest_at(rest_row::mass)[lane] * (Real(1) + drag * time);
     const Real taut = v.state_at(state_row::tension)[lane] * (time * time),
                taut_below = child.state_at(state_row::tension)[lane] * (time * time);
@@ -178,9 +177,8 @@ void eliminate_one(Real* own, Real* parent, Real* grandparent) {
 }
 template <class Real, int C>
 void eliminate_row(Real* own, Real* parent, Real* grandparent) {
-  [&]<int... J>(std::integer_sequence<int, J...>) {
-    (eliminate_one<Real, C, 8 - J>(own, parent, grandparent), ...);
-  }(std::make_integer_sequence<int, 8>());
+  [&]<int... J>(std::integer_sequence<int, J...>) { (eliminate_one<Real, C, 8 - J>(own, parent, grandparent), ...); }
+  (std::make_integer_sequence<int, 8>());
   each_lane([&](int lane) CUTICLE_INLINED { eliminate_pivot(own, parent, grandparent, C, lane); });
 }
 template <class Real>
@@ -214,7 +212,8 @@ void aim(const ChainBlock<Real>& block, int i, StrandRows<Real>& rows) {
   each_lane([&](int lane) CUTICLE_INLINED {
     v.state_at(state_row::tension)[lane] =
         next_tension(Real(0), -v.scratch_at(rod_row::right + 3)[lane], inverse_length[lane], rows.time[lane]);
-    aim_lane(v, parent, lane, vector_at(v.scratch_at(rod_row::coast), lane) + vector_at(v.scratch_at(rod_row::right), lane),
+    aim_lane(v, parent, lane,
+             vector_at(v.scratch_at(rod_row::coast), lane) + vector_at(v.scratch_at(rod_row::right), lane),
              vector_at(v.scratch_at(scratch_row::direction), lane), rows);
   });
 }

@@ -27,8 +27,7 @@ float scratch_number(uint i, uint row) { return scratch[scratch_at(i, row)]; }
 void put_number(uint i, uint row, float value) { scratch[scratch_at(i, row)] = value; }
 
 void coast(uint i, uint links, ChainStep s, StrandStep strand) {
-  ChainVertex v = ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
-                              state_vector(i, k_velocity_before));
+  ChainVertex v = chain_vertex(i);
   vec3 from = scheme_from(v, strand), drift = coasted(v, strand);
   Coast c = coast_of(v.here, from, drift, free_displacement(s, strand, drift).moved, fall_of(s, strand.time),
                      rest[rest_at(links, k_reach)]);

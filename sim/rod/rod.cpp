@@ -12,14 +12,15 @@ namespace {
 
 const Kernels& best_kernels() {
 #if defined(CUTICLE_HAS_WIDE_SETS)
-  if (processor_has(InstructionSet::avx512)) return kernels_avx512;
-  if (processor_has(InstructionSet::avx2)) return kernels_avx2;
-#endif
+  return widest(kernels_baseline, kernels_avx2, kernels_avx512);
+#else
   return kernels_baseline;
+#endif
 }
 
 template <class Real>
-std::unique_ptr<Solver> make(const strands::Groom& rest, const Settings& settings, const detail::Advance<Real> (&advance)[2]) {
+std::unique_ptr<Solver> make(const strands::Groom& rest, const Settings& settings,
+                             const detail::Advance<Real> (&advance)[2]) {
   detail::Chains<Real> chains = detail::make_chains<Real>(rest, settings.chain);
   std::vector<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
   return detail::make_chain_solver<Real>(rest, settings.chain, std::move(chains),

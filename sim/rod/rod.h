@@ -15,9 +15,9 @@ struct Settings {
 };
 Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
 
-/// A solver for these strands, in metres. Effects that are read: "gravity", "colliders", "wind", "water". Threads, lengths,
-/// welded segments and resets: as sim/exact. The bent rest pose is kept; a clamped rod under gravity is the discrete elastica
-/// to 3e-5 of H/W at any step (RodTruth.HeavyElastica_...). Error: that of strands::validate.
+/// A solver for these strands, in metres. Effects that are read: "gravity", "colliders", "wind", "water". Threads,
+/// lengths, welded segments and resets: as sim/exact. The bent rest pose is kept; a clamped rod under gravity is the
+/// discrete elastica to 3e-5 of H/W at any step (RodTruth.HeavyElastica_...). Error: that of strands::validate.
 Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
                                        const EffectBlocks& effects);
 

@@ -23,7 +23,8 @@ TEST(RodStability, AfterKicksAndJumps_ComesToRest) {
     for (double duration : {1.0 / 480, 1.0 / 60, 0.1, 1.0}) {
       const strands::Groom groom = one(uniform_segments(31, 0.1));
       auto solver = make_solver("rod", groom, settings("damping=5,young_modulus=" + std::string(young)), gravity());
-      FrameInput input{.duration = duration, .head_end = glm::translate(glm::dmat4(1), glm::dvec3(10, 20, 0)), .colliders = {}};
+      FrameInput input{
+          .duration = duration, .head_end = glm::translate(glm::dmat4(1), glm::dvec3(10, 20, 0)), .colliders = {}};
       ASSERT_TRUE(solver->advance(input).ok());
       input.head_begin = input.head_end;
       for (int k = 0; k < int(10 / std::min(duration, 0.05)); ++k) ASSERT_TRUE(solver->advance(input).ok());
@@ -36,8 +37,8 @@ TEST(RodStability, AfterKicksAndJumps_ComesToRest) {
 TEST(RodContact, StrandsOnBalls_KeepLengthStayOutsideAndComeToRest) {
   for (const BallCase& ball : k_balls) {
     const Rest rest = rest_on(ball, "rod", "damping=5,sag_free=false");
-    std::printf("%-30s stretch over bound %.2f, deepest segment %.1e r, tip after 5 s %.1e m/s\n", ball.name, rest.stretch,
-                rest.depth, rest.tip_speed);
+    std::printf("%-30s stretch over bound %.2f, deepest segment %.1e r, tip after 5 s %.1e m/s\n", ball.name,
+                rest.stretch, rest.depth, rest.tip_speed);
     EXPECT_LE(rest.stretch, 1) << ball.name;
     EXPECT_LT(rest.depth, 5e-7) << ball.name;
   }

@@ -19,8 +19,8 @@ std::string one_step(const std::string& more) { return more + ",inner_step=100,m
 double length_of(double gamma) { return std::cbrt(gamma * k_bending / k_g); }
 
 /// The discrete truth: angles of a planar chain of hinges (2 EI / l at the clamp, EI over the mean of two links) that
-/// starts horizontal, under the weight of half the adjacent links at each vertex and a load at the tip; Newton's method on
-/// the energy, the load raised in steps. EI / (rho A) = 1 and g = 1 in these units.
+/// starts horizontal, under the weight of half the adjacent links at each vertex and a load at the tip; Newton's method
+/// on the energy, the load raised in steps. EI / (rho A) = 1 and g = 1 in these units.
 std::vector<double> hinge_chain(const std::vector<double>& lengths, double weight, double load) {
   const std::size_t n = lengths.size();
   std::vector<double> angles(n, 0.0), stiffness(n + 1, 0.0), below(n, 0.0);
@@ -39,7 +39,9 @@ std::vector<double> hinge_chain(const std::vector<double>& lengths, double weigh
         if (i) pivot[i] -= stiffness[i] * stiffness[i] / pivot[i - 1];
         if (i) move[i] += stiffness[i] / pivot[i - 1] * move[i - 1];
       }
-      for (std::size_t i = n; i-- > 0;) angles[i] += move[i] = std::clamp((move[i] + (i + 1 < n ? stiffness[i + 1] * move[i + 1] : 0)) / pivot[i], -0.3, 0.3);
+      for (std::size_t i = n; i-- > 0;)
+        angles[i] += move[i] =
+            std::clamp((move[i] + (i + 1 < n ? stiffness[i + 1] * move[i + 1] : 0)) / pivot[i], -0.3, 0.3);
     }
   return angles;
 }
@@ -56,8 +58,8 @@ std::array<double, 2> extent(const std::vector<double>& lengths, const std::vect
 TEST(HingeChain, HasTheClosedFormsAsItsLimits) {
   // Heavy elastica H / W at Gamma 1, 10, 100 and Mattiasson's tip-loaded drop / L at 1, 5, 10.
   const std::vector<double> lengths = uniform_segments(400, 1);
-  for (const auto& [gamma, truth] : {std::pair(1.0, 0.124561766442), std::pair(10.0, 1.066802320433),
-                                     std::pair(100.0, 5.888104623327)}) {
+  for (const auto& [gamma, truth] :
+       {std::pair(1.0, 0.124561766442), std::pair(10.0, 1.066802320433), std::pair(100.0, 5.888104623327)}) {
     const auto [width, drop] = extent(lengths, hinge_chain(lengths, gamma, 0), 400);
     EXPECT_NEAR(drop / width / truth, 1, 1e-4) << gamma;
   }
@@ -97,9 +99,11 @@ TEST(RodTruth, TipLoadedElastica_IsTheDiscreteOne) {
   for (double step : {1.0 / 480}) {
     strands::Groom groom;
     add_straight(groom, {0, 0, 0}, {1, 0, 0}, segments);
-    const State state = run_still(*make_solver("rod", groom, one_step(k_straight), gravity()), int(20 / std::min(step, 0.1)), step);
+    const State state =
+        run_still(*make_solver("rod", groom, one_step(k_straight), gravity()), int(20 / std::min(step, 0.1)), step);
     const auto [width, drop] = extent(unit, hinge_chain(unit, k_g * std::pow(length, 3) / k_bending, 0), 16);
-    const double off = std::hypot(double(state.positions[16].x) / length - width, -double(state.positions[16].y) / length - drop);
+    const double off =
+        std::hypot(double(state.positions[16].x) / length - width, -double(state.positions[16].y) / length - drop);
     std::printf("tip-loaded elastica (%.2f P L^2 / EI), steps of %.4f s: tip off by %.1e L\n",
                 30 * k_g * std::pow(length, 3) / k_bending, step, off);
     EXPECT_LT(off, 1e-4);
@@ -121,7 +125,8 @@ strands::Groom helix() {
 double lost(const strands::Groom& groom, const State& state, const glm::dmat4& head = glm::dmat4(1)) {
   double worst = 0;
   for (std::size_t i = 0; i < groom.vertex_count(); ++i)
-    worst = std::max(worst, glm::distance(glm::dvec3(head * glm::dvec4(groom.positions[i], 1)), glm::dvec3(state.positions[i])));
+    worst = std::max(
+        worst, glm::distance(glm::dvec3(head * glm::dvec4(groom.positions[i], 1)), glm::dvec3(state.positions[i])));
   return worst;
 }
 
@@ -141,8 +146,8 @@ TEST(RodTruth, SagFreeGroom_HoldsItsShapeAgainstGravity) {
       const State held = run_still(*make_solver("rod", groom, one_step("damping=2"), gravity()), int(3 / step), step),
                   sagging = run_still(*make_solver("rod", groom, one_step("damping=2,sag_free=false"), gravity()),
                                       int(3 / step), step);
-      std::printf("under gravity for 3 s, steps of %.4f s: moved by %.1e m, without the rest shape's solve %.1e m\n", step,
-                  lost(groom, held), lost(groom, sagging));
+      std::printf("under gravity for 3 s, steps of %.4f s: moved by %.1e m, without the rest shape's solve %.1e m\n",
+                  step, lost(groom, held), lost(groom, sagging));
       EXPECT_LT(lost(groom, held), 2e-6) << step;
       EXPECT_GT(lost(groom, sagging), 1e-3) << step;
     }
@@ -154,15 +159,16 @@ TEST(RodTruth, TurnedHead_TakesTheCurvedShapeAlong) {
     return glm::rotate(glm::dmat4(1), 2.0 * std::min(1.0, k / 30.0), glm::normalize(glm::dvec3(1, 2, 3)));
   };
   for (int k = 0; k < 240; ++k)
-    ASSERT_TRUE(solver->advance({.duration = 1.0 / 60, .head_begin = head(k), .head_end = head(k + 1), .colliders = {}}).ok());
+    ASSERT_TRUE(
+        solver->advance({.duration = 1.0 / 60, .head_begin = head(k), .head_end = head(k + 1), .colliders = {}}).ok());
   const double off = lost(helix(), *solver->state(), head(240));
   std::printf("a helix after a turn of 2 rad: off by %.1e m\n", off);
   EXPECT_LT(off, 8e-5);
 }
 
 TEST(RodTruth, ArcLoadedAcrossItsPlane_SagsByBendingAndTwist) {
-  // A quarter circle of radius R lies in the horizontal plane; small weights. Castigliano: deflection of the tip = the sum
-  // of M m / EI + T t / GJ along the arc, M and T of the weight beyond, m and t of a unit load at the tip.
+  // A quarter circle of radius R lies in the horizontal plane; small weights. Castigliano: deflection of the tip = the
+  // sum of M m / EI + T t / GJ along the arc, M and T of the weight beyond, m and t of a unit load at the tip.
   const double radius = 0.05, weight = 0.01;
   const int links = 64;
   strands::Groom groom;
@@ -177,15 +183,18 @@ TEST(RodTruth, ArcLoadedAcrossItsPlane_SagsByBendingAndTwist) {
   for (int k = 0; k < pieces; ++k) {
     const double at = std::numbers::pi / 2 * (k + 0.5) / pieces, left = std::numbers::pi / 2 - at;
     // Of a load at the angle a beyond: bending R sin a, torsion R (1 - cos a).
-    const double bending = radius * radius * weight * (1 - std::cos(left)), torsion = radius * radius * weight * (left - std::sin(left));
-    truth += (bending * radius * std::sin(left) / k_bending + torsion * radius * (1 - std::cos(left)) / k_twisting) * radius *
-             std::numbers::pi / 2 / pieces;
+    const double bending = radius * radius * weight * (1 - std::cos(left)),
+                 torsion = radius * radius * weight * (left - std::sin(left));
+    truth += (bending * radius * std::sin(left) / k_bending + torsion * radius * (1 - std::cos(left)) / k_twisting) *
+             radius * std::numbers::pi / 2 / pieces;
   }
   const std::string pull = "acceleration=0/-" + std::to_string(weight) + "/0";
   const State state = run_still(*make_solver("rod", groom, "sag_free=false,damping=5,double_precision=true",
-                                             {{"gravity", settings_of("gravity", pull)}}), 1200, 1.0 / 60);
+                                             {{"gravity", settings_of("gravity", pull)}}),
+                                1200, 1.0 / 60);
   const double sag = -double(state.positions.back().y);
-  std::printf("quarter arc across its plane: tip sags by %.4e m, by beam theory %.4e m (%.2e off)\n", sag, truth, sag / truth - 1);
+  std::printf("quarter arc across its plane: tip sags by %.4e m, by beam theory %.4e m (%.2e off)\n", sag, truth,
+              sag / truth - 1);
   EXPECT_NEAR(sag / truth, 1, 4e-4);
 }
 
@@ -206,7 +215,8 @@ TEST(RodTruth, UprightRod_BucklesPastItsCriticalWeight) {
 
 TEST(RodTruth, ClampedBeam_SwingsAtItsLowestFrequency) {
   // omega = 1.87510406871196^2 sqrt(EI / (rho A)) / L^2, without gravity, after a jolt of the root.
-  const double length = 0.05, truth = 2 * std::numbers::pi / (std::pow(1.87510406871196, 2) * std::sqrt(k_bending) / (length * length));
+  const double length = 0.05, truth = 2 * std::numbers::pi /
+                                      (std::pow(1.87510406871196, 2) * std::sqrt(k_bending) / (length * length));
   strands::Groom groom;
   add_straight(groom, {0, 0, 0}, {0, -1, 0}, uniform_segments(32, length));
   const double step = truth / 800;
@@ -216,7 +226,9 @@ TEST(RodTruth, ClampedBeam_SwingsAtItsLowestFrequency) {
   std::vector<double> crossings;
   double previous = 0;
   for (int k = 0; crossings.size() < 6 && k < 8000; ++k) {
-    const auto at = [&](int i) { return glm::translate(glm::dmat4(1), glm::dvec3(1e-4 * std::min(1.0, i / 400.0), 0, 0)); };
+    const auto at = [&](int i) {
+      return glm::translate(glm::dmat4(1), glm::dvec3(1e-4 * std::min(1.0, i / 400.0), 0, 0));
+    };
     ASSERT_TRUE(solver->advance({.duration = step, .head_begin = at(k), .head_end = at(k + 1), .colliders = {}}).ok());
     const State state = solver->state().value();
     const double x = double(state.positions.back().x - state.positions.front().x);

@@ -5,7 +5,8 @@
 namespace cuticle::sim::water {
 
 struct Water {
-  double buoyancy = 0;  ///< share of the weight that the displaced water carries: density of water over that of the fibre
+  double buoyancy =
+      0;  ///< share of the weight that the displaced water carries: density of water over that of the fibre
   wind::Wind current;
 };
 Water make_water(const registry::ParameterValues& values);

@@ -27,7 +27,8 @@ double off_line(const State& state, const glm::dvec3& truth) {
 }
 
 class Water : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, Water, ::testing::Values("exact", "rod"), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Solvers, Water, ::testing::Values("exact", "rod"),
+                         [](const auto& info) { return info.param; });
 
 TEST_P(Water, HairLighterThanWater_RisesAndHeavierHangs) {
   for (double density : {650.0, 2600.0}) {
@@ -40,8 +41,8 @@ TEST_P(Water, SteadyCurrent_TiltsByDragOverTheRemainingWeight) {
   const State state = rest_in(GetParam(), "current=0.2/0/0.1,swell=0,drag=10,density=1000,fibre_density=1300");
   const double weight = k_g * (1 - 1000.0 / 1300);
   const double worst = off_line(state, glm::normalize(glm::dvec3(2, -weight, 1)));
-  std::printf("%s in a current: farthest from the line tan phi = drag U / (g (1 - buoyancy)): %.1e of the length\n", GetParam(),
-              worst);
+  std::printf("%s in a current: farthest from the line tan phi = drag U / (g (1 - buoyancy)): %.1e of the length\n",
+              GetParam(), worst);
   EXPECT_LT(worst, 1e-3);
 }
 
@@ -51,7 +52,8 @@ TEST_P(Water, OfItsOwnDensityAndStill_HairStaysWhereItIs) {
 }
 
 TEST(WaterClassic, ClassicSolver_RefusesItByName) {
-  const auto made = (*find_effect("classic"))->create(ring(1), settings_of("classic"), {{"water", settings_of("water")}});
+  const auto made =
+      (*find_effect("classic"))->create(ring(1), settings_of("classic"), {{"water", settings_of("water")}});
   ASSERT_FALSE(made.ok());
   EXPECT_THAT(made.error().message, ::testing::HasSubstr("water"));
 }

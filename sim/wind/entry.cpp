@@ -1,40 +1,14 @@
+#include <cuticle/sim/effect_parameters.h>
 #include <cuticle/sim/solver.h>
 
 namespace cuticle::sim::wind {
 namespace {
 
-using registry::Parameter;
-using registry::ParameterType;
-
-constexpr Parameter k_parameters[] = {
-    {.name = "velocity",
-     .type = ParameterType::rgb,
-     .unit = "m/s",
-     .minimum = -100,
-     .maximum = 100,
-     .default_text = "2/0/0",
-     .summary = "of the air in world space, x/y/z"},
-    {.name = "drag",
-     .type = ParameterType::real,
-     .unit = "1/s",
-     .minimum = 0,
-     .maximum = 1000,
-     .default_text = "3",
-     .summary = "rate at which a free fibre takes on the air's velocity"},
-    {.name = "gust",
-     .type = ParameterType::real,
-     .unit = "1",
-     .minimum = 0,
-     .maximum = 10,
-     .default_text = "0.5",
-     .summary = "share of the velocity by which it swings"},
-    {.name = "gust_frequency",
-     .type = ParameterType::real,
-     .unit = "1/s",
-     .minimum = 0,
-     .maximum = 100,
-     .default_text = "0.7",
-     .summary = "swings in a second"},
+constexpr registry::Parameter k_parameters[] = {
+    vector_parameter("velocity", "m/s", -100, 100, "2/0/0", "of the air in world space, x/y/z"),
+    real_parameter("drag", "1/s", 0, 1000, "3", "rate at which a free fibre takes on the air's velocity"),
+    real_parameter("gust", "1", 0, 10, "0.5", "share of the velocity by which it swings"),
+    real_parameter("gust_frequency", "1/s", 0, 100, "0.7", "swings in a second"),
 };
 constexpr std::string_view k_demands[] = {"simulation", "wind"};
 

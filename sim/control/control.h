@@ -1,0 +1,33 @@
+#pragma once
+// N3: hands back what a solver found, blended with an authored motion.
+#include <memory>
+
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim::control {
+
+/// The authored motion and its weights, frame by frame.
+class Authored {
+ public:
+  Authored(const strands::Groom& rest, const registry::ParameterValues& values);
+  /// Error: bad_input naming the vertex when FrameInput::authored or ::control has the wrong size, a place is not
+  /// finite or a weight is outside 0 .. 1; nothing is then remembered.
+  Result<void> advance(const FrameInput& input);
+  std::span<const glm::vec3> places() const { return places_; }
+  std::span<const float> weights() const { return weights_; }
+  /// The state between the simulated (given) and the authored motion.
+  void blend(State& state) const;
+
+ private:
+  std::vector<glm::vec3> rest_, places_, velocities_;
+  std::vector<float> base_, weights_, weight_rates_;  ///< rates: 1/s
+  double time_ = 0, begin_ = 0, end_ = 0, fade_ = 0;
+  bool placed_ = false;
+};
+
+/// A solver whose states are those of `solver` blended with the authored motion; the simulation itself is not touched,
+/// so that a weight may rise and fall at any time. See FrameInput for the authored motion and weights of a frame.
+std::unique_ptr<Solver> controlled(std::unique_ptr<Solver> solver, const strands::Groom& rest,
+                                   const registry::ParameterValues& values);
+
+}  // namespace cuticle::sim::control

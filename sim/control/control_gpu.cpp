@@ -1,0 +1,85 @@
+#include <cuticle/sim/control/control_gpu.h>
+
+#include <control_comp.spv.h>
+
+#include <cuticle/sim/control/control.h>
+
+namespace cuticle::sim::control {
+namespace {
+
+class ControlledGpuSolver final : public GpuSolver {
+ public:
+  ControlledGpuSolver(std::shared_ptr<gpu::Device> device, std::unique_ptr<GpuSolver> solver, Authored authored)
+      : device_(std::move(device)), solver_(std::move(solver)), authored_(std::move(authored)) {}
+
+  Result<void> make() {
+    const std::vector<glm::vec4> places(vertices(), glm::vec4(0));
+    CUTICLE_ASSIGN(places_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
+    CUTICLE_ASSIGN(world_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
+    CUTICLE_ASSIGN(kernel_, device_->make_kernel(control_comp, {.storage_buffers = 3, .push_constant_bytes = 4}));
+    return {};
+  }
+
+  Result<void> record(gpu::Commands& commands, const FrameInput& input) override {
+    Authored next = authored_;
+    CUTICLE_TRY(next.advance(input));
+    CUTICLE_TRY(solver_->record(commands, input));
+    authored_ = std::move(next);
+    std::vector<glm::vec4> places(vertices());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      places[i] = glm::vec4(authored_.places()[i], authored_.weights()[i]);
+    CUTICLE_TRY(device_->upload(places_, std::as_bytes(std::span<const glm::vec4>(places))));
+    commands.begin_pass("simulate.control");
+    const std::uint32_t count = static_cast<std::uint32_t>(vertices());
+    commands.dispatch(kernel_, {&solver_->positions(), &places_, &world_}, {}, gpu::bytes_of(count), (count + 63) / 64);
+    commands.end_pass();
+    return {};
+  }
+
+  Result<void> advance(const FrameInput& input) override {
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(record(commands, input));
+    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+    return {};
+  }
+
+  Result<State> state() override {
+    CUTICLE_ASSIGN(State state, solver_->state());
+    authored_.blend(state);
+    return state;
+  }
+
+  const gpu::Buffer& positions() const override { return world_; }
+
+  std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
+    std::map<std::string, std::uint32_t> result = solver_->dispatches(input);
+    result["control"] = 1;
+    return result;
+  }
+
+ private:
+  std::size_t vertices() const { return authored_.places().size(); }
+
+  std::shared_ptr<gpu::Device> device_;
+  std::unique_ptr<GpuSolver> solver_;
+  Authored authored_;
+  gpu::Buffer places_, world_;
+  gpu::Kernel kernel_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<GpuSolver>> controlled_gpu(std::shared_ptr<gpu::Device> device,
+                                                  std::unique_ptr<GpuSolver> solver, const strands::Groom& rest,
+                                                  const registry::ParameterValues& values) {
+  auto made = std::make_unique<ControlledGpuSolver>(std::move(device), std::move(solver), Authored(rest, values));
+  CUTICLE_TRY(made->make());
+  return std::unique_ptr<GpuSolver>(std::move(made));
+}
+
+const GpuEffect& gpu_entry() {
+  static const GpuEffect effect{"control", nullptr};
+  return effect;
+}
+
+}  // namespace cuticle::sim::control
