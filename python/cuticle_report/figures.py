@@ -9,6 +9,7 @@ import plotly.graph_objects as plotly  # noqa: E402
 
 COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
           "#b9a5dd", "#cdb58a", "#93cfe0", "#b5b5b5"]
+MOST_LABELS = 24  # of a page's figure, where the pointer shows them too
 DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
 
 
@@ -82,7 +83,8 @@ def interactive(study, x):
     """The same as a plotly figure."""
     figure = plotly.Figure()
     for color, (name, rows) in zip(COLORS * 9, study.curves().items()):
-        labels = [str(row.get(study.point_label, "")) for row in rows] if x.key != study.point_label else None
+        is_labelled = x.key != study.point_label and len(study.raw["rows"]) <= MOST_LABELS
+        labels = [str(row.get(study.point_label, "")) for row in rows] if is_labelled else None
         figure.add_scatter(x=[row[x.key] for row in rows], y=[row[study.y.key] for row in rows], name=name, text=labels,
                            mode="lines+markers+text" if labels else "lines+markers", textposition="top right", textfont={"size": 10},
                            line={"color": color}, hovertext=[hover(row) for row in rows], hoverinfo="text")
@@ -95,8 +97,8 @@ def interactive(study, x):
         figure.add_scatter(x=[min(values), max(values)], y=[value, value], mode="lines", name=f"{name}: {value:.3g}",
                            line={"color": "black", "dash": dash, "width": 1})
     figure.update_layout(template="plotly_white", height=480, margin={"l": 70, "r": 20, "t": 30, "b": 60})
-    figure.update_xaxes(title=x.label, type=x.scale)
-    figure.update_yaxes(title=study.y.label, type=study.y.scale)
+    figure.update_xaxes(title=x.label, type=x.scale, exponentformat="power")
+    figure.update_yaxes(title=study.y.label, type=study.y.scale, exponentformat="power")
     if x.key == study.point_label:
         figure.update_xaxes(tickvals=sorted(set(values)))
     return figure

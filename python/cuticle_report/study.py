@@ -8,6 +8,7 @@ COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "mean_interv
            "lookup_ms", "total_ms", "bytes"]
 
 MOST_CURVES = 16  # of one figure
+LONG_SETTINGS = 60  # characters
 
 
 @dataclasses.dataclass
@@ -113,6 +114,8 @@ def table(study):
     """Columns that any row has, the rows, baselines first, and the number of the chosen one, -1 for none."""
     rows, choice = study.raw["baselines"] + study.raw["rows"], study.raw.get("choice")
     columns = [column for column in COLUMNS if any(column in row for row in rows)]
+    if max(len(row.get("settings", "")) for row in rows) > LONG_SETTINGS:  # they would push the numbers out of sight
+        columns.sort(key=lambda column: column == "settings")
     return columns, [[rounded(row.get(column, "")) for column in columns] for row in rows], rows.index(choice) if choice in rows else -1
 
 
