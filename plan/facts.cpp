@@ -54,6 +54,7 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
   facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
+  facts["seen_segments"] = {scene.render_method == "quads" || scene.render_method == "tiles", why};
   facts["drawn_on_device"] = {scene.render_method != "truth", why};
 }
 
@@ -77,6 +78,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["head"] = head_fact(scene);
   facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
+  facts["output_aovs"] = {scene.outputs.aovs, scene.outputs.aovs ? "layers are wanted" : "no layers are wanted"};
   return facts;
 }
 

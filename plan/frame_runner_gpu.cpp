@@ -80,6 +80,7 @@ struct FrameRunner::Impl {
                                                               trace));
     add_cost(cost, scene, result.cost);
     CUTICLE_ASSIGN(result.color, picture->read_color());
+    CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
     result.notes = picture->notes();
     return {};
   }

@@ -17,10 +17,10 @@ struct FrameOptions {
   bool read_state = false;  ///< control hairs' state in the result
 };
 struct FrameResult {
-  Image color;                     ///< linear RGBA
-  Image depth;                     ///< when the scene asks for it
-  sim::State state;                ///< when asked for
-  gpu::SubmitCost cost;            ///< passes named as the plan names them
+  Image color;           ///< linear RGBA
+  Image aovs;            ///< color, then what each pixel sees, when the scene asks for it and its method can tell
+  sim::State state;      ///< when asked for
+  gpu::SubmitCost cost;  ///< passes named as the plan names them
   std::vector<std::string> notes;  ///< what was left out of the picture, one sentence each
 };
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/passes/aovs/aovs.h>
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/render/passes/resolve/resolve.h>
 #include <cuticle/render/passes/tiles/tiles.h>
@@ -44,6 +45,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   std::unique_ptr<Picture> picture(new Picture(std::move(device), scene, set, plan));
   picture->resources_.camera = first_camera;
   picture->resources_.parameters = scene.passes;
+  picture->resources_.says_seen = find_pass(plan, "aovs") != nullptr;
   CUTICLE_TRY(picture->make_strands());
   CUTICLE_TRY(picture->make_shadows());
   CUTICLE_TRY(picture->make_tables(progress));
@@ -224,6 +226,22 @@ Result<Image> Picture::read_color() const {
   }
   Image image = make_image(output_.size().x, output_.size().y, {"R", "G", "B", "A"});
   CUTICLE_ASSIGN(image.pixels, device_->download(output_));
+  return image;
+}
+
+Result<Image> Picture::read_aovs(const Image& color) const {
+  if (!resources_.aovs) return Image{};
+  std::vector<std::string> names = color.channel_names;
+  const std::size_t own = names.size(), more = std::size(render::aovs::k_channels);
+  names.insert(names.end(), std::begin(render::aovs::k_channels), std::end(render::aovs::k_channels));
+  Image image = make_image(color.width, color.height, std::move(names));
+  const std::size_t pixels = color.pixels.size() / own;
+  CUTICLE_ASSIGN(const auto values, gpu::read_buffer<float>(*device_, *resources_.aovs, pixels * more));
+  for (std::size_t p = 0; p < pixels; ++p) {
+    float* const out = image.pixels.data() + p * (own + more);
+    std::copy_n(color.pixels.data() + p * own, own, out);
+    std::copy_n(values.data() + p * more, more, out + own);
+  }
   return image;
 }
 

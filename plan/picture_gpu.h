@@ -32,6 +32,8 @@ class Picture {
   /// What the passes left out of the picture last painted, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
   Result<Image> read_color() const;
+  /// The channels of the color with those of the pass 'aovs'; empty where it is not planned.
+  Result<Image> read_aovs(const Image& color) const;
   Result<strands::Groom> read_strands() const;
   const lut::TableSet& tables() const { return table_set_; }
 

@@ -20,6 +20,11 @@ gpu::Commands::Target color_target(const FrameResources& resources) {
   return {.color = resources.color, .resolve = resolves ? resources.resolved : nullptr, .keep = resources.keep_target};
 }
 
+Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resources) {
+  const glm::ivec2 size = resources.says_seen ? resources.camera.resolution : glm::ivec2(1);
+  return device.make_buffer(std::size_t(size.x) * std::size_t(size.y) * sizeof(Seen));
+}
+
 void begin_target(gpu::Commands& commands, const FrameResources& resources) {
   const gpu::Commands::Target target = color_target(resources);
   commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);

@@ -16,6 +16,13 @@ namespace tile_lists {
 struct TileLists;
 }
 
+/// What a pixel sees of the hair, as seen.glsl has it.
+struct Seen {
+  std::uint32_t first, last;
+  float coverage;
+  std::uint32_t samples, cost;
+};
+
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
 struct FrameResources {
   Camera camera;
@@ -27,6 +34,10 @@ struct FrameResources {
   const lut::TableSet* table_set = nullptr;
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw
+  bool says_seen = false;                             ///< whether passes that draw strands fill `seen`
+  const gpu::Buffer* seen = nullptr;                  ///< Seen per pixel of the picture
+  const gpu::Texture* seen_samples = nullptr;         ///< r32u, as large as the targets: per sample the segment, from 1
+  const gpu::Buffer* aovs = nullptr;                  ///< floats per pixel: aovs::k_channels
   std::uint32_t vertices_per_strand = 0;              ///< of the drawn strands, all alike
   double strand_radius = 35e-6;                       ///< of a drawn strand, metres, at the root
   const strands::Mesh* head = nullptr;                ///< rest pose
@@ -54,6 +65,8 @@ registry::ParameterValues parameters_of(const FrameResources& resources, const P
 gpu::GraphicsDescription target_description(const FrameResources& resources);
 /// The colour target of a rendering, as `keep_target` and `resolve_target` say.
 gpu::Commands::Target color_target(const FrameResources& resources);
+/// The buffer that a pass fills where `says_seen`; else one that takes its place.
+Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resources);
 /// Begins rendering into the frame's targets, as `keep_target` and `resolve_target` say.
 void begin_target(gpu::Commands& commands, const FrameResources& resources);
 

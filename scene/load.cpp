@@ -244,6 +244,7 @@ void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   root.get("frames_per_second", scene.frames_per_second);
   const Reader outputs = root.child("outputs");
   outputs.get("color", scene.outputs.color);
+  outputs.get("aovs", scene.outputs.aovs);
   outputs.get("exposure_stops", scene.outputs.exposure_stops);
   root.child("render").get("method", scene.render_method);
   scene.passes = blocks_of(catalogue.passes, root.child("passes").value);

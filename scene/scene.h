@@ -69,7 +69,7 @@ struct CameraPath {
   bool automatic = false;                  ///< framed on the hair: position and target are not used
 };
 struct Outputs {
-  bool color = true, depth = false, transmittance = false;
+  bool color = true, aovs = false;
   double exposure_stops = 0;
 };
 

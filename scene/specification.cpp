@@ -149,8 +149,10 @@ Spec camera() {
 }
 
 Spec outputs() {
-  return object("outputs", "pictures wanted",
-                {boolean("color", "radiance"), real("exposure_stops", -20, 20, "for the tone-mapped picture")});
+  return object(
+      "outputs", "pictures wanted",
+      {boolean("color", "radiance"), boolean("aovs", "what each pixel sees of the hair, as layers (quads, tiles)"),
+       real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 
 Spec render() {

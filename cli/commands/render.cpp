@@ -17,6 +17,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, frames = "0:0", method, out = "render";
+  bool aovs = false;
 };
 
 /// Sums over the frames, per pass.
@@ -61,9 +62,13 @@ void print_json(const Costs& costs, const std::string& device) {
   fmt::print("{}\n", json.dump(2));
 }
 
-Result<void> write_frame(const std::string& folder, int frame, const Image& color, double exposure_stops) {
-  CUTICLE_TRY(write_exr(fmt::format("{}/frame_{:04d}.exr", folder, frame), color, ExrType::half));
-  return write_png(fmt::format("{}/frame_{:04d}.png", folder, frame), tone_map(color, exposure_stops));
+/// Layers are written as floats: halves do not hold the numbers of strands.
+Result<void> write_frame(const std::string& folder, int frame, const plan::FrameResult& result, double exposure_stops) {
+  const std::string path = fmt::format("{}/frame_{:04d}", folder, frame);
+  const bool layered = !result.aovs.pixels.empty();
+  CUTICLE_TRY(
+      write_exr(path + ".exr", layered ? result.aovs : result.color, layered ? ExrType::single : ExrType::half));
+  return write_png(path + ".png", tone_map(result.color, exposure_stops));
 }
 
 Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner,
@@ -73,7 +78,7 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
     CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
     costs.add(result.cost);
     for (const std::string& note : result.notes) progress.message(note);
-    CUTICLE_TRY(write_frame(options.out, frame, result.color, exposure_stops));
+    CUTICLE_TRY(write_frame(options.out, frame, result, exposure_stops));
     progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
   }
   progress.message(
@@ -85,6 +90,7 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   if (!options.method.empty()) scene.render_method = options.method;
+  scene.outputs.aovs = scene.outputs.aovs || options.aovs;
   if (!scene.outputs.color)
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
@@ -119,6 +125,7 @@ void add_render(CLI::App& app, Context& context) {
   const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
       ->check(CLI::IsMember(methods));
+  command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (quads, tiles)");
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }

@@ -76,6 +76,13 @@ inline Drawing bundle(int strands) {
   return drawing;
 }
 
+/// The bundle moved so that the camera stands within it.
+inline Drawing around_the_camera() {
+  Drawing drawing = bundle(300);
+  for (glm::vec4& vertex : drawing.vertices) vertex += glm::vec4(0, -0.8f, 4.6f, 0);
+  return drawing;
+}
+
 inline double mean_difference(const Image& a, const Image& b, int first_channel, int end_channel) {
   double sum = 0;
   for (int y = 0; y < a.height; ++y)

@@ -13,7 +13,4 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 irradiance[8];
 };
 
-// Segment ends are evenly spaced among the strand's vertices, whatever the level of detail.
-uint vertex_of(uint strand, uint end) {
-  return strand * vertices_per_strand + end * (vertices_per_strand - 1u) / drawn_segments;
-}
+#include "cuticle/render/passes/lines/segment_ends.glsl"

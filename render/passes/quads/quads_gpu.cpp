@@ -19,6 +19,8 @@ class Quads : public GpuPass {
  public:
   explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
 
+  void publish(FrameResources& resources) const override { resources.seen_samples = &seen_; }
+
   Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
     const gpu::Texture& color = *resources.color;
     CUTICLE_ASSIGN(seen_, device.make_texture({.size = color.size(),

@@ -209,6 +209,23 @@ TEST(Quads, NumbersThatAreNone_AreLeftOut) {
   EXPECT_EQ(draw(drawing).pixels, clean.pixels);
 }
 
+TEST(Quads, CameraInsideTheHair_SeesWhatIsBeforeIt) {
+  const Drawing drawing = tests::around_the_camera();
+  const Image drawn = draw(drawing);
+  const double error = mean_difference(drawn, drawing.truth(), 3, 4);
+  std::printf("camera inside: error %.5f\n", error);
+  for (float value : drawn.pixels) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_LT(error, 0.04);
+}
+
+TEST(Quads, StrandsWithoutWidthOrWiderThanTheScreen_DrawNothingOrAll) {
+  Drawing drawing;
+  drawing.strand({{-30, 0, 0}, {30, 0, 0}}, 0, {});
+  EXPECT_EQ(covered(draw(drawing, {.vertices_per_strand = 2})), 0);
+  drawing.vertices[0].w = drawing.vertices[1].w = 40;
+  EXPECT_EQ(covered(draw(drawing, {.vertices_per_strand = 2})), 1);
+}
+
 TEST(Quads, EveryRepeat_HasTheSameBits) {
   const Drawing drawing = bundle(100);
   EXPECT_EQ(draw(drawing, {.lit = true}).pixels, draw(drawing, {.lit = true}).pixels);

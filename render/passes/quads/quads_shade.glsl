@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/render/passes/lines/lines_frame.glsl"
 #include "cuticle/render/passes/lines/strand_chance.glsl"
+#include "cuticle/render/segment_share.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
@@ -18,19 +19,10 @@ layout(location = 0) out vec4 color;
 /// The segment that a sample sees, from 1; 0: none.
 uint segment_at(ivec2 pixel, int sample_index);
 
-// Share of the way from end to end, as seen in perspective, at which the segment is nearest to the pixel's middle.
-float share_at(vec2 middle, vec2 size, vec3 from, vec3 to) {
-  vec4 a = world_to_clip * vec4(from, 1.0), b = world_to_clip * vec4(to, 1.0);
-  if (min(a.w, b.w) <= 0.0) return a.w > b.w ? 0.0 : 1.0;
-  vec2 start = (a.xy / a.w * 0.5 + 0.5) * size, along = (b.xy / b.w * 0.5 + 0.5) * size - start;
-  float share = clamp(dot(middle - start, along) / max(dot(along, along), k_tiny), 0.0, 1.0);
-  return share * a.w / mix(b.w, a.w, share);
-}
-
 vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   uint strand = segment / drawn_segments, begin = segment % drawn_segments;
   uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
-  float share = share_at(middle, size, vertices[first].xyz, vertices[last].xyz);
+  float share = share_at(world_to_clip, middle, size, vertices[first].xyz, vertices[last].xyz);
   vec3 t = normalize(mix(tangents[first].xyz, tangents[last].xyz, share) + tilt_of(strand, variation));
   vec3 to_eye = normalize(eye.xyz - mix(vertices[first].xyz, vertices[last].xyz, share));
   vec3 sum = vec3(0.0);

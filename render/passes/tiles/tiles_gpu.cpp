@@ -16,15 +16,21 @@ struct MergePush {
 
 class Tiles : public GpuPass {
  public:
-  Tiles(gpu::Kernel fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth)
-      : fine_(std::move(fine)), merge_(std::move(merge)), picture_(std::move(picture)), depth_(std::move(depth)) {}
+  Tiles(gpu::Kernel fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth, gpu::Buffer seen)
+      : fine_(std::move(fine)),
+        merge_(std::move(merge)),
+        picture_(std::move(picture)),
+        depth_(std::move(depth)),
+        seen_(std::move(seen)) {}
+
+  void publish(FrameResources& resources) const override { resources.seen = &seen_; }
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const tile_lists::TileLists& lists = *resources.tile_lists;
     const tile_lists::TilePush push = push_of(resources, lists);
     commands.dispatch(fine_,
                       {resources.strands.vertices, resources.strand_colors, &lists.offsets, &lists.sorted,
-                       &lists.scene_depth, &picture_, &depth_},
+                       &lists.scene_depth, &picture_, &depth_, &seen_},
                       {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
     const MergePush merge{push.resolution.x, std::uint32_t(resources.supersampling), push.inverse_near,
                           push.inverse_far};
@@ -37,7 +43,7 @@ class Tiles : public GpuPass {
  private:
   gpu::Kernel fine_;
   gpu::GraphicsPipeline merge_;
-  gpu::Buffer picture_, depth_;
+  gpu::Buffer picture_, depth_, seen_;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
@@ -49,11 +55,14 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.interface.push_constant_bytes = sizeof(MergePush);
   description.blend = gpu::BlendMode::alpha;
   CUTICLE_ASSIGN(gpu::GraphicsPipeline merge, device->make_graphics(description));
-  CUTICLE_ASSIGN(gpu::Kernel fine, device->make_kernel(tiles_comp, {7, 0, sizeof(tile_lists::TilePush)}));
+  CUTICLE_ASSIGN(
+      gpu::Kernel fine,
+      device->make_kernel(tiles_comp, {8, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u}}));
   CUTICLE_ASSIGN(gpu::Buffer picture, device->make_buffer(pixels * sizeof(glm::uvec2)));
   CUTICLE_ASSIGN(gpu::Buffer depth, device->make_buffer(pixels * sizeof(float)));
-  return std::unique_ptr<GpuPass>(
-      std::make_unique<Tiles>(std::move(fine), std::move(merge), std::move(picture), std::move(depth)));
+  CUTICLE_ASSIGN(gpu::Buffer seen, make_seen(*device, resources));
+  return std::unique_ptr<GpuPass>(std::make_unique<Tiles>(std::move(fine), std::move(merge), std::move(picture),
+                                                          std::move(depth), std::move(seen)));
 }
 
 }  // namespace

@@ -263,6 +263,16 @@ TEST(Tiles, StrandsAtTheNearPlane_AreCutThere) {
   EXPECT_LT(error, 0.1 * covered);
 }
 
+TEST(Tiles, CameraInsideTheHair_SeesWhatIsBeforeIt) {
+  Drawing drawing = tests::around_the_camera();
+  const Drawn drawn = draw(drawing);
+  const Image truth = drawing.truth();
+  const double error = mean_difference(drawn.color, truth, 3, 4);
+  std::printf("camera inside: error %.5f\n", error);
+  for (float value : drawn.color.pixels) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_LT(error, 0.03);
+}
+
 TEST(Tiles, StrandWithoutWidth_DrawsNothing) {
   Drawing drawing;
   drawing.strand({{-3, 0, 0}, {3, 0, 0}}, 0, k_red);

@@ -1,0 +1,8 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "cuticle/render/passes/aovs/aovs.glsl"
+layout(std430, binding = 4) readonly buffer SeenSegments { Seen seen[]; };
+
+Seen seen_in(uint pixel) { return seen[pixel]; }
+
+void main() { write_aovs(invocation()); }

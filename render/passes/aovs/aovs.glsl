@@ -1,0 +1,40 @@
+// One invocation per pixel: from the segment that it sees to numbers, those of the point nearest to the pixel's middle.
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 64) in;
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/render/seen.glsl"
+#include "cuticle/render/segment_share.glsl"
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
+layout(std430, binding = 2) readonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 3) writeonly buffer Aovs { float aovs[]; };  // k_channels of aovs.h
+layout(push_constant) uniform Push {
+  mat4 world_to_clip;
+  uvec2 resolution;
+  uint vertices_per_strand;
+  uint drawn_segments;  // of a strand
+  uint shadowed;        // 1: there is transmittance
+};
+
+const uint k_channels = 9u;
+
+/// What the shader that includes this finds out; its source stands at binding 4.
+Seen seen_in(uint pixel);
+
+void write_aovs(uint pixel) {
+  if (pixel >= resolution.x * resolution.y) return;
+  Seen own = seen_in(pixel);
+  float values[k_channels] = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(own.cost));
+  if (own.first != own.last) {
+    vec3 from = vertices[own.first].xyz, to = vertices[own.last].xyz;
+    vec2 middle = vec2(pixel % resolution.x, pixel / resolution.x) + 0.5;
+    float share = share_at(world_to_clip, middle, vec2(resolution), from, to);
+    vec3 tangent = normalize(mix(tangents[own.first].xyz, tangents[own.last].xyz, share));
+    float reached = shadowed == 0u ? 1.0 : mix(transmittance[own.first], transmittance[own.last], share);
+    values = float[]((world_to_clip * vec4(mix(from, to, share), 1.0)).w, tangent.x, tangent.y, tangent.z,
+                     float(own.first / vertices_per_strand + 1u), own.coverage, reached, float(own.samples),
+                     float(own.cost));
+  }
+  for (uint k = 0u; k < k_channels; ++k) aovs[pixel * k_channels + k] = values[k];
+}
