@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cuticle/study/model_check/checks/checks.h>
 #include <cuticle/study/model_check/checks/chi_square.h>
 #include <cuticle/study/model_check/gallery/gallery.h>
 #include <cuticle/study/model_check/mean_attenuation.h>
@@ -70,6 +71,17 @@ TEST(Partition, OfLobesWithTailsAlongRings_CoversTheRings) {
       subject.make({Absorption::given, Roughness::narrowest, Tilt::given, Effort::draft});
   const bsdf::Point view{.theta_o = 0, .h = -0.95, .phi_o = 0.7};
   EXPECT_NEAR(integrate_sphere(fibre->pdf, view, partition_for(*fibre, view)).value.x, 1, 3e-4);
+}
+
+// At the view itself narrow lobes give nothing, and no error of it either.
+TEST(Averages, OfNarrowLobes_AreKnownByTheErrorsAtTheirSamples) {
+  const auto is_average = [](std::string_view name) {
+    const bsdf::Model& model = **bsdf::find_model(name);
+    const Subject subject = subject_of(model, *bsdf::parse_settings(model, "", ""), bsdf::Precision::f64);
+    return averages(*subject.make({Absorption::none, Roughness::narrowest, Tilt::strong}), {.theta_o = 0.6});
+  };
+  EXPECT_TRUE(is_average("deon"));
+  EXPECT_FALSE(is_average("marschner"));
 }
 
 TEST(SphereQuadrature, BelowTheIntegrandsOwnError_DoesNotDivide) {

@@ -73,10 +73,6 @@ std::vector<glm::dvec3> values_at(const Batch& batch, std::span<const bsdf::Poin
 
 glm::dvec3 value_at(const Batch& batch, const bsdf::Point& point) { return values_at(batch, {&point, 1})[0]; }
 
-bool averages(const Scatterer& scatterer, const bsdf::Point& view) {
-  return scatterer.error && largest(value_at(scatterer.error, view)) > 0;
-}
-
 std::vector<bsdf::Sample> draw(const Scatterer& scatterer, const bsdf::Point& view, std::size_t count,
                                std::uint64_t seed) {
   RandomStream random(seed);
@@ -93,6 +89,16 @@ bsdf::Point point_of(const bsdf::Sample& sample, const bsdf::Point& view) {
   point.theta_i = sample.theta_i;
   point.phi = sample.phi;
   return point;
+}
+
+bool averages(const Scatterer& scatterer, const bsdf::Point& view) {
+  if (!scatterer.error) return false;
+  // Where narrow lobes give nothing they report no error, so that a few of their own samples are asked too.
+  std::vector<bsdf::Point> places = {view};
+  if (scatterer.sample)
+    for (const bsdf::Sample& sample : draw(scatterer, view, 8, 1)) places.push_back(point_of(sample, view));
+  const std::vector<glm::dvec3> errors = values_at(scatterer.error, places);
+  return std::any_of(errors.begin(), errors.end(), [](const glm::dvec3& error) { return largest(error) > 0; });
 }
 
 void Worst::note(double candidate, const std::string& place) {
