@@ -37,7 +37,8 @@ Result<void> draw_preset_sheet(const std::vector<std::string>& specifications, c
   std::vector<Image> pictures;
   for (const std::string& specification : specifications)
     CUTICLE_TRY(draw(scene, specification, device, *context.progress, pictures));
-  return write_png(file, contact_sheet(pictures, 4));
+  const int columns = specifications.size() % 2 == 0 ? 4 : 2;  // no place is left over
+  return write_png(file, contact_sheet(pictures, columns));
 }
 #else
 Result<void> draw_preset_sheet(const std::vector<std::string>&, const std::string&, Context&) {

@@ -3,6 +3,8 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -17,7 +19,7 @@ namespace {
 scene::Scene small_fox(bool dual_quaternions) {
   auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/fox.json", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
-  scene->strand_count = 1500;
+  scene->groom.specification->strands.set("share", 0.01);
   scene->material.lut_size = 16;
   scene->camera.camera.resolution = {64, 48};
   scene->character->dual_quaternions = dual_quaternions;
@@ -33,6 +35,29 @@ strands::Mesh skin_at(const strands::Character& character, const scene::Scene& s
       character.mesh, character.influences, strands::joint_motions(strands::joint_matrices(character, clip, time)),
       scene.character->dual_quaternions ? strands::Skinning::dual_quaternion : strands::Skinning::linear_blend, moved);
   return moved;
+}
+
+/// How often a closed mesh goes round a point: 1 inside, 0 outside (van Oosterom and Strackee 1983).
+double winding(const strands::Mesh& mesh, const glm::dvec3& point) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    const glm::dvec3 a = glm::dvec3(mesh.positions[t[0]]) - point, b = glm::dvec3(mesh.positions[t[1]]) - point,
+                     c = glm::dvec3(mesh.positions[t[2]]) - point;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    sum += std::atan2(glm::dot(a, glm::cross(b, c)),
+                      la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
+TEST(FoxFur, AtRest_LiesOverTheSkin) {
+  const auto set = build_strand_set(small_fox(false));
+  ASSERT_TRUE(set) << set.error().message;
+  int inside = 0;
+  for (std::size_t s = 0; s < set->control.strand_count(); ++s)
+    inside += winding(set->character->mesh, glm::dvec3(set->control.strand(s).back())) > 0.5;
+  EXPECT_GT(set->control.strand_count(), 1400u);
+  EXPECT_EQ(inside, 0);
 }
 
 class FoxScene : public testing::TestWithParam<bool> {};

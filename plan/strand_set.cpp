@@ -13,6 +13,7 @@
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/grow.h>
 #include <cuticle/strands/lod/lod.h>
+#include <cuticle/strands/refine.h>
 #include <cuticle/strands/growing/root_rules.glslh>
 
 namespace cuticle::plan {
@@ -38,18 +39,8 @@ void draw_each_strand(StrandSet& set) {
 
 void take_head(const scene::Scene& scene, strands::Head head, StrandSet& set) {
   if (!set.character) set.scalp = std::move(head.scalp);
-  if (scene.head.present) set.head = std::move(head.mesh);
+  if (scene.head.present) set.head = set.character ? set.character->mesh : std::move(head.mesh);
   if (scene.head_colliders) set.colliders = std::move(head.colliders);
-}
-
-Result<void> grow_specified(const scene::Scene& scene, StrandSet& set) {
-  if (scene.character)
-    return bad_input("groom.specification: hair is grown on the procedural head only", "leave character out");
-  CUTICLE_ASSIGN(strands::Grown grown, strands::grow(*scene.groom.specification));
-  set.control = std::move(grown.drawn);
-  draw_each_strand(set);
-  take_head(scene, std::move(grown.head), set);
-  return {};
 }
 
 /// What hair grows on: the procedural head, or all of a character's skin.
@@ -60,6 +51,33 @@ Result<strands::Head> growth_mesh(const scene::Scene& scene, StrandSet& set) {
   for (const std::string& note : character.report.notes) set.notes.push_back(scene.character->file + ": " + note);
   set.character = std::make_shared<const strands::Character>(std::move(character));
   return strands::Head{.mesh = set.character->mesh, .scalp = set.character->mesh, .colliders = {}};
+}
+
+/// Hair is planted on vertices and combed past them: on a character of few triangles it would cut through the edges.
+strands::Head hairy(const strands::Head& body) {
+  constexpr double k_edges_along_diagonal = 50;
+  strands::Groom points;
+  points.positions = body.mesh.positions;
+  const strands::Bounds bounds = strands::bounds(points);
+  const double diagonal = double(glm::distance(bounds.lower, bounds.upper));
+  if (!(diagonal > 0)) return body;
+  const strands::Mesh fine = strands::refined(body.mesh, diagonal / k_edges_along_diagonal);
+  return {.mesh = fine, .scalp = fine, .colliders = {}};
+}
+
+Result<void> grow_specified(const scene::Scene& scene, StrandSet& set) {
+  const strands::GroomingSpecification& specification = *scene.groom.specification;
+  strands::Grown grown;
+  if (scene.character) {
+    CUTICLE_ASSIGN(const strands::Head body, growth_mesh(scene, set));
+    CUTICLE_ASSIGN(grown, strands::grow(specification, hairy(body)));
+  } else {
+    CUTICLE_ASSIGN(grown, strands::grow(specification));
+  }
+  set.control = std::move(grown.drawn);
+  draw_each_strand(set);
+  take_head(scene, std::move(grown.head), set);
+  return {};
 }
 
 Result<void> bind_to_character(StrandSet& set) {
@@ -79,6 +97,7 @@ Result<void> grow(const scene::Scene& scene, StrandSet& set) {
     return bad_input("head.mesh: hair is grown on the procedural head only", "give groom.file, or leave head.mesh out");
   if (scene.groom.specification) return grow_specified(scene, set);
   CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
+  if (set.character) head = hairy(head);
   CUTICLE_ASSIGN(set.control, strands::plant_control_hairs(head, scene.groom.grow));
   for (const strands::Root& root : strands::scatter_roots(head.scalp, std::size_t(scene.strand_count), k_root_seed)) {
     set.hairs.push_back(head.scalp.triangles[root.triangle]);

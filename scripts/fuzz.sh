@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs every fuzz target: scripts/fuzz.sh SECONDS_IN_TOTAL. Two at a time; a finding ends with its input kept in build/fuzz.
+# Runs every fuzz target: scripts/fuzz.sh SECONDS_IN_TOTAL | --each SECONDS. Two at a time; a finding ends with its input
+# kept in build/fuzz.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-total=$1
 targets=(build/asan-ubsan/fuzz/*_fuzz)
-each=$((total / ${#targets[@]}))
+if [ "$1" = --each ]; then each=$2; else each=$(($1 / ${#targets[@]})); fi
 [ "$each" -ge 1 ] || each=1
 echo "${#targets[@]} targets, $each s each"
 run_one() {

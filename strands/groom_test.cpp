@@ -1,12 +1,14 @@
 // Grooms and meshes as data: units, tangents of odd strands, checks, figures.
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cuticle/strands/groom.h>
 #include <cuticle/strands/mesh.h>
+#include <cuticle/strands/refine.h>
 #include <cuticle/strands/statistics.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -123,6 +125,29 @@ TEST(Mesh, NormalsOfACube_PointOutward) {
   EXPECT_LT(mesh.normals[0].x, 0);
   EXPECT_GT(mesh.normals[1].x, 0);
   EXPECT_EQ(mesh.normals[4], glm::vec3(0, 1, 0));  // of no triangle
+}
+
+TEST(Mesh, Refined_IsTheSameClosedSurfaceWithoutLongEdges) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0.3f, 0}, {0, 0, 2}};
+  mesh.uv = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const Mesh fine = refined(mesh, 0.1);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  float volume = 0;
+  for (const auto& t : fine.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+      EXPECT_LE(glm::distance(fine.positions[from], fine.positions[to]), 0.1f);
+      ++edges[{from, to}];
+    }
+    const auto& p = fine.positions;
+    volume += glm::dot(p[t[0]], glm::cross(p[t[1]], p[t[2]])) / 6;
+  }
+  for (const auto& [edge, count] : edges) EXPECT_TRUE(count == 1 && edges.contains({edge.second, edge.first}));
+  EXPECT_NEAR(volume, 0.1f, 1e-6f);
+  EXPECT_EQ(fine.positions[3], mesh.positions[3]);
+  EXPECT_EQ(fine.uv.size(), fine.positions.size());
 }
 
 TEST(Mesh, Transformed_MovesPointsAndTurnsNormals) {

@@ -63,6 +63,8 @@ Image contact_sheet(const std::vector<Image>& images, int columns) {
   const int rows = (int(images.size()) + columns - 1) / columns;
   const Image& first = images.front();
   Image sheet = make_image(first.width * columns, first.height * rows, first.channel_names);
+  const std::size_t channels = std::size_t(first.channels());
+  for (std::size_t i = 0; i < sheet.pixels.size(); ++i) sheet.pixels[i] = first.pixels[i % channels];
   for (int i = 0; i < int(images.size()); ++i) {
     CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height, "pictures of a sheet have equal sizes");
     paste(images[i], sheet, (i % columns) * first.width, (i / columns) * first.height);

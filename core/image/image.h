@@ -38,7 +38,7 @@ Result<int> mip_levels(const std::string& path);
 
 /// Linear radiance to sRGB display values: exposure (stops), a filmic shoulder above 0.8, sRGB transfer. Alpha kept.
 Image tone_map(const Image& linear, double exposure_stops = 0);
-/// Pictures of equal size side by side, `columns` to a row.
+/// Pictures of equal size side by side, `columns` to a row; what is left over has the first one's first pixel.
 Image contact_sheet(const std::vector<Image>& images, int columns);
 /// The value as stored in a half float (round to nearest even), for errors "as stored".
 float round_to_half(float value);

@@ -145,7 +145,7 @@ TEST(ContactSheet, FiveInTwoColumns_FillRowsFromTheTop) {
   EXPECT_EQ(sheet.height, 9);
   EXPECT_EQ(sheet.at(3, 0, 0), 2.0f);
   EXPECT_EQ(sheet.at(0, 8, 0), 5.0f);
-  EXPECT_EQ(sheet.at(2, 8, 0), 0.0f);
+  EXPECT_EQ(sheet.at(2, 8, 0), 1.0f);
 }
 
 TEST(RoundToHalf, HalfWay_RoundsToEven) {

@@ -39,9 +39,9 @@ Result<Binding> bind_roots(const Groom& groom, const Mesh& mesh, double far) {
 Mesh mesh_at_roots(const Mesh& mesh, std::span<const Root> roots) {
   Mesh at;
   for (const Root& root : roots) {
-    const SurfaceFrame<float> frame = frame_on(mesh, mesh.triangles[root.triangle], root.weights);
-    at.positions.push_back(frame.origin);
-    at.normals.push_back(frame.normal);
+    const auto& t = mesh.triangles[root.triangle];
+    at.positions.push_back(frame_on(mesh, t, root.weights).origin);
+    at.normals.push_back(mean_normal<float>(mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]], root.weights));
   }
   return at;
 }

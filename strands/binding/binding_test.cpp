@@ -170,6 +170,25 @@ TEST(Carry, BentMesh_StrandsBeginOnItAndKeepTheirLengths) {
   for (std::size_t s = 0; s < 300; ++s) EXPECT_NEAR(strand_length(moved, s), strand_length(groom, s), 1e-7);
 }
 
+/// As where a joint folds a large triangle of a character: only the places of its corners turn.
+TEST(Carry, TriangleThatFoldsBesideItsNormals_KeepsHairOverIt) {
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, {}, {}, {{0, 1, 2}}};
+  compute_normals(mesh);
+  const std::vector<Root> roots{{0, glm::vec3(1 / 3.0f)}};
+  Groom groom;
+  for (int i = 0; i < 4; ++i) groom.positions.emplace_back(1 / 3.0f, 0.01f * float(i), 1 / 3.0f);
+  groom.offsets = {0, 4};
+  const RestOnMesh rest = rest_on_mesh(groom, mesh, roots);
+  std::vector<glm::vec3> carried(4);
+  for (double angle = 0; angle < 3; angle += 0.1) {
+    Mesh folded = transformed(mesh, glm::rotate(glm::dmat4(1), angle, {1, 0, 0}));
+    const glm::vec3 facet = folded.normals[0];
+    folded.normals = mesh.normals;
+    carry(rest, folded, carried);
+    EXPECT_GT(glm::dot(carried[3] - carried[0], facet), 0.03f * std::cos(0.1746f)) << angle;
+  }
+}
+
 TEST(Placement, RootsOfAnotherScaleAndPlace_AreBroughtOntoTheMesh) {
   const Mesh mesh = egg();
   const auto on_cap = scatter_roots(egg(0.55), 500, 3);

@@ -46,15 +46,16 @@ std::vector<glm::vec3> normals_at(const Mesh& scalp, const std::vector<Root>& ro
   return normals;
 }
 
-/// Moves all but the roots out of the procedural head. Returns how many moved.
-std::size_t move_out(Groom& groom, const Mesh& mesh) {
-  constexpr double reach = 0.02, clearance = 0.0005;
+/// Moves all but the roots that `may_be_inside` out of the mesh. Returns how many moved.
+template <class Test>
+std::size_t move_out(Groom& groom, const Mesh& mesh, double reach, const Test& may_be_inside) {
+  constexpr double clearance = 0.0005;
   const NearestSurface surface(mesh, reach);
   std::size_t moved = 0;
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     for (std::size_t v = groom.offsets[s] + 1; v < groom.offsets[s + 1]; ++v) {
       glm::vec3& point = groom.positions[v];
-      if (head_distance(glm::dvec3(point)) >= 0) continue;
+      if (!may_be_inside(glm::dvec3(point))) continue;
       const SurfaceHit hit = surface.at(glm::dvec3(point));
       if (hit.distance >= 0) continue;
       point += glm::vec3(hit.normal * (clearance - hit.distance));
@@ -71,12 +72,11 @@ Groom drawn_between(const Groom& smoothed, const Mesh& scalp, const std::vector<
                                                            : interpolate(smoothed, scalp, roots, hairs);
 }
 
-}  // namespace
-
-Result<Grown> grow(const GroomingSpecification& specification) {
+/// All but what keeps the strands outside.
+Result<Grown> grow_on(const GroomingSpecification& specification, Head head) {
   const registry::ParameterValues& strands = specification.strands;
   Grown grown;
-  grown.head = head_for(strands);
+  grown.head = std::move(head);
   CUTICLE_ASSIGN(const PlacedRoots placed, roots_for(specification, grown.head.scalp));
   if (placed.roots.empty())
     return bad_input("strands: area x density x share gives no strand",
@@ -87,7 +87,23 @@ Result<Grown> grow(const GroomingSpecification& specification) {
   grown.drawn = drawn_between(smoothed, grown.head.scalp, placed.roots, strands);
   shape(grown.drawn, specification.shaping, normals_at(grown.head.scalp, placed.roots),
         std::uint64_t(strands.integer("seed")));
-  grown.report.moved_out = move_out(grown.drawn, grown.head.mesh);
+  return grown;
+}
+
+}  // namespace
+
+Result<Grown> grow(const GroomingSpecification& specification) {
+  constexpr double reach = 0.02;
+  CUTICLE_ASSIGN(Grown grown, grow_on(specification, head_for(specification.strands)));
+  grown.report.moved_out =
+      move_out(grown.drawn, grown.head.mesh, reach, [](const glm::dvec3& point) { return head_distance(point) < 0; });
+  return grown;
+}
+
+Result<Grown> grow(const GroomingSpecification& specification, Head head) {
+  constexpr double reach = 0.05;
+  CUTICLE_ASSIGN(Grown grown, grow_on(specification, std::move(head)));
+  grown.report.moved_out = move_out(grown.drawn, grown.head.mesh, reach, [](const glm::dvec3&) { return true; });
   return grown;
 }
 

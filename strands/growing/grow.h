@@ -9,7 +9,7 @@ namespace cuticle::strands {
 struct GrowthReport {
   RootReport roots;
   Deviation deviation;        ///< of the smoothed control hairs from their control polylines
-  std::size_t moved_out = 0;  ///< drawn vertices that lay inside the head and were moved to its surface
+  std::size_t moved_out = 0;  ///< drawn vertices that lay inside the mesh and were moved to its surface
 };
 struct Grown {
   Head head;      ///< `scalp` is what carries the hair
@@ -22,5 +22,7 @@ struct Grown {
 /// that the specification names, and moved out of the head. The same specification gives the same hair on every machine
 /// of equal floating point. Error: bad_input where no strand results, or as plant_control_hairs and place_roots.
 Result<Grown> grow(const GroomingSpecification& specification);
+/// The same on a head or body of one's own; strands.surface and strands.control_hairs are not used.
+Result<Grown> grow(const GroomingSpecification& specification, Head head);
 
 }  // namespace cuticle::strands

@@ -132,8 +132,8 @@ glm::dvec3 Grower::turned(const glm::dvec3& point, const glm::dvec3& direction, 
   const SurfaceHit hit = surface_.at(point);
   // Hair that has travelled far lies over hair that has not.
   const double height = style_.volume * (0.5 + std::min(travelled / 0.15, 1.0));
-  // Under jaw, ears and neck hair hangs free, but not where a tie holds it.
-  const double held = bun_ ? 1 : glm::smoothstep(-0.7, -0.3, hit.normal.y);
+  // Under jaw, ears and neck hair hangs free, but not where a tie holds it; fur lies there as elsewhere.
+  const double held = bun_ ? 1 : glm::mix(glm::smoothstep(-0.7, -0.3, hit.normal.y), 1.0, style_.under);
   const double near = (1 - glm::smoothstep(0.012, 0.04, hit.distance - height)) * held;
   const auto along_head = [&](const glm::dvec3& v) { return v - near * hit.normal * glm::dot(v, hit.normal); };
   const glm::dvec3 combed = (bun_ ? 1 : near) * along_head(comb_at(point, side));

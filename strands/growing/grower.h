@@ -17,13 +17,14 @@ struct Style {
         comb(values.real("comb")),
         droop(values.real("droop")),
         volume(values.real("volume")),
+        under(values.real("under")),
         cut_height(values.real("cut_height")),
         fringe(values.real("fringe")),
         clump(values.real("clump")),
         radius(values.real("radius")),
         seed(std::uint64_t(values.integer("seed"))) {}
   int vertices;
-  double length, variation, growth, parting, comb, droop, volume, cut_height, fringe, clump, radius;
+  double length, variation, growth, parting, comb, droop, volume, under, cut_height, fringe, clump, radius;
   std::uint64_t seed;
 };
 

@@ -47,6 +47,7 @@ constexpr Parameter k_parameters[] = {
      "How far hair bends to the ground; 0 leaves it stiff, below 0 it rises"},
     {"cut_height", ParameterType::real, "m", -2, 2, "-2", {}, "Hair ends where it first falls below this height"},
     {"volume", ParameterType::real, "m", 0.005, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
+    {"under", ParameterType::real, "1", 0, 1, "0", {}, "How far the comb holds hair where the skin faces down, as fur"},
     {"fringe", ParameterType::real, "1", 0.05, 1, "1", {}, "Length at the front hairline over length elsewhere"},
     {"clump", ParameterType::real, "1", 0, 1, "0.25", {}, "How far tips gather to those of chosen neighbours"},
     {"radius", ParameterType::real, "m", 5e-6, 1e-3, "3.5e-5", {}, "Fibre radius"},
