@@ -83,7 +83,9 @@ void read_whole(benchmark::State& state, const char* extension) {
   std::size_t in_memory = 0;
   for (auto _ : state) in_memory = bytes_of(read_groom(path).value().groom);
   set_bytes(state, path);
-  state.counters["peak_over_groom"] = peak_bytes(path) / double(in_memory);
+  const double peak = peak_bytes(path);
+  state.counters["peak_over_groom"] = peak / double(in_memory);
+  state.counters["peak_over_file"] = peak / double(fs::file_size(path));
 }
 
 /// The file into memory and nothing else: the disk's speed from the page cache.
