@@ -1,13 +1,9 @@
 #include <cuticle/sim/classic/classic.h>
 
-#include <cmath>
-
 #include <tbb/parallel_for.h>
 
-#include <cuticle/sim/classic/length_constraint.glslh>
+#include <cuticle/sim/classic/particles.h>
 #include <cuticle/sim/classic/shape_sphere.glslh>
-#include <cuticle/sim/classic/verlet.glslh>
-#include <cuticle/sim/turn.glslh>
 
 namespace cuticle::sim::classic {
 namespace {
@@ -18,62 +14,27 @@ struct Contacts {
   colliders::ContactSettings settings;
 };
 
-/// One strand's share of the arrays.
-struct StrandView {
-  std::span<const glm::vec4> places, traits;
-  std::span<glm::vec3> positions, starts, velocities;
-
-  std::size_t size() const { return places.size(); }
-  glm::vec3 target(std::size_t vertex, const glm::vec4& rotation) const {
-    return turned(glm::vec3(places[vertex]), glm::vec3(rotation), rotation.w);
-  }
-  glm::vec3 rest_direction(std::size_t vertex, const glm::vec4& rotation) const {
-    return direction_of(target(vertex, rotation) - target(vertex - 1, rotation));
-  }
-};
-
-std::size_t anchor_of(const StrandView& strand, const StepConstants& step) {
+std::size_t anchor_of(const Particles& strand, const StepConstants& step) {
   return std::min<std::size_t>(step.clamped_vertices, strand.size()) - 1;
 }
 
-void integrate(StrandView strand, const StepConstants& step) {
-  for (std::size_t i = 0; i < strand.size(); ++i) {
-    const glm::vec3 carry(step.carry);
-    const glm::vec3 here = turned(strand.positions[i], carry, step.carry.w);
-    const glm::vec3 velocity = turned(strand.velocities[i], carry, step.carry.w);
-    const glm::vec3 target = strand.target(i, step.rotation_begin), next = strand.target(i, step.rotation_end);
-    const float pull = kept(shape_rate_at(step.shape_rate, step.shape_tip, strand.traits[i].y));
-    const glm::vec3 moved =
-        verlet_position(here, velocity * step.velocity_to_step, target, next, step.head_step, pull, step.fall);
-    strand.starts[i] = here;
-    strand.velocities[i] = velocity;
-    strand.positions[i] = strand.traits[i].x > 0 ? moved : next;
-  }
-}
-
 /// Pulls vertex i back into the reach of the vertex that the head carries.
-void keep_reach(StrandView strand, std::size_t i, std::size_t anchor) {
+void keep_reach(const Particles& strand, std::size_t i, std::size_t anchor) {
   const glm::vec3 before = direction_of(strand.starts[i] - strand.starts[anchor]);
   strand.positions[i] -= reach_excess(strand.positions[i] - strand.positions[anchor], strand.traits[i].z, before);
 }
 
-/// Corrects the segment from vertex i - 1 to i.
-void keep_length(StrandView strand, std::size_t i, const glm::vec4& rotation) {
-  const float total = strand.traits[i - 1].x + strand.traits[i].x;
-  const glm::vec3 edge = strand.positions[i] - strand.positions[i - 1];
-  const glm::vec3 before = direction_of(strand.starts[i] - strand.starts[i - 1]);
-  const glm::vec3 fallback = lacks_direction(edge, strand.places[i].w) ? strand.rest_direction(i, rotation) : before;
-  const glm::vec3 excess = length_excess(edge, strand.places[i].w, before, fallback) / total;
-  strand.positions[i - 1] += excess * strand.traits[i - 1].x;
-  strand.positions[i] -= excess * strand.traits[i].x;
+/// The segment from vertex i - 1 to i.
+void keep_length(const Particles& strand, std::size_t i, const glm::vec4& rotation) {
+  keep_distance(strand, i - 1, i, strand.places[i].w, rotation);
 }
 
-void keep_in_sphere(StrandView strand, std::size_t i, const glm::vec4& rotation, const Sweep& sweep) {
+void keep_in_sphere(const Particles& strand, std::size_t i, const glm::vec4& rotation, const Sweep& sweep) {
   const float radius = shape_radius(sweep.sphere_root, sweep.sphere_tip, strand.traits[i].y);
   strand.positions[i] = kept_within(strand.positions[i], strand.target(i, rotation), radius);
 }
 
-void sweep_in_sequence(StrandView strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
+void sweep_in_sequence(const Particles& strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
   for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
     if (sweep.long_range) keep_reach(strand, i, anchor);
     keep_length(strand, i, step.rotation_end);
@@ -81,27 +42,28 @@ void sweep_in_sequence(StrandView strand, std::size_t anchor, const StepConstant
 }
 
 /// The segments of a colour share no vertex, so that a kernel may correct them at once.
-void sweep_red_black(StrandView strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
+void sweep_red_black(const Particles& strand, std::size_t anchor, const StepConstants& step, const Sweep& sweep) {
   for (std::size_t i = anchor + 1; sweep.long_range && i < strand.size(); ++i) keep_reach(strand, i, anchor);
   for (std::size_t colour : {1, 2})
     for (std::size_t i = anchor + colour; i < strand.size(); i += 2) keep_length(strand, i, step.rotation_end);
 }
 
 /// One pass over the constraints of a strand.
-void sweep_lengths(StrandView strand, const StepConstants& step, const Sweep& sweep) {
+void sweep_lengths(const Particles& strand, const StepConstants& step, const Sweep& sweep) {
   const std::size_t anchor = anchor_of(strand, step);
   (sweep.red_black ? sweep_red_black : sweep_in_sequence)(strand, anchor, step, sweep);
   for (std::size_t i = anchor + 1; sweep.has_spheres() && i < strand.size(); ++i)
     keep_in_sphere(strand, i, step.rotation_end, sweep);
 }
 
-void constrain(StrandView strand, const StepConstants& step, const Settings& settings) {
+void constrain(const Particles& strand, const StepConstants& step, const Settings& settings) {
   for (std::uint32_t k = 0; k < settings.iterations; ++k) sweep_lengths(strand, step, settings.sweep);
 }
 
 /// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so
 /// that leaving an overlap gives no velocity.
-void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& contacts, const Settings& settings) {
+void meet_spheres(const Particles& strand, const StepConstants& step, const Contacts& contacts,
+                  const Settings& settings) {
   const std::size_t anchor = anchor_of(strand, step);
   const glm::vec3 outward =
       direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
@@ -112,28 +74,6 @@ void meet_spheres(StrandView strand, const StepConstants& step, const Contacts& 
     colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward}, contacts.spheres,
                         contacts.settings);
   }
-}
-
-bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-void reset(StrandView strand, const StepConstants& step) {
-  for (std::size_t i = 0; i < strand.size(); ++i) {
-    const glm::vec3 target = strand.target(i, step.rotation_begin), next = strand.target(i, step.rotation_end);
-    strand.positions[i] = next;
-    strand.velocities[i] = (next - target + step.head_step) * step.inverse_duration;
-  }
-}
-
-/// Velocities from displacements; true when the strand had to be reset.
-bool finish(StrandView strand, const StepConstants& step) {
-  bool good = true;
-  for (std::size_t i = 0; i < strand.size(); ++i) {
-    if (step.inverse_duration > 0)
-      strand.velocities[i] = (strand.positions[i] - strand.starts[i] + step.head_step) * step.inverse_duration;
-    good = good && finite(strand.positions[i]) && finite(strand.velocities[i]);
-  }
-  if (!good) reset(strand, step);
-  return !good;
 }
 
 class ClassicSolver final : public Solver {
@@ -167,7 +107,7 @@ class ClassicSolver final : public Solver {
 
  private:
   void run_strand(std::size_t index, std::span<const StepConstants> steps, const Contacts& contacts) {
-    const StrandView strand = view(index);
+    const Particles strand = view(index);
     resets_[index] = 0;
     if (strand.size() == 0) return;
     for (const StepConstants& step : steps) {
@@ -178,7 +118,7 @@ class ClassicSolver final : public Solver {
     }
   }
 
-  StrandView view(std::size_t index) {
+  Particles view(std::size_t index) {
     const std::size_t first = rest_.offsets[index], count = rest_.offsets[index + 1] - first;
     const auto part = [&](auto& values) { return std::span(values).subspan(first, count); };
     return {part(rest_.places), part(rest_.traits), part(positions_), part(starts_), part(velocities_)};

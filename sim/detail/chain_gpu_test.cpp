@@ -42,7 +42,7 @@ TEST(ChainGpuVariants, Each_StaysNearTheCpu) {
                   solver.c_str(), settings.c_str(), effects.size() > 1 ? "sphere" : "no sphere", one, five, speeds);
       EXPECT_LT(one, 5e-6);
       EXPECT_LT(five, 3.5e-5);
-      EXPECT_LT(speeds, 4e-4);
+      EXPECT_LT(speeds, 3e-4);
     }
 }
 

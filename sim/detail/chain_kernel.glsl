@@ -102,14 +102,14 @@ void follow_beside(uint i, ChainStep s, StrandStep strand, vec3 newton, vec3 aim
   vec3 aimed = from + aim * rest_length, place = from + turn_beside(i, s, from, aim, rest_length) * rest_length,
        turn = place - aimed;
   vec3 pushed = pushed_along(f.pushed, aim);
-  vec3 pull = cleanup_pull(aimed - newton - pushed, rest_length, rest[rest_at(i, k_mass_ratio)], strand.time);
+  vec3 pull = cleanup_pull(aimed - newton - pushed, rest_length, rest[rest_at(i, k_mass_ratio)], strand.inverse_time);
   put_state(i - 1u, k_velocity, state_vector(i - 1u, k_velocity) - pull * f.free_parent);
   Touch touch = Touch(place, scratch_vector(i, k_normal), scratch_vector(i, k_begin_pushed));
   bool touches = inner(touch.normal, touch.normal) > 0;
   vec3 begin = state_vector(i, k_before);
   vec3 beside = touching_velocity(place, begin, carried_by_head(s, begin + strand.root_step), touch,
-                                  sqrt(inner(turn, turn)), s.friction, s.duration);
-  put_state(i, k_velocity, either(touches, beside, (place - state_vector(i, k_velocity)) / strand.time));
+                                  sqrt(inner(turn, turn)), s.friction, s.per_second);
+  put_state(i, k_velocity, either(touches, beside, (place - state_vector(i, k_velocity)) * strand.inverse_time));
   put_state(i, k_here, place);
   f.pushed = pushed + turn;
   f.free_parent = touches ? 0 : 1;
@@ -118,9 +118,9 @@ void follow_beside(uint i, ChainStep s, StrandStep strand, vec3 newton, vec3 aim
 
 void follow(uint i, StrandStep strand, vec3 newton, vec3 aim, float rest_length) {
   vec3 place = state_vector(i - 1u, k_here) + aim * rest_length;
-  vec3 pull = cleanup_pull(place - newton, rest_length, rest[rest_at(i, k_mass_ratio)], strand.time);
+  vec3 pull = cleanup_pull(place - newton, rest_length, rest[rest_at(i, k_mass_ratio)], strand.inverse_time);
   put_state(i - 1u, k_velocity, state_vector(i - 1u, k_velocity) - pull);
-  put_state(i, k_velocity, (place - state_vector(i, k_velocity)) / strand.time);
+  put_state(i, k_velocity, (place - state_vector(i, k_velocity)) * strand.inverse_time);
   put_state(i, k_here, place);
 }
 
@@ -139,7 +139,7 @@ void go_down(uint i, ChainStep s, StrandStep strand, vec3 newton, vec3 fallback,
 
 StrandStep begun(ChainStep s) {
   StrandStep strand = strand_step(s, anchor_place(), strands[strand_base + k_guarded * k_lanes]);
-  put_state(0u, k_velocity, strand.root_step / s.duration);
+  put_state(0u, k_velocity, strand.root_step * s.per_second);
   return strand;
 }
 void ended(Following f) { strands[strand_base + k_guarded * k_lanes] = f.excess > 0 ? 1 : 0; }

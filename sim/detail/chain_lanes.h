@@ -11,7 +11,16 @@
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr int W = k_lanes;
+constexpr int S = k_lanes;  ///< from row to row
+/// Lanes that a pass takes at once: as many floats as a register holds, so that it is straight code; a block is walked
+/// in so many parts.
+#if defined(__AVX512F__)
+constexpr int W = 16;
+#elif defined(__AVX2__)
+constexpr int W = 8;
+#else
+constexpr int W = 4;
+#endif
 
 // A loop whose body is a function of its own, inlined: locals of a loop would become arrays, which no vector holds.
 #define CUTICLE_INLINED __attribute__((always_inline))
@@ -21,33 +30,40 @@ template <class Body>
   for (int lane = 0; lane < W; ++lane) body(lane);
 }
 
-FN glm::vec<3, Real> vector_at(const Real* row, int lane) { return {row[lane], row[W + lane], row[2 * W + lane]}; }
+FN glm::vec<3, Real> vector_at(const Real* row, int lane) { return {row[lane], row[S + lane], row[2 * S + lane]}; }
 FN void put(Real* row, int lane, const glm::vec<3, Real>& v) {
   row[lane] = v.x;
-  row[W + lane] = v.y;
-  row[2 * W + lane] = v.z;
+  row[S + lane] = v.y;
+  row[2 * S + lane] = v.z;
 }
+
+/// LinkCarry.
+template <class Real>
+struct CarryRows {
+  Real place[3 * S], direction[3 * S], normal[3 * S], inverse_mass[S], inverse_pivot[S], residual[S];
+};
 
 /// What a block's strands share with their links within a substep, a row for each number.
 template <class Real>
 struct StrandRows {
-  Real root_step[3 * W], history[W], time[W], excess[W];
-  Real place[3 * W], direction[3 * W], normal[3 * W], inverse_mass[W], inverse_pivot[W], residual[W];  ///< LinkCarry
-  Real sum[3 * W], stiffness[W], tension_pivot[W];                                                     ///< TensionCarry
-  Real newton[3 * W], newton_parent[3 * W], aim[3 * W], turned[3 * W], pushed[3 * W], free_parent[W];
+  Real root_step[3 * S], history[S], time[S], inverse_time[S], coasting[S], excess[S];
+  CarryRows<Real> carry[2];                         ///< of links of even and of odd number
+  Real sum[3 * S], stiffness[S], tension_pivot[S];  ///< TensionCarry
+  Real newton[3 * S], newton_parent[3 * S], aim[3 * S], turned[3 * S], pushed[3 * S], free_parent[S];
 };
 
 FN StrandStep<Real> step_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.root_step, lane), rows.history[lane], rows.time[lane]};
+  return {vector_at(rows.root_step, lane), rows.history[lane], rows.time[lane], rows.inverse_time[lane],
+          rows.coasting[lane]};
 }
-FN LinkCarry<Real> carry_at(const StrandRows<Real>& rows, int lane) {
+FN LinkCarry<Real> carry_at(const CarryRows<Real>& rows, int lane) {
   return {vector_at(rows.place, lane), vector_at(rows.direction, lane), vector_at(rows.normal, lane),
           rows.inverse_mass[lane],     rows.inverse_pivot[lane],        rows.residual[lane]};
 }
 FN TensionCarry<Real> tension_carry_at(const StrandRows<Real>& rows, int lane) {
   return {vector_at(rows.sum, lane), rows.stiffness[lane], rows.tension_pivot[lane]};
 }
-FN void put_carry(StrandRows<Real>& rows, int lane, const LinkCarry<Real>& carry) {
+FN void put_carry(CarryRows<Real>& rows, int lane, const LinkCarry<Real>& carry) {
   put(rows.place, lane, carry.place);
   put(rows.direction, lane, carry.direction);
   put(rows.normal, lane, carry.normal);
@@ -62,12 +78,12 @@ struct VertexRows {
   const Real* rest;
   Real *state, *scratch;
   VertexRows(const ChainBlock<Real>& block, int i)
-      : rest(block.rest + i * rest_row::count * W),
-        state(block.state + i * state_row::count * W),
-        scratch(block.scratch + i * block.scratch_rows * W) {}
-  const Real* rest_at(int row) const { return rest + row * W; }
-  Real* state_at(int row) const { return state + row * W; }
-  Real* scratch_at(int row) const { return scratch + row * W; }
+      : rest(block.rest + i * rest_row::count * S),
+        state(block.state + i * state_row::count * S),
+        scratch(block.scratch + i * block.scratch_rows * S) {}
+  const Real* rest_at(int row) const { return rest + row * S; }
+  Real* state_at(int row) const { return state + row * S; }
+  Real* scratch_at(int row) const { return scratch + row * S; }
 };
 
 template <class Real>
@@ -77,19 +93,23 @@ template <class Real>
 }
 
 template <class Real>
-void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step, StrandRows<Real>& rows) {
+[[gnu::always_inline]] inline void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step,
+                                         StrandRows<Real>& rows) {
   const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * W, *guarded = block.strand + strand_row::guarded * W;
+  const Real *anchor = block.strand + strand_row::anchor * S, *guarded = block.strand + strand_row::guarded * S;
   const VertexRows<Real> root(block, 0);
   each_lane([&](int lane) CUTICLE_INLINED {
     const StrandStep<Real> strand = strand_step(s, vector_at(anchor, lane), guarded[lane]);
     put(rows.root_step, lane, strand.root_step);
-    put(root.state_at(state_row::velocity), lane, strand.root_step / s.duration);
+    put(root.state_at(state_row::velocity), lane, strand.root_step * s.per_second);
+    put(root.state_at(state_row::before), lane, -strand.root_step);
     rows.history[lane] = strand.history;
     rows.time[lane] = strand.time;
+    rows.inverse_time[lane] = strand.inverse_time;
+    rows.coasting[lane] = strand.coasting;
     rows.excess[lane] = 0;
     rows.free_parent[lane] = 0;
-    put_carry(rows, lane, at_anchor<Real>());
+    put_carry(rows.carry[0], lane, at_anchor<Real>());
     const TensionCarry<Real> tip = below_tip<Real>();
     put(rows.sum, lane, tip.sum);
     rows.stiffness[lane] = tip.stiffness;
@@ -100,34 +120,36 @@ void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step, StrandRow
 }
 
 template <class Real>
-void clear_touch(const VertexRows<Real> v) {
+[[gnu::always_inline]] inline void clear_touch(const VertexRows<Real>& v) {
   each_lane([&](int lane) CUTICLE_INLINED {
     put(v.scratch_at(scratch_row::normal), lane, glm::vec<3, Real>(0));
     put(v.scratch_at(scratch_row::begin_pushed), lane, glm::vec<3, Real>(0));
   });
 }
 
-FN LinkSphere<Real> sphere_at(const Real* rows, int lane) { return {vector_at(rows, lane), rows[3 * W + lane]}; }
+FN LinkSphere<Real> sphere_at(const Real* rows, int lane) { return {vector_at(rows, lane), rows[3 * S + lane]}; }
 
 template <class Real>
-void place_spheres(const ChainBlock<Real>& block, const ChainStep<Real>& step, const ChainFrame<Real>& frame) {
+[[gnu::always_inline]] inline void place_spheres(const ChainBlock<Real>& block, const ChainStep<Real>& step,
+                                                 const ChainFrame<Real>& frame) {
   const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * W,
+  const Real *anchor = block.strand + strand_row::anchor * S,
              *length = VertexRows<Real>(block, 1).rest_at(rest_row::length);
   for (int k = 0; k < frame.sphere_count; ++k) {
     const LinkSphere<Real> sphere = frame.spheres[k];
-    Real* const rows = frame.sphere_rows + 4 * W * k;
+    Real* const rows = frame.sphere_rows + 4 * S * k;
     each_lane([&](int lane) CUTICLE_INLINED {
       const LinkSphere<Real> placed =
           link_sphere(s, sphere.centre, sphere.radius, vector_at(anchor, lane), length[lane]);
       put(rows, lane, placed.centre);
-      rows[3 * W + lane] = placed.radius;
+      rows[3 * S + lane] = placed.radius;
     });
   }
 }
 
 template <class Real>
-void push_out(const VertexRows<Real> v, const ChainStep<Real>& step, const Real* sphere) {
+[[gnu::always_inline]] inline void push_out(const VertexRows<Real>& v, const ChainStep<Real>& step,
+                                            const Real* sphere) {
   const ChainStep<Real> s = step;
   each_lane([&](int lane) CUTICLE_INLINED {
     const glm::vec<3, Real> here = vector_at(v.state_at(state_row::here), lane);
@@ -158,8 +180,8 @@ template <class Real>
 }
 
 template <class Real>
-void turn_out(const VertexRows<Real> v, const VertexRows<Real> parent, const ChainStep<Real>& step, const Real* sphere,
-              StrandRows<Real>& rows) {
+[[gnu::always_inline]] inline void turn_out(const VertexRows<Real>& v, const VertexRows<Real>& parent,
+                                            const ChainStep<Real>& step, const Real* sphere, StrandRows<Real>& rows) {
   const glm::vec<3, Real> side = step.end_x, other = step.end_y;
   each_lane([&](int lane) CUTICLE_INLINED {
     const LinkSphere<Real> met = sphere_at(sphere, lane);
@@ -176,15 +198,17 @@ void turn_out(const VertexRows<Real> v, const VertexRows<Real> parent, const Cha
 
 /// The link at its length, the velocities, and the share of the clean-up that the parent's velocity gives back.
 template <class Real>
-void follow(const VertexRows<Real> v, const VertexRows<Real> parent, StrandRows<Real>& rows) {
+[[gnu::always_inline]] inline void follow(const VertexRows<Real>& v, const VertexRows<Real>& parent,
+                                          StrandRows<Real>& rows) {
   each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], time = rows.time[lane];
+    const Real length = v.rest_at(rest_row::length)[lane], inverse_time = rows.inverse_time[lane];
     const glm::vec<3, Real> place =
         vector_at(parent.state_at(state_row::here), lane) + vector_at(rows.aim, lane) * length;
     const glm::vec<3, Real> pull =
-        cleanup_pull(place - vector_at(rows.newton, lane), length, v.rest_at(rest_row::mass_ratio)[lane], time);
+        cleanup_pull(place - vector_at(rows.newton, lane), length, v.rest_at(rest_row::mass_ratio)[lane], inverse_time);
     put(parent.state_at(state_row::velocity), lane, vector_at(parent.state_at(state_row::velocity), lane) - pull);
-    put(v.state_at(state_row::velocity), lane, (place - vector_at(v.state_at(state_row::velocity), lane)) / time);
+    put(v.state_at(state_row::velocity), lane,
+        (place - vector_at(v.state_at(state_row::velocity), lane)) * inverse_time);
     put(v.state_at(state_row::here), lane, place);
   });
 }
@@ -192,11 +216,11 @@ void follow(const VertexRows<Real> v, const VertexRows<Real> parent, StrandRows<
 /// The same beside spheres. What a contact moved says nothing of the pull on the parent, and a parent in contact feels
 /// none.
 template <class Real>
-void follow_beside(const VertexRows<Real> v, const VertexRows<Real> parent, const ChainStep<Real>& step,
-                   StrandRows<Real>& rows) {
+[[gnu::always_inline]] inline void follow_beside(const VertexRows<Real>& v, const VertexRows<Real>& parent,
+                                                 const ChainStep<Real>& step, StrandRows<Real>& rows) {
   const ChainStep<Real> s = step;
   each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], time = rows.time[lane];
+    const Real length = v.rest_at(rest_row::length)[lane], inverse_time = rows.inverse_time[lane];
     const glm::vec<3, Real> from = vector_at(parent.state_at(state_row::here), lane),
                             normal = vector_at(v.scratch_at(scratch_row::normal), lane);
     const glm::vec<3, Real> aimed = from + vector_at(rows.aim, lane) * length,
@@ -204,7 +228,7 @@ void follow_beside(const VertexRows<Real> v, const VertexRows<Real> parent, cons
     const glm::vec<3, Real> pushed = pushed_along(vector_at(rows.pushed, lane), vector_at(rows.aim, lane)),
                             turn = place - aimed;
     const glm::vec<3, Real> pull = cleanup_pull(aimed - vector_at(rows.newton, lane) - pushed, length,
-                                                v.rest_at(rest_row::mass_ratio)[lane], time);
+                                                v.rest_at(rest_row::mass_ratio)[lane], inverse_time);
     put(parent.state_at(state_row::velocity), lane,
         vector_at(parent.state_at(state_row::velocity), lane) - pull * rows.free_parent[lane]);
     const bool touches = inner(normal, normal) > 0;
@@ -212,8 +236,8 @@ void follow_beside(const VertexRows<Real> v, const VertexRows<Real> parent, cons
     const Touch<Real> touch{place, normal, vector_at(v.scratch_at(scratch_row::begin_pushed), lane)};
     const glm::vec<3, Real> beside =
         touching_velocity(place, begin, carried_by_head(s, begin + vector_at(rows.root_step, lane)), touch,
-                          sqrt(inner(turn, turn)), s.friction, s.duration);
-    const glm::vec<3, Real> free = (place - vector_at(v.state_at(state_row::velocity), lane)) / time;
+                          sqrt(inner(turn, turn)), s.friction, s.per_second);
+    const glm::vec<3, Real> free = (place - vector_at(v.state_at(state_row::velocity), lane)) * inverse_time;
     put(v.state_at(state_row::velocity), lane, either(touches, beside, free));
     put(v.state_at(state_row::here), lane, place);
     put(rows.pushed, lane, pushed + turn);
@@ -231,21 +255,36 @@ void follow_all(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, co
     aim(i);
     if constexpr (Touches) {
       for (int k = 0; k < frame.sphere_count; ++k)
-        turn_out(vertex(i), vertex(i - 1), step, frame.sphere_rows + 4 * W * k, rows);
+        turn_out(vertex(i), vertex(i - 1), step, frame.sphere_rows + 4 * S * k, rows);
       follow_beside(vertex(i), vertex(i - 1), step, rows);
     } else {
       follow(vertex(i), vertex(i - 1), rows);
     }
   }
   each_lane([&](int lane) CUTICLE_INLINED {
-    block.strand[strand_row::guarded * W + lane] = rows.excess[lane] > 0 ? Real(1) : Real(0);
+    block.strand[strand_row::guarded * S + lane] = rows.excess[lane] > 0 ? Real(1) : Real(0);
   });
+}
+
+/// All substeps of a frame, part by part.
+template <class Real, class Substep>
+void advance_parts(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const Substep& substep) {
+  [[maybe_unused]] const FlushToZero guard;
+  StrandRows<Real> rows;
+  for (int first = 0; first < S; first += W) {
+    ChainBlock<Real> part = block;
+    part.rest += first;
+    part.state += first;
+    part.strand += first;
+    part.own += block.own ? first : 0;
+    for (int k = 0; k < frame.count; ++k) substep(part, frame.steps[k], rows);
+  }
 }
 
 template <class Real>
 void push_out_of_all(const ChainFrame<Real>& frame, const ChainStep<Real>& step, const VertexRows<Real>& v) {
   clear_touch(v);
-  for (int k = 0; k < frame.sphere_count; ++k) push_out(v, step, frame.sphere_rows + 4 * W * k);
+  for (int k = 0; k < frame.sphere_count; ++k) push_out(v, step, frame.sphere_rows + 4 * S * k);
 }
 
 }  // namespace

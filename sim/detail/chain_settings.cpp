@@ -18,6 +18,7 @@ void set_scheme(ChainStep<Real>& step, double duration, double previous) {
   const double ratio = previous > 0 ? duration / previous : 0;
   const bool second = ratio >= 1 / k_largest_ratio && ratio <= k_largest_ratio;
   step.duration = Real(duration);
+  step.per_second = Real(1 / duration);
   step.first_order = second ? Real(0) : Real(1);
   step.history = Real(ratio * ratio / (1 + 2 * ratio));
   step.gain = Real((1 + ratio) / (1 + 2 * ratio));

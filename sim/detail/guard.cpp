@@ -1,17 +1,19 @@
 #include <cuticle/sim/detail/guard.h>
 
+#include <array>
 #include <cmath>
 
 namespace cuticle::sim::detail {
 namespace {
 
+/// Nought in every lane whose numbers are all finite: what is not times nought is not a number.
 template <class Real>
-bool finite(Chains<Real>& chains, std::size_t block, std::size_t lane) {
-  bool good = true;
-  for (std::size_t i = 1; i <= chains.blocks[block].links; ++i)
-    for (std::size_t field = 0; field < std::size_t(state_row::count); ++field)
-      good = good && std::isfinite(chains.state_at(block, i, field)[lane]);
-  return good;
+std::array<Real, k_lanes> noughts(Chains<Real>& chains, std::size_t block) {
+  std::array<Real, k_lanes> sums{};
+  const Real* row = chains.state_at(block, 1, 0);
+  for (std::size_t rows = chains.blocks[block].links * std::size_t(state_row::count); rows > 0; --rows, row += k_lanes)
+    for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane) sums[lane] += row[lane] * Real(0);
+  return sums;
 }
 
 template <class Real>
@@ -32,8 +34,9 @@ void reset_lane(Chains<Real>& chains, std::size_t block, std::size_t lane, const
 
 template <class Real>
 void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const Placing& placing) {
+  const std::array<Real, k_lanes> sums = noughts(chains, block);
   for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
-    if (!finite(chains, block, lane)) reset_lane(chains, block, lane, placing);
+    if (!std::isfinite(sums[lane])) reset_lane(chains, block, lane, placing);
 }
 template void reset_broken_lanes<float>(Chains<float>&, std::size_t, const Placing&);
 template void reset_broken_lanes<double>(Chains<double>&, std::size_t, const Placing&);

@@ -72,7 +72,7 @@ void substep(uint links, ChainStep s) {
   Following f = Following(vec3(0), vec3(0), 0, 0);
   for (uint i = 1u; i <= links; ++i) {
     state[state_at(i, k_tension)] = next_tension(state[state_at(i, k_tension)], scratch[scratch_at(i, k_value)],
-                                                 rest[rest_at(i, k_inverse_length)], strand.time);
+                                                 rest[rest_at(i, k_inverse_length)], strand.inverse_time);
     go_down(i, s, strand, newton_of(i), scratch_vector(i, k_direction), f);
   }
   ended(f);

@@ -211,7 +211,7 @@ void aim(const ChainBlock<Real>& block, int i, StrandRows<Real>& rows) {
   const Real* const inverse_length = hinge_at(block, i, hinge_row::inverse_length);
   each_lane([&](int lane) CUTICLE_INLINED {
     v.state_at(state_row::tension)[lane] =
-        next_tension(Real(0), -v.scratch_at(rod_row::right + 3)[lane], inverse_length[lane], rows.time[lane]);
+        next_tension(Real(0), -v.scratch_at(rod_row::right + 3)[lane], inverse_length[lane], rows.inverse_time[lane]);
     aim_lane(v, parent, lane,
              vector_at(v.scratch_at(rod_row::coast), lane) + vector_at(v.scratch_at(rod_row::right), lane),
              vector_at(v.scratch_at(scratch_row::direction), lane), rows);
@@ -247,9 +247,9 @@ void substep(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const
 
 template <class Real, bool Touches>
 void advance(const ChainBlock<Real>& block, const ChainFrame<Real>& frame) {
-  [[maybe_unused]] const FlushToZero guard;
-  StrandRows<Real> rows;
-  for (int k = 0; k < frame.count; ++k) substep<Real, Touches>(block, frame, frame.steps[k], rows);
+  advance_parts(block, frame, [&](const ChainBlock<Real>& part, const ChainStep<Real>& step, StrandRows<Real>& rows) {
+    substep<Real, Touches>(part, frame, step, rows);
+  });
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ void substep(uint links, ChainStep s) {
   Following f = Following(vec3(0), vec3(0), 0, 0);
   for (uint i = 1u; i <= links; ++i) {
     state[state_at(i, k_tension)] =
-        next_tension(0.0, -scratch_number(i, k_right + 3u), hinge(i, k_hinge_inverse_length), strand.time);
+        next_tension(0.0, -scratch_number(i, k_right + 3u), hinge(i, k_hinge_inverse_length), strand.inverse_time);
     go_down(i, s, strand, scratch_vector(i, k_coast) + scratch_vector(i, k_right), scratch_vector(i, k_direction), f);
   }
   ended(f);

@@ -83,8 +83,9 @@ TEST(RodTruth, HeavyElastica_IsTheDiscreteOneAtAnyStep) {
         const glm::vec3 tip = state.positions[groom.offsets[s + 1] - 1];
         const double error = -double(tip.y) / double(tip.x) / (drop / width) - 1;
         std::printf("  %.1e", error);
-        // Short steps of long rods: a step's weight is few units of the places' last digit.
-        EXPECT_LT(std::abs(error), step < 0.01 && gammas[s] > 10 ? 4e-4 : 1e-4) << gammas[s] << " " << step;
+        // Short steps of long rods of long links: a step's weight is few units of the places' last digit.
+        EXPECT_LT(std::abs(error), step < 0.01 && links == 16 && gammas[s] > 10 ? 3.5e-4 : 1e-4)
+            << gammas[s] << " " << step;
       }
       std::printf("  (Gamma 1, 10, 100, 1000)\n");
     }
