@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 // Fine rasteriser: a workgroup of eight per tile, each invocation a column with its eight pixels in registers. Eight
-// segments at a time are set up, one each, and drawn by all, from near to far.
+// segments at a time are set up, one each, and drawn by all, from near to far. The loop over the eight is unrolled: the
+// loops of an invocation may make 65,535 turns together on lavapipe, after which it leaves them.
 layout(local_size_x = 8) in;
 #include "cuticle/render/passes/tile_lists/segment.glsl"
 #include "cuticle/render/seen.glsl"
@@ -74,7 +75,7 @@ void main() {
     set_up(lane, min(first + lane, end - 1u), first + lane < end, vec2(corner) + 0.5 * float(k_tile));
     barrier();
     looked_at += min(k_lanes, end - first);
-    for (uint k = 0u; k < k_lanes; ++k) {
+    [[unroll]] for (uint k = 0u; k < k_lanes; ++k) {
       vec4 line = axis[k], size = extent[k], middle = shade[k], change = slope[k];
       float across = line.x * top.y - line.y * top.x + line.z, along = line.x * top.x + line.y * top.y + line.w;
       float half_length = size.z - 0.5;

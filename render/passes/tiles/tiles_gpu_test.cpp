@@ -306,11 +306,11 @@ TEST(Tiles, PictureOfAnySize_IsWhole) {
 // As many strands at one depth as in one pixel: 1 - (1 - c)^n, where c is the share of a pixel that one covers.
 TEST(Tiles, ManyStrandsInOnePixel_CompositeAll) {
   Drawing drawing;
-  const int strands = 20000;
-  const float thin = 1e-4f * drawing.pixel(), middle = 0.5f * drawing.pixel();
+  const int strands = 100000;
+  const float thin = 2e-5f * drawing.pixel(), middle = 0.5f * drawing.pixel();
   for (int k = 0; k < strands; ++k) drawing.strand({{-1, middle, 0}, {1, middle, 0}}, 0.5f * thin, k_red);
   const Drawn drawn = draw(drawing);
-  EXPECT_NEAR(drawn.alpha(32, 31), 1 - std::pow(1 - 1e-4, strands), 2e-3);
+  EXPECT_NEAR(drawn.alpha(32, 31), 1 - std::pow(1 - 2e-5, strands), 2e-3);
 }
 
 TEST(Tiles, ListsThatGrow_LeaveTheSamePicture) {

@@ -1,0 +1,111 @@
+// What a picture of hair costs (CUTICLE_DEVICE chooses the device): bench_render [GROOM] [bench/reference.json].
+// GROOM: the ponytail of TressFX (a .tfxproj), drawn with four followers a guide at 1280 x 720, Marschner by tables,
+// deep opacity shadows and the scene's depth, by each method: best of some frames by wall clock and by processor time,
+// passes by their timestamps, device memory. Then growth: wall time of 'tiles' from 1,000 to 1,000,000 strands of the
+// procedural head at 640 x 640.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <cuticle/plan/frame_runner_gpu.h>
+
+#include "calibration.h"
+
+namespace {
+
+using namespace cuticle;
+
+constexpr int k_frames = 10;  ///< of 'tiles'; the others take seconds on software Vulkan
+constexpr int k_frames_of_others = 2;
+
+/// The frame that took least of some.
+struct Best {
+  gpu::SubmitCost cost;
+  double processor_ms = 1e30;  ///< of all threads, with reading the picture back: the fairer number on a busy machine
+  double resident_mib = 0, peak_mib = 0;
+  std::vector<std::string> notes;
+};
+
+Result<Best> best_frame(const scene::Scene& scene, int frames) {
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open());
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, silent_progress()));
+  Best best;
+  for (int k = 0; k < frames; ++k) {
+    const std::clock_t start = std::clock();
+    CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
+    best.processor_ms = std::min(best.processor_ms, 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
+    if (k == 0 || frame.cost.wall_ms < best.cost.wall_ms) best.cost = std::move(frame.cost);
+    best.notes = std::move(frame.notes);
+  }
+  best.resident_mib = double(device->allocated_bytes()) / (1 << 20);
+  best.peak_mib = double(device->peak_allocated_bytes()) / (1 << 20);
+  return best;
+}
+
+Result<scene::Scene> ponytail(const std::string& groom) {
+  const std::string text = fmt::format(
+      R"({{"schema_version": 1, "groom": {{"file": "{}", "metres_per_unit": 0.01}}, "strand_count": 24665,
+          "strand_vertices": 16, "fibre_count": 352000,
+          "material": {{"model": {{"marschner": {{"sigma_a": [0.5447, 0.9061, 1.781]}}}}, "lut_size": 128}},
+          "lights": [{{"to_light": [1, 2, 1], "irradiance": [12, 12, 12]}}],
+          "shadow": {{"method": {{"deep_opacity": {{"layers": 8, "resolution": 512}}}}, "fibre_alpha": 0.4}},
+          "camera": {{"position_m": [0.02, 0.8, 2.26], "target_m": [0.02, 0.8, 0], "fov_deg": 25, "near_m": 0.2,
+                      "far_m": 10, "resolution_px": [1280, 720]}}, "passes": {{"tiles": {{"opacity": 0.4}}}}}})",
+      groom);
+  return scene::parse_scene(text, ".", "bench_render", plan::catalogue());
+}
+
+void print(std::string_view method, int frames, const Best& best, double scale) {
+  fmt::print("{:<6} {:8.1f} ms, best of {}, scaled {:8.1f}; {:8.1f} ms of all threads; {:.0f} MiB, at most {:.0f}\n",
+             method, best.cost.wall_ms, frames, best.cost.wall_ms / scale, best.processor_ms, best.resident_mib,
+             best.peak_mib);
+  for (const gpu::PassCost& pass : best.cost.passes) fmt::print("    {:<20} {:8.2f} ms\n", pass.name, pass.gpu_ms);
+  for (const std::string& note : best.notes) fmt::print("    {}\n", note);
+  std::fflush(stdout);
+}
+
+Result<void> time_ponytail(const std::string& groom, double scale) {
+  CUTICLE_ASSIGN(scene::Scene scene, ponytail(groom));
+  fmt::print("{}: {} strands x {}, 1280 x 720\n", groom, scene.strand_count, scene.strand_vertices);
+  for (std::string_view method : {"tiles", "quads", "lines"}) {
+    scene.render_method = method;
+    const int frames = method == "tiles" ? k_frames : k_frames_of_others;
+    CUTICLE_ASSIGN(const Best best, best_frame(scene, frames));
+    print(method, frames, best, scale);
+  }
+  return {};
+}
+
+Result<void> time_growth(double scale) {
+  constexpr std::string_view k_text =
+      R"({"schema_version": 1, "strand_vertices": 16, "material": {"lut_size": 64}, "render": {"method": "tiles"},
+          "lights": [{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14.2, 13]}],
+          "camera": {"position_m": [0.42, 0.2, 1.0], "target_m": [0, 0.06, 0], "fov_deg": 27, "near_m": 0.2, "far_m": 5,
+                     "resolution_px": [640, 640]}})";
+  CUTICLE_ASSIGN(scene::Scene scene, scene::parse_scene(k_text, ".", "bench_render", plan::catalogue()));
+  fmt::print("tiles, 640 x 640:\n{:>10} {:>10} {:>10} {:>15} {:>8}\n", "strands", "ms", "scaled", "all threads, ms",
+             "MiB");
+  for (int strands : {1000, 10000, 100000, 1000000}) {
+    scene.strand_count = strands;
+    CUTICLE_ASSIGN(const Best best, best_frame(scene, 3));
+    fmt::print("{:>10} {:>10.1f} {:>10.1f} {:>15.1f} {:>8.0f}\n", strands, best.cost.wall_ms, best.cost.wall_ms / scale,
+               best.processor_ms, best.peak_mib);
+    for (const std::string& note : best.notes) fmt::print("    {}\n", note);
+    std::fflush(stdout);
+  }
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string groom, reference;
+  for (int k = 1; k < argc; ++k) (std::string_view(argv[k]).ends_with(".json") ? reference : groom) = argv[k];
+  const double scale = reference.empty() ? 1 : bench::machine_scale(reference);
+  fmt::print("this machine takes {:.2f} times as long as the reference\n", scale);
+  for (const auto& done : {groom.empty() ? Result<void>() : time_ponytail(groom, scale), time_growth(scale)})
+    if (!done) fmt::print("{}\n", done.error().message);
+}
