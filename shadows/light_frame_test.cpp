@@ -2,20 +2,21 @@
 #include <limits>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
-#include <cuticle/shadows/light_frame.glslh>
 #include <cuticle/shadows/light_frame.h>
+#include <cuticle/shadows/light_frame.glslh>
 
 using namespace cuticle::shadows;
 
 namespace {
 
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
-MapPlacement<float> placement_of(std::vector<glm::vec3> points, glm::dvec3 to_light, std::uint32_t resolution = 68, float intervals = 15) {
+MapPlacement<float> placement_of(std::vector<glm::vec3> points, glm::dvec3 to_light, std::uint32_t resolution = 68,
+                                 float intervals = 15, float least_share = k_any_shape) {
   const LightBox box = light_box(light_axes(to_light), points);
-  return map_placement(box.lower, box.upper, resolution, intervals);
+  return map_placement(box.lower, box.upper, resolution, intervals, least_share);
 }
 glm::vec3 placed(const MapPlacement<float>& placement, glm::dvec3 to_light, glm::vec3 point) {
   const LightAxes axes = light_axes(to_light);
@@ -25,7 +26,8 @@ glm::vec3 placed(const MapPlacement<float>& placement, glm::dvec3 to_light, glm:
 }  // namespace
 
 TEST(LightFrame, AnyDirection_AxesAreRightHandedAndUnit) {
-  for (const glm::dvec3 light : {glm::dvec3(0, 1, 0), {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0.6, -0.8, 0}, {1e-9, 0, -1}}) {
+  for (const glm::dvec3 light :
+       {glm::dvec3(0, 1, 0), {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0.6, -0.8, 0}, {1e-9, 0, -1}}) {
     const glm::dvec3 direction = glm::normalize(light);
     const PlaneAxes axes = plane_axes(direction);
     EXPECT_NEAR(glm::length(glm::cross(axes.first, axes.second) - direction), 0, 1e-12);
@@ -45,10 +47,28 @@ TEST(LightFrame, TwoPointsAlongTheLight_TouchTheFirstAndTheLastPlane) {
 
 TEST(LightFrame, LongestSide_FillsTheMapButForItsBorder) {
   const glm::dvec3 light(0, 0, 1);
-  const auto placement = placement_of({{0, 0, 0}, {4, 1, 0}}, light);
+  const auto placement = placement_of({{0, 0, 0}, {4, 1, 0}}, light, 68, 15, k_square_shape);
   const glm::vec3 a = placed(placement, light, {0, 0, 0}), b = placed(placement, light, {4, 1, 0});
   EXPECT_NEAR(std::abs(b.x - a.x), 64, 1e-3);
   EXPECT_NEAR(0.5f * (a.y + b.y), 34, 1e-3);
+  EXPECT_EQ(placement.columns, 68u);
+  EXPECT_EQ(placement.rows, 68u);
+}
+
+TEST(LightFrame, AMapOfAnyShape_FitsTheBoxWithItsTexels) {
+  const glm::dvec3 light(0, 0, 1);
+  for (const std::uint32_t resolution : {16u, 33u, 68u, 4096u})
+    for (const float height : {0.0f, 0.3f, 1.0f, 4.0f, 9.0f, 1000.0f}) {
+      const auto placement = placement_of({{0, 0, 0}, {4, height, 0}}, light, resolution);
+      const glm::vec3 a = placed(placement, light, {0, 0, 0}), b = placed(placement, light, {4, height, 0});
+      const double texels = double(placement.columns) * placement.rows, most = double(resolution) * resolution;
+      EXPECT_LE(texels, most);
+      EXPECT_GT(texels, 0.8 * most) << height << " at " << resolution;
+      const float edge = 2 - 1e-5f * float(resolution);
+      EXPECT_GE(std::min({a.x, b.x, a.y, b.y}), edge) << height << " at " << resolution;
+      EXPECT_LE(std::max(a.x, b.x), float(placement.columns) - edge) << height << " at " << resolution;
+      EXPECT_LE(std::max(a.y, b.y), float(placement.rows) - edge) << height << " at " << resolution;
+    }
 }
 
 TEST(LightFrame, OnePointOrNone_HasAnExtent) {

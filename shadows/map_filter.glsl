@@ -6,9 +6,8 @@
 float exponent_at(uint texel, float z);
 
 float averaged(int i, int j, float z) {
-  const int end = int(push.resolution);
-  const bool outside = i < 0 || j < 0 || i >= end || j >= end;
-  const float exponent = outside ? 0.0 : exponent_at(uint(j) * push.resolution + uint(i), z);
+  const bool outside = i < 0 || j < 0 || i >= int(columns) || j >= int(rows);
+  const float exponent = outside ? 0.0 : exponent_at(uint(j) * columns + uint(i), z);
   return (push.flags & k_poisson) != 0u ? exponent : exp(exponent);
 }
 
@@ -29,7 +28,7 @@ float transmittance_at(MapPlacement placement, vec3 position, float deepest) {
   const vec3 point = place_in_map(placement, in_light_axes(position));
   const float radius =
       push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, k_widest_filter) : push.filter_texels;
-  const float limit = float(push.resolution) + 130.0;
+  const float limit = float(max(columns, rows)) + 130.0;
   const bool inside = abs(point.x) < limit && abs(point.y) < limit;
   const float z = clamp(lookup_depth(point.z, push.depth_offset, placement.scale.z), 0.0, deepest);
   return inside ? mean_transmittance(point.xy, z, radius) : 1.0;

@@ -7,7 +7,8 @@ layout(push_constant) uniform Push {
   float filter_texels;       // radius of the lookup's disc
   float filter_radius;       // the same in metres, used where it is not 0
   float per_unit;            // -k / scale
-  uint resolution, layers;
+  uint resolution;           // squared: most texels
+  uint layers;
   uint count;                // of segments, texels or vertices
   uint flags;                // k_poisson and the method's own
   float pieces_per_step;     // of a segment, per depth step
@@ -16,6 +17,7 @@ layout(push_constant) uniform Push {
   float caster_width;        // factor on the radii of segments
 } push;
 const uint k_poisson = 1u;
+const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair
 
 #ifndef MAP_IS_DRAWN  // by a vertex shader, which has no groups
 #include "cuticle/gpu/groups.glsl"
@@ -30,6 +32,13 @@ vec3 lower_of(uint least[6]) {
 vec3 upper_of(uint least[6]) {
   return -vec3(from_ordered_bits(least[3]), from_ordered_bits(least[4]), from_ordered_bits(least[5]));
 }
+uint columns, rows;  // of the map, once it is placed
+
 MapPlacement placement_of(uint least[6]) {
-  return map_placement(lower_of(least), upper_of(least), push.resolution, push.intervals);
+  const float least_share = (push.flags & k_square) != 0u ? k_square_shape : k_any_shape;
+  const MapPlacement placement =
+      map_placement(lower_of(least), upper_of(least), push.resolution, push.intervals, least_share);
+  columns = placement.columns;
+  rows = placement.rows;
+  return placement;
 }

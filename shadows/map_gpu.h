@@ -20,7 +20,7 @@ struct MapPush {
   float depth_offset;
   float caster_width;
 };
-inline constexpr std::uint32_t k_poisson_flag = 1;
+inline constexpr std::uint32_t k_poisson_flag = 1, k_square_flag = 1u << 31;
 
 /// Kernels that several methods use. map_nearest: buffers vertices, segments, box, nearest depths (filled with ones
 /// before), per segment. map_scan: sums of each texel's layers along the depth, buffer sums, per texel.

@@ -39,6 +39,7 @@ std::vector<std::string> settings_of(const Method& method) {
   if (has("filter_texels")) sets[1] += ",filter_texels=0";
   if (has("depth_offset_mm")) sets[0] += ",depth_offset_mm=0.5";
   for (std::string& set : sets) set += has("resolution") ? ",resolution=96" : "";
+  for (std::string& set : sets) set += has("room_mib") ? ",room_mib=2" : "";
   return sets;
 }
 
@@ -123,9 +124,13 @@ const std::vector<Comparison>& comparisons() {
     for (const GpuMethod* gpu : gpu_methods())
       for (const std::string& set : settings_of(method_of(*gpu))) {
         const auto values = tests::values_of(gpu->name, set).value();
-        const auto shadow = gpu->create(device(), values).value();
+        const auto shadow = gpu->create(device(), values);
+        if (!shadow) {
+          EXPECT_EQ(set, "storage=halves,resolution=96,room_mib=2") << gpu->name << ": " << shadow.error().message;
+          continue;
+        }
         for (Scene& scene : scenes()) {
-          list.push_back(compare(*gpu, values, *shadow, scene));
+          list.push_back(compare(*gpu, values, **shadow, scene));
           list.back().what = std::string(gpu->name) + " " + set + ", " + scene.name;
         }
       }
@@ -156,8 +161,10 @@ TEST(MapGpu, SameGroom_SameIntegers) {
 TEST(MapGpu, Lookup_AgreesWithTheCpu) {
   for (const Comparison& comparison : comparisons())
     if (comparison.words > 0) {
-      const bool six_moments = comparison.what.find("power_6") != std::string::npos;
-      EXPECT_LT(comparison.worst, six_moments ? 0.012 : 2e-5) << comparison.what;
+      const auto is_of = [&](std::string_view word) { return comparison.what.find(word) != std::string::npos; };
+      const double bound =
+          is_of("power_6") ? 0.03 : is_of("deep_shadow") ? 1.8e-4 : is_of("trigonometric") ? 6e-5 : 2e-5;
+      EXPECT_LT(comparison.worst, bound) << comparison.what;
     }
 }
 

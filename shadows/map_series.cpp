@@ -18,7 +18,7 @@ SeriesMap build_series(const strands::Groom& groom, double alpha, const LightAxe
   map.view = map_view(axes, light_box(axes, groom.positions), settings.resolution, float(k_series_steps));
   map.scale = fixed_point_scale(alpha, settings.accumulation, 2 * (groom.vertex_count() - groom.strand_count()));
   map.functions = functions;
-  map.sums.resize(std::size_t(settings.resolution) * settings.resolution * functions);
+  map.sums.resize(map.view.texels() * functions);
   const std::vector<std::uint32_t> table = deposit_table(alpha, settings.accumulation, map.scale);
   const auto deposit = [&](std::size_t texel, std::uint32_t covered, std::uint32_t step) {
     const float* at = &weights[std::min(step, k_series_steps - 1) * functions];

@@ -23,6 +23,7 @@ MapSettings map_settings(std::string_view method, const registry::ParameterValue
   if (values.all().contains("filter_texels")) settings.filter_texels = values.real("filter_texels");
   settings.filter_radius = 1e-3 * values.real("filter_radius_mm");
   if (values.all().contains("depth_offset_mm")) settings.depth_offset = 1e-3 * values.real("depth_offset_mm");
+  if (values.all().contains("room_mib")) settings.list_room = std::uint64_t(values.integer("room_mib")) << 20;
   return settings;
 }
 

@@ -101,7 +101,8 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
                settings.resolution,
                description_.layers,
                0,
-               description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0),
+               description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0) |
+                   (targets_.empty() ? 0 : k_square_flag),
                description_.pieces_per_step,
                {},
                float(settings.depth_offset),
@@ -112,7 +113,8 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
 
 void MapShadowGpu::clear(gpu::Commands& commands) const {
   commands.begin_pass("shadow.clear");
-  for (std::size_t i = 0; i < own_.size(); ++i) commands.fill(own_[i], description_.buffers[i].clear);
+  for (std::size_t i = 0; i < own_.size(); ++i)
+    if (description_.buffers[i].cleared) commands.fill(own_[i], description_.buffers[i].clear);
   commands.fill(box_, ~0u);
   commands.end_pass();
 }
@@ -124,6 +126,8 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, MapRun run) c
       return strands.segment_count;
     case MapRun::per_texel:
       return side * side;
+    case MapRun::per_row:
+      return side;
     case MapRun::per_vertex:
       return strands.vertex_count;
     case MapRun::one_group:

@@ -17,8 +17,9 @@ struct MapBuffer {
   std::uint64_t words = 0;
   std::uint32_t clear = 0;  ///< every word, at the start of each frame
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
+  bool cleared = true;      ///< else only what is written is read
 };
-enum class MapRun { per_segment, per_texel, per_vertex, one_group };
+enum class MapRun { per_segment, per_texel, per_row, per_vertex, one_group };
 struct MapPass {
   std::string_view name;  ///< "shadow.splat"
   std::span<const std::uint32_t> code;
@@ -72,7 +73,9 @@ template <auto settings_from, auto build, auto words_of = k_sums_of>
 Result<MapWords> words_of_map(const Casters& casters, const registry::ParameterValues& values) {
   CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
   CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  return words_of(build(*casters.groom, casters.alpha, light_axes(to_light), settings), settings);
+  CUTICLE_ASSIGN(const auto map,
+                 Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
+  return words_of(map, settings);
 }
 
 }  // namespace cuticle::shadows

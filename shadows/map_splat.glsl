@@ -7,14 +7,15 @@ void deposit(uint texel, uint covered, uint depth_step);
 void deposit_at(Footprint footprint, int i, int j) {
   const vec2 offset = texel_offset(footprint.from, i, j);
   const uint covered = coverage_index(coverage(footprint, offset));
-  if (covered > 0u) deposit(uint(j) * push.resolution + uint(i), covered, uint(max(0, depth_bin(footprint, offset))));
+  if (covered > 0u) deposit(uint(j) * columns + uint(i), covered, uint(max(0, depth_bin(footprint, offset))));
 }
 
 void piece(Footprint footprint) {
   const Reach reach = footprint_reach(footprint);
-  const int end = int(push.resolution) - 1;
-  for (int m = max(0, reach.first); m <= min(end, reach.last); ++m) {
-    const int last = min(end, minor_bound(footprint, reach, m, 1.0));
+  const int last_row = int(rows) - 1, last_column = int(columns) - 1;
+  const int major_end = reach.steep ? last_row : last_column, minor_end = reach.steep ? last_column : last_row;
+  for (int m = max(0, reach.first); m <= min(major_end, reach.last); ++m) {
+    const int last = min(minor_end, minor_bound(footprint, reach, m, 1.0));
     for (int n = max(0, minor_bound(footprint, reach, m, -1.0)); n <= last; ++n)
       deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
   }

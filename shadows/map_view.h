@@ -13,17 +13,19 @@ namespace cuticle::shadows {
 struct MapView {
   LightAxes axes;
   glm::vec3 scale{1}, offset{0};  ///< MapPlacement
-  std::uint32_t resolution = 16;
+  std::uint32_t columns = 16, rows = 16;
+  std::size_t texels() const { return std::size_t(columns) * rows; }
 };
-/// The view that holds the box, `intervals` depth steps deep.
-inline MapView map_view(const LightAxes& axes, const LightBox& box, std::uint32_t resolution, float intervals) {
-  const MapPlacement<float> placement = map_placement(box.lower, box.upper, resolution, intervals);
-  return {axes, placement.scale, placement.offset, resolution};
+/// The view that holds the box, `intervals` depth steps deep: at most resolution^2 texels in its shape.
+inline MapView map_view(const LightAxes& axes, const LightBox& box, std::uint32_t resolution, float intervals,
+                        float least_share = k_any_shape) {
+  const MapPlacement<float> placement = map_placement(box.lower, box.upper, resolution, intervals, least_share);
+  return {axes, placement.scale, placement.offset, placement.columns, placement.rows};
 }
 /// A world point, metres, in the map.
 inline glm::vec3 to_map(const MapView& view, const glm::vec3& p) {
   const glm::vec3 light = light_point(view.axes.right, view.axes.up, view.axes.forward, p);
-  return place_in_map(MapPlacement<float>{view.scale, view.offset}, light);
+  return place_in_map(MapPlacement<float>{view.scale, view.offset, view.columns, view.rows}, light);
 }
 
 }  // namespace cuticle::shadows

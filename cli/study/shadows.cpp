@@ -41,12 +41,19 @@ std::string data_folder() {
 }
 
 Result<int> measure(const Options& options, Context& context) {
-  CUTICLE_ASSIGN(const study::MarksFile file, study::read_marks(options.marks, data_folder()));
-  CUTICLE_ASSIGN(const study::MarksReport report, study::measure_marks(file, *context.progress));
+  CUTICLE_ASSIGN(const std::vector<study::MarksFile> files, study::read_marks(options.marks, data_folder()));
   CUTICLE_TRY(make_folder(options.out));
-  CUTICLE_TRY(write_text_file(options.out + "/marks.json", study::to_json(file, report)));
-  fmt::print("{}", context.json ? study::to_json(file, report) : study::to_text(file, report));
-  const bool all = std::all_of(report.results.begin(), report.results.end(), [](const auto& r) { return r.met(); });
+  bool all = true;
+  std::string json;
+  for (const study::MarksFile& file : files) {
+    CUTICLE_ASSIGN(const study::MarksReport report, study::measure_marks(file, *context.progress));
+    json += (json.empty() ? "" : ",") + study::to_json(file, report);
+    if (!context.json) fmt::print("{}\n", study::to_text(file, report));
+    for (const study::MarkResult& result : report.results) all = all && result.met();
+  }
+  if (files.size() > 1) json = "[" + json + "]\n";
+  CUTICLE_TRY(write_text_file(options.out + "/marks.json", json));
+  if (context.json) fmt::print("{}", json);
   return int(all ? Exit::ok : Exit::check_failed);
 }
 

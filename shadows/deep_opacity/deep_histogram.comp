@@ -10,9 +10,8 @@ layout(std430, binding = 4) buffer Histogram { uint histogram[]; };
 
 void piece(Footprint footprint) {
   const vec3 middle = piece_middle(footprint);
-  const float side = float(push.resolution);
-  if (!(middle.x >= 0.0 && middle.y >= 0.0 && middle.x < side && middle.y < side)) return;
-  const uint front = nearest[uint(middle.y) * push.resolution + uint(middle.x)];
+  if (!(middle.x >= 0.0 && middle.y >= 0.0 && middle.x < float(columns) && middle.y < float(rows))) return;
+  const uint front = nearest[uint(middle.y) * columns + uint(middle.x)];
   const uint at = uint(max(0, int(floor(middle.z))));
   if (front != k_no_depth && at >= front)
     atomicAdd(histogram[min(at - front, k_depth_steps - 1u)], piece_weight(footprint.size));

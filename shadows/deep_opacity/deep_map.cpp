@@ -13,10 +13,10 @@ using Word = std::uint32_t;
 /// Projected length over the depth behind the nearest fibre, each piece counted at its middle.
 std::vector<Word> depth_histogram(const strands::Groom& groom, const Map& map) {
   std::vector<Word> histogram(k_depth_steps);
-  const float side = float(map.view.resolution);
+  const float columns = float(map.view.columns), rows = float(map.view.rows);
   for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
     const glm::vec3 middle = piece_middle(footprint);
-    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < side && middle.y < side)) return;
+    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < columns && middle.y < rows)) return;
     const Word nearest = map.nearest[texel_index(map.view, int(middle.x), int(middle.y))];
     const Word step = Word(std::max(0, int(std::floor(middle.z))));
     if (nearest != k_no_depth && step >= nearest)
@@ -127,13 +127,12 @@ std::vector<Word> layer_shares(const Settings& settings) {
 
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   const Accumulation& accumulation = settings.map.accumulation;
-  const std::size_t texels = std::size_t(settings.map.resolution) * settings.map.resolution;
   Map map;
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
   map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
   map.nearest = nearest_depths(map.view, groom, k_pieces_per_step);
   map.ends = layer_ends(depth_histogram(groom, map), settings);
-  map.sums.resize(texels * settings.layers);
+  map.sums.resize(map.view.texels() * settings.layers);
   fill_layers(groom, deposit_table(alpha, accumulation, map.scale), map);
   sum_along_depth(map.sums, settings.layers);
   if (settings.bytes) {
@@ -163,12 +162,13 @@ PackedMap pack(const Map& map, double k) {
   packed.codes.resize((map.sums.size() + 3) / 4);
   packed.nearest.resize((map.nearest.size() + 1) / 2);
   for_each_index(packed.codes.size(), [&](std::size_t word) {
-    for (std::size_t i = 4 * word; i < std::min(4 * word + 4, map.sums.size()); ++i)
-      packed.codes[word] |= code_of(thresholds, map.sums[i]) << (8 * (i % 4));
+    for (std::size_t i = 4 * word; i < 4 * word + 4; ++i)
+      packed.codes[word] |= code_of(thresholds, i < map.sums.size() ? map.sums[i] : 0) << (8 * (i % 4));
   });
   for_each_index(packed.nearest.size(), [&](std::size_t word) {
-    for (std::size_t i = 2 * word; i < std::min(2 * word + 2, map.nearest.size()); ++i)
-      packed.nearest[word] |= std::min(map.nearest[i], k_no_depth_16) << (16 * (i % 2));
+    for (std::size_t i = 2 * word; i < 2 * word + 2; ++i)
+      packed.nearest[word] |= std::min(i < map.nearest.size() ? map.nearest[i] : k_no_depth, k_no_depth_16)
+                              << (16 * (i % 2));
   });
   return packed;
 }

@@ -32,12 +32,13 @@ void main() {
   const uint numbers = push.count * push.layers;
   for (uint word = t; word < (numbers + 3u) / 4u; word += push.count) {
     uint bits = 0u;
-    for (uint i = 4u * word; i < min(4u * word + 4u, numbers); ++i) bits |= code_of(sums[i]) << (8u * (i % 4u));
+    for (uint i = 4u * word; i < 4u * word + 4u; ++i)
+      bits |= code_of(i < numbers ? sums[i] : 0u) << (8u * (i % 4u));
     codes[word] = bits;
   }
   if (t >= (push.count + 1u) / 2u) return;
   uint bits = 0u;
-  for (uint i = 2u * t; i < min(2u * t + 2u, push.count); ++i)
-    bits |= min(nearest[i], k_no_depth_16) << (16u * (i % 2u));
+  for (uint i = 2u * t; i < 2u * t + 2u; ++i)
+    bits |= min(i < push.count ? nearest[i] : k_no_depth, k_no_depth_16) << (16u * (i % 2u));
   packed_nearest[t] = bits;
 }

@@ -1,11 +1,12 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/deep_shadow/visibility.h>
+#include <cuticle/shadows/deep_shadow/settings.h>
 #include <cuticle/shadows/detail/map_method.h>
 
 namespace cuticle::shadows::deep_shadow {
 namespace {
 
 using registry::ParameterType;
+constexpr std::string_view k_storages[] = {"words", "halves"};
 constexpr registry::Parameter k_parameters[] = {
     {"layers", ParameterType::integer, "1", 1, k_most_pieces, "256", {}, "most straight pieces of a texel's function"},
     {"error_bound",
@@ -16,23 +17,17 @@ constexpr registry::Parameter k_parameters[] = {
      "0.02",
      {},
      "largest error of a texel's visibility, where the pieces suffice"},
+    {"storage", ParameterType::choice, "1", 0, 0, "words", k_storages,
+     "a knot in 32 bits; or in 16: 9 of depth, over the depths of 8 x 8 texels, and 7 of visibility"},
     k_resolution,
     k_optical_k,
     k_filter_texels,
     k_filter_radius,
     k_depth_offset,
     k_accumulate,
+    k_list_room,
 };
 constexpr registry::StudyCase k_cases[] = {{"bound 0.1", "error_bound=0.1"}, {"bound 0.02", "error_bound=0.02"}};
-
-struct Settings {
-  MapSettings map;
-  double error_bound = 0.02;
-  std::size_t layers = k_most_pieces;
-};
-Settings settings_from(const registry::ParameterValues& values) {
-  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("layers"))};
-}
 
 struct Map {
   MapView view;
@@ -43,26 +38,32 @@ struct Map {
 Result<Map> build(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   CUTICLE_ASSIGN(const FragmentLists lists, sort_fragments(groom, alpha, axes, settings.map));
   const float per_unit = exponent_per_unit(settings.map, lists.scale);
-  return Map{lists.view, pack(lists, per_unit, settings.error_bound, settings.layers)};
+  return Map{lists.view, pack(lists, per_unit, settings.error_bound, settings.layers, settings.storage)};
 }
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
   const auto at_depth = [&](float z) {
-    return
-        [&, z](std::size_t texel) { return std::log(std::max(0x1p-17f, visibility_at(map.functions.of(texel), z))); };
+    return [&, z](std::size_t texel) { return std::log(std::max(0x1p-17f, visibility_at(map.functions, texel, z))); };
   };
   return look_up_points(map.view, settings.map, k_behind_lists, points, at_depth);
 }
 
 }  // namespace
 
+Settings settings_from(const registry::ParameterValues& values) {
+  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("layers")),
+          values.choice("storage") == "words" ? KnotStorage::words : KnotStorage::halves};
+}
+
+/// Passes: fit, six that make the lists (list_gpu.h), compress, lookup; the clearing is a fill.
 const Method& entry() {
   static const Method method = map_method<settings_from, build, look_up>(
       {.name = "deep_shadow",
        .summary = "a visibility function per texel, compressed within an error bound (deep shadow map)",
        .source = "Lokovic and Veach 2000, Deep Shadow Maps, section 3",
        .parameters = k_parameters,
-       .study_cases = k_cases});
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<9>});
   return method;
 }
 

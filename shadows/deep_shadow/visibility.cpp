@@ -1,49 +1,82 @@
 #include <cuticle/shadows/deep_shadow/visibility.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include <cuticle/shadows/detail/map_walk.h>
+#include <cuticle/shadows/deep_shadow/slopes.glslh>
 
 namespace cuticle::shadows::deep_shadow {
 namespace {
 
-constexpr std::size_t k_run = 64;
 constexpr double k_least_bound = 1e-3;  // of the growing bound, so that 0 grows too
+constexpr std::uint32_t k_half_visibility_bits = 7, k_half_visibility = 127, k_half_depth = 511;
 
-std::uint32_t packed(const Knot& knot) {
-  const std::uint32_t depth = std::uint32_t(std::clamp(knot.depth, 0.0f, 65535.0f));
-  return depth << 16 | std::uint32_t(std::lround(65535.0f * std::clamp(knot.visibility, 0.0f, 1.0f)));
+Slopes<double> through(const Slopes<double>& slopes, const Knot& from, const Knot& point, double bound) {
+  return slopes_through(slopes, double(point.depth) - double(from.depth),
+                        double(point.visibility) - double(from.visibility), bound);
 }
-Knot unpacked(std::uint32_t word) { return {float(word >> 16), float(word & 0xffffu) * (1.0f / 65535)}; }
+Knot at(const Slopes<double>& slopes, const Knot& from, float depth) {
+  return {depth, float(double(from.visibility) + best_slope(slopes) * (double(depth) - double(from.depth)))};
+}
 
-/// Slopes from a piece's first knot that pass every point so far within the bound; visibility never rises.
-struct Slopes {
-  double least = -std::numeric_limits<double>::infinity(), greatest = 0;
-
-  Slopes through(const Knot& from, const Knot& point, double bound) const {
-    const double depth = double(point.depth) - double(from.depth);
-    const double rise = double(point.visibility) - double(from.visibility);
-    return {std::max(least, (rise - bound) / depth), std::min(greatest, (rise + bound) / depth)};
-  }
-  Knot at(const Knot& from, float depth) const {
-    const double slope = 0.5 * (least + greatest);
-    return {depth, float(double(from.visibility) + slope * (double(depth) - double(from.depth)))};
-  }
+/// The knots of a tile's texels, one after the other.
+struct TileKnots {
+  std::vector<Knot> knots;
+  std::array<std::uint16_t, k_tile_texels> begin{};
 };
-
-/// The knots of a run of texels, and where each begins in it.
-void pack_run(const FragmentLists& lists, std::size_t run, float per_unit, double bound, std::size_t pieces,
-              PackedFunctions& functions, std::vector<std::uint32_t>& words) {
+TileKnots knots_of_tile(const FragmentLists& lists, std::size_t tile, std::uint32_t tile_columns, float per_unit,
+                        double bound, std::size_t pieces) {
+  TileKnots result;
   std::vector<Knot> exact, knots;
-  const std::size_t end = std::min((run + 1) * k_run, lists.first.size() - 1);
-  for (std::size_t texel = run * k_run; texel < end; ++texel) {
-    functions.begin_in_run[texel] = std::uint16_t(words.size());
-    exact_function(lists.of(texel), per_unit, exact);
+  for (std::uint32_t i = 0; i < k_tile_texels; ++i) {
+    const std::size_t column = k_tile_side * (tile % tile_columns) + i % k_tile_side;
+    const std::size_t row = k_tile_side * (tile / tile_columns) + i / k_tile_side;
+    result.begin[i] = std::uint16_t(result.knots.size());
+    if (column >= lists.view.columns || row >= lists.view.rows) continue;
+    exact_function(lists.of(row * lists.view.columns + column), per_unit, exact);
     compress_to(exact, bound, pieces, knots);
-    std::transform(knots.begin(), knots.end(), std::back_inserter(words), packed);
+    result.knots.insert(result.knots.end(), knots.begin(), knots.end());
   }
+  return result;
+}
+
+std::uint16_t to_16_bits(double value) { return std::uint16_t(std::lround(std::clamp(value, 0.0, 65535.0))); }
+
+void append(const Knot& knot, const KnotTile& tile, PackedFunctions& functions) {
+  const double visibility = std::clamp(double(knot.visibility), 0.0, 1.0);
+  if (functions.storage == KnotStorage::words) {
+    functions.numbers.push_back(to_16_bits(double(knot.depth)));
+    functions.numbers.push_back(to_16_bits(65535 * visibility));
+    return;
+  }
+  const std::uint32_t depth = to_16_bits((double(knot.depth) - double(tile.depth)) / double(tile.step));
+  const std::uint32_t code = std::min(depth, k_half_depth) << k_half_visibility_bits;
+  functions.numbers.push_back(std::uint16_t(code | to_16_bits(k_half_visibility * visibility)));
+}
+
+/// Appends a tile's knots and says where they begin.
+void append(const TileKnots& tile, PackedFunctions& functions) {
+  const std::size_t knots = functions.numbers.size() / (functions.storage == KnotStorage::words ? 2 : 1);
+  KnotTile entry{std::uint32_t(knots), std::uint32_t(functions.begin_in_tile.size())};
+  if (!tile.knots.empty()) {
+    const auto by_depth = [](const Knot& a, const Knot& b) { return a.depth < b.depth; };
+    const auto [nearest, deepest] = std::minmax_element(tile.knots.begin(), tile.knots.end(), by_depth);
+    functions.begin_in_tile.insert(functions.begin_in_tile.end(), tile.begin.begin(), tile.begin.end());
+    entry.depth = to_16_bits(double(nearest->depth));
+    entry.step = to_16_bits(std::max(1.0, std::ceil(double(deepest->depth - nearest->depth) / k_half_depth)));
+  }
+  functions.tiles.push_back(entry);
+  for (const Knot& knot : tile.knots) append(knot, entry, functions);
+}
+
+Knot knot_of(const PackedFunctions& functions, const KnotTile& tile, std::size_t i) {
+  if (functions.storage == KnotStorage::words)
+    return {float(functions.numbers[2 * i]), float(functions.numbers[2 * i + 1]) * (1.0f / 65535)};
+  const std::uint32_t number = functions.numbers[i];
+  return {float(tile.depth + tile.step * (number >> k_half_visibility_bits)),
+          float(number & k_half_visibility) * (1.0f / k_half_visibility)};
 }
 
 }  // namespace
@@ -66,16 +99,16 @@ void compress(std::span<const Knot> exact, double bound, std::vector<Knot>& knot
   knots.clear();
   if (exact.empty()) return;
   knots.push_back(exact[0]);
-  Slopes slopes;
+  Slopes<double> slopes = slopes_up_to(0.0);
   for (std::size_t i = 1; i < exact.size(); ++i) {
-    Slopes next = slopes.through(knots.back(), exact[i], bound);
+    Slopes<double> next = through(slopes, knots.back(), exact[i], bound);
     if (next.least > next.greatest) {
-      knots.push_back(slopes.at(knots.back(), exact[i - 1].depth));
-      next = Slopes{}.through(knots.back(), exact[i], bound);
+      knots.push_back(at(slopes, knots.back(), exact[i - 1].depth));
+      next = through(slopes_up_to(0.0), knots.back(), exact[i], bound);
     }
     slopes = next;
   }
-  if (exact.size() > 1) knots.push_back(slopes.at(knots.back(), exact.back().depth));
+  if (exact.size() > 1) knots.push_back(at(slopes, knots.back(), exact.back().depth));
 }
 
 void compress_to(std::span<const Knot> exact, double bound, std::size_t pieces, std::vector<Knot>& knots) {
@@ -86,30 +119,43 @@ void compress_to(std::span<const Knot> exact, double bound, std::size_t pieces, 
   }
 }
 
-PackedFunctions pack(const FragmentLists& lists, float per_unit, double bound, std::size_t pieces) {
-  const std::size_t texels = lists.first.size() - 1, runs = (texels + k_run - 1) / k_run;
+PackedFunctions pack(const FragmentLists& lists, float per_unit, double bound, std::size_t pieces,
+                     KnotStorage storage) {
   PackedFunctions functions;
-  functions.begin_in_run.resize(texels + 1);
-  std::vector<std::vector<std::uint32_t>> words(runs);
-  for_each_index(runs, [&](std::size_t run) { pack_run(lists, run, per_unit, bound, pieces, functions, words[run]); });
-  for (const std::vector<std::uint32_t>& run : words) {
-    functions.begin_of_run.push_back(std::uint32_t(functions.knots.size()));
-    functions.knots.insert(functions.knots.end(), run.begin(), run.end());
-  }
-  functions.begin_of_run.push_back(std::uint32_t(functions.knots.size()));
-  if (texels % k_run != 0) functions.begin_in_run[texels] = std::uint16_t(words.back().size());
+  functions.storage = storage;
+  functions.columns = lists.view.columns;
+  functions.tile_columns = (lists.view.columns + k_tile_side - 1) / k_tile_side;
+  std::vector<TileKnots> tiles(functions.tile_columns * ((lists.view.rows + k_tile_side - 1) / k_tile_side));
+  for_each_index(tiles.size(), [&](std::size_t tile) {
+    tiles[tile] = knots_of_tile(lists, tile, functions.tile_columns, per_unit, bound, pieces);
+  });
+  for (const TileKnots& tile : tiles) append(tile, functions);
+  append({}, functions);
   return functions;
 }
 
-float visibility_at(std::span<const std::uint32_t> words, float depth) {
-  const auto after = std::upper_bound(words.begin(), words.end(), depth,
-                                      [](float z, std::uint32_t word) { return z < unpacked(word).depth; });
-  if (after == words.begin()) return 1;
-  const Knot before = unpacked(*(after - 1));
-  if (after == words.end()) return before.visibility;
-  const Knot behind = unpacked(*after);
-  const float t = (depth - before.depth) / (behind.depth - before.depth);
-  return between_planes(before.visibility, behind.visibility, t);
+float visibility_at(const PackedFunctions& functions, std::size_t texel, float depth) {
+  const std::size_t column = texel % functions.columns, row = texel / functions.columns;
+  const std::size_t t = row / k_tile_side * functions.tile_columns + column / k_tile_side;
+  const KnotTile &tile = functions.tiles[t], &next = functions.tiles[t + 1];
+  if (tile.first_knot == next.first_knot) return 1;
+  const std::size_t i = row % k_tile_side * k_tile_side + column % k_tile_side;
+  const std::uint16_t* begins = &functions.begin_in_tile[tile.first_begin];
+  const std::size_t first = tile.first_knot + begins[i];
+  const std::size_t last = i + 1 < k_tile_texels ? tile.first_knot + begins[i + 1] : next.first_knot;
+  std::size_t after = first;  // the first knot behind the depth
+  for (std::size_t count = last - first; count > 0;) {
+    const std::size_t half = count / 2;
+    const bool before = knot_of(functions, tile, after + half).depth <= depth;
+    after = before ? after + half + 1 : after;
+    count = before ? count - half - 1 : half;
+  }
+  if (after == first) return 1;
+  const Knot before = knot_of(functions, tile, after - 1);
+  if (after == last) return before.visibility;
+  const Knot behind = knot_of(functions, tile, after);
+  const float t_between = (depth - before.depth) / (behind.depth - before.depth);
+  return between_planes(before.visibility, behind.visibility, t_between);
 }
 
 }  // namespace cuticle::shadows::deep_shadow

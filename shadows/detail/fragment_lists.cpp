@@ -13,14 +13,12 @@ namespace {
 
 using Word = std::uint32_t;
 
-/// Pieces per depth step: a steep segment is cut where it passes 1/64 of the whole depth.
-constexpr float k_pieces_per_step = 64 / k_list_steps;
 constexpr std::uint64_t k_most_fragments = (2ull << 30) / sizeof(Fragment);
 
 /// visit(texel, fragment) for every deposit, on all threads; `sum` of the fragment is its own deposit.
 void for_each_fragment(const MapView& view, const strands::Groom& groom, std::span<const Word> table,
                        const auto& visit) {
-  for_each_covered_texel(view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word depth) {
+  for_each_covered_texel(view, groom, k_list_pieces_per_step, [&](std::size_t texel, Word covered, Word depth) {
     if (table[covered] > 0) visit(texel, Fragment{depth, table[covered]});
   });
 }
@@ -50,9 +48,9 @@ Result<void> begin_lists(std::string_view method, std::vector<Word>& first) {
 
 Result<FragmentLists> sort_fragments(const strands::Groom& groom, double alpha, const LightAxes& axes,
                                      const MapSettings& settings) {
-  const std::size_t texels = std::size_t(settings.resolution) * settings.resolution;
   FragmentLists lists;
   lists.view = map_view(axes, light_box(axes, groom.positions), settings.resolution, k_list_steps);
+  const std::size_t texels = lists.view.texels();
   lists.scale = fixed_point_scale(alpha, settings.accumulation, groom.vertex_count() - groom.strand_count());
   lists.first.resize(texels + 1);
   const std::vector<Word> table = deposit_table(alpha, settings.accumulation, lists.scale);

@@ -19,6 +19,8 @@ struct Fragment {
 /// Depth steps from the nearest to the farthest vertex, and a depth, in steps, behind every fragment.
 inline constexpr float k_list_steps = 65536;
 inline constexpr float k_behind_lists = 65537;
+/// Pieces per depth step: a steep segment is cut where it passes 1/64 of the whole depth.
+inline constexpr float k_list_pieces_per_step = 64 / k_list_steps;
 
 struct FragmentLists {
   MapView view;

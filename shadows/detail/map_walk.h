@@ -42,11 +42,12 @@ inline void sum_along_depth(std::vector<std::uint32_t>& sums, std::size_t layers
 }
 
 /// deposit(i, j) for every texel that the footprint may cover.
-void for_each_texel(const Footprint<float>& footprint, std::uint32_t resolution, const auto& deposit) {
+void for_each_texel(const MapView& view, const Footprint<float>& footprint, const auto& deposit) {
   const Reach<float> reach = footprint_reach(footprint);
-  const int end = int(resolution) - 1;
-  for (int m = std::max(0, reach.first); m <= std::min(end, reach.last); ++m) {
-    const int last = std::min(end, minor_bound(footprint, reach, m, 1.0f));
+  const int last_row = int(view.rows) - 1, last_column = int(view.columns) - 1;
+  const int major_end = reach.steep ? last_row : last_column, minor_end = reach.steep ? last_column : last_row;
+  for (int m = std::max(0, reach.first); m <= std::min(major_end, reach.last); ++m) {
+    const int last = std::min(minor_end, minor_bound(footprint, reach, m, 1.0f));
     for (int n = std::max(0, minor_bound(footprint, reach, m, -1.0f)); n <= last; ++n)
       reach.steep ? deposit(n, m) : deposit(m, n);
   }
@@ -78,13 +79,13 @@ void for_each_piece(const MapView& view, const strands::Groom& groom, float step
 }
 
 inline std::size_t texel_index(const MapView& view, int i, int j) {
-  return std::size_t(j) * view.resolution + std::size_t(i);
+  return std::size_t(j) * view.columns + std::size_t(i);
 }
 
 /// body(texel, coverage step, depth step) for every texel that a piece of a strand covers in part, on all threads.
 void for_each_covered_texel(const MapView& view, const strands::Groom& groom, float steps_to_pieces, const auto& body) {
   for_each_piece(view, groom, steps_to_pieces, [&](const Footprint<float>& footprint) {
-    for_each_texel(footprint, view.resolution, [&](int i, int j) {
+    for_each_texel(view, footprint, [&](int i, int j) {
       const glm::vec2 offset = texel_offset(footprint.from, i, j);
       const std::uint32_t covered = coverage_index(coverage(footprint, offset));
       if (covered > 0) body(texel_index(view, i, j), covered, std::uint32_t(std::max(0, depth_bin(footprint, offset))));
@@ -95,7 +96,7 @@ void for_each_covered_texel(const MapView& view, const strands::Groom& groom, fl
 /// Each texel's nearest depth step, or k_no_depth.
 inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const strands::Groom& groom,
                                                  float steps_to_pieces) {
-  std::vector<std::uint32_t> nearest(std::size_t(view.resolution) * view.resolution, k_no_depth);
+  std::vector<std::uint32_t> nearest(view.texels(), k_no_depth);
   for_each_covered_texel(view, groom, steps_to_pieces,
                          [&](std::size_t texel, std::uint32_t, std::uint32_t step) { lower_to(nearest[texel], step); });
   return nearest;
@@ -111,7 +112,6 @@ struct MapFilter {
 /// as free; `exponent` takes the index of a texel.
 float mean_transmittance(const MapView& view, const MapFilter& filter, float x, float y, const auto& exponent) {
   const int i0 = int(std::floor(x)), j0 = int(std::floor(y)), reach = disc_reach(filter.radius);
-  const int end = int(view.resolution);
   float sum = 0, weights = 0;
   for (int j = j0 - reach; j <= j0 + reach; ++j)
     for (int i = i0 - reach; i <= i0 + reach; ++i) {
@@ -119,8 +119,8 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
       const float weight = disc_weight(std::sqrt(away.x * away.x + away.y * away.y), filter.radius);
       weights += weight;
       if (!(weight > 0)) continue;
-      const bool outside = i < 0 || j < 0 || i >= end || j >= end;
-      const float value = outside ? 0.0f : exponent(std::size_t(j) * view.resolution + std::size_t(i));
+      const bool outside = i < 0 || j < 0 || i >= int(view.columns) || j >= int(view.rows);
+      const float value = outside ? 0.0f : exponent(texel_index(view, i, j));
       sum += weight * (filter.poisson ? value : std::exp(value));
     }
   return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
@@ -131,7 +131,7 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
 float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
                        const auto& at_depth) {
   const glm::vec3 point = to_map(view, p);
-  const float limit = float(view.resolution) + 130.0f;
+  const float limit = float(std::max(view.columns, view.rows)) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
   const float z = std::clamp(lookup_depth(point.z, filter.depth_offset, view.scale.z), 0.0f, deepest);
   return mean_transmittance(view, filter, point.x, point.y, at_depth(z));

@@ -7,8 +7,8 @@
 namespace cuticle::shadows::exact_list {
 namespace {
 
-constexpr registry::Parameter k_parameters[] = {k_resolution,    k_optical_k,    k_filter_texels,
-                                                k_filter_radius, k_depth_offset, k_accumulate};
+constexpr registry::Parameter k_parameters[] = {k_resolution,   k_optical_k,  k_filter_texels, k_filter_radius,
+                                                k_depth_offset, k_accumulate, k_list_room};
 constexpr registry::StudyCase k_cases[] = {{"default", ""}};
 
 /// The sum of the fragments that lie in steps before that of depth z.
@@ -33,13 +33,15 @@ Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings
 
 }  // namespace
 
+/// Passes: fit, count, rows, totals, begin, fill, sort, lookup; the clearing is a fill.
 const Method& entry() {
   static const Method method = map_method<settings_from, sort_fragments, look_up>(
       {.name = "exact_list",
        .summary = "every fragment of every texel, sorted by depth: the ceiling of what a map can do",
        .source = "the sorted list of Lokovic and Veach 2000, section 3.1, kept whole",
        .parameters = k_parameters,
-       .study_cases = k_cases});
+       .study_cases = k_cases,
+       .dispatches = passes_per_light<8>});
   return method;
 }
 

@@ -65,10 +65,11 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   const Accumulation& accumulation = settings.map.accumulation;
   Map map;
-  map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, settings.intervals());
+  map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, settings.intervals(),
+                      settings.form == Form::compute ? k_any_shape : k_square_shape);
   map.layers = settings.layers();
   map.scale = scale_of(groom, alpha, settings);
-  map.sums.resize(std::size_t(settings.map.resolution) * settings.map.resolution * map.layers);
+  map.sums.resize(map.view.texels() * map.layers);
   const std::vector<std::uint32_t> table = deposit_table(alpha, accumulation, map.scale);
   for_each_covered_texel(map.view, groom, 1.0f, [&](std::size_t texel, std::uint32_t covered, std::uint32_t step) {
     if (step < map.layers) add_to(map.sums[texel * map.layers + step], table[covered]);

@@ -40,7 +40,7 @@ struct Map {
   std::size_t texel_bytes = 60;  ///< in the form's own format
   std::size_t clamped = 0;       ///< numbers that the form's range cut off
   std::vector<std::uint32_t> sums;
-  std::size_t bytes() const { return texel_bytes * view.resolution * view.resolution; }
+  std::size_t bytes() const { return texel_bytes * view.texels(); }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). The
 /// graphics forms are imitated: each deposit (8 bits) or the sum (half) is rounded as the format does

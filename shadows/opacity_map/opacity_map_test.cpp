@@ -186,11 +186,14 @@ TEST(OpacityMap, EightBits_CutSigmaOffAtOneAndCountIt) {
   EXPECT_GT(cut->clamped, 0u);
   EXPECT_EQ(whole->clamped, 0u);
   EXPECT_EQ(cut->cost.bytes, 16u * 256 * 256);
-  EXPECT_EQ(whole->cost.bytes, 4u * 15 * 256 * 256);
+  EXPECT_LE(whole->cost.bytes, 4u * 15 * 256 * 256);
+  EXPECT_GT(whole->cost.bytes, 4u * 15 * 255 * 256);
 }
 
 TEST(OpacityMap, HalfFloats_ChangeSigmaByLessThanAThousandth) {
-  const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  for (const float corner : {-0.2f, 0.2f})  // the map of half floats is always square
+    tests::add_strand(groom, {{corner, 0, corner}, {corner, 0.001f, corner}}, 1e-4f);
   const auto half = run(groom, groom.positions, "form=graphics_half"), whole = run(groom, groom.positions, "");
   double worst = 0;
   for (std::size_t i = 0; i < groom.positions.size(); ++i)

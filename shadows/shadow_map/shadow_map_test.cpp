@@ -10,11 +10,11 @@ using namespace cuticle::shadows;
 
 namespace {
 
-/// A fibre of 10 mm across the light, 50 mm above one that only fixes the size of the map.
+/// A fibre of 10 mm across the light, 50 mm above two that only fix the size of the map.
 strands::Groom bar() {
   strands::Groom groom;
   tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.005f);
-  tests::add_strand(groom, {{-0.05f, 0, -0.05f}, {0.05f, 0, -0.05f}}, 0.0001f);
+  for (const float z : {-0.05f, 0.05f}) tests::add_strand(groom, {{-0.05f, 0, z}, {0.05f, 0, z}}, 0.0001f);
   return groom;
 }
 float at(glm::vec3 point, const std::string& set = "", double alpha = 0.4) {

@@ -5,10 +5,9 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/shadows/light_frame.h>
 #include <cuticle/study/shadows/comparison.h>
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
-#include <cuticle/shadows/light_frame.glslh>
+#include <cuticle/shadows/map_view.h>
 
 namespace cuticle::study {
 namespace {
@@ -26,11 +25,12 @@ double mean_change(std::span<const float> truth, const auto& change) {
 }
 
 /// Strands that reach no side of the light's box, moved sideways by `distance` texels of a map of `resolution`.
-strands::Groom moved(const strands::Groom& groom, const glm::dvec3& to_light, double distance, double resolution) {
+strands::Groom moved(const strands::Groom& groom, const glm::dvec3& to_light, double distance,
+                     std::uint32_t resolution) {
   const shadows::LightAxes axes = shadows::light_axes(to_light);
   const shadows::LightBox box = shadows::light_box(axes, groom.positions);
-  const glm::vec3 size = box.upper - box.lower;
-  const glm::vec3 move = float(distance / resolution) * std::max(size.x, size.y) * axes.right;
+  const float texels_per_metre = shadows::map_view(axes, box, resolution, 1).scale.x;
+  const glm::vec3 move = float(distance) / texels_per_metre * axes.right;
   strands::Groom result = groom;
   for (std::size_t s = 0; s < groom.strand_count(); ++s) {
     bool spans = false;
@@ -59,7 +59,7 @@ Result<Flicker> measure_flicker(const Candidate& candidate, const FlickerScene& 
     return double(light.values[i]) - double(values[i]) - double(scene.turned_truth[i]) + double(scene.truth[i]);
   });
   if (!candidate.values.all().contains("resolution")) return flicker;
-  const double resolution = double(candidate.values.integer("resolution"));
+  const auto resolution = std::uint32_t(candidate.values.integer("resolution"));
   const strands::Groom groom = moved(*scene.casters.groom, scene.casters.to_light, 0.1, resolution);
   shadows::Casters casters = scene.casters;
   casters.groom = &groom;

@@ -97,10 +97,14 @@ std::string to_text(const MarksFile& file, const MarksReport& report) {
                       mean_over_lights(report, [](const Comparison& c) { return c.none.mean; }),
                       mean_over_lights(report, [](const Comparison& c) { return c.best_constant.mean; }));
   for (const MarkResult& result : report.results)
-    text += fmt::format("{:<5}{:<34} {:.4f} +- {:.4f} (at most {:.4f}), bias {:+.4f}, {} bytes: {}\n",
-                        result.met() ? "met" : "NOT", result.mark->name, result.error, result.interval,
-                        result.mark->error, result.bias, result.bytes,
-                        result.settings.empty() ? "no setting keeps the bytes" : result.settings);
+    text +=
+        fmt::format("{:<5}{:<34} {:.4f} +- {:.4f}{}, bias {:+.4f}, {} bytes: {}\n",
+                    result.mark->error == 0 ? ""
+                    : result.met()          ? "met"
+                                            : "NOT",
+                    result.mark->name, result.error, result.interval,
+                    result.mark->error == 0 ? "" : fmt::format(" (at most {:.4f})", result.mark->error), result.bias,
+                    result.bytes, result.settings.empty() ? "no setting keeps the bytes" : result.settings);
   return text;
 }
 

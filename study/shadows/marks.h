@@ -11,11 +11,11 @@ namespace cuticle::study {
 /// The most error that the best of some settings may have within a number of bytes.
 struct Mark {
   std::string name, method;
-  double error = 0;       ///< mean |error| of T, mean of the lights
+  double error = 0;       ///< mean |error| of T, mean of the lights; 0: only measured
   std::size_t bytes = 0;  ///< 0: any
   std::vector<Candidate> candidates;
 };
-/// What a file of marks fixes; lengths in metres.
+/// What a file of marks fixes for one of its grooms; lengths in metres.
 struct MarksFile {
   std::string name;
   strands::Groom groom;
@@ -29,8 +29,8 @@ struct MarksFile {
 /// Each strand with `count` followers beside it: copies moved by vectors spread evenly over a ball of `radius` metres.
 strands::Groom with_followers(const strands::Groom& guides, int count, double radius, std::uint32_t seed);
 
-/// Reads the file of marks and its groom, whose parts lie below `data`. Error: bad_input, naming the file and the key.
-Result<MarksFile> read_marks(const std::string& path, const std::string& data);
+/// Reads the file of marks and its grooms, whose parts lie below `data`. Error: bad_input, naming the file and the key.
+Result<std::vector<MarksFile>> read_marks(const std::string& path, const std::string& data);
 
 /// A mark beside its best setting within the bytes, chosen on one half of the receivers and reported on the other.
 struct MarkResult {
@@ -38,7 +38,7 @@ struct MarkResult {
   std::string settings;                      ///< empty: none keeps the bytes
   double error = 0, interval = 0, bias = 0;  ///< mean of the lights; interval: half width that holds 95 %
   std::size_t bytes = 0;
-  bool met() const { return !settings.empty() && error <= mark->error; }
+  bool met() const { return !settings.empty() && (mark->error == 0 || error <= mark->error); }
 };
 struct MarksReport {
   std::vector<Comparison> lights;   ///< one per light, rows in the same order

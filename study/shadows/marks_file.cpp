@@ -1,5 +1,7 @@
 // Reads scenes/shadow_marks/*.json (study/README.md describes them).
 #include <algorithm>
+#include <filesystem>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -7,6 +9,8 @@
 #include <cuticle/core/json/json.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/strands/formats/formats.h>
+#include <cuticle/strands/growing/grow.h>
+#include <cuticle/strands/growing/specification.h>
 #include <cuticle/study/shadows/marks.h>
 #include <cuticle/study/shadows/slices_study.h>
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
@@ -46,17 +50,33 @@ Result<strands::Groom> read_parts(const Json& json, const std::string& data) {
                         json.at("seed").get<std::uint32_t>());
 }
 
-Result<strands::Groom> read_hair(const Json& json, const std::string& data) {
+/// The first strands of what a specification grows.
+Result<strands::Groom> grow_hair(const Json& json, const std::string& folder) {
+  CUTICLE_ASSIGN(const auto specification, strands::load_specification(folder + "/" + json.at("specification").text()));
+  CUTICLE_ASSIGN(const strands::Grown grown, strands::grow(specification));
+  const std::size_t count = std::min(json.at("strands").get<std::size_t>(), grown.drawn.strand_count());
+  strands::Groom groom;
+  for (std::size_t s = 0; s < count; ++s)
+    append(groom, grown.drawn.strand(s), json.at("fibre_radius_m").get<float>(), glm::vec3(0));
+  return groom;
+}
+
+Result<strands::Groom> read_hair(const Json& json, const std::string& data, const std::string& folder) {
   if (json.contains("parts")) return read_parts(json, data);
+  if (json.contains("specification")) return grow_hair(json, folder);
   strands::Groom coat = study_coat(json.at("coat_strands").get<int>());
   std::fill(coat.radii.begin(), coat.radii.end(), json.at("fibre_radius_m").get<float>());
   return coat;
 }
 
 /// `settings` maps a parameter to the texts that it takes in turn; every combination is a candidate.
-/// Lookups average the truth's footprint where no filter is given.
-Result<void> add_settings(const shadows::Method& method, const Json& settings, double footprint_radius,
+/// Where they are not given, lookups average the truth's footprint, and count fibres as far behind the receiver as its
+/// disc cuts them in the mean: pi/4 of their radius.
+Result<void> add_settings(const shadows::Method& method, const Json& settings, const MarksFile& file,
                           std::vector<Candidate>& candidates) {
+  const double cut = file.groom.radii.empty() ? 0 : std::numbers::pi / 4 * double(file.groom.radii.front());
+  const std::pair<std::string, double> defaults[] = {{"filter_radius_mm", 1e3 * file.footprint_radius},
+                                                     {"depth_offset_mm", 1e3 * cut}};
   std::vector<std::string> sets = {""};
   for (const auto& [name, texts] : settings.items()) {
     std::vector<std::string> longer;
@@ -67,29 +87,29 @@ Result<void> add_settings(const shadows::Method& method, const Json& settings, d
   }
   for (const std::string& set : sets) {
     CUTICLE_ASSIGN(auto values, registry::parse_assignments(method.entry.parameters, set));
-    if (!settings.contains("filter_radius_mm") && values.all().contains("filter_radius_mm"))
-      values.set("filter_radius_mm", 1e3 * footprint_radius);
+    for (const auto& [name, value] : defaults)
+      if (!settings.contains(name) && values.all().contains(name)) values.set(name, value);
     candidates.push_back({&method, std::move(values)});
   }
   return {};
 }
 
-Result<Mark> read_mark(const Json& json, double footprint_radius) {
+Result<Mark> read_mark(const Json& json, const MarksFile& file) {
   Mark mark{json.at("name").text(),
             json.at("method").text(),
-            json.at("error").number(),
+            json.value("error", 0.0),
             json.value("bytes", std::size_t(0)),
             {}};
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(mark.method));
-  for (const Json& settings : json.at("settings"))
-    CUTICLE_TRY(add_settings(*method, settings, footprint_radius, mark.candidates));
+  for (const Json& settings : json.at("settings")) CUTICLE_TRY(add_settings(*method, settings, file, mark.candidates));
   return mark;
 }
 
-Result<MarksFile> marks_from(const Json& json, const std::string& data) {
+/// `groom`: where the name and the hair are; the rest is in `json`.
+Result<MarksFile> marks_of(const Json& groom, const Json& json, const std::string& data, const std::string& folder) {
   MarksFile file;
-  file.name = json.at("name").text();
-  CUTICLE_ASSIGN(file.groom, read_hair(json.at("hair"), data));
+  file.name = groom.at("name").text();
+  CUTICLE_ASSIGN(file.groom, read_hair(groom.at("hair"), data, folder));
   file.alpha = json.at("alpha").number();
   file.footprint_radius = json.contains("footprint_radius_m") ? json.at("footprint_radius_m").number()
                                                               : shadows::default_footprint_radius(file.groom);
@@ -98,11 +118,21 @@ Result<MarksFile> marks_from(const Json& json, const std::string& data) {
   for (const Json& light : json.at("lights"))
     file.lights.emplace_back(light.at(0).number(), light.at(1).number(), light.at(2).number());
   for (const Json& mark : json.at("marks")) {
-    CUTICLE_ASSIGN(Mark read, read_mark(mark, file.footprint_radius));
+    CUTICLE_ASSIGN(Mark read, read_mark(mark, file));
     file.marks.push_back(std::move(read));
   }
   if (file.lights.empty() || file.marks.empty()) return bad_input("'lights' and 'marks' must not be empty");
   return file;
+}
+
+Result<std::vector<MarksFile>> marks_from(const Json& json, const std::string& data, const std::string& folder) {
+  std::vector<MarksFile> files;
+  const Json grooms = json.contains("grooms") ? json.at("grooms") : Json::list({json});
+  for (const Json& groom : grooms) {
+    CUTICLE_ASSIGN(MarksFile file, marks_of(groom, json, data, folder));
+    files.push_back(std::move(file));
+  }
+  return files;
 }
 
 }  // namespace
@@ -118,13 +148,14 @@ strands::Groom with_followers(const strands::Groom& guides, int count, double ra
   return groom;
 }
 
-Result<MarksFile> read_marks(const std::string& path, const std::string& data) {
+Result<std::vector<MarksFile>> read_marks(const std::string& path, const std::string& data) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
   try {
     const Result<Json> json = Json::parse(text);
-    Result<MarksFile> file = json ? marks_from(*json, data) : json.error();
-    if (!file) return Error{file.error().kind, path + ": " + file.error().message, file.error().hint};
-    return file;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    auto files = json ? marks_from(*json, data, folder) : Result<std::vector<MarksFile>>(json.error());
+    if (!files) return Error{files.error().kind, path + ": " + files.error().message, files.error().hint};
+    return files;
   } catch (const Json::Mismatch& error) {
     return bad_input(fmt::format("{}: {}", path, error.what()), "study/README.md");
   }

@@ -1,0 +1,47 @@
+// Deep shadow maps on the GPU: the passes of list_gpu.h, then compression, a texel each, and lookup. The lists equal
+// the CPU's; knots are kept in words only.
+#include <cuticle/shadows/deep_shadow/settings.h>
+#include <cuticle/shadows/list_gpu.h>
+
+#include <deep_shadow_compress_comp.spv.h>
+#include <deep_shadow_lookup_comp.spv.h>
+
+namespace cuticle::shadows::deep_shadow {
+namespace {
+
+constexpr int k_counts = k_list_next, k_knots = k_list_totals + 1;  // a texel's number of knots, and those
+
+Result<Settings> settings_on_device(const registry::ParameterValues& values) {
+  const Settings settings = settings_from(values);
+  if (settings.storage == KnotStorage::words) return settings;
+  return usage_error("deep_shadow: storage=halves is not kept on a GPU", "storage=words");
+}
+
+MapDescription describe(const Settings& settings) {
+  MapDescription map = describe_lists(settings.map);
+  map.own = {float(settings.error_bound), float(settings.layers)};
+  map.buffers[k_list_fragments].kept = false;
+  map.buffers[k_counts].kept = true;
+  map.buffers.push_back({settings.map.list_room / 4, 0, true, false});
+  map.passes.push_back({"shadow.compress",
+                        deep_shadow_compress_comp,
+                        {k_list_first, k_list_fragments, k_counts, k_knots},
+                        MapRun::per_texel});
+  map.passes.push_back({"shadow.lookup",
+                        deep_shadow_lookup_comp,
+                        {k_vertices, k_box, k_list_first, k_counts, k_knots, k_transmittance},
+                        MapRun::per_vertex});
+  return map;
+}
+
+MapSettings lists_from(const registry::ParameterValues& values) { return settings_from(values).map; }
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"deep_shadow", create_map<settings_on_device, describe>,
+                                words_of_map<lists_from, sort_fragments, words_of_lists>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::deep_shadow

@@ -1,0 +1,16 @@
+#pragma once
+// The deep shadow map's parameters.
+#include <cuticle/shadows/deep_shadow/visibility.h>
+#include <cuticle/shadows/map_settings.h>
+
+namespace cuticle::shadows::deep_shadow {
+
+struct Settings {
+  MapSettings map;
+  double error_bound = 0.02;
+  std::size_t layers = k_most_pieces;
+  KnotStorage storage = KnotStorage::words;
+};
+Settings settings_from(const registry::ParameterValues& values);
+
+}  // namespace cuticle::shadows::deep_shadow

@@ -1,0 +1,28 @@
+// The sorted lists on the GPU: the passes of list_gpu.h, then lookup; the lists equal the CPU's.
+#include <cuticle/shadows/list_gpu.h>
+
+#include <exact_list_lookup_comp.spv.h>
+
+namespace cuticle::shadows::exact_list {
+namespace {
+
+MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
+
+MapDescription describe(const MapSettings& settings) {
+  MapDescription map = describe_lists(settings);
+  map.passes.push_back({"shadow.lookup",
+                        exact_list_lookup_comp,
+                        {k_vertices, k_box, k_list_first, k_list_fragments, k_transmittance},
+                        MapRun::per_vertex});
+  return map;
+}
+
+}  // namespace
+
+const GpuMethod& gpu_entry() {
+  static const GpuMethod method{"exact_list", create_map<settings_from, describe>,
+                                words_of_map<settings_from, sort_fragments, words_of_lists>};
+  return method;
+}
+
+}  // namespace cuticle::shadows::exact_list
