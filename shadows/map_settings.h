@@ -11,7 +11,14 @@ namespace cuticle::shadows {
 
 inline constexpr std::string_view k_accumulations[] = {"optical_depth", "poisson"};
 inline constexpr registry::Parameter k_resolution{
-    "resolution", registry::ParameterType::integer, "1", 16, 4096, "256", {}, "the map has at most its square of texels, in the shape of the hair"};
+    "resolution",
+    registry::ParameterType::integer,
+    "1",
+    16,
+    4096,
+    "256",
+    {},
+    "the map has at most its square of texels, in the shape of the hair"};
 inline constexpr registry::Parameter k_optical_k{
     "k", registry::ParameterType::real, "1", 0.1, 100, "5.5", {}, "sigma = optical depth / k, T = exp(-k sigma)"};
 inline constexpr registry::Parameter k_filter_texels{"filter_texels",
