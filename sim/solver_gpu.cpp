@@ -4,6 +4,13 @@
 
 namespace cuticle::sim {
 
+Result<void> GpuSolver::run(gpu::Device& device, const FrameInput& input) {
+  gpu::Commands commands = device.record();
+  CUTICLE_TRY(record(commands, input));
+  CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device.submit(std::move(commands)));
+  return {};
+}
+
 Result<const GpuEffect*> find_gpu_effect(std::string_view name) {
   for (const GpuEffect* effect : gpu_effects())
     if (effect->name == name && effect->create) return effect;

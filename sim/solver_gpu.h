@@ -17,6 +17,10 @@ class GpuSolver : public Solver {
   virtual const gpu::Buffer& positions() const = 0;
   /// Dispatches per effect name that `record` will make for this input: what a plan prints.
   virtual std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const = 0;
+
+ protected:
+  /// Records a frame and waits for it.
+  Result<void> run(gpu::Device& device, const FrameInput& input);
 };
 /// `create` is null for an effect that acts in a solver ("colliders").
 struct GpuEffect {

@@ -77,12 +77,7 @@ class ChainGpuSolver final : public GpuSolver {
     return {};
   }
 
-  Result<void> advance(const FrameInput& input) override {
-    gpu::Commands commands = device_->record();
-    CUTICLE_TRY(record(commands, input));
-    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
-    return {};
-  }
+  Result<void> advance(const FrameInput& input) override { return run(*device_, input); }
 
   Result<State> state() override {
     const std::size_t vertices = rest_.vertex_count();
