@@ -20,22 +20,20 @@ Json axis_json(const Axis& axis, int size) {
           {"address_mode", "clamp"}};
 }
 
-double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
 Json measures_json(const ChannelError& error) {
   return {{"maximum", error.maximum},
           {"rms", error.rms},
           {"percentile_99", error.percentile_99},
           {"exact_peak", error.peak},
           {"exact_rms", error.signal_rms},
-          {"maximum_over_peak", ratio(error.maximum, error.peak)},
-          {"percentile_99_over_peak", ratio(error.percentile_99, error.peak)},
-          {"rms_over_rms", ratio(error.rms, error.signal_rms)},
+          {"maximum_over_peak", relative_error(error.maximum, error.peak)},
+          {"percentile_99_over_peak", relative_error(error.percentile_99, error.peak)},
+          {"rms_over_rms", relative_error(error.rms, error.signal_rms)},
           {"uniform_in_angle",
            {{"rms", error.in_angle.rms},
             {"percentile_99", error.in_angle.percentile_99},
             {"exact_rms", error.in_angle.signal_rms},
-            {"rms_over_rms", ratio(error.in_angle.rms, error.in_angle.signal_rms)}}}};
+            {"rms_over_rms", relative_error(error.in_angle.rms, error.in_angle.signal_rms)}}}};
 }
 
 Json error_json(const ChannelError& error, Texel texel) {
@@ -53,9 +51,9 @@ Json error_json(const ChannelError& error, Texel texel) {
 Json level_json(const MipLevel& level) {
   Json channels;
   for (const ChannelError& error : level.errors)
-    channels[error.channel] = {{"rms_over_rms", ratio(error.rms, error.signal_rms)},
-                               {"maximum_over_peak", ratio(error.maximum, error.peak)},
-                               {"percentile_99_over_peak", ratio(error.percentile_99, error.peak)}};
+    channels[error.channel] = {{"rms_over_rms", relative_error(error.rms, error.signal_rms)},
+                               {"maximum_over_peak", relative_error(error.maximum, error.peak)},
+                               {"percentile_99_over_peak", relative_error(error.percentile_99, error.peak)}};
   return {{"size", {level.image.width, level.image.height}},
           {"compared_with", "the model averaged over one texel of this level around each sample"},
           {"errors", channels}};

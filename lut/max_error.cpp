@@ -13,8 +13,6 @@ namespace {
 constexpr std::string_view k_measures[] = {"rms", "max", "p99"};
 constexpr int k_smallest_trend = 256;  ///< below, narrow lobes are not resolved and the error shrinks late
 
-double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
 /// One layout at rising sizes.
 struct Trend {
   const Layout* layout = nullptr;
@@ -94,8 +92,8 @@ Result<ErrorMeasure> find_error_measure(std::string_view name) {
 }
 
 double relative_error(const ChannelError& error, ErrorMeasure measure) {
-  if (measure == ErrorMeasure::rms) return ratio(error.in_angle.rms, error.in_angle.signal_rms);
-  return ratio(measure == ErrorMeasure::maximum ? error.maximum : error.in_angle.percentile_99, error.peak);
+  if (measure == ErrorMeasure::rms) return relative_error(error.in_angle.rms, error.in_angle.signal_rms);
+  return relative_error(measure == ErrorMeasure::maximum ? error.maximum : error.in_angle.percentile_99, error.peak);
 }
 
 WorstChannel worst_channel(const TableSet& set, ErrorMeasure measure) {

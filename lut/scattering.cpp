@@ -14,12 +14,12 @@ constexpr int k_directions = 16384;
 constexpr std::string_view k_colours = "rgb";
 
 /// A factor of a term for one colour: the channel of that name, or of that name with the colour's suffix.
-struct Place {
+struct FactorPlace {
   const Table* table = nullptr;
   int channel = 0;
   const Channel& layout() const { return table->layout->channels[channel]; }
 };
-Place find_place(const TableSet& set, std::string_view factor, int colour) {
+FactorPlace find_place(const TableSet& set, std::string_view factor, int colour) {
   for (const Table& table : set.tables)
     for (int c = 0; c < int(table.layout->channels.size()); ++c) {
       const std::string_view name = table.layout->channels[c].name;
@@ -28,7 +28,7 @@ Place find_place(const TableSet& set, std::string_view factor, int colour) {
   CUTICLE_EXPECT(false, "a layout's terms name its channels");
   return {};
 }
-Place find_source(const TableSet& set, ChannelSource source) {
+FactorPlace find_source(const TableSet& set, ChannelSource source) {
   for (const Table& table : set.tables)
     for (int c = 0; c < int(table.layout->channels.size()); ++c)
       if (table.layout->channels[c].source == source) return {&table, c};
@@ -36,8 +36,8 @@ Place find_source(const TableSet& set, ChannelSource source) {
 }
 
 /// Factors of all terms, those of one term after another, an empty place after each.
-std::vector<Place> places_of(const TableSet& set, int colour) {
-  std::vector<Place> places;
+std::vector<FactorPlace> places_of(const TableSet& set, int colour) {
+  std::vector<FactorPlace> places;
   for (const Term& term : set.layout->terms) {
     for (std::string_view factor : term.factors)
       if (!factor.empty()) places.push_back(find_place(set, factor, colour));
@@ -47,9 +47,9 @@ std::vector<Place> places_of(const TableSet& set, int colour) {
 }
 /// The sum of the terms' products of what `value` gives for a place.
 template <class Value>
-double composed(const std::vector<Place>& places, const Value& value) {
+double composed(const std::vector<FactorPlace>& places, const Value& value) {
   double sum = 0, product = 1;
-  for (const Place& place : places) {
+  for (const FactorPlace& place : places) {
     if (place.table) {
       product *= value(place);
     } else {
@@ -68,7 +68,7 @@ class Reader {
   }
   double scattering(bsdf::Point at, int colour) const {
     at = as_stored(at);
-    const double sum = composed(places_[std::size_t(colour)], [&](const Place& place) {
+    const double sum = composed(places_[std::size_t(colour)], [&](const FactorPlace& place) {
       const glm::dvec2 coordinate = coordinates(*place.table, at);
       return sample(*place.table, place.channel, coordinate.x, coordinate.y);
     });
@@ -96,8 +96,8 @@ class Reader {
     return {axis_coordinate(table.layout->u, set_.size, at), axis_coordinate(table.layout->v, set_.size, at)};
   }
   const TableSet& set_;
-  Place cosine_;
-  std::array<std::vector<Place>, 3> places_;
+  FactorPlace cosine_;
+  std::array<std::vector<FactorPlace>, 3> places_;
 };
 
 /// Light and eye evenly over the sphere, by an additive sequence in three dimensions (its ratio solves x^4 = x + 1).
@@ -148,11 +148,11 @@ Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const T
   ExactChannels exact(source, points);
   std::vector<glm::dvec3> result(points.size());
   for (int colour = 0; colour < 3; ++colour) {
-    const std::vector<Place> places = places_of(set, colour);
-    for (const Place& place : places)
+    const std::vector<FactorPlace> places = places_of(set, colour);
+    for (const FactorPlace& place : places)
       if (place.table) CUTICLE_TRY(exact.need(place.layout()));
     for (std::size_t i = 0; i < points.size(); ++i)
-      result[i][colour] = composed(places, [&](const Place& place) { return exact.value(place.layout(), i); }) /
+      result[i][colour] = composed(places, [&](const FactorPlace& place) { return exact.value(place.layout(), i); }) /
                           reader.divisor(points[i]);
   }
   return result;

@@ -91,6 +91,8 @@ struct ChannelError {
   double excluded = 0;              ///< share of the grid left out, 0 .. 1
   AngleError in_angle;
 };
+/// An error as a share of what it is an error of; 0 where that is nothing.
+inline double relative_error(double error, double whole) { return whole > 0 ? error / whole : 0; }
 /// A level below the first: half as many texels each way, and what it costs against the exact channel averaged over the
 /// level's footprint (a texel of that level around any texture coordinate).
 struct MipLevel {

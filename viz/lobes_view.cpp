@@ -139,7 +139,7 @@ std::string title_of(const LobesView& view) {
                      view.theta_i * 180 / std::numbers::pi);
 }
 
-void place_camera(vtkRenderer& renderer) {
+void look_at_lobes(vtkRenderer& renderer) {
   vtkCamera& camera = *renderer.GetActiveCamera();
   camera.SetViewUp(0, 0, 1);
   camera.SetFocalPoint(0, 0, 0);
@@ -160,7 +160,7 @@ Result<void> show(const LobesView& view, const ViewTarget& target) {
   add_legend(*renderer, view);
   add_text(*renderer, title_of(view), 0.02, 0.98, 20, true);
   add_text(*renderer, legend_words(view, set.peak), 0.02, 0.075, 16);
-  place_camera(*renderer);
+  look_at_lobes(*renderer);
   return present(*renderer, target, "cuticle view lobes");
 }
 

@@ -107,7 +107,7 @@ std::string words_of(const StrandsView& view) {
 }
 
 /// From the front and slightly above, y up, with room for title and colour bar.
-void place_camera(vtkRenderer& renderer) {
+void look_at_strands(vtkRenderer& renderer) {
   renderer.GetActiveCamera()->SetViewUp(0, 1, 0);
   renderer.GetActiveCamera()->SetFocalPoint(0, 0, 0);
   renderer.GetActiveCamera()->SetPosition(0.45, 0.25, 1);
@@ -128,7 +128,7 @@ Result<void> show(const StrandsView& view, const ViewTarget& target) {
   add_text(*renderer, view.scalar_title, 0.2, 0.135, 16);
   add_text(*renderer, view.title, 0.02, 0.98, 20, true);
   add_text(*renderer, words_of(view), 0.02, 0.94, 16);
-  place_camera(*renderer);
+  look_at_strands(*renderer);
   return present(*renderer, target, "cuticle view strands");
 }
 

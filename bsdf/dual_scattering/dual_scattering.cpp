@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -14,7 +15,7 @@ namespace cuticle::bsdf {
 namespace {
 
 using glm::dvec3;
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 constexpr int first_panels = 16, deepest = 9, nodes_in_theta = 15;
 constexpr double tolerance = 1e-5;
 
@@ -41,11 +42,11 @@ Moments operator+(Moments a, const Moments& b) {
 
 /// Azimuths with weights, by 24 Gauss points in each quarter, and offsets, even in their angles, with weights that add
 /// up to 1.
-struct Directions {
+struct QuadratureDirections {
   std::vector<double> phi, phi_weight, h, h_weight;
 };
-Directions directions(bool near_field) {
-  Directions d;
+QuadratureDirections quadrature_directions(bool near_field) {
+  QuadratureDirections d;
   const QuadratureRule rule = gauss_legendre(24);
   for (int quarter = 0; quarter < 4; ++quarter)
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
@@ -67,7 +68,7 @@ class Integrand {
       : model_(model),
         values_(values),
         theta_o_(theta_o),
-        directions_(directions(model.near_field && model.near_field(values))) {}
+        directions_(quadrature_directions(model.near_field && model.near_field(values))) {}
 
   /// Moments over a panel of theta_i by 15 points, and the difference of its two shares by 7 of them.
   Result<std::pair<Moments, dvec3>> panel(double low, double high) const {
@@ -106,7 +107,7 @@ class Integrand {
   const Model& model_;
   const registry::ParameterValues& values_;
   double theta_o_;
-  Directions directions_;
+  QuadratureDirections directions_;
 };
 
 double largest(dvec3 v) { return std::max(v.x, std::max(v.y, v.z)); }

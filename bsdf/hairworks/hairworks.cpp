@@ -1,4 +1,5 @@
 #include <array>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
 constexpr std::array<std::string_view, 2> system_rows = {"H13", "H14"};
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 using registry::ParameterType;
 constexpr std::array<registry::Parameter, 12> parameters = {{

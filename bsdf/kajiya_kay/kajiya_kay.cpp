@@ -1,4 +1,5 @@
 #include <array>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -11,7 +12,7 @@ namespace cuticle::bsdf::kajiya_kay {
 namespace {
 
 constexpr std::array<std::string_view, 2> lobe_names = {"diffuse", "specular"};
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 using registry::ParameterType;
 constexpr std::array<registry::Parameter, 3> parameters = {{

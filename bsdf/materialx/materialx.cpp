@@ -18,7 +18,7 @@ using materialx::HairNode;
 using materialx::Numbers;
 
 constexpr std::size_t largest_file = 16u << 20;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The one chiang_hair_bsdf of the document.
 Result<HairNode> find_hair(const pugi::xml_document& document, std::string_view file) {

@@ -66,12 +66,11 @@ Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format,
   return baked;
 }
 
-double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
 void print_error(const lut::ChannelError& e, std::string_view words) {
   fmt::print("{:<14}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.3e}{:>11.2e}{:>11.2e}{:>11.2e}{:>10.1f}%{}\n", e.channel,
-             e.maximum, e.rms, e.percentile_99, e.peak, ratio(e.maximum, e.peak), ratio(e.rms, e.signal_rms),
-             ratio(e.in_angle.rms, e.in_angle.signal_rms), 100 * e.excluded, words);
+             e.maximum, e.rms, e.percentile_99, e.peak, lut::relative_error(e.maximum, e.peak),
+             lut::relative_error(e.rms, e.signal_rms), lut::relative_error(e.in_angle.rms, e.in_angle.signal_rms),
+             100 * e.excluded, words);
 }
 
 void print_errors(const lut::TableSet& set, const std::string& out) {
@@ -90,9 +89,10 @@ void print_gains(const Baked& baked) {
   fmt::print("\n{:<14}{:>20}{:>11}{:>11}{:>20}{:>11}\n", "fitted texels", "samples rms/rms", "fitted", "gain",
              "samples max/peak", "fitted");
   for (const auto& [name, samples, fitted, kept] : baked.fits)
-    fmt::print("{:<14}{:>20.2e}{:>11.2e}{:>11.2f}{:>20.2e}{:>11.2e}{}\n", name, ratio(samples.rms, samples.signal_rms),
-               ratio(fitted.rms, fitted.signal_rms), ratio(samples.rms, fitted.rms),
-               ratio(samples.maximum, samples.peak), ratio(fitted.maximum, fitted.peak), kept ? "" : "  samples kept");
+    fmt::print("{:<14}{:>20.2e}{:>11.2e}{:>11.2f}{:>20.2e}{:>11.2e}{}\n", name,
+               lut::relative_error(samples.rms, samples.signal_rms), lut::relative_error(fitted.rms, fitted.signal_rms),
+               lut::relative_error(samples.rms, fitted.rms), lut::relative_error(samples.maximum, samples.peak),
+               lut::relative_error(fitted.maximum, fitted.peak), kept ? "" : "  samples kept");
   fmt::print("fitted in {:.0f} ms\n", baked.fit_ms);
 }
 

@@ -39,7 +39,7 @@ class CellCost final : public ceres::SizedCostFunction<4, 1, 1, 1, 1> {
 };
 
 /// A linear problem: the first step is the optimum, and further ones only serve the bounds.
-ceres::Solver::Options solver_options() {
+ceres::Solver::Options texel_solver_options() {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   options.initial_trust_region_radius = options.max_trust_region_radius = 1e10;
@@ -64,7 +64,7 @@ std::vector<double> least_squares(const TexelProblem& problem, std::vector<doubl
   for (double& texel : texels)
     if (equations.HasParameterBlock(&texel)) equations.SetParameterLowerBound(&texel, 0, 0.0);
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(), &equations, &summary);
+  ceres::Solve(texel_solver_options(), &equations, &summary);
   return texels;
 }
 

@@ -10,9 +10,9 @@ namespace cuticle::strands {
 namespace {
 
 /// The three smoothed hairs that a root lies between.
-using Corners = std::array<std::uint32_t, 3>;
+using HairsAround = std::array<std::uint32_t, 3>;
 
-Corners corners_of(const Mesh& scalp, const Root& root, std::span<const std::uint32_t> hair_of_vertex) {
+HairsAround hairs_around(const Mesh& scalp, const Root& root, std::span<const std::uint32_t> hair_of_vertex) {
   const auto& triangle = scalp.triangles[root.triangle];
   return {hair_of_vertex[triangle[0]], hair_of_vertex[triangle[1]], hair_of_vertex[triangle[2]]};
 }
@@ -25,7 +25,7 @@ void append_sums(std::span<const float> values, const std::array<std::size_t, 3>
                   values[first[2] + k] * weights.z);
 }
 
-void append_attributes(const Groom& smoothed, const Corners& hairs, const glm::vec3& weights, Groom& out) {
+void append_attributes(const Groom& smoothed, const HairsAround& hairs, const glm::vec3& weights, Groom& out) {
   for (const auto& [name, attribute] : smoothed.attributes) {
     const auto components = std::size_t(attribute.components);
     const bool per_strand = attribute.domain == Attribute::Domain::strand;
@@ -39,7 +39,7 @@ void append_attributes(const Groom& smoothed, const Corners& hairs, const glm::v
 }
 
 /// All of a strand but its positions.
-void append_rest(const Groom& smoothed, const Corners& hairs, const Root& root, Groom& out) {
+void append_rest(const Groom& smoothed, const HairsAround& hairs, const Root& root, Groom& out) {
   const std::array<std::size_t, 3> first{smoothed.offsets[hairs[0]], smoothed.offsets[hairs[1]],
                                          smoothed.offsets[hairs[2]]};
   append_sums(smoothed.radii, first, smoothed.strand_size(hairs[0]), root.weights, out.radii);
@@ -49,7 +49,7 @@ void append_rest(const Groom& smoothed, const Corners& hairs, const Root& root, 
   out.root_barycentrics.emplace_back(root.weights.y, root.weights.z);
 }
 
-void append_blend(const Groom& smoothed, const Corners& hairs, const glm::vec3& weights, Groom& out) {
+void append_blend(const Groom& smoothed, const HairsAround& hairs, const glm::vec3& weights, Groom& out) {
   const auto a = smoothed.strand(hairs[0]), b = smoothed.strand(hairs[1]), c = smoothed.strand(hairs[2]);
   for (std::size_t i = 0; i < a.size(); ++i) out.positions.push_back(blend_three<float>(a[i], b[i], c[i], weights));
 }
@@ -84,7 +84,7 @@ Groom interpolate(const Groom& smoothed, const Mesh& scalp, std::span<const Root
   CUTICLE_EXPECT(hair_of_vertex.size() == scalp.positions.size(), "one hair per scalp vertex");
   Groom result = reserved(smoothed, roots.size());
   for (const Root& root : roots) {
-    const Corners hairs = corners_of(scalp, root, hair_of_vertex);
+    const HairsAround hairs = hairs_around(scalp, root, hair_of_vertex);
     append_blend(smoothed, hairs, root.weights, result);
     append_rest(smoothed, hairs, root, result);
   }
@@ -97,7 +97,7 @@ Groom follow(const Groom& smoothed, const Mesh& scalp, std::span<const Root> roo
   std::vector<StrandFrames> frames(smoothed.strand_count());
   Groom result = reserved(smoothed, roots.size());
   for (const Root& root : roots) {
-    const Corners hairs = corners_of(scalp, root, hair_of_vertex);
+    const HairsAround hairs = hairs_around(scalp, root, hair_of_vertex);
     const std::uint32_t guide = hairs[greatest(root.weights)];
     const auto hair = smoothed.strand(guide);
     const glm::vec3 own_root = blend_three<float>(smoothed.strand(hairs[0])[0], smoothed.strand(hairs[1])[0],

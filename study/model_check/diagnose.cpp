@@ -16,7 +16,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What the probes share.
 struct Case {

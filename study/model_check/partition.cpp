@@ -9,7 +9,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double tails[] = {-8, -4, -2, 0, 2, 4, 8};  // in ranges of a lobe's middle half
 constexpr double outermost = 8;
 // A closed form may have caustics, which many samples find; an average over the fibre has none, and its samples cost

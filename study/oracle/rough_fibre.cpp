@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr int most_events = 1000000;  ///< of scattering in the medulla during one crossing
 constexpr int most_meetings = 1000;   ///< with the surface at one place
 
-struct Ray {
+struct FibreRay {
   dvec3 position, direction;
 };
 
@@ -29,7 +29,7 @@ dvec3 outward_normal(const RoughFibre& fibre, dvec3 position) {
 }
 
 /// Distances at which the ray passes the cross-section scaled by `scale`; none where it misses.
-std::optional<std::pair<double, double>> passage(const RoughFibre& fibre, const Ray& ray, double scale) {
+std::optional<std::pair<double, double>> passage(const RoughFibre& fibre, const FibreRay& ray, double scale) {
   const double a = form(fibre, ray.direction, ray.direction), b = form(fibre, ray.position, ray.direction);
   const double discriminant = b * b - a * (form(fibre, ray.position, ray.position) - scale * scale);
   if (discriminant <= 0 || a < 1e-200) return std::nullopt;
@@ -38,11 +38,11 @@ std::optional<std::pair<double, double>> passage(const RoughFibre& fibre, const 
 }
 
 /// The ray from the viewer where it meets the surface.
-Ray incoming(const RoughFibre& fibre, const Viewer& viewer, double h) {
+FibreRay incoming(const RoughFibre& fibre, const Viewer& viewer, double h) {
   const double c = std::cos(viewer.phi_o), s = std::sin(viewer.phi_o);
   const double half_width = std::hypot(s, fibre.aspect * c);
   const dvec3 offset = h * half_width * dvec3(-s, c, 0);
-  const Ray inward{offset, dvec3(-c, -s, 0)};
+  const FibreRay inward{offset, dvec3(-c, -s, 0)};
   const auto reach = passage(fibre, inward, 1);
   const double cosine = std::cos(viewer.theta_o);
   return {offset + (reach ? reach->first : 0.0) * inward.direction,
@@ -66,7 +66,7 @@ dvec3 scattered(dvec3 direction, double g, RandomStream& random) {
 }
 
 /// The part [begin, end] of the way ahead that lies in the medulla; empty where begin = end.
-std::pair<double, double> way_in_medulla(const RoughFibre& fibre, const Ray& ray, double end) {
+std::pair<double, double> way_in_medulla(const RoughFibre& fibre, const FibreRay& ray, double end) {
   if (fibre.medulla.ratio <= 0) return {end, end};
   const auto inner = passage(fibre, ray, fibre.medulla.ratio);
   if (!inner || inner->second <= 0) return {end, end};
@@ -78,7 +78,7 @@ void absorb(const RoughFibre& fibre, double in_cortex, double in_medulla, dvec3&
 }
 
 /// Up to the next scattering in the medulla (true) or to the surface (false), less what is absorbed on the way.
-bool advance(const RoughFibre& fibre, Ray& ray, dvec3& energy, RandomStream& random) {
+bool advance(const RoughFibre& fibre, FibreRay& ray, dvec3& energy, RandomStream& random) {
   const auto reach = passage(fibre, ray, 1);
   const double end = reach ? std::max(0.0, reach->second) : 0;
   const auto [begin, leave] = way_in_medulla(fibre, ray, end);
@@ -94,7 +94,7 @@ bool advance(const RoughFibre& fibre, Ray& ray, dvec3& energy, RandomStream& ran
 }
 
 /// From surface to surface.
-void cross(const RoughFibre& fibre, Ray& ray, dvec3& energy, RandomStream& random) {
+void cross(const RoughFibre& fibre, FibreRay& ray, dvec3& energy, RandomStream& random) {
   for (int event = 0; event < most_events; ++event)
     if (!advance(fibre, ray, energy, random)) return;
   energy = dvec3(0);
@@ -113,7 +113,7 @@ Meeting meet_facets(const RoughFibre& fibre, dvec3 normal, dvec3 direction, bool
 
 /// Meets the surface from one side until the ray is free on one side. A scale that does not face the ray, or that sends
 /// it into the surface, stops it; where light is followed, the untilted surface takes it up.
-void meet_fibre(const RoughFibre& fibre, Ray& ray, bool& inside, dvec3& energy, RandomStream& random) {
+void meet_fibre(const RoughFibre& fibre, FibreRay& ray, bool& inside, dvec3& energy, RandomStream& random) {
   const dvec3 outward = outward_normal(fibre, ray.position);
   const dvec3 scale = std::cos(fibre.tilt) * outward - std::sin(fibre.tilt) * dvec3(0, 0, 1);
   dvec3 facing = scale;
@@ -168,7 +168,7 @@ OrderScattering estimates(const std::vector<Sums>& cells, const Sums& all, const
 
 Departure walk(const RoughFibre& fibre, const Viewer& viewer, int crossings, RandomStream& random) {
   const double h = viewer.h ? *viewer.h : 2 * random.next_unit() - 1;
-  Ray ray = incoming(fibre, viewer, h);
+  FibreRay ray = incoming(fibre, viewer, h);
   Departure end{0, 0, dvec3(1), 0};
   bool inside = false;
   meet_fibre(fibre, ray, inside, end.energy, random);

@@ -13,7 +13,7 @@
 namespace cuticle::hard_cases {
 namespace {
 
-struct Setting {
+struct ShadowSetting {
   const shadows::Method* method = nullptr;
   registry::ParameterValues values;
   strands::Groom groom;
@@ -21,10 +21,11 @@ struct Setting {
   glm::dvec3 to_light{0};
 };
 
-Result<Setting> setting_from(const Json& inputs) {
-  Setting setting;
+Result<ShadowSetting> setting_from(const Json& inputs) {
+  ShadowSetting setting;
   CUTICLE_ASSIGN(setting.method, shadows::find_method(inputs.value("method", std::string("opacity_map"))));
-  CUTICLE_ASSIGN(setting.values, registry::parse_assignments(setting.method->entry.parameters, inputs.value("set", std::string())));
+  CUTICLE_ASSIGN(setting.values,
+                 registry::parse_assignments(setting.method->entry.parameters, inputs.value("set", std::string())));
   setting.groom = groom_from(inputs.at("groom"));
   setting.alpha = inputs.value("alpha", 0.4);
   setting.to_light = inputs.contains("to_light") ? vector(inputs.at("to_light")) : glm::dvec3(0, 1, 0);
@@ -34,7 +35,7 @@ Result<Setting> setting_from(const Json& inputs) {
 }  // namespace
 
 Result<Values> run_shadow_f32(const Json& inputs, GpuSession*) {
-  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  CUTICLE_ASSIGN(const ShadowSetting setting, setting_from(inputs));
   const shadows::Casters casters{&setting.groom, setting.alpha, setting.to_light};
   CUTICLE_ASSIGN(const shadows::Transmittance transmittance,
                  setting.method->evaluate(casters, {setting.groom.positions}, setting.values));
@@ -69,7 +70,7 @@ Result<Uploaded> upload(gpu::Device& device, const strands::Groom& groom) {
 
 Result<Values> run_shadow_gpu(const Json& inputs, GpuSession* session) {
   const std::shared_ptr<gpu::Device>& device = session->device;
-  CUTICLE_ASSIGN(const Setting setting, setting_from(inputs));
+  CUTICLE_ASSIGN(const ShadowSetting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(setting.method->entry.name));
   CUTICLE_ASSIGN(const std::unique_ptr<shadows::GpuShadow> shadow, method->create(device, setting.values));
   CUTICLE_ASSIGN(Uploaded uploaded, upload(*device, setting.groom));

@@ -229,16 +229,6 @@ void append_attribute(std::vector<std::byte>& bytes, const Groom& groom, const A
         append(bytes, attribute.values[(attribute.domain == Attribute::Domain::vertex ? v : s) * step + c]);
 }
 
-constexpr std::string_view k_extensions[] = {"hair"};
-constexpr NamedAttribute k_attributes[] = {{"color", 3}, {"transparency", 1}};
-
-Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& where, Damage damage) {
-  CUTICLE_ASSIGN(Groom groom, parse_hair(bytes, where, damage));
-  return ParsedGroom{std::move(groom)};
-}
-
-Result<std::vector<std::byte>> format(const Groom& groom, double) { return format_hair(groom); }
-
 }  // namespace
 
 Result<Groom> parse_hair(std::span<const std::byte> data, const std::string& where, Damage damage) {
@@ -269,13 +259,27 @@ std::vector<std::byte> format_hair(const Groom& groom) {
 }
 
 namespace hair {
+namespace {
+
+constexpr std::string_view k_extensions[] = {"hair"};
+constexpr NamedAttribute k_attributes[] = {{"color", 3}, {"transparency", 1}};
+
+Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& where, Damage damage) {
+  CUTICLE_ASSIGN(Groom groom, parse_hair(bytes, where, damage));
+  return ParsedGroom{std::move(groom)};
+}
+
+Result<std::vector<std::byte>> format(const Groom& groom, double) { return format_hair(groom); }
+
+}  // namespace
+
 const Format& entry() {
   static const Format format{.name = "hair",
                              .extensions = k_extensions,
                              .summary = "Cem Yuksel's .hair",
                              .holds = {.most_points = 65536, .widths = Widths::vertices, .named = k_attributes},
                              .parse = parse,
-                             .format = strands::format};
+                             .format = hair::format};
   return format;
 }
 }  // namespace hair

@@ -15,9 +15,9 @@ namespace cuticle::strands {
 
 namespace {
 
-enum HeaderOffset : std::uint64_t {
+enum TfxOffset : std::uint64_t {
   version_at = 0,
-  strand_count_at = 4,
+  tfx_strand_count_at = 4,
   strand_size_at = 8,
   positions_offset_at = 12,
   uv_offset_at = 16,
@@ -25,7 +25,7 @@ enum HeaderOffset : std::uint64_t {
   header_size_3 = 296
 };
 
-struct Header {
+struct TfxHeader {
   int version = 3;
   std::uint32_t strands = 0, strand_size = 0;
   std::uint64_t positions = header_size_3, uv = 0;  ///< uv 0: none
@@ -44,7 +44,7 @@ Result<int> read_version(const ByteView& bytes) {
   return bytes.error("version", version_at, fmt::format("{}, allowed 3 <= version < 5", double(version)));
 }
 
-Result<void> read_offsets(const ByteView& bytes, Header& header) {
+Result<void> read_offsets(const ByteView& bytes, TfxHeader& header) {
   if (header.version == 3) return {};
   header.positions = bytes.at<std::uint32_t>(positions_offset_at);
   header.uv = bytes.at<std::uint32_t>(uv_offset_at);
@@ -58,11 +58,11 @@ Result<void> read_offsets(const ByteView& bytes, Header& header) {
   return {};
 }
 
-Result<Header> read_header(const ByteView& bytes) {
-  Header header;
+Result<TfxHeader> read_header(const ByteView& bytes) {
+  TfxHeader header;
   CUTICLE_ASSIGN(header.version, read_version(bytes));
   CUTICLE_TRY(read_offsets(bytes, header));
-  header.strands = bytes.at<std::uint32_t>(strand_count_at);
+  header.strands = bytes.at<std::uint32_t>(tfx_strand_count_at);
   header.strand_size = bytes.at<std::uint32_t>(strand_size_at);
   const std::uint64_t room = (bytes.size() - header.positions) / header.vertex_bytes();
   if (header.strand_size < 2 || header.strand_size > room)
@@ -70,13 +70,13 @@ Result<Header> read_header(const ByteView& bytes) {
         "points per strand", strand_size_at,
         fmt::format("{}, allowed 2 .. {} in a file of {} bytes", header.strand_size, room, bytes.size()));
   if (header.strands < 1 || header.strands > room / header.strand_size)
-    return bytes.error("strand count", strand_count_at,
+    return bytes.error("strand count", tfx_strand_count_at,
                        fmt::format("{} strands of {} points, allowed 1 .. {} strands in a file of {} bytes",
                                    header.strands, header.strand_size, room / header.strand_size, bytes.size()));
   return header;
 }
 
-std::vector<std::uint32_t> even_offsets(const Header& header) {
+std::vector<std::uint32_t> even_offsets(const TfxHeader& header) {
   std::vector<std::uint32_t> offsets(std::size_t(header.strands) + 1);
   for (std::size_t s = 0; s < offsets.size(); ++s) offsets[s] = std::uint32_t(s * header.strand_size);
   return offsets;
@@ -90,7 +90,7 @@ struct PointCheck {
   bool usual_pins = true, finite = true;
 };
 /// In blocks: each is checked while it is in the cache.
-PointCheck read_pinned_positions(const ByteView& bytes, const Header& header, Groom& groom) {
+PointCheck read_pinned_positions(const ByteView& bytes, const TfxHeader& header, Groom& groom) {
   reserve_large(groom.positions, header.vertices());
   PointCheck check;
   glm::vec3 block[1024];
@@ -111,7 +111,7 @@ PointCheck read_pinned_positions(const ByteView& bytes, const Header& header, Gr
   return check;
 }
 
-Result<void> read_version_4(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
+Result<void> read_version_4(const ByteView& bytes, const TfxHeader& header, Damage damage, Groom& groom) {
   const std::uint64_t count = header.vertices();
   const PointCheck check = read_pinned_positions(bytes, header, groom);
   if (check.usual_pins && (damage == Damage::keep || check.finite)) return {};
@@ -123,7 +123,7 @@ Result<void> read_version_4(const ByteView& bytes, const Header& header, Damage 
   return {};
 }
 
-Result<void> read_positions(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
+Result<void> read_positions(const ByteView& bytes, const TfxHeader& header, Damage damage, Groom& groom) {
   CUTICLE_TRY(require_floats(bytes, "positions", header.positions, header.vertices() * header.vertex_bytes() / 4));
   if (header.version == 4) return read_version_4(bytes, header, damage, groom);
   CUTICLE_ASSIGN(groom.positions,
@@ -131,7 +131,7 @@ Result<void> read_positions(const ByteView& bytes, const Header& header, Damage 
   return {};
 }
 
-Result<void> read_root_uv(const ByteView& bytes, const Header& header, Damage damage, Groom& groom) {
+Result<void> read_root_uv(const ByteView& bytes, const TfxHeader& header, Damage damage, Groom& groom) {
   if (header.uv == 0) return {};
   CUTICLE_ASSIGN(groom.root_uv, read_array<glm::vec2>(bytes, "root uv", header.uv, header.strands, damage));
   return {};
@@ -191,9 +191,9 @@ Result<std::vector<std::byte>> format(const Groom& groom, double) { return forma
 
 Result<Groom> parse_tfx(std::span<const std::byte> data, const std::string& where, Damage damage) {
   const ByteView bytes(data, where);
-  CUTICLE_ASSIGN(const Header header, read_header(bytes));
+  CUTICLE_ASSIGN(const TfxHeader header, read_header(bytes));
   if (header.vertices() > 0xffffffffull)
-    return bytes.error("strand count", strand_count_at,
+    return bytes.error("strand count", tfx_strand_count_at,
                        fmt::format("{} points in all, allowed 2 .. {}", header.vertices(), 0xffffffffull));
   Groom groom;
   groom.offsets = even_offsets(header);

@@ -12,18 +12,20 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Situation, 3> situations = {{{Absorption::coloured, Roughness::usual, Tilt::given},
-                                                  {Absorption::coloured, Roughness::wide, Tilt::given},
-                                                  {Absorption::given, Roughness::narrow, Tilt::given}}};
+constexpr std::array<Situation, 3> absorbing_furnace_situations = {
+    {{Absorption::coloured, Roughness::usual, Tilt::given},
+     {Absorption::coloured, Roughness::wide, Tilt::given},
+     {Absorption::given, Roughness::narrow, Tilt::given}}};
 constexpr Situation as_a_cylinder = {Absorption::coloured, Roughness::narrowest, Tilt::none};
-constexpr double quadrature_tolerance = 3e-4;
-constexpr double steepest = 1.4;  // [rad]; beyond, the width of even the narrowest lobe changes the energy
+constexpr double absorbing_furnace_tolerance = 3e-4;
+constexpr double steepest_view = 1.4;  // [rad]; beyond, the width of even the narrowest lobe changes the energy
 
 void against_albedo(const Subject& subject, const Options& options, Worst& worst) {
-  for (const Scatterer& scatterer : scatterers(subject, std::span(situations).first(options.quick ? 1 : 3))) {
+  for (const Scatterer& scatterer :
+       scatterers(subject, std::span(absorbing_furnace_situations).first(options.quick ? 1 : 3))) {
     if (!scatterer.albedo) continue;
     for (const bsdf::Point& view : furnace_views(subject, options)) {
-      const SphereIntegral energy = scattered_energy(scatterer, view, quadrature_tolerance);
+      const SphereIntegral energy = scattered_energy(scatterer, view, absorbing_furnace_tolerance);
       if (energy.own_error > most_own_error) continue;
       const glm::dvec3 difference = energy.value - value_at(scatterer.albedo, view);
       worst.note(std::max(largest(difference) - energy.own_error, 0.0),
@@ -36,11 +38,11 @@ void against_cylinder(const Subject& subject, const Options& options, Worst& wor
   const std::optional<Scatterer> scatterer = subject.make(as_a_cylinder);
   if (!scatterer || !scatterer->cylinder) return;
   for (const bsdf::Point& view : furnace_views(subject, options)) {
-    if (std::abs(view.theta_o) > steepest) continue;
+    if (std::abs(view.theta_o) > steepest_view) continue;
     const Cylinder& cylinder = *scatterer->cylinder;
     const glm::dvec3 truth =
         subject.near_field ? attenuation_at(cylinder, view.theta_o, view.h) : mean_attenuation(cylinder, view.theta_o);
-    const SphereIntegral energy = scattered_energy(*scatterer, view, quadrature_tolerance);
+    const SphereIntegral energy = scattered_energy(*scatterer, view, absorbing_furnace_tolerance);
     if (energy.own_error > most_own_error) continue;
     worst.note(std::max(largest(energy.value - truth) - energy.own_error, 0.0),
                "a dielectric cylinder at " + where(subject, *scatterer, view));

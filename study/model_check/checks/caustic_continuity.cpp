@@ -13,8 +13,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
+using std::numbers::pi;
 constexpr double half_width = 1e-7;  // of the ring around the mirror direction [rad]
 constexpr double steepest = 80;      // [deg]
 

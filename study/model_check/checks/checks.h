@@ -1,8 +1,12 @@
 #pragma once
 // The checks, one file each, and what they share.
+#include <numbers>
+
 #include <cuticle/study/model_check/model_check.h>
 
 namespace cuticle::study::model_check {
+
+constexpr double degree = std::numbers::pi / 180;
 
 Verdict white_furnace(const Subject&, const Options&);
 Verdict absorbing_furnace(const Subject&, const Options&);

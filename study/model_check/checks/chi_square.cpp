@@ -14,13 +14,14 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int theta_bins = 20, phi_bins = 16;
 constexpr double least_expected = 10;
 constexpr double accepted = 0.01;  // of the whole family of tests
-constexpr std::array<Situation, 3> situations = {{{Absorption::given, Roughness::narrow, Tilt::strong, Effort::draft},
-                                                  {Absorption::given, Roughness::wide, Tilt::strong, Effort::draft},
-                                                  {Absorption::given, Roughness::usual, Tilt::given, Effort::draft}}};
+constexpr std::array<Situation, 3> chi_square_situations = {
+    {{Absorption::given, Roughness::narrow, Tilt::strong, Effort::draft},
+     {Absorption::given, Roughness::wide, Tilt::strong, Effort::draft},
+     {Absorption::given, Roughness::usual, Tilt::given, Effort::draft}}};
 // Of the shares of all bins together: it adds less than half a deviation to the statistic of 65,536 samples.
 constexpr double share_tolerance = 5e-4;
 
@@ -125,7 +126,8 @@ double sampler_probability(const Scatterer& scatterer, const bsdf::Point& view, 
 Verdict chi_square(const Subject& subject, const Options& options) {
   Worst least;
   std::size_t tests = 0;
-  for (const Scatterer& scatterer : scatterers(subject, std::span(situations).first(options.quick ? 2 : 3))) {
+  for (const Scatterer& scatterer :
+       scatterers(subject, std::span(chi_square_situations).first(options.quick ? 2 : 3))) {
     if (!scatterer.sample || !scatterer.pdf) return skipped("it has no sampler");
     for (const bsdf::Point& view : sampling_views(subject, options)) {
       const double p = sampler_probability(scatterer, view, options.quick ? 4096 : 65536, options.seed + tests);

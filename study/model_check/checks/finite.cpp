@@ -13,7 +13,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t points_per_setting = 48, points_of_others = 8;
 
 /// One of the corners, a neighbour of one, or any value in between.

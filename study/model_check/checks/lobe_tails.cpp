@@ -11,7 +11,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> profile(const Batch& function, bsdf::Point point, double phi, int steps) {
   std::vector<bsdf::Point> points;

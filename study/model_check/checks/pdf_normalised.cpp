@@ -10,16 +10,18 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Situation, 4> situations = {{{Absorption::given, Roughness::usual, Tilt::strong, Effort::draft},
-                                                  {Absorption::given, Roughness::narrowest, Tilt::given, Effort::draft},
-                                                  {Absorption::given, Roughness::wide, Tilt::strong, Effort::draft},
-                                                  {Absorption::given, Roughness::given, Tilt::none, Effort::draft}}};
+constexpr std::array<Situation, 4> pdf_normalised_situations = {
+    {{Absorption::given, Roughness::usual, Tilt::strong, Effort::draft},
+     {Absorption::given, Roughness::narrowest, Tilt::given, Effort::draft},
+     {Absorption::given, Roughness::wide, Tilt::strong, Effort::draft},
+     {Absorption::given, Roughness::given, Tilt::none, Effort::draft}}};
 
 }  // namespace
 
 Verdict pdf_normalised(const Subject& subject, const Options& options) {
   Worst worst;
-  for (const Scatterer& scatterer : scatterers(subject, std::span(situations).first(options.quick ? 2 : 4))) {
+  for (const Scatterer& scatterer :
+       scatterers(subject, std::span(pdf_normalised_situations).first(options.quick ? 2 : 4))) {
     if (!scatterer.pdf) return skipped("it has no density");
     for (const bsdf::Point& view : furnace_views(subject, options)) {
       const double sum = integrate_sphere(scatterer.pdf, view, partition_for(scatterer, view)).value.x;

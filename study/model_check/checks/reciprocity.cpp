@@ -15,7 +15,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Directions at random, theta_i within 30 degrees of the mirror direction, and the same exchanged.
 std::vector<bsdf::Point> pairs(std::size_t count, std::uint64_t seed) {

@@ -11,9 +11,10 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Situation, 3> situations = {{{Absorption::coloured, Roughness::usual, Tilt::given},
-                                                  {Absorption::coloured, Roughness::narrow, Tilt::strong},
-                                                  {Absorption::none, Roughness::wide, Tilt::given}}};
+constexpr std::array<Situation, 3> sample_weights_situations = {
+    {{Absorption::coloured, Roughness::usual, Tilt::given},
+     {Absorption::coloured, Roughness::narrow, Tilt::strong},
+     {Absorption::none, Roughness::wide, Tilt::given}}};
 constexpr double deviations = 4.5;  // of the mean that chance may explain; beyond once in 150,000 means
 
 struct Weights {
@@ -60,7 +61,8 @@ Weights measure(const Scatterer& scatterer, const bsdf::Point& view, std::size_t
 
 Verdict sample_weights(const Subject& subject, const Options& options) {
   Worst inconsistency, surplus, heaviest;
-  for (const Scatterer& scatterer : scatterers(subject, std::span(situations).first(options.quick ? 1 : 3))) {
+  for (const Scatterer& scatterer :
+       scatterers(subject, std::span(sample_weights_situations).first(options.quick ? 1 : 3))) {
     if (!scatterer.sample) return skipped("it has no sampler");
     for (const bsdf::Point& view : sampling_views(subject, options)) {
       const Weights weights = measure(scatterer, view, options.quick ? 4096 : 16384, options.seed);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
@@ -10,7 +9,6 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 // Any azimuth from the major axis will do; only elliptical fibres use it.
 constexpr double azimuth_of_the_viewer = 0.7;
 

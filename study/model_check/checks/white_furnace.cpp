@@ -10,11 +10,11 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Situation, 4> situations = {{{Absorption::none, Roughness::usual, Tilt::given},
-                                                  {Absorption::none, Roughness::narrowest, Tilt::given},
-                                                  {Absorption::none, Roughness::wide, Tilt::given},
-                                                  {Absorption::none, Roughness::narrow, Tilt::strong}}};
-constexpr double quadrature_tolerance = 1e-4;
+constexpr std::array<Situation, 4> white_furnace_situations = {{{Absorption::none, Roughness::usual, Tilt::given},
+                                                                {Absorption::none, Roughness::narrowest, Tilt::given},
+                                                                {Absorption::none, Roughness::wide, Tilt::given},
+                                                                {Absorption::none, Roughness::narrow, Tilt::strong}}};
+constexpr double white_furnace_tolerance = 1e-4;
 
 struct Range {
   double least = 1e300, most = -1e300, own_error = 0;
@@ -36,11 +36,12 @@ Verdict white_furnace(const Subject& subject, const Options& options) {
   Worst worst;
   Range range;
   const std::vector<bsdf::Point> views = furnace_views(subject, options);
-  const std::vector<Scatterer> all = scatterers(subject, std::span(situations).first(options.quick ? 2 : 4));
+  const std::vector<Scatterer> all =
+      scatterers(subject, std::span(white_furnace_situations).first(options.quick ? 2 : 4));
   if (all.empty()) return skipped("it cannot be made free of absorption");
   for (const Scatterer& scatterer : all)
     for (const bsdf::Point& view : views) {
-      const SphereIntegral energy = scattered_energy(scatterer, view, quadrature_tolerance);
+      const SphereIntegral energy = scattered_energy(scatterer, view, white_furnace_tolerance);
       if (energy.own_error > most_own_error) {
         ++range.unknown;
         continue;

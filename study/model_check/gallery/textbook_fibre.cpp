@@ -9,7 +9,7 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int lobes = 4;  // R, TT, TRT, and all further orders at once
 
 /// exp(-x) I0(x): the series of the standard library, and from 12 on 1 + 1/(8x) + 9/(128 x^2) + ... (Abramowitz and
