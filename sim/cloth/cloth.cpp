@@ -31,8 +31,8 @@ std::vector<Edge> edges_of(const strands::Mesh& mesh, std::span<const float> wei
     }
   const auto key = [&](const Edge& e) { return std::tuple(weights[e.a] + weights[e.b], e.a, e.b); };
   std::ranges::sort(edges, {}, key);
-  const auto repeated = std::ranges::unique(edges, {}, key);
-  edges.erase(repeated.begin(), repeated.end());
+  const auto same = [&](const Edge& one, const Edge& other) { return key(one) == key(other); };
+  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
   return edges;
 }
 
