@@ -12,13 +12,19 @@ namespace {
 
 constexpr double k_largest_depth = 16 * std::numbers::ln2;  // of an opaque crossing, as in maps
 
+/// What a crossing counts as, and whether rays make it at random.
+struct Crossing {
+  float units = 0, meeting = 0;
+};
+
 void deposit_segment(Volume& volume, const strands::Groom& groom, std::uint32_t v, const glm::vec3& to_light,
-                     float units, bool anisotropic) {
+                     const Crossing& crossing, bool anisotropic) {
   const VolumePlacement<float>& placement = volume.placement;
   const glm::vec3 a = groom.positions[v], b = groom.positions[v + 1], along = b - a;
   const std::uint32_t pieces = volume_pieces(placement, exact_length(along));
   const float shown = shown_length(along, to_light, anisotropic);
-  const std::uint32_t amount = piece_deposit(placement, units, groom.radii[v] + groom.radii[v + 1], shown, pieces);
+  const float width = groom.radii[v] + groom.radii[v + 1];
+  const std::uint32_t amount = piece_deposit(placement, crossing.units, crossing.meeting, width, shown, pieces);
   for (std::uint32_t i = 0; i < pieces; ++i) {
     const std::uint32_t cell = cell_number(placement, piece_in_cells(placement, a, b, i, pieces));
     add_to(volume.sums[cell], amount);
@@ -96,17 +102,20 @@ float units_per_crossing(double alpha, const Settings& settings) {
   const double depth = settings.map.accumulation.poisson ? alpha : std::min(k_largest_depth, -std::log1p(-alpha));
   return float(double(k_units) * depth);
 }
+float crossing_met_at_random(double alpha, const Settings& settings) {
+  return settings.map.accumulation.poisson ? float(alpha) : 0;
+}
 
 Volume build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   const strands::Bounds box = strands::bounds(groom);
   Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution), axes, {}};
   const glm::vec3& size = volume.placement.size;
   volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-  const float units = units_per_crossing(alpha, settings);
+  const Crossing crossing{units_per_crossing(alpha, settings), crossing_met_at_random(alpha, settings)};
   const glm::vec3 to_light = -axes.forward;
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
-      deposit_segment(volume, groom, v, to_light, units, settings.anisotropic);
+      deposit_segment(volume, groom, v, to_light, crossing, settings.anisotropic);
   });
   return volume;
 }

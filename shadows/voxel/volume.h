@@ -23,6 +23,8 @@ Result<Settings> settings_from(const registry::ParameterValues& values);
 
 /// k_units times what a crossing counts as; an opaque one as an optical depth of 16 ln 2.
 float units_per_crossing(double alpha, const Settings& settings);
+/// The opacity of a crossing that only some rays through a cell make (`crossing_gain`); 0 with accumulate=optical_depth.
+float crossing_met_at_random(double alpha, const Settings& settings);
 
 /// The optical depth across each cell is sums / k_units, x fastest.
 struct Volume {

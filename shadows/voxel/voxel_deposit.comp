@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then the units of a crossing
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then the two numbers of a crossing
 layout(std430, binding = 4) buffer Sums { uint sums[]; };
 
 const uint k_anisotropic = 2u;  // k_anisotropic_flag of voxel_gpu.cpp
@@ -24,7 +24,8 @@ void main() {
   const uint pieces = volume_pieces(placement, exact_length(along));
   const float shown = shown_length(along, -push.forward.xyz, (push.flags & k_anisotropic) != 0u);
   const float units = uintBitsToFloat(table[k_coverage_steps + 1u]);
-  const uint amount = piece_deposit(placement, units, width, shown, pieces);
+  const float meeting = uintBitsToFloat(table[k_coverage_steps + 2u]);
+  const uint amount = piece_deposit(placement, units, meeting, width, shown, pieces);
   for (uint i = 0u; i < pieces; ++i)
     atomicAdd(sums[cell_number(placement, piece_in_cells(placement, a.xyz, b.xyz, i, pieces))], amount);
 }

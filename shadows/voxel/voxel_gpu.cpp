@@ -21,7 +21,8 @@ MapDescription describe(const Settings& settings) {
   map.in_world = true;
   map.flags = settings.anisotropic ? k_anisotropic_flag : 0;
   map.after_deposits = [settings](double alpha, double) {
-    return std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(units_per_crossing(alpha, settings))};
+    return std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(units_per_crossing(alpha, settings)),
+                                      std::bit_cast<std::uint32_t>(crossing_met_at_random(alpha, settings))};
   };
   map.buffers = {{side * side * side}};
   map.passes = {{"shadow.deposit", voxel_deposit_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}},

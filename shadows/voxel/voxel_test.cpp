@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <glm/geometric.hpp>
 
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
@@ -28,6 +29,27 @@ double mean_of(const strands::Groom& groom, std::span<const glm::vec3> points, c
 }
 strands::Groom slab() { return tests::random_slab(6000, 0.1, 0.05, 2e-5f, 7); }
 
+/// Straight level fibres above or below a point of the ground plan.
+int crossings_at(const strands::Groom& groom, const glm::dvec2& point) {
+  int crossings = 0;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+    const glm::dvec3 a(groom.positions[groom.offsets[s]]), b(groom.positions[groom.offsets[s + 1] - 1]);
+    const glm::dvec2 along(b.x - a.x, b.z - a.z), from_a(point.x - a.x, point.y - a.z);
+    const double across = std::abs(from_a.x * along.y - from_a.y * along.x) / glm::length(along);
+    crossings += across < double(groom.radii[groom.offsets[s]]) ? 1 : 0;
+  }
+  return crossings;
+}
+/// Mean of (1 - alpha)^crossings over the square of `grid_below`.
+double mean_of_crossings(const strands::Groom& groom, double alpha) {
+  constexpr int k_side = 200;
+  double sum = 0;
+  for (int i = 0; i < k_side * k_side; ++i)
+    sum += std::pow(
+        1 - alpha, crossings_at(groom, 0.04 * (glm::dvec2(i % k_side + 0.5, i / k_side + 0.5) / double(k_side) - 0.5)));
+  return sum / (k_side * k_side);
+}
+
 }  // namespace
 
 TEST(Voxel, RandomSlab_FollowsTheExponentialLaw) {
@@ -36,6 +58,15 @@ TEST(Voxel, RandomSlab_FollowsTheExponentialLaw) {
     const double area = 4e-5 * tests::length_per_area(groom, 0.02, height);
     EXPECT_NEAR(mean_of(groom, tests::grid_below(height), "resolution=96") / std::exp(-0.4 * area), 1, 0.01);
   }
+}
+
+// Cells of a fibre's width to eight: that a ray sees a fibre through the weights of cells must not make the mean
+// lighter.
+TEST(Voxel, CellsNearTheFibresSize_KeepTheMean) {
+  const strands::Groom groom = tests::random_slab(400, 0.1, 0.05, 3e-4f, 7);
+  const double mean = mean_of_crossings(groom, 0.4);
+  for (const char* set : {"resolution=64", "resolution=256", "resolution=512"})
+    EXPECT_NEAR(mean_of(groom, tests::grid_below(-0.001), set) / mean, 1, 0.01) << set;
 }
 
 // Fibres crossed square on show 4/pi of their mean over directions.
