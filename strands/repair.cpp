@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cuticle/strands/finite.h>
@@ -88,8 +89,8 @@ std::vector<float> values_at(const std::vector<Place>& places, std::span<const f
   result.reserve(places.size() * components);
   for (const Place& place : places)
     for (std::size_t c = 0; c < components; ++c) {
-      const float a = values[place.a * components + c];
-      result.push_back(place.t == 0 ? a : a + (values[place.b * components + c] - a) * place.t);
+      const float a = values[place.a * components + c], b = values[place.b * components + c];
+      result.push_back(place.t == 0 ? a : float(glm::mix(double(a), double(b), double(place.t))));
     }
   return result;
 }

@@ -60,7 +60,7 @@ TEST(Voxel, RandomSlab_FollowsTheExponentialLaw) {
   }
 }
 
-// Cells of a fibre's width to eight: that a ray sees a fibre through the weights of cells must not make the mean
+// Cells of 6.5 to 0.8 of a fibre's width: that a ray sees a fibre through the weights of cells must not make the mean
 // lighter.
 TEST(Voxel, CellsNearTheFibresSize_KeepTheMean) {
   const strands::Groom groom = tests::random_slab(400, 0.1, 0.05, 3e-4f, 7);

@@ -149,6 +149,14 @@ TEST(Repair, EachKindOfDamage_IsCountedAndLengthsStay) {
   EXPECT_THAT(sentences(repairs), Contains(HasSubstr("1 strands without length")));
 }
 
+TEST(Repair, ValuesNearTheLargestFloat_StayFinite) {
+  Groom groom;
+  tests::add_strand(groom, {{0, 0, 0}, {NAN, 0, 0}, {2, 0, 0}}, 1);
+  groom.attributes["heat"] = {Attribute::Domain::vertex, 1, {-3e38f, 0, 3e38f}};
+  repair(groom);
+  EXPECT_THAT(groom.attributes["heat"].values, ElementsAre(-3e38f, 0, 3e38f));
+}
+
 TEST(Repair, SoundGroom_IsNotTouched) {
   Groom groom = rich_groom(false);
   EXPECT_EQ(repair(groom), Repairs{});
