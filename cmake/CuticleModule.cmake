@@ -27,10 +27,13 @@ endif()
 
 # Twelve sources of a target compile as one, in two fifths of the time: most of it is the parsing of headers and the
 # instantiation of the same templates. The price is a longer step after a small change, and that a file which lacks an
-# include goes unnoticed, so `dev` compiles each alone.
+# include goes unnoticed, so `dev` compiles each alone, and CUTICLE_ALONE the libraries that one works on.
 option(CUTICLE_UNITY "Compile the sources of a library in groups" OFF)
+set(CUTICLE_ALONE "" CACHE STRING "Libraries whose sources compile each alone even so: cuticle_strands;cuticle_shadows")
 function(cuticle_group_sources TARGET)
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${CUTICLE_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  if(CUTICLE_UNITY AND NOT TARGET IN_LIST CUTICLE_ALONE)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  endif()
 endfunction()
 
 # cuticle_library(NAME SOURCES ... DEPENDS cuticle targets (public) ... PRIVATE external or hidden targets ...)
