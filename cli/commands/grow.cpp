@@ -4,6 +4,7 @@
 
 #include <cuticle/cli/command.h>
 #include <cuticle/cli/groom_options.h>
+#include <cuticle/cli/parameter_help.h>
 #include <cuticle/cli/preset_sheet.h>
 #include <cuticle/cli/usd_files.h>
 #include <cuticle/core/file.h>
@@ -97,24 +98,13 @@ int run(const Request& request, Context& context) {
   return drawn ? int(Exit::ok) : report(drawn.error());
 }
 
-std::string table_help(const char* title, registry::ParameterTable table) {
-  std::string text = fmt::format("{} (name, default, range, unit):\n", title);
-  for (const registry::Parameter& parameter : table) {
-    const bool is_choice = parameter.type == registry::ParameterType::choice;
-    text += fmt::format("  {:<18}{:<8}{}{}  {}\n", parameter.name, parameter.default_text,
-                        is_choice ? std::string() : fmt::format("{} .. {}", parameter.minimum, parameter.maximum),
-                        parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit), parameter.summary);
-  }
-  return text;
-}
-
 std::string parameters_help() {
   std::string text = table_help("growing: --set", strands::growing_parameters()) +
                      table_help("strands: --strands", strands::strand_parameters()) +
                      table_help("regions", strands::region_parameters()) +
                      table_help("strokes", strands::stroke_parameters()) + table_help("bun", strands::bun_parameters());
   for (const strands::Shaping* shaping : strands::shapings())
-    text += table_help(fmt::format("shaping.{}", shaping->entry.name).c_str(), shaping->entry.parameters);
+    text += table_help(fmt::format("shaping.{}", shaping->entry.name), shaping->entry.parameters);
   return text;
 }
 

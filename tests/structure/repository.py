@@ -11,9 +11,9 @@ CODE = (".cpp", ".h", ".glslh", ".comp", ".vert", ".frag", ".py", ".sh")
 # A -> the modules it may include (docs/architecture.md); the closure is taken below.
 ARROWS = {
     "core": [], "core/image": ["core"], "gpu": ["core"], "bsdf": ["core"], "study/oracle": ["core"],
-    "strands": ["core"], "strands/rays": ["strands"], "lut": ["bsdf", "core/image"],
+    "strands": ["core"], "strands/rays": ["strands"], "strands/cards": ["strands", "core/image"], "lut": ["bsdf", "core/image"],
     "shadows": ["strands"], "sim": ["strands"], "scene": ["strands"],
-    "render": ["bsdf", "lut", "shadows", "scene", "core/image"], "plan": ["scene", "sim", "shadows", "render"],
+    "render": ["bsdf", "lut", "shadows", "scene", "core/image", "strands/cards"], "plan": ["scene", "sim", "shadows", "render"],
     "study": ["plan", "strands/rays", "study/oracle", "lut", "gpu"], "viz": ["strands", "bsdf", "lut", "shadows", "sim"],
 }
 EXTRA = {"shadows/truth": ["strands/rays"], "render/reference": ["strands/rays"]}
@@ -43,7 +43,7 @@ def closure(module):
 
 def module_of(path):
     """'shadows/truth/truth.cpp' -> 'shadows'; the nested modules win."""
-    for nested in ("core/image", "strands/rays", "study/oracle"):
+    for nested in ("core/image", "strands/rays", "strands/cards", "study/oracle"):
         if path.startswith(nested + "/"):
             return nested
     return path.split("/")[0]
