@@ -12,14 +12,17 @@ float averaged(int i, int j, float z) {
 }
 
 float mean_transmittance(vec2 p, float z, float radius) {
-  const int i0 = int(floor(p.x)), j0 = int(floor(p.y)), reach = disc_reach(radius);
+  const int reach = disc_reach(radius), j0 = int(floor(p.y));
   float sum = 0.0, weights = 0.0;
-  for (int j = j0 - reach; j <= j0 + reach; ++j)
-    for (int i = i0 - reach; i <= i0 + reach; ++i) {
+  for (int j = j0 - reach; j <= j0 + reach; ++j) {
+    const float half_row = disc_half_row(float(j) + 0.5 - p.y, radius);
+    const int last = disc_last(p.x, half_row, radius);
+    for (int i = disc_first(p.x, half_row, radius); i <= last; ++i) {
       const float weight = disc_weight(length(vec2(i, j) + 0.5 - p), radius);
-      if (weight > 0.0) sum += weight * averaged(i, j, z);
+      sum += weight * averaged(i, j, z);
       weights += weight;
     }
+  }
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
 }
 

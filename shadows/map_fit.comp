@@ -9,16 +9,25 @@ layout(std430, binding = 1) buffer Box { uint least[6]; };
 
 shared uint group_least[6];
 
+const uint k_vertices_each = 16u;  // of an invocation; those past the end of the list have none
+const float k_far = 3e38;
+
 void main() {
   const uint lane = gl_LocalInvocationID.x;
   if (lane < 6u) group_least[lane] = 0xffffffffu;
   barrier();
-  const uint v = min(invocation(), push.count - 1u);
-  const vec3 point = in_light_axes(vertices[v].xyz);
-  for (int axis = 0; axis < 3; ++axis) {
-    atomicMin(group_least[axis], ordered_bits(point[axis]));
-    atomicMin(group_least[axis + 3], ordered_bits(-point[axis]));
+  vec3 lower = vec3(k_far), upper = vec3(-k_far);
+  const uint first = k_vertices_each * invocation();
+  for (uint v = first; v < min(first + k_vertices_each, push.count); ++v) {
+    const vec3 point = in_light_axes(vertices[v].xyz);
+    lower = min(lower, point);
+    upper = max(upper, point);
   }
+  if (first < push.count)
+    for (int axis = 0; axis < 3; ++axis) {
+      atomicMin(group_least[axis], ordered_bits(lower[axis]));
+      atomicMin(group_least[axis + 3], ordered_bits(-upper[axis]));
+    }
   barrier();
   if (lane < 6u) atomicMin(least[lane], group_least[lane]);
 }

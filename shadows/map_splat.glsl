@@ -10,13 +10,24 @@ void deposit_at(Footprint footprint, int i, int j) {
   if (covered > 0u) deposit(uint(j) * columns + uint(i), covered, uint(max(0, depth_bin(footprint, offset))));
 }
 
+/// The texels of a row, or of a column where that is the minor axis, that the footprint may reach.
+ivec2 minor_reach(Footprint footprint, Reach reach, int m, int minor_end) {
+  return ivec2(max(0, minor_bound(footprint, reach, m, -1.0)), min(minor_end, minor_bound(footprint, reach, m, 1.0)));
+}
+
+/// One loop over both axes: neighbouring invocations then wait for the longest of their footprints, not for the longest
+/// of every row.
 void piece(Footprint footprint) {
   const Reach reach = footprint_reach(footprint);
   const int last_row = int(rows) - 1, last_column = int(columns) - 1;
   const int major_end = reach.steep ? last_row : last_column, minor_end = reach.steep ? last_column : last_row;
-  for (int m = max(0, reach.first); m <= min(major_end, reach.last); ++m) {
-    const int last = min(minor_end, minor_bound(footprint, reach, m, 1.0));
-    for (int n = max(0, minor_bound(footprint, reach, m, -1.0)); n <= last; ++n)
-      deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
+  const int last = min(major_end, reach.last);
+  int m = max(0, reach.first);
+  ivec2 across = minor_reach(footprint, reach, m, minor_end);
+  while (m <= last) {
+    const int n = across.x;
+    if (n <= across.y) deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
+    across.x = n + 1;
+    if (n >= across.y) across = minor_reach(footprint, reach, ++m, minor_end);
   }
 }

@@ -5,19 +5,24 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/deep_opacity/layers.glslh"
 #include "cuticle/shadows/map_segments.glsl"
 
-layout(std430, binding = 3) readonly buffer Nearest { uint nearest[]; };
+layout(std430, binding = 3) readonly buffer Depths { uint depths[]; };
 layout(std430, binding = 4) buffer Histogram { uint histogram[]; };
+
+bool sampled;  // the segment
 
 void piece(Footprint footprint) {
   const vec3 middle = piece_middle(footprint);
   if (!(middle.x >= 0.0 && middle.y >= 0.0 && middle.x < float(columns) && middle.y < float(rows))) return;
-  const uint front = nearest[uint(middle.y) * columns + uint(middle.x)];
-  const uint at = uint(max(0, int(floor(middle.z))));
-  if (front != k_no_depth && at >= front)
-    atomicAdd(histogram[min(at - front, k_depth_steps - 1u)], piece_weight(footprint.size));
+  const uint nearest = depths[2u * (uint(middle.y) * columns + uint(middle.x))];
+  const uint at = uint(max(0, int(floor(middle.z)))), weight = piece_weight(footprint.size);
+  if (nearest != k_no_depth && at >= nearest) atomicAdd(histogram[min(at - nearest, k_depth_steps - 1u)], weight);
+  if (!sampled) return;
+  atomicAdd(histogram[k_weights], weight);
+  atomicAdd(histogram[k_coverages], weight * middle_coverage(footprint.half_width));
 }
 
 void main() {
   const uint s = invocation();
+  sampled = is_sampled(s);
   if (s < push.count) walk_segment(s, push.pieces_per_step);
 }

@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Table { uint table[]; };  // deposits, then the layers' shares
 layout(std430, binding = 1) readonly buffer Histogram { uint histogram[]; };
-layout(std430, binding = 2) writeonly buffer Ends { uint ends_of_layers[]; };
+layout(std430, binding = 2) writeonly buffer Ends { uint ends_of_layers[]; };  // then the coverage by a fibre
 
 const uint k_lanes = 64u, k_steps_per_lane = k_depth_steps / k_lanes;
 const uint k_equal_opacity = 2u;  // k_equal_opacity_flag of deep_opacity_gpu.cpp
@@ -45,8 +45,9 @@ void write_ends() {
   ends.count = push.layers;
   for (uint i = 0u; i < push.layers; ++i)
     ends.end[i] = (push.flags & k_equal_opacity) != 0u ? crossing[i] : shared_end(depth, table[k_coverage_steps + 1u + i]);
-  ends = rising(ends, depth);
-  for (uint i = 0u; i < push.layers; ++i) ends_of_layers[i] = ends.end[i];
+  ends = rising(ends);
+  for (uint i = 0u; i < k_most_layers; ++i) ends_of_layers[i] = ends.end[i];
+  ends_of_layers[k_most_layers] = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
 }
 
 void main() {

@@ -10,17 +10,38 @@ namespace {
 
 using Word = std::uint32_t;
 
-/// Projected length over the depth behind the nearest fibre, each piece counted at its middle.
-std::vector<Word> depth_histogram(const strands::Groom& groom, const Map& map) {
-  std::vector<Word> histogram(k_depth_steps);
-  const float columns = float(map.view.columns), rows = float(map.view.rows);
-  for_each_piece(map.view, groom, k_pieces_per_step, [&](const Footprint<float>& footprint) {
-    const glm::vec3 middle = piece_middle(footprint);
-    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < columns && middle.y < rows)) return;
-    const Word nearest = map.nearest[texel_index(map.view, int(middle.x), int(middle.y))];
-    const Word step = Word(std::max(0, int(std::floor(middle.z))));
-    if (nearest != k_no_depth && step >= nearest)
-      add_to(histogram[std::min(step - nearest, k_depth_steps - 1)], piece_weight(footprint.size));
+/// Each texel's nearest depth step and the complement of its farthest, both k_no_depth where it has no fibre.
+std::vector<Word> texel_depths(const MapView& view, const strands::Groom& groom) {
+  std::vector<Word> depths(2 * view.texels(), k_no_depth);
+  for_each_covered_texel(view, groom, k_pieces_per_step, [&](std::size_t texel, Word, Word step) {
+    lower_to(depths[2 * texel], step);
+    lower_to(depths[2 * texel + 1], ~step);
+  });
+  return depths;
+}
+
+/// Adds a piece at its middle, by its projected length, to the depths behind the nearest fibre there.
+void count_piece(const Footprint<float>& footprint, bool sampled, const MapView& view, std::span<const Word> depths,
+                 std::span<Word> histogram) {
+  const glm::vec3 middle = piece_middle(footprint);
+  if (!(middle.x >= 0 && middle.y >= 0 && middle.x < float(view.columns) && middle.y < float(view.rows))) return;
+  const Word nearest = depths[2 * texel_index(view, int(middle.x), int(middle.y))];
+  const Word step = Word(std::max(0, int(std::floor(middle.z)))), weight = piece_weight(footprint.size);
+  if (nearest != k_no_depth && step >= nearest) add_to(histogram[std::min(step - nearest, k_depth_steps - 1)], weight);
+  if (!sampled) return;
+  add_to(histogram[k_weights], weight);
+  add_to(histogram[k_coverages], weight * middle_coverage(footprint.half_width));
+}
+
+/// Projected length over the depth behind the nearest fibre, and the sums behind them (layers.glslh).
+std::vector<Word> depth_histogram(const strands::Groom& groom, const MapView& view, std::span<const Word> depths) {
+  std::vector<Word> histogram(k_histogram_words);
+  for_each_index(groom.strand_count(), [&](std::size_t s) {
+    const Word first = groom.offsets[s], last = groom.offsets[s + 1] - 1;
+    for (Word v = first; v < last; ++v)
+      for_each_piece(view, groom, v, v == first, v + 1 == last, k_pieces_per_step, [&](const auto& footprint) {
+        count_piece(footprint, is_sampled(v - Word(s)), view, depths, histogram);
+      });
   });
   return histogram;
 }
@@ -47,7 +68,8 @@ Word quantile(std::span<const Word> histogram, Word target) {
   return k_depth_steps;
 }
 
-LayerEnds layer_ends(std::span<const Word> histogram, const Settings& settings) {
+LayerEnds layer_ends(std::span<const Word> with_sums, const Settings& settings) {
+  const std::span histogram = with_sums.first(k_depth_steps);
   const Word depth = depth_of(histogram), total = total_of(histogram);
   const std::vector<Word> shares = layer_shares(settings);
   LayerEnds ends{};
@@ -56,26 +78,27 @@ LayerEnds layer_ends(std::span<const Word> histogram, const Settings& settings) 
     ends.end[i] = settings.spacing == Spacing::equal_opacity
                       ? quantile(histogram, part_of(total, i + 1, settings.layers))
                       : shared_end(depth, shares[i]);
-  return rising(ends, depth);
+  return rising(ends);
 }
 
 /// Deposits every piece into the layer that holds it.
-void fill_layers(const strands::Groom& groom, std::span<const Word> table, Map& map) {
+void fill_layers(const strands::Groom& groom, std::span<const Word> depths, std::span<const Word> table, Map& map) {
   for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
-    add_to(map.sums[texel * map.ends.count + layer_of(map.ends, step - map.nearest[texel])], table[covered]);
+    const Layer layer = layer_at(map.ends, step - depths[2 * texel]);
+    add_to(map.sums[texel * map.ends.count + layer.index], table[covered]);
   });
 }
 
-/// The exponent at depth z of a texel whose nearest fibre lies at `nearest`, linear within its layer; before(i): at the
-/// end of its layer i.
-float exponent_at(const LayerEnds& ends, Word nearest, float z, const auto& before) {
-  if (nearest == k_no_depth) return 0;
-  const float depth = z - float(nearest);
-  if (!(depth > 0)) return 0;
-  const Word layer = layer_of(ends, Word(depth));
-  const float begin = float(layer_begin(ends, layer)), end = float(ends.end[layer]);
-  const float t = std::min(1.0f, (depth - begin) / (end - begin));
-  return between_planes(layer == 0 ? 0.0f : before(layer - 1), before(layer), t);
+/// The exponent at depth z of a texel; exponent_before(i): at the end of its layer i.
+float exponent_at(const Map& map, std::size_t texel, float z, const auto& exponent_before) {
+  const Word range = map.ranges[texel];
+  const float depth = z - float(range_nearest(range));
+  if (range == k_no_range || !(depth > 0)) return 0;
+  const float extent = depth_extent<float>(range);
+  if (depth >= extent) return exponent_before(map.ends.count - 1);
+  const Layer layer = layer_at(map.ends, Word(depth));
+  const float before = layer.index == 0 ? 0.0f : exponent_before(layer.index - 1);
+  return exponent_within(layer, extent, depth, before, exponent_before(layer.index), map.fibre_exponent);
 }
 
 /// How many of the thresholds, which fall, are not below the sum.
@@ -87,10 +110,9 @@ Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settin
   const std::vector<float> exponents = code_exponents();
   const auto at_depth = [&](float z) {
     return [&, z](std::size_t texel) {
-      const Word nearest = packed_depth(map.packed.nearest[texel / 2], Word(texel % 2));
-      return exponent_at(map.ends, nearest, z, [&](Word layer) {
+      return exponent_at(map, texel, z, [&](Word layer) {
         const std::size_t i = texel * map.ends.count + layer;
-        return exponents[packed_code(map.packed.codes[i / 4], Word(i % 4))];
+        return exponents[packed_code(map.codes[i / 4], Word(i % 4))];
       });
     };
   };
@@ -130,15 +152,21 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   Map map;
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
   map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
-  map.nearest = nearest_depths(map.view, groom, k_pieces_per_step);
-  map.ends = layer_ends(depth_histogram(groom, map), settings);
+  const std::vector<Word> depths = texel_depths(map.view, groom);
+  const std::vector<Word> histogram = depth_histogram(groom, map.view, depths);
+  const std::vector<Word> table = deposit_table(alpha, accumulation, map.scale);
+  map.ends = layer_ends(histogram, settings);
+  map.fibre = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
+  map.fibre_exponent = exponent_per_unit(settings.map, map.scale) * float(table[map.fibre]);
   map.sums.resize(map.view.texels() * settings.layers);
-  fill_layers(groom, deposit_table(alpha, accumulation, map.scale), map);
+  fill_layers(groom, depths, table, map);
   sum_along_depth(map.sums, settings.layers);
+  map.ranges.resize(map.view.texels());
+  for_each_index(map.view.texels(),
+                 [&](std::size_t t) { map.ranges[t] = depth_range(depths[2 * t], ~depths[2 * t + 1]); });
   if (settings.bytes) {
-    map.packed = pack(map, accumulation.k);
+    map.codes = pack(map, accumulation.k);
     map.sums = {};
-    map.nearest = {};
   }
   return map;
 }
@@ -156,21 +184,14 @@ std::vector<float> code_exponents() {
   return exponents;
 }
 
-PackedMap pack(const Map& map, double k) {
+std::vector<Word> pack(const Map& map, double k) {
   const std::vector<Word> thresholds = code_thresholds(k, map.scale);
-  PackedMap packed;
-  packed.codes.resize((map.sums.size() + 3) / 4);
-  packed.nearest.resize((map.nearest.size() + 1) / 2);
-  for_each_index(packed.codes.size(), [&](std::size_t word) {
+  std::vector<Word> codes((map.sums.size() + 3) / 4);
+  for_each_index(codes.size(), [&](std::size_t word) {
     for (std::size_t i = 4 * word; i < 4 * word + 4; ++i)
-      packed.codes[word] |= code_of(thresholds, i < map.sums.size() ? map.sums[i] : 0) << (8 * (i % 4));
+      codes[word] |= code_of(thresholds, i < map.sums.size() ? map.sums[i] : 0) << (8 * (i % 4));
   });
-  for_each_index(packed.nearest.size(), [&](std::size_t word) {
-    for (std::size_t i = 2 * word; i < 2 * word + 2; ++i)
-      packed.nearest[word] |= std::min(i < map.nearest.size() ? map.nearest[i] : k_no_depth, k_no_depth_16)
-                              << (16 * (i % 2));
-  });
-  return packed;
+  return codes;
 }
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
@@ -179,8 +200,7 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std
   const auto at_depth = [&](float z) {
     return [&, z](std::size_t texel) {
       const Word* sums = &map.sums[texel * map.ends.count];
-      const auto before = [sums](Word layer) { return float(sums[layer]); };
-      return per_unit * exponent_at(map.ends, map.nearest[texel], z, before);
+      return exponent_at(map, texel, z, [&](Word layer) { return per_unit * float(sums[layer]); });
     };
   };
   return look_up_points(map.view, settings.map, k_deepest, points, at_depth);

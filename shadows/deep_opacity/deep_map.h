@@ -22,7 +22,7 @@ struct Settings {
   MapSettings map;
   std::uint32_t layers = 4;
   Spacing spacing = Spacing::equal_opacity;
-  bool bytes = false;      ///< T before each layer's end in 8 bits and the nearest depth in 16; else 32 bits each
+  bool bytes = false;      ///< T before each layer's end in 8 bits; else sigma in 32
   double first_layer = 0;  ///< of geometric spacing, as a share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond
 };
 /// Error: usage, when the map would pass 2 GiB.
@@ -31,32 +31,30 @@ Result<Settings> settings_from(const registry::ParameterValues& values);
 /// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
 std::vector<std::uint32_t> layer_shares(const Settings& settings);
 
-/// T before the end of each layer in 255ths, four a word, and nearest depths, two a word (k_no_depth_16: no fibre).
-struct PackedMap {
-  std::vector<std::uint32_t> codes, nearest;
-};
 /// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale.
 struct Map {
   MapView view;
   double scale = 1;
   LayerEnds ends{};
-  std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
+  std::uint32_t fibre = 0;            ///< mean coverage of a texel's middle by one fibre: an index of the deposits
+  float fibre_exponent = 0;           ///< what that adds to the exponent of T
+  std::vector<std::uint32_t> ranges;  ///< nearest and farthest depth step of each texel, or k_no_range
   std::vector<std::uint32_t> sums;
-  PackedMap packed;  ///< instead of the two above, where Settings::bytes
-  std::size_t bytes() const { return 4 * (nearest.size() + sums.size() + packed.codes.size() + packed.nearest.size()); }
+  std::vector<std::uint32_t> codes;  ///< instead of sums, where Settings::bytes: T in 255ths, four a word
+  std::size_t bytes() const { return 4 * (ranges.size() + sums.size() + codes.size()); }
 };
 
 /// For code c = 1 .. 255, the largest sum that is rounded to T = c / 255 or more.
 std::vector<std::uint32_t> code_thresholds(double k, double scale);
 /// The exponents that codes 0 .. 255 stand for: ln(c / 255), half a step above none for 0.
 std::vector<float> code_exponents();
-PackedMap pack(const Map& map, double k);
+std::vector<std::uint32_t> pack(const Map& map, double k);
 
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
-/// its own nearest depth, which is never interpolated. Error: usage, for too wide a filter.
+/// its own depths, which are never interpolated. Error: usage, for too wide a filter.
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
 
 }  // namespace cuticle::shadows::deep_opacity

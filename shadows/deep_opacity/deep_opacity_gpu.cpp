@@ -1,4 +1,4 @@
-// Deep opacity maps on the GPU: clear (fills), fit, nearest, histogram, layers, splat, scan, packing where it is kept
+// Deep opacity maps on the GPU: clear (fills), fit, range, histogram, layers, splat, scan, packing where it is kept
 // in bytes, lookup; the integers of the map equal the CPU's.
 #include <bit>
 
@@ -10,6 +10,8 @@
 #include <deep_layers_comp.spv.h>
 #include <deep_lookup_comp.spv.h>
 #include <deep_pack_comp.spv.h>
+#include <deep_range_comp.spv.h>
+#include <deep_scan_comp.spv.h>
 #include <deep_splat_comp.spv.h>
 
 namespace cuticle::shadows::deep_opacity {
@@ -17,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t k_equal_opacity_flag = 2;  // k_equal_opacity of deep_layers.comp
 constexpr std::uint32_t k_bytes_flag = 4;          // k_bytes of deep_lookup.comp
-enum Own : int { k_sums = k_own, k_nearest, k_ends, k_histogram, k_codes, k_packed_nearest };
+enum Own : int { k_sums = k_own, k_ranges, k_ends, k_depths, k_histogram, k_codes };
 
 /// Shares of the layers, in room for all; then, of a map in bytes, the exponents of codes and what they are rounded by.
 AfterDeposits after_deposits(const Settings& settings) {
@@ -35,14 +37,12 @@ AfterDeposits after_deposits(const Settings& settings) {
 std::vector<MapBuffer> buffers_of(const Settings& settings) {
   const std::uint64_t texels = std::uint64_t(settings.map.resolution) * settings.map.resolution;
   const std::uint64_t numbers = texels * settings.layers;
-  std::vector<MapBuffer> buffers = {{numbers, 0, !settings.bytes},
-                                    {texels, k_no_depth, !settings.bytes},
-                                    {k_most_layers, 0, false},
-                                    {k_depth_steps, 0, false}};
-  if (settings.bytes) {
-    buffers.push_back({(numbers + 3) / 4});
-    buffers.push_back({(texels + 1) / 2});
-  }
+  std::vector<MapBuffer> buffers = {{.words = numbers, .kept = !settings.bytes},
+                                    {.words = texels, .cleared = false},
+                                    {.words = k_most_layers + 1, .kept = false, .cleared = false},
+                                    {.words = 2 * texels, .clear = k_no_depth, .kept = false},
+                                    {.words = k_histogram_words, .kept = false}};
+  if (settings.bytes) buffers.push_back({.words = (numbers + 3) / 4, .cleared = false});
   return buffers;
 }
 
@@ -57,19 +57,18 @@ MapDescription describe(const Settings& settings) {
   map.after_deposits = after_deposits(settings);
   map.buffers = buffers_of(settings);
   map.passes = {
-      {"shadow.nearest", map_nearest_code(), {k_vertices, k_segments, k_box, k_nearest}},
-      {"shadow.histogram", deep_histogram_comp, {k_vertices, k_segments, k_box, k_nearest, k_histogram}},
+      {"shadow.range", deep_range_comp, {k_vertices, k_segments, k_box, k_depths}},
+      {"shadow.histogram", deep_histogram_comp, {k_vertices, k_segments, k_box, k_depths, k_histogram}},
       {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group},
-      {"shadow.splat", deep_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_nearest, k_ends, k_sums}},
-      {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel}};
+      {"shadow.splat", deep_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums}},
+      {"shadow.scan", deep_scan_comp, {k_depths, k_ranges, k_sums}, MapRun::per_texel}};
   if (settings.bytes)
-    map.passes.push_back(
-        {"shadow.pack", deep_pack_comp, {k_deposits, k_nearest, k_sums, k_packed_nearest, k_codes}, MapRun::per_texel});
-  const int nearest = settings.bytes ? k_packed_nearest : k_nearest, sums = settings.bytes ? k_codes : k_sums;
-  map.passes.push_back({"shadow.lookup",
-                        deep_lookup_comp,
-                        {k_vertices, k_box, nearest, k_ends, sums, k_deposits, k_transmittance},
-                        MapRun::per_vertex});
+    map.passes.push_back({"shadow.pack", deep_pack_comp, {k_deposits, k_sums, k_codes}, MapRun::per_texel});
+  map.passes.push_back(
+      {"shadow.lookup",
+       deep_lookup_comp,
+       {k_vertices, k_box, k_ranges, k_ends, settings.bytes ? k_codes : k_sums, k_deposits, k_transmittance},
+       MapRun::per_vertex});
   return map;
 }
 
@@ -78,16 +77,16 @@ Map build_both(const strands::Groom& groom, double alpha, const LightAxes& axes,
   Settings words = settings;
   words.bytes = false;
   Map map = build_map(groom, alpha, axes, words);
-  if (settings.bytes) map.packed = pack(map, settings.map.accumulation.k);
+  if (settings.bytes) map.codes = pack(map, settings.map.accumulation.k);
   return map;
 }
 
 MapWords words_of(const Map& map, const Settings& settings) {
-  MapWords words = {map.sums, map.nearest, {map.ends.end, map.ends.end + map.ends.count}};
+  MapWords words = {map.sums, map.ranges, {map.ends.end, map.ends.end + k_most_layers}};
+  words.back().push_back(map.fibre);
   if (!settings.bytes) return words;
-  words.emplace_back();  // the histogram, which is not kept here
-  words.push_back(map.packed.codes);
-  words.push_back(map.packed.nearest);
+  words.resize(k_codes);  // depths and histogram are not kept here
+  words.push_back(map.codes);
   return words;
 }
 

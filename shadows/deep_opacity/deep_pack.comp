@@ -7,10 +7,8 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/splat.glslh"
 
 layout(std430, binding = 0) readonly buffer Table { uint table[]; };  // deposits, shares, exponents, thresholds
-layout(std430, binding = 1) readonly buffer Nearest { uint nearest[]; };
-layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 3) writeonly buffer PackedNearest { uint packed_nearest[]; };
-layout(std430, binding = 4) writeonly buffer Codes { uint codes[]; };
+layout(std430, binding = 1) readonly buffer Sums { uint sums[]; };
+layout(std430, binding = 2) writeonly buffer Codes { uint codes[]; };
 
 const uint k_thresholds = k_coverage_steps + 1u + k_most_layers + 256u;
 
@@ -36,9 +34,4 @@ void main() {
       bits |= code_of(i < numbers ? sums[i] : 0u) << (8u * (i % 4u));
     codes[word] = bits;
   }
-  if (t >= (push.count + 1u) / 2u) return;
-  uint bits = 0u;
-  for (uint i = 2u * t; i < 2u * t + 2u; ++i)
-    bits |= min(i < push.count ? nearest[i] : k_no_depth, k_no_depth_16) << (16u * (i % 2u));
-  packed_nearest[t] = bits;
 }

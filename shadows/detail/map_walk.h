@@ -111,18 +111,20 @@ struct MapFilter {
 /// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel)), texels outside the map counting
 /// as free; `exponent` takes the index of a texel.
 float mean_transmittance(const MapView& view, const MapFilter& filter, float x, float y, const auto& exponent) {
-  const int i0 = int(std::floor(x)), j0 = int(std::floor(y)), reach = disc_reach(filter.radius);
+  const int j0 = int(std::floor(y)), reach = disc_reach(filter.radius);
   float sum = 0, weights = 0;
-  for (int j = j0 - reach; j <= j0 + reach; ++j)
-    for (int i = i0 - reach; i <= i0 + reach; ++i) {
-      const glm::vec2 away(float(i) + 0.5f - x, float(j) + 0.5f - y);
-      const float weight = disc_weight(std::sqrt(away.x * away.x + away.y * away.y), filter.radius);
-      weights += weight;
-      if (!(weight > 0)) continue;
+  for (int j = j0 - reach; j <= j0 + reach; ++j) {
+    const float away = float(j) + 0.5f - y, half_row = disc_half_row(away, filter.radius);
+    const int last = disc_last(x, half_row, filter.radius);
+    for (int i = disc_first(x, half_row, filter.radius); i <= last; ++i) {
+      const float beside = float(i) + 0.5f - x;
+      const float weight = disc_weight(std::sqrt(beside * beside + away * away), filter.radius);
       const bool outside = i < 0 || j < 0 || i >= int(view.columns) || j >= int(view.rows);
       const float value = outside ? 0.0f : exponent(texel_index(view, i, j));
-      sum += weight * (filter.poisson ? value : std::exp(value));
+      sum += weight * (filter.poisson ? value : value == 0 ? 1.0f : std::exp(value));  // many texels are free
+      weights += weight;
     }
+  }
   return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
 }
 

@@ -1,0 +1,17 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per segment: the nearest depth step of every texel it covers, and the complement of the farthest.
+layout(local_size_x = 64) in;
+#include "cuticle/shadows/map_splat.glsl"
+
+layout(std430, binding = 3) buffer Depths { uint depths[]; };
+
+void deposit(uint texel, uint covered, uint depth_step) {
+  atomicMin(depths[2u * texel], depth_step);
+  atomicMin(depths[2u * texel + 1u], ~depth_step);
+}
+
+void main() {
+  const uint s = invocation();
+  if (s < push.count) walk_segment(s, push.pieces_per_step);
+}

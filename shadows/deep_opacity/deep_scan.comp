@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per texel: its depths in one word, and what lies in each layer becomes what lies before its end.
+layout(local_size_x = 64) in;
+#include "cuticle/shadows/deep_opacity/layers.glslh"
+#include "cuticle/shadows/map_geometry.glsl"
+
+layout(std430, binding = 0) readonly buffer Depths { uint depths[]; };
+layout(std430, binding = 1) writeonly buffer Ranges { uint ranges[]; };
+layout(std430, binding = 2) buffer Sums { uint sums[]; };
+
+void main() {
+  const uint t = invocation();
+  if (t >= push.count) return;
+  const uint nearest = depths[2u * t];
+  ranges[t] = depth_range(nearest, ~depths[2u * t + 1u]);
+  const uint first = t * push.layers;
+  if (nearest == k_no_depth) return;
+  uint total = sums[first];
+  for (uint i = 1u; i < push.layers; ++i) {
+    total += sums[first + i];
+    sums[first + i] = total;
+  }
+}
