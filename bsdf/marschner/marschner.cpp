@@ -14,12 +14,13 @@ namespace {
 constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
 constexpr std::array<std::string_view, 2> variants = {"corrected", "literal"};
 constexpr std::array<std::string_view, 2> caustics = {"exact", "smoothed"};
+constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_d", "theta_o"};
 constexpr std::array<std::string_view, 4> system_rows = {"N11", "N16", "G1", "G7"};
 
 using registry::ParameterType;
 // Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees
 // in theta_i.
-constexpr std::array<registry::Parameter, 11> parameters = {{
+constexpr std::array<registry::Parameter, 12> parameters = {{
     eta_parameter,
     sigma_a_parameter,
     {"beta",
@@ -75,6 +76,8 @@ constexpr std::array<registry::Parameter, 11> parameters = {{
      "0.5",
      {},
      "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper"},
+    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_d", attenuation_angles,
+     "corrected: theta_d, the paper's, is reciprocal where alpha is 0; theta_o keeps energy with any tilt"},
 }};
 
 // The last is what the others are compared with: the paper's cubic and its M, and its caustic without singularities.
@@ -99,6 +102,7 @@ Marschner<double> make(const registry::ParameterValues& values) {
                values.choice("caustic") == "smoothed"};
   m.ellipse = make_ellipse(eta, values.real("aspect"));
   m.mixture = mixture_for(m);
+  m.at_theta_o = !m.literal && values.choice("attenuation_angle") == "theta_o";
   return m;
 }
 
@@ -163,14 +167,19 @@ FibreMapping from_fibre(const Fibre& fibre) {
       "only); a smooth cuticle without azimuthal blur, and no medulla"};
 }
 
-// The corrected model of a round fibre with its exact caustic keeps energy up to what tilted lobes shift apart.
-constexpr std::array<Exception, 6> exceptions = {{
+// The corrected model of a round fibre with its exact caustic keeps energy up to what tilted lobes shift apart: a check
+// tilts it whatever its own tilt.
+constexpr std::array<Exception, 7> exceptions = {{
     {"white_furnace", "M is 2 in theta_i and 1 / cos^2 theta_d has no bound", "variant=literal"},
     {"white_furnace", "glints add energy", "caustic=smoothed"},
     {"white_furnace", "energies of several indices are mixed", "aspect!=1"},
-    {"white_furnace", "with a tilt, lobes that shift apart take their shares at different theta_d", "alpha!=0"},
+    {"white_furnace",
+     "lobes that a tilt shifts apart take their shares at different theta_d; attenuation_angle=theta_o keeps energy",
+     "attenuation_angle=theta_d"},
     {"absorbing_furnace", "as white_furnace, and a crossing absorbs by the square of its chord", "variant=literal"},
     {"absorbing_furnace", "glints add energy", "caustic=smoothed"},
+    {"reciprocity", "A and N belong to theta_o alone, which keeps energy; attenuation_angle=theta_d is reciprocal",
+     "attenuation_angle=theta_o"},
 }};
 
 Model table() {

@@ -164,13 +164,12 @@ struct Estimate {
   double theta_o, most_deviation;  ///< of a weight, relative to the mean
 };
 class MarschnerWeights : public testing::TestWithParam<Estimate> {};
-INSTANTIATE_TEST_SUITE_P(Settings, MarschnerWeights,
-                         testing::Values(Estimate{"", 0.3, 0.6}, Estimate{"beta=0.02", -0.7, 0.85},
-                                         Estimate{"sigma_a=5,eta=1.4", 1.2, 1.2},
-                                         Estimate{"beta=1,alpha=0.17", 0.2, 0.35},
-                                         Estimate{"caustic=smoothed", 0.3, 0.65}, Estimate{"aspect=0.85", 0.3, 0.95},
-                                         Estimate{"caustic=smoothed,aspect=0.9", 0.3, 0.65},
-                                         Estimate{"variant=literal", 0.3, 1.8}));
+INSTANTIATE_TEST_SUITE_P(
+    Settings, MarschnerWeights,
+    testing::Values(Estimate{"", 0.3, 0.6}, Estimate{"beta=0.02", -0.7, 0.85}, Estimate{"sigma_a=5,eta=1.4", 1.2, 1.2},
+                    Estimate{"beta=1,alpha=0.17", 0.2, 0.35}, Estimate{"caustic=smoothed", 0.3, 0.65},
+                    Estimate{"aspect=0.85", 0.3, 0.95}, Estimate{"caustic=smoothed,aspect=0.9", 0.3, 0.65},
+                    Estimate{"attenuation_angle=theta_o", -0.7, 0.6}, Estimate{"variant=literal", 0.3, 1.8}));
 TEST_P(MarschnerWeights, Mean_IsTheAlbedo) {
   const Setting s{GetParam().settings, GetParam().theta_o, -1};
   for (Precision precision : {Precision::f64, Precision::f32}) {

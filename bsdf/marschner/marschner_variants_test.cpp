@@ -155,6 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Settings, MarschnerVariantAlbedo,
                                          Whole{"variant=literal,caustic=smoothed,beta=0.3", 0, 2e-3},
                                          Whole{"caustic=smoothed,beta=0.3", 0, 2e-3},
                                          Whole{"caustic=smoothed,aspect=0.85,beta=0.3", 0.5, 1e-2},
+                                         Whole{"attenuation_angle=theta_o,caustic=smoothed,beta=0.3", 0, 2e-3},
                                          Whole{"aspect=0.85,beta=0.3", 0.5, 2e-2}));
 TEST_P(MarschnerVariantAlbedo, Trt_IsTheIntegralOfS) {
   const int across = 160, around = 1500;
@@ -175,6 +176,17 @@ TEST_P(MarschnerVariantAlbedo, Trt_IsTheIntegralOfS) {
   const double albedo =
       value_at(GetParam().settings, Quantity::albedo, 2, {.theta_o = theta_o, .phi_o = GetParam().phi_o});
   EXPECT_NEAR(albedo, sum, GetParam().tolerance * sum);
+}
+
+/// R, TT and TRT of a narrow white fibre near grazing.
+double grazing_energy(const std::string& settings) {
+  return value_at("sigma_a=0,beta=0.02," + settings, Quantity::albedo, -1, {.theta_o = 80 * degree});
+}
+TEST(MarschnerVariants, AttenuationAtTheViewer_KeepsEnergyWithAnyTilt) {
+  const double untilted = grazing_energy("attenuation_angle=theta_o,alpha=0");
+  EXPECT_LT(untilted, 1);
+  EXPECT_NEAR(grazing_energy("attenuation_angle=theta_o,alpha=-0.0873"), untilted, 1e-12);
+  EXPECT_GT(grazing_energy("alpha=-0.0873"), 1.02);
 }
 
 TEST(MarschnerVariants, Error_IsZero) { EXPECT_EQ(value_at("", Quantity::error, -1, {.theta_i = 0.1, .phi = 0.2}), 0); }

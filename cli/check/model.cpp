@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/core.h>
 
@@ -34,14 +35,19 @@ Result<Report> check_variant(const bsdf::Model& model, const ModelOptions& optio
   return check_subject(subject, study::model_check::exceptions_of(model, values), options.check, progress);
 }
 
-Result<std::vector<Report>> check_models(const ModelOptions& options, Progress& progress) {
+/// All reports; as text, each is printed as soon as it is there, because a model takes minutes.
+Result<std::vector<Report>> check_models(const ModelOptions& options, const Context& context) {
   CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, chosen_models(options.name));
   std::vector<Report> reports;
   for (const bsdf::Model* model : models) {
     std::vector<std::string> variants = study::model_check::variants_of(*model);
     if (!options.variants) variants.resize(1);
     for (const std::string& variant : variants) {
-      CUTICLE_ASSIGN(Report report, check_variant(*model, options, variant, progress));
+      CUTICLE_ASSIGN(Report report, check_variant(*model, options, variant, *context.progress));
+      if (!context.json) {
+        fmt::print("{}", to_text(report));
+        std::fflush(stdout);
+      }
       reports.push_back(std::move(report));
     }
   }
@@ -49,11 +55,9 @@ Result<std::vector<Report>> check_models(const ModelOptions& options, Progress& 
 }
 
 int check_model(const ModelOptions& options, const Context& context) {
-  const Result<std::vector<Report>> reports = check_models(options, *context.progress);
+  const Result<std::vector<Report>> reports = check_models(options, context);
   if (!reports) return report(reports.error());
   if (context.json) fmt::print("{}\n", study::model_check::to_json(*reports));
-  for (const Report& one : *reports)
-    if (!context.json) fmt::print("{}", to_text(one));
   if (!context.json && reports->size() > 1) fmt::print("\n{}", to_table(*reports));
   const bool sound = std::all_of(reports->begin(), reports->end(), [](const Report& one) { return one.sound(); });
   return sound ? Exit::ok : Exit::check_failed;

@@ -84,8 +84,9 @@ void append_points(const Cell& cell, const bsdf::Point& view, std::vector<bsdf::
     }
 }
 
-/// What the integrand's own error at the middle of each cell amounts to; an estimate below it is no reason to divide.
-void add_own_errors(std::span<Cell> cells, const Batch& own_error, const bsdf::Point& view) {
+/// What the integrand's own error at the middle of each cell amounts to.
+void set_own_errors(std::span<Cell> cells, const Batch& own_error, const bsdf::Point& view) {
+  if (!own_error) return;
   std::vector<bsdf::Point> points(cells.size(), view);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     points[c].theta_i = 0.5 * (cells[c].theta_low + cells[c].theta_high);
@@ -95,11 +96,11 @@ void add_own_errors(std::span<Cell> cells, const Batch& own_error, const bsdf::P
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const double area = (cells[c].theta_high - cells[c].theta_low) * (cells[c].phi_high - cells[c].phi_low);
     cells[c].own_error = area * std::cos(points[c].theta_i) * largest(errors[c]);
-    if (cells[c].error <= cells[c].own_error) cells[c].error = 0;
   }
 }
 
-void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& view, const Batch& own_error) {
+/// The integral of each cell and its error; one below the integrand's own is no reason to divide.
+void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& view) {
   std::vector<bsdf::Point> points;
   points.reserve(cells.size() * points_per_cell);
   for (const Cell& cell : cells) append_points(cell, view, points);
@@ -110,8 +111,8 @@ void measure(std::span<Cell> cells, const Batch& integrand, const bsdf::Point& v
     for (std::size_t i = 0; i < points_per_cell; ++i)
       own[i] = values[c * points_per_cell + i] * std::cos(points[c * points_per_cell + i].theta_i);
     assess(cells[c], own);
+    if (cells[c].error <= cells[c].own_error) cells[c].error = 0;
   }
-  if (own_error) add_own_errors(cells, own_error, view);
 }
 
 std::pair<Cell, Cell> halves(const Cell& cell) {
@@ -225,13 +226,18 @@ SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view,
                                 const SphereTolerance& tolerance) {
   SphereIntegral integral;
   integral.cells = first_cells(partition);
-  measure(integral.cells, integrand, view, tolerance.own_error);
+  set_own_errors(integral.cells, tolerance.own_error, view);
+  add_up(integral, partition, tolerance);
+  integral.converged = false;
+  if (integral.own_error > tolerance.most_own_error) return integral;
+  measure(integral.cells, integrand, view);
   integral.evaluations = integral.cells.size() * points_per_cell;
   add_up(integral, partition, tolerance);
   while (!integral.converged && integral.evaluations < tolerance.evaluations) {
     std::vector<Cell> divided = take_worst(integral.cells, total_error(integral.cells));
     if (divided.empty()) break;
-    measure(divided, integrand, view, tolerance.own_error);
+    set_own_errors(divided, tolerance.own_error, view);
+    measure(divided, integrand, view);
     integral.evaluations += divided.size() * points_per_cell;
     integral.cells.insert(integral.cells.end(), divided.begin(), divided.end());
     add_up(integral, partition, tolerance);
@@ -239,9 +245,10 @@ SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view,
   return integral;
 }
 
-SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute) {
+SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute,
+                                double most_own_error) {
   return integrate_sphere(scatterer.scattering, view, partition_for(scatterer, view),
-                          {.absolute = absolute, .own_error = scatterer.error});
+                          {.absolute = absolute, .own_error = scatterer.error, .most_own_error = most_own_error});
 }
 
 }  // namespace cuticle::study::model_check

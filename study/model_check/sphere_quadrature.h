@@ -38,7 +38,8 @@ struct SphereIntegral {
 struct SphereTolerance {
   double absolute = 1e-4;
   std::size_t evaluations = 400000;
-  Batch own_error = {};  ///< of the integrand; cells are not divided below it
+  Batch own_error = {};           ///< of the integrand; cells are not divided below it
+  double most_own_error = 1e300;  ///< where it adds up to more over the first cells, nothing is integrated
 };
 
 /// The integral over theta_i and phi of `integrand` cos(theta_i), by cells of Gauss-Legendre points that are halved
@@ -52,7 +53,8 @@ SphereIntegral integrate_sphere(const Batch& integrand, const bsdf::Point& view,
 /// at all distances from the mirror direction where it has no sampler; half of it where S and density are even in phi.
 Partition partition_for(const Scatterer& scatterer, const bsdf::Point& view);
 
-/// The energy that is scattered for one view: the integral of S cos(theta_i).
-SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute = 1e-4);
+/// The energy that is scattered for one view: the integral of S cos(theta_i); tolerances as SphereTolerance.
+SphereIntegral scattered_energy(const Scatterer& scatterer, const bsdf::Point& view, double absolute = 1e-4,
+                                double most_own_error = 1e300);
 
 }  // namespace cuticle::study::model_check

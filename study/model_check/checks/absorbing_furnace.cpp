@@ -25,7 +25,7 @@ void against_albedo(const Subject& subject, const Options& options, Worst& worst
        scatterers(subject, std::span(absorbing_furnace_situations).first(options.quick ? 1 : 3))) {
     if (!scatterer.albedo) continue;
     for (const bsdf::Point& view : furnace_views(subject, options)) {
-      const SphereIntegral energy = scattered_energy(scatterer, view, absorbing_furnace_tolerance);
+      const SphereIntegral energy = scattered_energy(scatterer, view, absorbing_furnace_tolerance, most_own_error);
       if (energy.own_error > most_own_error) continue;
       const glm::dvec3 difference = energy.value - value_at(scatterer.albedo, view);
       worst.note(std::max(largest(difference) - energy.own_error, 0.0),
@@ -42,7 +42,7 @@ void against_cylinder(const Subject& subject, const Options& options, Worst& wor
     const Cylinder& cylinder = *scatterer->cylinder;
     const glm::dvec3 truth =
         subject.near_field ? attenuation_at(cylinder, view.theta_o, view.h) : mean_attenuation(cylinder, view.theta_o);
-    const SphereIntegral energy = scattered_energy(*scatterer, view, absorbing_furnace_tolerance);
+    const SphereIntegral energy = scattered_energy(*scatterer, view, absorbing_furnace_tolerance, most_own_error);
     if (energy.own_error > most_own_error) continue;
     worst.note(std::max(largest(energy.value - truth) - energy.own_error, 0.0),
                "a dielectric cylinder at " + where(subject, *scatterer, view));

@@ -41,7 +41,7 @@ Verdict white_furnace(const Subject& subject, const Options& options) {
   if (all.empty()) return skipped("it cannot be made free of absorption");
   for (const Scatterer& scatterer : all)
     for (const bsdf::Point& view : views) {
-      const SphereIntegral energy = scattered_energy(scatterer, view, white_furnace_tolerance);
+      const SphereIntegral energy = scattered_energy(scatterer, view, white_furnace_tolerance, most_own_error);
       if (energy.own_error > most_own_error) {
         ++range.unknown;
         continue;
