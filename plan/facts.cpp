@@ -78,7 +78,12 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["head"] = head_fact(scene);
   facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
-  facts["output_aovs"] = {scene.outputs.aovs, scene.outputs.aovs ? "layers are wanted" : "no layers are wanted"};
+  const bool dual = scene.passes.contains("dual_scattering");
+  facts["dual_scattering"] = {
+      dual, dual ? "the scene asks for dual scattering" : "the scene does not ask for dual scattering"};
+  const bool moves = scene.passes.contains("velocity"), layers = scene.outputs.aovs || moves;
+  facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
+  facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
   return facts;
 }
 

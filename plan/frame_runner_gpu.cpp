@@ -72,12 +72,15 @@ struct FrameRunner::Impl {
   }
 
   Result<void> paint(int frame, FrameResult& result) {
-    CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
-                                                               .bounds = motion->bounds(),
-                                                               .head = motion->head(),
-                                                               .character = motion->character(),
-                                                               .camera = camera_at(scene.camera, rest_bounds, frame)},
-                                                              trace));
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost,
+                   picture->paint({.control_positions = &motion->positions(),
+                                   .control_before = motion->before(),
+                                   .bounds = motion->bounds(),
+                                   .head = motion->head(),
+                                   .character = motion->character(),
+                                   .camera = camera_at(scene.camera, rest_bounds, frame),
+                                   .camera_before = camera_at(scene.camera, rest_bounds, std::max(0, frame - 1))},
+                                  trace));
     add_cost(cost, scene, result.cost);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));

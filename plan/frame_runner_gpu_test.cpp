@@ -10,6 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <cuticle/plan/head_path.h>
+#include <cuticle/plan/strand_set.h>
 #include <cuticle/render/passes/truth/rasterise.h>
 
 namespace cuticle::plan {
@@ -23,6 +27,8 @@ constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
 constexpr std::string_view k_lines = R"("render": {"method": "lines"})";
 constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
 constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
+constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
+constexpr std::string_view k_points = R"("passes": {"shade_strands": {"point_px": 8}})";
 constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
 std::shared_ptr<gpu::Device> device() {
@@ -31,13 +37,17 @@ std::shared_ptr<gpu::Device> device() {
   return opened ? *opened : nullptr;
 }
 
-std::unique_ptr<FrameRunner> runner(std::initializer_list<std::string_view> parts) {
+scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
   std::string text = R"({"schema_version": 1, "strand_count": 500, "strand_vertices": 12, "material": {"lut_size": 32},
     "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})";
   for (std::string_view part : parts) text += ", " + std::string(part);
   const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
-  auto made = FrameRunner::create(device(), *scene, silent_progress());
+  return *scene;
+}
+
+std::unique_ptr<FrameRunner> runner(std::initializer_list<std::string_view> parts) {
+  auto made = FrameRunner::create(device(), scene_of(parts), silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }
@@ -86,6 +96,9 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
                                                             {k_light, k_shadow, k_quads},
                                                             {k_light, k_quads, R"("outputs": {"aovs": true})"},
                                                             {k_tiles, R"("outputs": {"aovs": true})"},
+                                                            {k_tiles, k_motion, k_velocity},
+                                                            {k_tiles, k_simulation, k_velocity},
+                                                            {k_light, k_tiles, k_points},
                                                             {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
@@ -143,6 +156,70 @@ TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
   EXPECT_LT(last, 0.008);
 }
 
+constexpr int k_depth = 4, k_strand = 8, k_velocity_x = 13;  // channels of FrameResult::aovs
+
+/// What the motion vectors of a frame are off, over how long they should be, where the hair was carried from `before`
+/// to where it is: both summed over the pixels that see hair.
+struct VectorError {
+  double off = 0, length = 0;
+};
+VectorError vector_error(const Image& layers, const Camera& now, const Camera& then, const glm::dmat4& before) {
+  const glm::dmat4 to_clip = projection_matrix(now) * view_matrix(now),
+                   to_clip_then = projection_matrix(then) * view_matrix(then) * before;
+  const glm::dvec2 size(layers.width, layers.height);
+  VectorError error;
+  for (int y = 0; y < layers.height; ++y)
+    for (int x = 0; x < layers.width; ++x) {
+      if (layers.at(x, y, k_strand) == 0) continue;
+      const glm::dvec4 at_depth = projection_matrix(now) * glm::dvec4(0, 0, -layers.at(x, y, k_depth), 1);
+      const glm::dvec2 middle = glm::dvec2(x, y) + 0.5, on_screen = 2.0 * middle / size - 1.0;
+      const glm::dvec4 place = glm::inverse(to_clip) * glm::dvec4(on_screen * at_depth.w, at_depth.z, at_depth.w);
+      const glm::dvec4 clip = to_clip_then * place;
+      const glm::dvec2 moved = middle - (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
+      const glm::dvec2 given(layers.at(x, y, k_velocity_x), layers.at(x, y, k_velocity_x + 1));
+      error.off += glm::length(given - moved);
+      error.length += glm::length(moved);
+    }
+  return error;
+}
+
+// F8. Measured: 2.6 % of the motion.
+TEST(FrameRunner, MotionVectorsOfAHeadThatTurns_AreThoseOfItsRigidMotion) {
+  const scene::Scene scene = scene_of({k_tiles, k_motion, k_velocity});
+  const HeadPath path = *HeadPath::create(scene, build_strand_set(scene)->pivot);
+  const auto made = runner({k_tiles, k_motion, k_velocity});
+  for (int frame : {11, 12}) {
+    const Camera& camera = scene.camera.camera;
+    const VectorError error =
+        vector_error(frame_of(*made, frame).aovs, camera, camera, path.at(frame - 1) * glm::inverse(path.at(frame)));
+    std::printf("frame %d: %.2f of %.2f pixels\n", frame, error.off, error.length);
+    EXPECT_GT(error.length, 50);
+    EXPECT_LT(error.off, 0.04 * error.length);
+  }
+}
+
+TEST(FrameRunner, MotionVectorsOfHairThatStands_AreThoseOfTheCamera) {
+  constexpr std::string_view turning = R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0],
+    "fov_deg": 30, "resolution_px": [64, 64], "turntable_deg_per_frame": 5})";
+  const scene::Scene scene = scene_of({k_quads, k_velocity, turning});
+  const VectorError error = vector_error(frame_of(*runner({k_quads, k_velocity, turning}), 3).aovs,
+                                         camera_at(scene.camera, {}, 3), camera_at(scene.camera, {}, 2), glm::dmat4(1));
+  EXPECT_GT(error.length, 50);
+  EXPECT_LT(error.off, 1e-3 * error.length);
+}
+
+TEST(FrameRunner, MotionVectorsOfSimulatedHair_BeginAtRest) {
+  const auto made = runner({k_tiles, k_simulation, k_motion, k_velocity});
+  for (int frame : {0, 12}) {
+    const Image layers = frame_of(*made, frame).aovs;
+    float longest = 0;
+    for (std::size_t k = k_velocity_x + 1; k < layers.pixels.size(); k += layers.channel_names.size())
+      longest = std::max(longest, std::abs(layers.pixels[k]));
+    std::printf("frame %d: up to %g pixels\n", frame, double(longest));
+    EXPECT_EQ(longest > 0.1f, frame > 0);
+  }
+}
+
 // H11: a quarter of the strands, four times as wide, shadows all of them.
 TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
   constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "caster_share": 0.25})";
@@ -178,8 +255,8 @@ Image numbers_distances_and_tangents(FrameRunner& runner, const Camera& camera) 
   return render::truth::rasterise(camera, {vertices, colors, segments}, {}, {.samples = 1});
 }
 
-// At pixels that hair covers whole. Measured: the same strand in 92 % by quads and 97 % by tiles, which take the one that
-// most of the pixel sees.
+// At pixels that hair covers whole. Measured: the same strand in 92 % by quads and 97 % by tiles, which take the one
+// that most of the pixel sees.
 TEST(FrameRunner, Aovs_AreThoseOfTheStrandThatBruteForceSees) {
   for (std::string_view method : {k_quads, k_tiles}) {
     const auto made = runner({k_light, k_shadow, k_wide_strands, method});

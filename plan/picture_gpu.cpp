@@ -12,6 +12,7 @@
 #include <cuticle/render/passes/tiles/tiles.h>
 #include <cuticle/render/passes/truth/rasterise.h>
 #include <cuticle/render/passes/truth/truth.h>
+#include <cuticle/render/passes/velocity/velocity.h>
 
 namespace cuticle::plan {
 
@@ -68,6 +69,7 @@ Result<void> Picture::make_strands() {
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
   resources_.lights = scene_.lights;
+  resources_.fibre_alpha = float(scene_.fibre_alpha);
   return {};
 }
 
@@ -189,6 +191,10 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   resources_.strands.bounds = input.bounds;
   resources_.head_transform = input.head;
   resources_.camera = input.camera;
+  resources_.camera_before = input.camera_before;
+  resources_.control_positions = input.control_positions;
+  resources_.control_before = input.control_before;
+  resources_.control_vertices = std::uint32_t(set_.control.vertex_count());
   resources_.head_positions = input.character ? &input.character->mesh_positions() : nullptr;
   resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
   gpu::Commands commands = device_->record();
@@ -231,18 +237,26 @@ Result<Image> Picture::read_color() const {
 
 Result<Image> Picture::read_aovs(const Image& color) const {
   if (!resources_.aovs) return Image{};
-  std::vector<std::string> names = color.channel_names;
-  const std::size_t own = names.size(), more = std::size(render::aovs::k_channels);
-  names.insert(names.end(), std::begin(render::aovs::k_channels), std::end(render::aovs::k_channels));
-  Image image = make_image(color.width, color.height, std::move(names));
-  const std::size_t pixels = color.pixels.size() / own;
-  CUTICLE_ASSIGN(const auto values, gpu::read_buffer<float>(*device_, *resources_.aovs, pixels * more));
+  CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
+  return resources_.motion_vectors ? with_channels(image, *resources_.motion_vectors, render::velocity::k_channels)
+                                   : image;
+}
+
+/// A picture's channels, then floats of a buffer, as many a pixel as there are names.
+Result<Image> Picture::with_channels(const Image& image, const gpu::Buffer& buffer,
+                                     std::span<const std::string_view> more_names) const {
+  std::vector<std::string> names = image.channel_names;
+  const std::size_t own = names.size(), more = more_names.size();
+  names.insert(names.end(), more_names.begin(), more_names.end());
+  Image wider = make_image(image.width, image.height, std::move(names));
+  const std::size_t pixels = image.pixels.size() / own;
+  CUTICLE_ASSIGN(const auto values, gpu::read_buffer<float>(*device_, buffer, pixels * more));
   for (std::size_t p = 0; p < pixels; ++p) {
-    float* const out = image.pixels.data() + p * (own + more);
-    std::copy_n(color.pixels.data() + p * own, own, out);
+    float* const out = wider.pixels.data() + p * (own + more);
+    std::copy_n(image.pixels.data() + p * own, own, out);
     std::copy_n(values.data() + p * more, more, out + own);
   }
-  return image;
+  return wider;
 }
 
 Result<strands::Groom> Picture::read_strands() const {

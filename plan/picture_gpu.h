@@ -15,11 +15,11 @@ namespace cuticle::plan {
 
 /// What changes from frame to frame.
 struct PictureInput {
-  const gpu::Buffer* control_positions = nullptr;
+  const gpu::Buffer *control_positions = nullptr, *control_before = nullptr;  ///< now, and a frame before
   strands::Bounds bounds;
   glm::dmat4 head{1};
   CharacterMotion* character = nullptr;  ///< moved to the frame; null: the scene has none
-  Camera camera;
+  Camera camera, camera_before;
 };
 
 class Picture {
@@ -32,7 +32,7 @@ class Picture {
   /// What the passes left out of the picture last painted, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
   Result<Image> read_color() const;
-  /// The channels of the color with those of the pass 'aovs'; empty where it is not planned.
+  /// The channels of the color with those of the passes 'aovs' and 'velocity'; empty where the first is not planned.
   Result<Image> read_aovs(const Image& color) const;
   Result<strands::Groom> read_strands() const;
   const lut::TableSet& tables() const { return table_set_; }
@@ -48,6 +48,8 @@ class Picture {
   Result<gpu::SubmitCost> paint_once(const PictureInput& input, Trace* trace);
   Result<bool> settle();
   Result<Image> read_truth() const;
+  Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
+                              std::span<const std::string_view> more_names) const;
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
   shadows::GpuStrands casters() const;
   Result<void> record_shadows(gpu::Commands& commands);

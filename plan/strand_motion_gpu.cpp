@@ -30,6 +30,9 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
   } else if (!scene.simulation.solver) {
     CUTICLE_ASSIGN(motion->carried_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
   }
+  if (find_pass(plan, "velocity")) {
+    CUTICLE_ASSIGN(motion->before_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
+  }
   return motion;
 }
 
@@ -60,6 +63,7 @@ Result<void> StrandMotion::settle() {
 
 Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
   gpu::Commands commands = device_->record();
+  if (before()) commands.copy(solver_->positions(), before_, before_.size());
   CUTICLE_TRY(solver_->record(
       commands, {.duration = 1 / scene_.frames_per_second,
                  .head_begin = begin,
@@ -70,8 +74,7 @@ Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const gl
 
 Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
   if (character_) {
-    character_->move_to(frame);
-    bounds_ = character_->bounds();
+    CUTICLE_TRY(move_character(frame));
     return gpu::SubmitCost{};
   }
   if (frame_ < 0 || frame < frame_) CUTICLE_TRY(restart());
@@ -82,15 +85,37 @@ Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
     CUTICLE_ASSIGN(cost, simulate(path_.at(std::max(0, next - 1)), head_, trace));
   }
   frame_ = frame;
-  if (!solver_) CUTICLE_TRY(carry());
+  if (!solver_) CUTICLE_TRY(carry(carried_, head_));
+  if (!solver_ && before()) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));
+  if (solver_ && before() && frame == 0) CUTICLE_TRY(remember(solver_->positions()));
   CUTICLE_TRY(measure());
   return cost;
 }
 
-Result<void> StrandMotion::carry() {
-  std::vector<glm::vec4> places;
-  for (const glm::vec3& position : set_.control.positions) places.emplace_back(head_ * glm::dvec4(position, 1));
-  return device_->upload(carried_, std::as_bytes(std::span<const glm::vec4>(places)));
+Result<void> StrandMotion::carry(const gpu::Buffer& places, const glm::dmat4& head) {
+  std::vector<glm::vec4> carried;
+  for (const glm::vec3& position : set_.control.positions) carried.emplace_back(head * glm::dvec4(position, 1));
+  return device_->upload(places, std::as_bytes(std::span<const glm::vec4>(carried)));
+}
+
+Result<void> StrandMotion::remember(const gpu::Buffer& places) {
+  gpu::Commands commands = device_->record();
+  commands.copy(places, before_, before_.size());
+  CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+  return {};
+}
+
+Result<void> StrandMotion::move_character(int frame) {
+  if (before()) {
+    character_->move_to(std::max(0, frame - 1));
+    gpu::Commands commands = device_->record();
+    CUTICLE_TRY(character_->record(commands));
+    commands.copy(character_->positions(), before_, before_.size());
+    CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
+  }
+  character_->move_to(frame);
+  bounds_ = character_->bounds();
+  return {};
 }
 
 Result<void> StrandMotion::measure() {

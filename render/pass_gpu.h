@@ -32,7 +32,10 @@ struct FrameResources {
   std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
   std::vector<const gpu::Texture*> tables;        ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
+  const gpu::Buffer* dual_scattering = nullptr;       ///< DualTerms of its glsl; null: not asked for
+  float fibre_alpha = 0.4f;                           ///< opacity of one crossing, as shadows have it
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
+  const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points
   const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw
   bool says_seen = false;                             ///< whether passes that draw strands fill `seen`
   const gpu::Buffer* seen = nullptr;                  ///< Seen per pixel of the picture
@@ -43,6 +46,11 @@ struct FrameResources {
   const strands::Mesh* head = nullptr;                ///< rest pose
   const strands::Mesh* scalp = nullptr;               ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
+  /// Control hairs of this frame and of the one before, vec4 each; null where nothing asks how they moved.
+  const gpu::Buffer *control_positions = nullptr, *control_before = nullptr;
+  std::uint32_t control_vertices = 0;
+  Camera camera_before;                         ///< of the frame before; the frame's own in the first
+  const gpu::Buffer* motion_vectors = nullptr;  ///< vec2 per pixel: pixels since the frame before
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
   const gpu::Texture *color = nullptr,

@@ -8,6 +8,7 @@
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
 #include <cuticle/plan/frame_runner_gpu.h>
+#include <cuticle/render/passes/velocity/velocity.h>
 #endif
 
 namespace cuticle::cli {
@@ -17,7 +18,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, frames = "0:0", method, out = "render";
-  bool aovs = false;
+  bool aovs = false, velocity = false;
 };
 
 /// Sums over the frames, per pass.
@@ -39,26 +40,50 @@ struct Costs {
   }
 };
 
-void print_text(const Costs& costs, const std::string& device) {
+/// H19: what becomes of a frame's timestamps: simulation, generation of the drawn strands, and the picture.
+struct CostSplit {
+  double simulate = 0, generate = 0, render = 0;
+  double sum() const { return simulate + generate + render; }
+};
+CostSplit split_of(const Costs& costs, const plan::Plan& plan) {
+  CostSplit split;
+  for (const gpu::PassCost& pass : costs.passes) {
+    const plan::PlannedPass* planned = plan::find_pass(plan, pass.name);
+    const registry::Stage stage = planned ? planned->entry->stage : registry::Stage::simulate;
+    const double ms = pass.gpu_ms / costs.frames;
+    (stage <= registry::Stage::simulate   ? split.simulate
+     : stage == registry::Stage::generate ? split.generate
+                                          : split.render) += ms;
+  }
+  return split;
+}
+
+void print_text(const Costs& costs, const CostSplit& split, const std::string& device) {
   fmt::print("{} frame(s) on {}: {:.1f} ms of submitted work a frame by wall clock\n", costs.frames, device,
              costs.wall_ms / costs.frames);
   fmt::print("{:<20} {:>10} {:>6} {:>15}   (each a frame)\n", "pass", "dispatches", "draws", "timestamps, ms");
   for (const gpu::PassCost& pass : costs.passes)
     fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames,
                double(pass.draws) / costs.frames, pass.gpu_ms / costs.frames);
+  const double percent = 100 / std::max(split.sum(), 1e-9);
+  fmt::print("simulate {:.2f} ms ({:.0f} %), generate {:.2f} ms ({:.0f} %), render {:.2f} ms ({:.0f} %)\n",
+             split.simulate, percent * split.simulate, split.generate, percent * split.generate, split.render,
+             percent * split.render);
 }
 
-void print_json(const Costs& costs, const std::string& device) {
+void print_json(const Costs& costs, const CostSplit& split, const std::string& device) {
   Json passes = Json::list();
   for (const gpu::PassCost& pass : costs.passes)
     passes.push_back({{"name", pass.name},
                       {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
                       {"draws_per_frame", double(pass.draws) / costs.frames},
                       {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
-  const Json json = {{"device", device},
-                     {"frames", costs.frames},
-                     {"wall_ms_per_frame", costs.wall_ms / costs.frames},
-                     {"passes", passes}};
+  const Json json = {
+      {"device", device},
+      {"frames", costs.frames},
+      {"wall_ms_per_frame", costs.wall_ms / costs.frames},
+      {"split_ms", {{"simulate", split.simulate}, {"generate", split.generate}, {"render", split.render}}},
+      {"passes", passes}};
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -91,6 +116,8 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   if (!options.method.empty()) scene.render_method = options.method;
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
+  if (options.velocity)
+    scene.passes.try_emplace("velocity", registry::default_values(render::velocity::entry().entry.parameters));
   if (!scene.outputs.color)
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
@@ -99,9 +126,9 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const Costs costs,
                  render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
   if (context.json)
-    print_json(costs, device->info().name);
+    print_json(costs, split_of(costs, runner->plan()), device->info().name);
   else
-    print_text(costs, device->info().name);
+    print_text(costs, split_of(costs, runner->plan()), device->info().name);
   return {};
 }
 
@@ -126,6 +153,7 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
       ->check(CLI::IsMember(methods));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (quads, tiles)");
+  command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }

@@ -28,6 +28,7 @@ Result<study::RenderStudy> run(const Options& options, Context& context) {
       scene::load_scene(options.scene.empty() ? share_file("scenes/demo.json") : options.scene, plan::catalogue()));
   if (options.quick) {
     request.repeats = 1;
+    request.grows = false;
     request.scene.camera.camera.resolution /= 4;
     request.scene.strand_count = std::min(request.scene.strand_count, 1000);
   }
@@ -50,7 +51,8 @@ void add_study_render(CLI::App& study, Context& context) {
   auto options = std::make_shared<Options>();
   command->add_option("scene", options->scene, "scene file (JSON); without it that of the demo");
   command->add_option("--out", options->out, "folder to write")->required();
-  command->add_flag("--quick", options->quick, "a quarter of the resolution, at most 1,000 strands, timed once");
+  command->add_flag("--quick", options->quick,
+                    "a quarter of the resolution, at most 1,000 strands, fewer settings, no growth, timed once");
   command->callback(
       [&context, options] { context.action = [&context, options] { return study_render(*options, context); }; });
 }

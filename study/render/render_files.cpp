@@ -1,4 +1,6 @@
 // The study of drawing as files: pictures, CSV, and the JSON that pages are made from.
+#include <map>
+
 #include <fmt/core.h>
 
 #include <cuticle/core/file.h>
@@ -32,6 +34,49 @@ std::string words_of(const RenderStudy& study) {
       study.scene, study.device);
 }
 
+/// Which setting is cheapest for a wanted error.
+Json choices(const RenderStudy& study) {
+  Json words = Json::list({words_of(study)});
+  for (const RenderView& view : study.views)
+    for (double error : {0.2, 0.1, 0.07, 0.05, 0.03, 0.01}) {
+      const RenderRow* row = cheapest(study.rows, view.name, error);
+      words.push_back(row ? fmt::format("{}, error at most {}: {} {} in {:.1f} ms (error {:.4f}).", view.name, error,
+                                        row->method, row->settings, row->ms, row->error.coverage)
+                          : fmt::format("{}, error at most {}: no setting.", view.name, error));
+    }
+  return words;
+}
+
+Json growth_plots(const RenderStudy& study) {
+  std::map<std::string, std::map<std::string, std::pair<Json, Json>>> curves;
+  for (const GrowthRow& row : study.growth) {
+    auto& [x, y] = curves[row.size].try_emplace(row.method, Json::list(), Json::list()).first->second;
+    x.push_back(row.factor);
+    y.push_back(row.ms);
+  }
+  Json plots = Json::list();
+  for (const auto& [size, methods] : curves) {
+    Json lines = Json::list();
+    for (const auto& [method, points] : methods)
+      lines.push_back({{"name", method}, {"x", points.first}, {"y", points.second}});
+    plots.push_back({{"name", "growth_" + size},
+                     {"title", "A frame's cost as the scene's " + size + " grow"},
+                     {"x_label", size + ", times the scene's"},
+                     {"y_label", "a frame, ms"},
+                     {"logarithmic", true},
+                     {"polar", false},
+                     {"curves", lines}});
+  }
+  return plots;
+}
+
+std::string growth_csv(const RenderStudy& study) {
+  std::string text = "size,method,factor,ms\n";
+  for (const GrowthRow& row : study.growth)
+    text += fmt::format("{},{},{},{:.2f}\n", row.size, row.method, row.factor, row.ms);
+  return text;
+}
+
 Json study_json(const RenderStudy& study) {
   Json rows = Json::list();
   for (const RenderRow& row : study.rows) rows.push_back(row_json(row));
@@ -41,7 +86,8 @@ Json study_json(const RenderStudy& study) {
           {"y", {{"key", "mean_error"}, {"label", "mean error of coverage"}, {"scale", "log"}}},
           {"series", "view"},
           {"label", "settings"},
-          {"words", Json::list({words_of(study)})},
+          {"words", choices(study)},
+          {"plots", growth_plots(study)},
           {"baselines", Json::list()},
           {"rows", rows}};
 }
@@ -77,6 +123,7 @@ Result<void> write_render_study(const RenderStudy& study, const std::string& fol
   }
   CUTICLE_TRY(write_text_file(folder + "/study/study.json", study_json(study).dump(2)));
   CUTICLE_TRY(write_text_file(folder + "/study/study.csv", to_csv(study)));
+  if (!study.growth.empty()) CUTICLE_TRY(write_text_file(folder + "/study/growth.csv", growth_csv(study)));
   return write_page(page, folder);
 }
 

@@ -13,35 +13,68 @@ namespace cuticle::study {
 
 namespace {
 
-/// A way to draw: a method, and what its passes are told beside the scene's own.
+/// What one pass is told beside the scene's own.
+struct Setting {
+  std::string pass, parameter;
+  registry::Value value;
+};
+
+/// A way to draw.
 struct Variant {
-  std::string method, settings;
-  std::string pass = {}, parameter = {};
-  registry::Value value = {};
+  std::string method;
+  std::vector<Setting> settings = {};
   bool shown = false;  ///< at its defaults, in the pictures
 };
 
-std::vector<Variant> variants(int truth_samples) {
-  std::vector<Variant> list = {{.method = "lines", .settings = "", .shown = true},
-                               {"lines", "widest_px=16", "lines", "widest_px", 16.0},
-                               {"quads", "samples=1", "quads", "samples", std::int64_t(1)},
-                               {.method = "quads", .settings = "", .shown = true},
-                               {.method = "tiles", .settings = "", .shown = true}};
-  for (int slices : {8, 32})
-    list.push_back({"tiles", fmt::format("slices={}", slices), "tile_sort", "slices", std::int64_t(slices)});
-  for (int samples = 1; samples < truth_samples; samples *= 2)
-    list.push_back({"truth", fmt::format("samples={}", samples), "truth", "samples", std::int64_t(samples)});
+std::string text_of(const Variant& variant) {
+  std::string text;
+  for (const Setting& setting : variant.settings)
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", setting.parameter, registry::to_text(setting.value));
+  return text;
+}
+
+Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(samples)}; }
+
+/// Tiles: order of transparency x shading points x level of detail.
+void add_tiles(std::vector<Variant>& list, bool all) {
+  const std::vector<int> slices = all ? std::vector{0, 8, 32, 128} : std::vector{0, 32};
+  const std::vector<double> points = all ? std::vector{0.0, 4.0, 16.0} : std::vector{0.0, 8.0};
+  const std::vector<double> full = all ? std::vector{0.0, 1e4, 1e5} : std::vector{0.0, 1e4};
+  for (int slice : slices)
+    for (double point : points)
+      for (double px : full) {
+        Variant variant{.method = "tiles"};
+        if (slice > 0) variant.settings.push_back({"tile_sort", "slices", std::int64_t(slice)});
+        if (point > 0) variant.settings.push_back({"shade_strands", "point_px", point});
+        if (px > 0) variant.settings.push_back({"tile_lists", "full_px", px});
+        variant.shown = variant.settings.empty();
+        list.push_back(std::move(variant));
+      }
+}
+
+std::vector<Variant> variants(int truth_most, bool all) {
+  std::vector<Variant> list = {{.method = "lines", .shown = true},
+                               {"lines", {{"lines", "widest_px", 16.0}}},
+                               {"quads", {{"quads", "samples", std::int64_t(1)}}},
+                               {.method = "quads", .shown = true}};
+  if (all) {
+    list.push_back({"lines", {{"lines", "full_px", 1e4}}});
+    list.push_back({"quads", {{"quads", "full_px", 1e4}}});
+  }
+  add_tiles(list, all);
+  for (int samples = 1; samples < truth_most; samples *= 2) list.push_back({"truth", {truth_samples(samples)}});
   return list;
 }
 
 void apply(const Variant& variant, scene::Scene& scene) {
   scene.render_method = variant.method;
-  if (variant.pass.empty()) return;
   const auto& passes = plan::catalogue().passes;
-  const auto entry = std::ranges::find(passes, variant.pass, &registry::Entry::name);
-  CUTICLE_EXPECT(entry != passes.end(), "the study names registered passes");
-  auto& values = scene.passes.try_emplace(variant.pass, registry::default_values((*entry)->parameters)).first->second;
-  values.set(variant.parameter, variant.value);
+  for (const Setting& setting : variant.settings) {
+    const auto entry = std::ranges::find(passes, setting.pass, &registry::Entry::name);
+    CUTICLE_EXPECT(entry != passes.end(), "the study names registered passes");
+    auto& values = scene.passes.try_emplace(setting.pass, registry::default_values((*entry)->parameters)).first->second;
+    values.set(setting.parameter, setting.value);
+  }
 }
 
 struct Picture {
@@ -108,6 +141,7 @@ class Study {
 
   Result<RenderStudy> run() {
     scene::Scene scene = hair_of(request_.scene);
+    if (request_.grows) CUTICLE_TRY(run_growth(scene));
     CUTICLE_TRY(run_view("near", scene));
     Camera& camera = scene.camera.camera;
     camera.position = camera.target + 4.0 * (camera.position - camera.target);
@@ -118,15 +152,14 @@ class Study {
 
  private:
   Result<void> run_view(const std::string& name, const scene::Scene& scene) {
-    const Variant reference{"truth", "", "truth", "samples", std::int64_t(request_.truth_samples)};
-    CUTICLE_ASSIGN(const Picture truth, draw_variant(reference, scene));
+    CUTICLE_ASSIGN(const Picture truth, draw_variant({"truth", {truth_samples(request_.truth_samples)}}, scene));
     const double exposure = scene.outputs.exposure_stops;
     RenderView view{name, {"truth"}, {tone_map(truth.image, exposure)}};
     std::vector<Image> differences = {make_image(truth.image.width, truth.image.height, {"R", "G", "B", "A"})};
-    for (const Variant& variant : variants(request_.truth_samples)) {
+    for (const Variant& variant : variants(request_.truth_samples, request_.grows)) {
       CUTICLE_ASSIGN(const Picture picture, draw_variant(variant, scene));
       study_.rows.push_back(
-          {name, variant.method, variant.settings, compare(picture.image, truth.image), picture.ms, picture.bytes});
+          {name, variant.method, text_of(variant), compare(picture.image, truth.image), picture.ms, picture.bytes});
       if (!variant.shown) continue;
       view.titles.push_back(variant.method);
       view.pictures.push_back(tone_map(picture.image, exposure));
@@ -137,8 +170,24 @@ class Study {
     return {};
   }
 
+  /// What a frame costs as one size grows and the others stand; the widest strands overlap most.
+  Result<void> run_growth(const scene::Scene& scene) {
+    for (std::string_view what : {"strands", "pixels", "overlap"})
+      for (std::string_view method : {"lines", "quads", "tiles"})
+        for (double factor : {0.0625, 0.25, 1.0, 4.0}) {
+          scene::Scene sized = scene;
+          if (what == "strands") sized.strand_count = std::max(1, int(scene.strand_count * factor));
+          if (what == "pixels")
+            sized.camera.camera.resolution = glm::ivec2(glm::dvec2(scene.camera.camera.resolution) * std::sqrt(factor));
+          if (what == "overlap") sized.fibre_count = scene.fibre_count * factor;
+          CUTICLE_ASSIGN(const Picture picture, draw_variant({std::string(method)}, sized));
+          study_.growth.push_back({std::string(what), std::string(method), factor, picture.ms});
+        }
+    return {};
+  }
+
   Result<Picture> draw_variant(const Variant& variant, scene::Scene scene) {
-    progress_.message(fmt::format("drawing: {} {}", variant.method, variant.settings));
+    progress_.message(fmt::format("drawing: {} {}", variant.method, text_of(variant)));
     apply(variant, scene);
     return draw(device_, scene, request_.repeats, progress_);
   }
@@ -172,6 +221,13 @@ PictureError compare(const Image& picture, const Image& truth) {
   error.max_coverage = apart.back();
   error.color = brightness > 0 ? color / brightness : 0;
   return error;
+}
+
+const RenderRow* cheapest(const std::vector<RenderRow>& rows, std::string_view view, double error) {
+  const RenderRow* best = nullptr;
+  for (const RenderRow& row : rows)
+    if (row.view == view && row.error.coverage <= error && (!best || row.ms < best->ms)) best = &row;
+  return best;
 }
 
 Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request,

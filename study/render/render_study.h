@@ -2,6 +2,7 @@
 // What drawing hair costs and how far it is from brute force: method x settings, near and far.
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cuticle/core/image/image.h>
@@ -29,6 +30,7 @@ struct RenderRequest {
   scene::Scene scene;  ///< its first frame, at rest, without head
   int repeats = 5;
   int truth_samples = 16;
+  bool grows = true;  ///< every setting, and what a frame costs as strands, pixels and overlap grow
 };
 
 struct RenderView {
@@ -37,8 +39,18 @@ struct RenderView {
   std::vector<Image> pictures;  ///< the truth, then the methods at their defaults, then how far these are off
 };
 
+/// A frame's cost with one size of the scene (strands, pixels, overlap) so many times as large.
+struct GrowthRow {
+  std::string size, method;
+  double factor = 1, ms = 0;
+};
+
+/// The row of a view that takes least time among those whose error of coverage is at most so large; null: none is.
+const RenderRow* cheapest(const std::vector<RenderRow>& rows, std::string_view view, double error);
+
 struct RenderStudy {
   std::vector<RenderRow> rows;
+  std::vector<GrowthRow> growth;
   std::vector<RenderView> views;
   std::string device, scene;
 };
@@ -48,7 +60,8 @@ Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const 
                                      Progress& progress);
 
 std::string to_csv(const RenderStudy& study);
-/// Writes demo.json with the pictures of each view, and study/study.json and study/study.csv (study/README.md).
+/// Writes demo.json with the pictures of each view, and study/study.json, study/study.csv and study/growth.csv
+/// (study/README.md).
 Result<void> write_render_study(const RenderStudy& study, const std::string& folder);
 
 }  // namespace cuticle::study

@@ -31,7 +31,7 @@ inline gpu::Texture target(glm::ivec2 size, gpu::TextureFormat format) {
 /// Strands with their colours, seen by a camera at (0, 0, 4) to whom the square -4 .. 4 at z = 0 fills the picture.
 struct Drawing {
   int size = 64;
-  double opacity = 1, budget_mib = 96;
+  double opacity = 1, budget_mib = 96, full_px = 0;
   std::int64_t slices = 0;
   std::vector<glm::vec4> vertices, colors;
   std::vector<std::uint32_t> segments;

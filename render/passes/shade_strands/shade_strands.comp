@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Shading in strand space: one invocation per vertex; segments interpolate between the colours of their ends.
+// Shading in strand space: one invocation per vertex, of all or of a list; segments interpolate between the colours of
+// their ends.
 layout(local_size_x = 64) in;
 #include "cuticle/gpu/groups.glsl"
 #include "cuticle/render/passes/lines/lines_frame.glsl"
@@ -11,23 +12,37 @@ layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[];
 layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; };  // r g b, 1 where the strand is kept
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
-layout(set = 0, binding = 6) uniform sampler2D table_m;
-layout(set = 0, binding = 7) uniform sampler2D table_n_tt_r;
-layout(set = 0, binding = 8) uniform sampler2D table_n_trt;
-layout(push_constant) uniform Push { uint only_visible; };
+layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
+layout(set = 0, binding = 8) uniform sampler2D table_m;
+layout(set = 0, binding = 9) uniform sampler2D table_n_tt_r;
+layout(set = 0, binding = 10) uniform sampler2D table_n_trt;
+layout(push_constant) uniform Push {
+  uint only_visible;
+  uint listed;  // 1: the vertices of the list `shaded`
+};
 #include "cuticle/render/passes/lines/scattering.glsl"
+#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
+layout(constant_id = 0) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
 
 const float k_largest_half = 65504.0;
 
+vec3 lit(uint light, float through, vec3 t, vec3 to_eye) {
+  if (k_dual == 0u) return shade(light, through, t, to_eye);
+  Angles angles = angles_of(light, t, to_eye);
+  vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
+  return (once + dual_scattering(angles, through)) * irradiance[light].rgb;
+}
+
 void main() {
   uint vertex = invocation();
-  if (vertex >= vertex_count) return;
-  if (only_visible != 0u && (visible[vertex >> 5] >> (vertex & 31u) & 1u) == 0u) return;
+  if (vertex >= (listed != 0u ? shaded_count : vertex_count)) return;
+  if (listed != 0u) vertex = shaded[vertex];
+  else if (only_visible != 0u && (visible[vertex >> 5] >> (vertex & 31u) & 1u) == 0u) return;
   uint strand = vertex / vertices_per_strand;
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(strand, variation));
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k) sum += shade(k, transmittance[k * vertex_count + vertex], t, to_eye);
+  for (uint k = 0u; k < light_count; ++k) sum += lit(k, transmittance[k * vertex_count + vertex], t, to_eye);
   vec3 radiance = min(sum * brightness_of(strand, variation), k_largest_half);
   float kept = tangents[vertex].w <= kept_length(strand, tip_variation) ? 1.0 : 0.0;
   colors[vertex] = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, kept)));

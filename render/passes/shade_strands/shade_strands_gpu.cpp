@@ -1,48 +1,130 @@
+#include <cmath>
+
 #include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
+#include <cuticle/render/passes/shade_strands/shade_strands.h>
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 
+#include <shade_choose_comp.spv.h>
+#include <shade_fill_comp.spv.h>
 #include <shade_strands_comp.spv.h>
 
 namespace cuticle::render::shade_strands {
 
 namespace {
 
+/// As the shaders read them.
+struct ChoosePush {
+  glm::vec3 eye;
+  float points_per_size;
+  std::uint32_t strand_count, vertices_per_strand, only_visible;
+};
+struct ShadePush {
+  std::uint32_t only_visible, listed;
+};
+struct FillPush {
+  std::uint32_t vertex_count, vertices_per_strand;
+  float tip_variation;
+  std::uint32_t only_visible;
+};
+
+struct Kernels {
+  gpu::Kernel choose, shade, fill;
+};
+struct Buffers {
+  gpu::Buffer colors, points, shaded;
+};
+
 class ShadeStrands : public GpuPass {
  public:
-  ShadeStrands(gpu::Kernel kernel, lines::ShadingInputs inputs, gpu::Buffer colors)
-      : kernel_(std::move(kernel)), inputs_(std::move(inputs)), colors_(std::move(colors)) {}
+  ShadeStrands(Kernels kernels, lines::ShadingInputs inputs, Buffers buffers, double point_px)
+      : kernels_(std::move(kernels)), inputs_(std::move(inputs)), buffers_(std::move(buffers)), point_px_(point_px) {}
 
-  void publish(FrameResources& resources) const override { resources.strand_colors = &colors_; }
+  void publish(FrameResources& resources) const override {
+    resources.strand_colors = &buffers_.colors;
+    if (point_px_ > 0) resources.shaded_vertices = &buffers_.shaded;
+  }
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     CUTICLE_TRY(inputs_.update(resources));
     CUTICLE_TRY(inputs_.record(commands, resources));
-    const std::uint32_t only_visible = resources.tile_lists ? 1 : 0;
-    const gpu::Buffer& visible = resources.tile_lists ? resources.tile_lists->visible : inputs_.frame();
-    const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
-    commands.dispatch(kernel_,
-                      {resources.strands.vertices, resources.tangents, &colors_, &inputs_.frame(),
-                       &inputs_.transmittance(), &visible},
-                      {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
-                      gpu::bytes_of(only_visible), groups.x, groups.y);
+    if (point_px_ > 0) record_choose(commands, resources);
+    record_shade(commands, resources);
+    if (point_px_ > 0) record_fill(commands, resources);
     return {};
   }
 
  private:
-  gpu::Kernel kernel_;
+  static std::uint32_t only_visible(const FrameResources& resources) { return resources.tile_lists ? 1 : 0; }
+  const gpu::Buffer& visible(const FrameResources& resources) const {
+    return resources.tile_lists ? resources.tile_lists->visible : inputs_.frame();
+  }
+
+  void record_choose(gpu::Commands& commands, const FrameResources& resources) const {
+    const Camera& camera = resources.camera;
+    const double pixels = camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2));  // a metre at one
+    const std::uint32_t strands = resources.strands.vertex_count / resources.vertices_per_strand;
+    const ChoosePush push{glm::vec3(camera.position), float(pixels / point_px_), strands, resources.vertices_per_strand,
+                          only_visible(resources)};
+    const gpu::Groups groups = gpu::groups_for(strands);
+    commands.fill(buffers_.shaded, 0);
+    commands.dispatch(kernels_.choose,
+                      {resources.strands.vertices, &visible(resources), &buffers_.points, &buffers_.shaded}, {},
+                      gpu::bytes_of(push), groups.x, groups.y);
+  }
+
+  void record_shade(gpu::Commands& commands, const FrameResources& resources) const {
+    const ShadePush push{only_visible(resources), point_px_ > 0 ? 1u : 0u};
+    const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
+    commands.dispatch(kernels_.shade,
+                      {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(),
+                       &inputs_.transmittance(), &visible(resources), &buffers_.shaded,
+                       resources.dual_scattering ? resources.dual_scattering : &inputs_.frame()},
+                      {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
+                      gpu::bytes_of(push), groups.x, groups.y);
+  }
+
+  void record_fill(gpu::Commands& commands, const FrameResources& resources) const {
+    const FillPush push{resources.strands.vertex_count, resources.vertices_per_strand,
+                        float(parameters_of(resources, lines::entry()).real("tip_variation")), only_visible(resources)};
+    const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
+    commands.dispatch(kernels_.fill, {resources.tangents, &visible(resources), &buffers_.points, &buffers_.colors}, {},
+                      gpu::bytes_of(push), groups.x, groups.y);
+  }
+
+  Kernels kernels_;
   lines::ShadingInputs inputs_;
-  gpu::Buffer colors_;
+  Buffers buffers_;
+  double point_px_;
 };
 
+Result<Kernels> make_kernels(gpu::Device& device, bool dual) {
+  Kernels kernels;
+  CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
+  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {8, 3, sizeof(ShadePush), {dual ? 1u : 0u}}));
+  CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
+  return kernels;
+}
+
+/// Without shading points the last two take their places only.
+Result<Buffers> make_buffers(gpu::Device& device, const FrameResources& resources, bool by_points) {
+  const std::size_t vertices = resources.strands.vertex_count, word = sizeof(std::uint32_t);
+  Buffers buffers;
+  CUTICLE_ASSIGN(buffers.colors, device.make_buffer(vertices * sizeof(glm::uvec2)));
+  CUTICLE_ASSIGN(buffers.points,
+                 device.make_buffer(by_points ? vertices / resources.vertices_per_strand * word : word));
+  CUTICLE_ASSIGN(buffers.shaded, device.make_buffer(by_points ? (1 + vertices) * word : 2 * word));
+  return buffers;
+}
+
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_ASSIGN(
-      gpu::Kernel kernel,
-      device->make_kernel(shade_strands_comp, {.storage_buffers = 6, .textures = 3, .push_constant_bytes = 4}));
-  CUTICLE_ASSIGN(gpu::Buffer colors, device->make_buffer(resources.strands.vertex_count * sizeof(glm::uvec2)));
+  const double point_px = parameters_of(resources, entry()).real("point_px");
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources.dual_scattering != nullptr));
+  CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));
   CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(std::move(device), resources));
   return std::unique_ptr<GpuPass>(
-      std::make_unique<ShadeStrands>(std::move(kernel), std::move(inputs), std::move(colors)));
+      std::make_unique<ShadeStrands>(std::move(kernels), std::move(inputs), std::move(buffers), point_px));
 }
 
 }  // namespace

@@ -16,6 +16,13 @@ constexpr registry::Parameter k_parameters[] = {
      .maximum = 4096,
      .default_text = "96",
      .summary = "memory of the tiles' lists; where it is too small, fewer and wider segments are drawn, and counted"},
+    {.name = "full_px",
+     .unit = "px",
+     .minimum = 0,
+     .maximum = 1e9,
+     .default_text = "0",
+     .summary = "level of detail: pixels that the hair covers at which all of it is drawn; below, a share of the "
+                "strands, wider; 0: always all"},
 };
 
 }  // namespace

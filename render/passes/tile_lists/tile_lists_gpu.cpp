@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/lines/frame_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/tile_lists/tile_lists.h>
 #include <cuticle/render/passes/tile_sort/tile_sort.h>
@@ -117,6 +118,7 @@ Result<TileLists> make_lists(gpu::Device& device, const FrameResources& resource
   CUTICLE_ASSIGN(lists.tile_depth, device.make_buffer(word * tiles));
   CUTICLE_ASSIGN(lists.counts, device.make_buffer(word * tiles));
   CUTICLE_ASSIGN(lists.offsets, device.make_buffer(word * (tiles + 1)));
+  CUTICLE_ASSIGN(lists.depth_ranges, device.make_buffer(sizeof(glm::vec2) * tiles));
   CUTICLE_ASSIGN(lists.visible, device.make_buffer(word * ((resources.strands.vertex_count + 31) / 32)));
   CUTICLE_ASSIGN(lists.statistics, device.make_buffer(word * std::size_t(k_statistics)));
   return lists;
@@ -146,11 +148,13 @@ TilePush push_of(const FrameResources& resources, const TileLists& lists) {
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.resolution = glm::uvec2(camera.resolution);
   push.grid = lists.grid;
+  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, entry()));
   push.segment_count = resources.strands.segment_count;
+  if (part.width > 1) push.segment_count = part.strands * (resources.vertices_per_strand - 1);
   push.vertices_per_strand = resources.vertices_per_strand;
   push.capacity = lists.capacity;
   push.supersampling = resources.keep_target ? std::uint32_t(resources.supersampling) : 0;
-  push.pixel_scale = float(camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
+  push.pixel_scale = float(part.width * camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
   push.inverse_near = float(1 / camera.near_plane);
   push.inverse_far = float(1 / camera.far_plane);
   push.tip_variation = float(parameters_of(resources, lines::entry()).real("tip_variation"));

@@ -14,6 +14,7 @@ struct TileLists {
   gpu::Buffer tile_depth;       ///< float per tile: the farthest of its pixels
   gpu::Buffer counts, offsets;  ///< uint per tile; offsets has one more
   gpu::Buffer entries, sorted;  ///< uvec2 per entry: 1 / depth (bits of a float), first vertex of the segment
+  gpu::Buffer depth_ranges;     ///< vec2 per tile: greatest and least 1 / depth, of its sorted entries
   gpu::Buffer visible;          ///< a bit per vertex: it belongs to a segment in some tile's list
   gpu::Buffer statistics;       ///< entries wanted, segments that are not finite
 };

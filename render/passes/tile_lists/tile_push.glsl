@@ -10,7 +10,7 @@ layout(push_constant) uniform Push {
   float tip_variation;
   float kept_share;    // of the segments: below 1 only where the lists would pass their budget
   float opacity;
-  uint slices;         // of a tile's depth, within which segments are not sorted; 0: all are
+  uint slices;         // of a tile's depth, within which nothing is sorted; 0: segments are sorted
 } push;
 
 const int k_tile = 8;  // pixels each way

@@ -2,13 +2,15 @@
 #extension GL_GOOGLE_include_directive : require
 // One workgroup of eight per tile: entries counted into bins of depth, then each bin sorted by (depth, vertex), which
 // no two entries share: the order does not depend on that in which they arrived. Shell's sort, so that many entries at
-// one depth stay affordable. With slices, these are the bins, and within each the order is that of the vertices.
+// one depth stay affordable. With slices, these are the bins, and within each the order is that of the vertices: near
+// segments come early, so that few are looked at where they hide the others.
 layout(local_size_x = 8) in;
 #include "cuticle/render/passes/tile_lists/tile_push.glsl"
 
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };
 layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
+layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
 const uint k_lanes = 8u, k_bins = 256u, k_bins_of_lane = k_bins / k_lanes;
 shared uint bins[k_bins];
@@ -74,6 +76,7 @@ void main() {
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);
+  if (lane == 0u) depth_ranges[tile] = range;
   float used = float(push.slices > 0u ? push.slices : k_bins);
   float scale = range.x > range.y ? used * 0.99999 / (range.x - range.y) : 0.0;
   for (uint k = lane; k < k_bins; k += k_lanes) bins[k] = 0u;

@@ -14,7 +14,8 @@ constexpr registry::Parameter k_parameters[] = {
      .minimum = 0,
      .maximum = 256,
      .default_text = "0",
-     .summary = "of each tile's depth range, within which segments keep their order in memory; 0: sorted by depth"},
+     .summary = "of each tile's depth range, to which 'tiles' gives fragments by their own depth, those of one blended "
+                "in the order of their segments' vertices; 0: segments are sorted by depth"},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ class TileSort : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const tile_lists::TileLists& lists = *resources.tile_lists;
-    commands.dispatch(kernel_, {&lists.offsets, &lists.entries, &lists.sorted}, {},
+    commands.dispatch(kernel_, {&lists.offsets, &lists.entries, &lists.sorted, &lists.depth_ranges}, {},
                       gpu::bytes_of(push_of(resources, lists)), lists.grid.x, lists.grid.y);
     return {};
   }
@@ -22,7 +22,7 @@ class TileSort : public GpuPass {
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources&) {
-  CUTICLE_ASSIGN(gpu::Kernel kernel, device->make_kernel(tile_sort_comp, {3, 0, sizeof(tile_lists::TilePush)}));
+  CUTICLE_ASSIGN(gpu::Kernel kernel, device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush)}));
   return std::unique_ptr<GpuPass>(std::make_unique<TileSort>(std::move(kernel)));
 }
 

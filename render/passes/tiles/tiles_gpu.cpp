@@ -1,8 +1,10 @@
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+#include <cuticle/render/passes/tile_sort/tile_sort.h>
 
 #include <resolve_vert.spv.h>
 #include <tiles_comp.spv.h>
 #include <tiles_frag.spv.h>
+#include <tiles_sliced_comp.spv.h>
 
 namespace cuticle::render::tiles {
 
@@ -28,10 +30,16 @@ class Tiles : public GpuPass {
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const tile_lists::TileLists& lists = *resources.tile_lists;
     const tile_lists::TilePush push = push_of(resources, lists);
-    commands.dispatch(fine_,
-                      {resources.strands.vertices, resources.strand_colors, &lists.offsets, &lists.sorted,
-                       &lists.scene_depth, &picture_, &depth_, &seen_},
-                      {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
+    std::vector<const gpu::Buffer*> buffers = {resources.strands.vertices,
+                                               resources.strand_colors,
+                                               &lists.offsets,
+                                               &lists.sorted,
+                                               &lists.scene_depth,
+                                               &picture_,
+                                               &depth_,
+                                               &seen_};
+    if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
+    commands.dispatch(fine_, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
     const MergePush merge{push.resolution.x, std::uint32_t(resources.supersampling), push.inverse_near,
                           push.inverse_far};
     begin_target(commands, resources);
@@ -46,6 +54,15 @@ class Tiles : public GpuPass {
   gpu::Buffer picture_, depth_, seen_;
 };
 
+/// By slices where the scene asks for them, else as sorted.
+Result<gpu::Kernel> make_fine(gpu::Device& device, const FrameResources& resources) {
+  const bool sliced = parameters_of(resources, tile_sort::entry()).integer("slices") > 0;
+  const gpu::ShaderInterface interface {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), { resources.says_seen ? 1u : 0u }
+  };
+  return sliced ? device.make_kernel(tiles_sliced_comp, interface) : device.make_kernel(tiles_comp, interface);
+}
+
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   const std::size_t pixels = std::size_t(resources.camera.resolution.x) * std::size_t(resources.camera.resolution.y);
   gpu::GraphicsDescription description = target_description(resources);
@@ -55,9 +72,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.interface.push_constant_bytes = sizeof(MergePush);
   description.blend = gpu::BlendMode::alpha;
   CUTICLE_ASSIGN(gpu::GraphicsPipeline merge, device->make_graphics(description));
-  CUTICLE_ASSIGN(
-      gpu::Kernel fine,
-      device->make_kernel(tiles_comp, {8, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u}}));
+  CUTICLE_ASSIGN(gpu::Kernel fine, make_fine(*device, resources));
   CUTICLE_ASSIGN(gpu::Buffer picture, device->make_buffer(pixels * sizeof(glm::uvec2)));
   CUTICLE_ASSIGN(gpu::Buffer depth, device->make_buffer(pixels * sizeof(float)));
   CUTICLE_ASSIGN(gpu::Buffer seen, make_seen(*device, resources));

@@ -1,0 +1,53 @@
+#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
+#include <cuticle/render/pass_gpu.h>
+#include <cuticle/render/passes/dual_scattering/dual_scattering.h>
+
+namespace cuticle::render::dual_scattering {
+
+namespace {
+
+constexpr int k_rows = 32;  // as in dual_scattering.glsl, with the order of what is appended here
+
+void append(const bsdf::HalfScattering& half, std::vector<glm::vec4>& terms) {
+  terms.emplace_back(half.share, 0);
+  terms.emplace_back(half.shift, 0);
+  terms.emplace_back(half.deviation * half.deviation, 0);
+}
+
+Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resources) {
+  const lut::TableSet& set = *resources.table_set;
+  CUTICLE_ASSIGN(const bsdf::DualScatteringTable table, bsdf::dual_scattering_terms(*set.model, set.values, k_rows));
+  const registry::ParameterValues values = parameters_of(resources, entry());
+  std::vector<glm::vec4> terms = {
+      {resources.fibre_alpha, values.real("forward_density"), values.real("backward_density"), 0}};
+  for (const bsdf::DualScatteringRow& row : table.rows) {
+    append(row.average.forward, terms);
+    append(row.average.backward, terms);
+    append({row.multiple.attenuation, row.multiple.shift, row.multiple.deviation}, terms);
+  }
+  return gpu::make_buffer_from<glm::vec4>(device, terms);
+}
+
+class DualScattering : public GpuPass {
+ public:
+  explicit DualScattering(gpu::Buffer terms) : terms_(std::move(terms)) {}
+  void publish(FrameResources& resources) const override { resources.dual_scattering = &terms_; }
+  Result<void> record(gpu::Commands&, const FrameResources&) override { return {}; }
+
+ private:
+  gpu::Buffer terms_;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_ASSIGN(gpu::Buffer terms, make_terms(*device, resources));
+  return std::unique_ptr<GpuPass>(std::make_unique<DualScattering>(std::move(terms)));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"dual_scattering", create};
+  return table;
+}
+
+}  // namespace cuticle::render::dual_scattering

@@ -1,0 +1,129 @@
+// A workgroup of eight per tile, each invocation a column with its eight pixels. Eight segments at a time are set up,
+// one each, and drawn by all in the order of the tile's list. The loop over the eight is unrolled: the loops of an
+// invocation may make 65,535 turns together on lavapipe, after which it leaves them. The shader that includes this
+// defines set_aside() and take().
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+layout(local_size_x = 8) in;
+#include "cuticle/render/passes/tile_lists/segment.glsl"
+#include "cuticle/render/seen.glsl"
+
+layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Colors { uvec2 colors[]; };
+layout(std430, binding = 2) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = 3) readonly buffer Sorted { uvec2 ordered[]; };
+layout(std430, binding = 4) readonly buffer SceneDepth { float scene_depth[]; };
+layout(std430, binding = 5) writeonly buffer Picture { uvec2 picture[]; };  // radiance times alpha, alpha
+layout(std430, binding = 6) writeonly buffer Depth { float mean_depth[]; };  // 1 / distance, weighted by what is seen
+layout(std430, binding = 7) writeonly buffer SeenSegments { Seen seen[]; };
+
+const uint k_lanes = 8u;
+const float k_opaque = 1.0 / 1024.0;  // what lies behind so little transmittance is left out
+const uint k_stride = 7919u;  // a prime: neighbouring tiles, which cost alike, go to different threads of the device
+
+// The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extents and limits of the coverage
+// across and along. Colour and 1 / depth at the middle of the axis, and how they change per pixel.
+shared vec4 axis[k_lanes], extent[k_lanes], shade[k_lanes], slope[k_lanes];
+shared float open[k_lanes];
+shared uint first_vertex[k_lanes];
+
+// Of the column's pixels: what is let through, the scene's depth, what has been blended.
+float through[k_tile], scene[k_tile], depth[k_tile], most_seen[k_tile];
+vec3 light[k_tile];
+uint seen_vertex[k_tile], samples[k_tile], looked_at;
+
+vec3 color_of(uint vertex) { return vec3(unpackHalf2x16(colors[vertex].x), unpackHalf2x16(colors[vertex].y).x); }
+
+// Whether a segment whose 1 / depth in the tile lies between the two is left out of what is being drawn.
+bool set_aside(float least, float most);
+
+// A segment covers a share of a pixel of the column, in front of the scene.
+void take(int row, uint vertex, float covered, vec3 color, float inverse_depth);
+
+// Width is that where the segment passes the tile's middle.
+void set_up(uint lane, uint entry, bool used, vec2 tile_middle) {
+  uint vertex = ordered[entry].y;
+  first_vertex[lane] = vertex;
+  Projected p;
+  project(vertices[vertex], vertices[vertex + 1u], p);
+  vec3 root = color_of(vertex), tip = color_of(vertex + 1u);
+  vec3 first = mix(root, tip, p.shares.x), last = mix(root, tip, p.shares.y);
+  float len = 2.0 * p.half_length, s = dot(tile_middle - p.middle, p.direction), reach = 0.7072 * float(k_tile);
+  float half_width = p.half_width + p.width_slope * clamp(s, -p.half_length, p.half_length);
+  vec2 ends = p.inverse_depth + p.depth_slope * clamp(vec2(s - reach, s + reach), -p.half_length, p.half_length);
+  used = used && !set_aside(min(ends.x, ends.y), max(ends.x, ends.y));
+  axis[lane] = vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle));
+  extent[lane] = vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0,
+                      p.half_length + 0.5, min(1.0, len));
+  shade[lane] = vec4(0.5 * (first + last), p.inverse_depth);
+  slope[lane] = vec4(len > k_shortest ? (last - first) / len : vec3(0.0), p.depth_slope);
+}
+
+uint spread(uint group, uint count) { return count % k_stride == 0u ? group : uint((group * k_stride) % count); }
+
+// The workgroup's tile.
+uint tile_of_group() {
+  return spread(gl_WorkGroupID.y * push.grid.x + gl_WorkGroupID.x, push.grid.x * push.grid.y);
+}
+uvec2 corner_of(uint tile) { return uvec2(tile % push.grid.x, tile / push.grid.x) * uint(k_tile); }
+
+void begin_column(uint lane, uvec2 corner) {
+  uint column = min(corner.x + lane, push.resolution.x - 1u);
+  looked_at = 0u;
+  [[unroll]] for (int row = 0; row < k_tile; ++row) {
+    uint y = min(corner.y + uint(row), push.resolution.y - 1u);
+    through[row] = 1.0;
+    depth[row] = most_seen[row] = 0.0;
+    scene[row] = scene_depth[y * push.resolution.x + column];
+    light[row] = vec3(0.0);
+    seen_vertex[row] = samples[row] = 0u;
+  }
+}
+
+// The tile's segments first .. first + 7, those below `end`.
+void draw_eight(uint lane, uint first, uint end, uvec2 corner) {
+  vec2 top = vec2(corner.x + lane, corner.y) + 0.5;
+  set_up(lane, min(first + lane, end - 1u), first + lane < end, vec2(corner) + 0.5 * float(k_tile));
+  barrier();
+  [[unroll]] for (uint k = 0u; k < k_lanes; ++k) {
+    vec4 line = axis[k], size = extent[k], middle = shade[k], change = slope[k];
+    float across = line.x * top.y - line.y * top.x + line.z, along = line.x * top.x + line.y * top.y + line.w;
+    float half_length = size.z - 0.5;
+    [[unroll]] for (int row = 0; row < k_tile; ++row) {
+      float at = clamp(along, -half_length, half_length), inverse_depth = middle.w + at * change.w;
+      float covered = clamp((size.x - abs(across)) * push.opacity, 0.0, size.y);
+      covered *= clamp(size.z - abs(along), 0.0, size.w);
+      take(row, first_vertex[k], inverse_depth >= scene[row] ? covered : 0.0, middle.rgb + at * change.rgb,
+           inverse_depth);
+      across += line.x;
+      along += line.y;
+    }
+  }
+}
+
+// Whether every pixel of the tile lets through too little for what lies behind to be seen.
+bool is_closed(uint lane) {
+  float most = 0.0;
+  [[unroll]] for (int row = 0; row < k_tile; ++row) most = max(most, through[row]);
+  open[lane] = most;
+  barrier();
+  [[unroll]] for (uint k = 0u; k < k_lanes; ++k) most = max(most, open[k]);
+  return most < k_opaque;
+}
+
+void end_column(uint lane, uvec2 corner) {
+  uint column = corner.x + lane;
+  [[unroll]] for (int row = 0; row < k_tile; ++row) {
+    uint y = corner.y + uint(row);
+    if (column < push.resolution.x && y < push.resolution.y) {
+      uint pixel = y * push.resolution.x + column;
+      float alpha = 1.0 - through[row];
+      picture[pixel] = uvec2(packHalf2x16(light[row].rg), packHalf2x16(vec2(light[row].b, alpha)));
+      mean_depth[pixel] = alpha > 0.0 ? depth[row] / alpha : 0.0;
+      uint first = seen_vertex[row], last = samples[row] > 0u ? first + 1u : first;
+      if (k_says_seen != 0u) seen[pixel] = Seen(first, last, alpha, samples[row], looked_at);
+    }
+  }
+}

@@ -1,0 +1,135 @@
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <cuticle/gpu/groups.h>
+#include <cuticle/render/pass_gpu.h>
+#include <cuticle/render/passes/aovs/aovs.h>
+#include <cuticle/render/passes/velocity/velocity.h>
+
+#include <velocity_comp.spv.h>
+#include <velocity_fill_comp.spv.h>
+#include <velocity_largest_comp.spv.h>
+#include <velocity_mean_comp.spv.h>
+#include <velocity_splat_comp.spv.h>
+
+namespace cuticle::render::velocity {
+
+namespace {
+
+constexpr int k_fills = 4;  // even: the last leaves its result where the first began
+
+/// As velocity.glsl has it.
+struct GridFrame {
+  glm::mat4 world_to_clip_before;
+  glm::vec4 eye, right, up, forward, lower, nodes_per_metre;
+  std::uint32_t nodes, vertex_count;
+  glm::uvec2 resolution;
+};
+
+struct Kernels {
+  gpu::Kernel largest, splat, mean, fill, pixels;
+};
+struct Buffers {
+  gpu::Buffer frame, largest, sums, grid, filled, vectors;
+};
+
+GridFrame frame_of(const FrameResources& resources, std::uint32_t nodes) {
+  const Camera &camera = resources.camera, &before = resources.camera_before;
+  const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
+  const double height = std::tan(camera.vertical_field_of_view / 2);
+  const double width = height * camera.resolution.x / camera.resolution.y;
+  const strands::Bounds& bounds = resources.strands.bounds;
+  return {.world_to_clip_before = glm::mat4(projection_matrix(before) * view_matrix(before)),
+          .eye = glm::vec4(camera.position, 0),
+          .right = glm::vec4(right * width, 0),
+          .up = glm::vec4(up * height, 0),
+          .forward = glm::vec4(forward, 0),
+          .lower = glm::vec4(bounds.lower, 0),
+          .nodes_per_metre = glm::vec4(float(nodes - 1) / (bounds.upper - bounds.lower), 0),
+          .nodes = nodes,
+          .vertex_count = resources.control_vertices,
+          .resolution = glm::uvec2(camera.resolution)};
+}
+
+class Velocity : public GpuPass {
+ public:
+  Velocity(std::shared_ptr<gpu::Device> device, Kernels kernels, Buffers buffers, std::uint32_t nodes)
+      : device_(std::move(device)), kernels_(std::move(kernels)), buffers_(std::move(buffers)), nodes_(nodes) {}
+
+  void publish(FrameResources& resources) const override { resources.motion_vectors = &buffers_.vectors; }
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    const GridFrame frame = frame_of(resources, nodes_);
+    CUTICLE_TRY(device_->upload(buffers_.frame, gpu::bytes_of(frame)));
+    record_grid(commands, resources);
+    const auto channels = std::uint32_t(std::size(aovs::k_channels));
+    const gpu::Groups groups = gpu::groups_for(std::size_t(frame.resolution.x) * frame.resolution.y);
+    commands.dispatch(kernels_.pixels, {&buffers_.frame, &buffers_.grid, resources.aovs, &buffers_.vectors}, {},
+                      gpu::bytes_of(channels), groups.x, groups.y);
+    return {};
+  }
+
+ private:
+  void record_grid(gpu::Commands& commands, const FrameResources& resources) const {
+    const gpu::Buffer *now = resources.control_positions, *before = resources.control_before;
+    const gpu::Groups vertices = gpu::groups_for(resources.control_vertices),
+                      nodes = gpu::groups_for(std::size_t(nodes_) * nodes_ * nodes_);
+    commands.fill(buffers_.largest, 0);
+    commands.fill(buffers_.sums, 0);
+    commands.dispatch(kernels_.largest, {&buffers_.frame, now, before, &buffers_.largest}, {}, {}, vertices.x,
+                      vertices.y);
+    commands.dispatch(kernels_.splat, {&buffers_.frame, now, before, &buffers_.largest, &buffers_.sums}, {}, {},
+                      vertices.x, vertices.y);
+    commands.dispatch(kernels_.mean, {&buffers_.frame, &buffers_.sums, &buffers_.largest, &buffers_.grid}, {}, {},
+                      nodes.x, nodes.y);
+    const gpu::Buffer *from = &buffers_.grid, *to = &buffers_.filled;
+    for (int k = 0; k < k_fills; ++k, std::swap(from, to))
+      commands.dispatch(kernels_.fill, {&buffers_.frame, from, to}, {}, {}, nodes.x, nodes.y);
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  Kernels kernels_;
+  Buffers buffers_;
+  std::uint32_t nodes_;
+};
+
+Result<Kernels> make_kernels(gpu::Device& device) {
+  Kernels kernels;
+  CUTICLE_ASSIGN(kernels.largest, device.make_kernel(velocity_largest_comp, {4, 0, 0}));
+  CUTICLE_ASSIGN(kernels.splat, device.make_kernel(velocity_splat_comp, {5, 0, 0}));
+  CUTICLE_ASSIGN(kernels.mean, device.make_kernel(velocity_mean_comp, {4, 0, 0}));
+  CUTICLE_ASSIGN(kernels.fill, device.make_kernel(velocity_fill_comp, {3, 0, 0}));
+  CUTICLE_ASSIGN(kernels.pixels, device.make_kernel(velocity_comp, {4, 0, sizeof(std::uint32_t)}));
+  return kernels;
+}
+
+Result<Buffers> make_buffers(gpu::Device& device, glm::ivec2 resolution, std::size_t nodes) {
+  const std::size_t all = nodes * nodes * nodes, pixels = std::size_t(resolution.x) * std::size_t(resolution.y);
+  Buffers buffers;
+  CUTICLE_ASSIGN(buffers.frame, device.make_buffer(sizeof(GridFrame)));
+  CUTICLE_ASSIGN(buffers.largest, device.make_buffer(sizeof(float)));
+  CUTICLE_ASSIGN(buffers.sums, device.make_buffer(all * sizeof(glm::ivec4)));
+  CUTICLE_ASSIGN(buffers.grid, device.make_buffer(all * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(buffers.filled, device.make_buffer(all * sizeof(glm::vec4)));
+  CUTICLE_ASSIGN(buffers.vectors, device.make_buffer(pixels * sizeof(glm::vec2)));
+  return buffers;
+}
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  const auto nodes = std::uint32_t(parameters_of(resources, entry()).integer("nodes"));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources.camera.resolution, nodes));
+  return std::unique_ptr<GpuPass>(
+      std::make_unique<Velocity>(std::move(device), std::move(kernels), std::move(buffers), nodes));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"velocity", create};
+  return table;
+}
+
+}  // namespace cuticle::render::velocity

@@ -1,0 +1,15 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The largest component of any vertex's displacement: the unit of the sums of integers.
+#include "cuticle/render/passes/velocity/velocity.glsl"
+#include "cuticle/render/finite.glsl"
+layout(std430, binding = 1) readonly buffer Now { vec4 now[]; };
+layout(std430, binding = 2) readonly buffer Before { vec4 before[]; };
+layout(std430, binding = 3) buffer Largest { uint largest; };  // bits of a float that is not negative: these order alike
+
+void main() {
+  uint vertex = invocation();
+  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(before[vertex])) return;
+  vec3 moved = abs(now[vertex].xyz - before[vertex].xyz);
+  atomicMax(largest, floatBitsToUint(max(moved.x, max(moved.y, moved.z))));
+}
