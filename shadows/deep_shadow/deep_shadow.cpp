@@ -8,7 +8,7 @@ namespace {
 using registry::ParameterType;
 constexpr std::string_view k_storages[] = {"words", "halves"};
 constexpr registry::Parameter k_parameters[] = {
-    {"layers", ParameterType::integer, "1", 1, k_most_pieces, "256", {}, "most straight pieces of a texel's function"},
+    {"pieces", ParameterType::integer, "1", 1, k_most_pieces, "256", {}, "most straight pieces of a texel's function"},
     {"error_bound",
      ParameterType::real,
      "1",
@@ -38,7 +38,7 @@ struct Map {
 Result<Map> build(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   CUTICLE_ASSIGN(const FragmentLists lists, sort_fragments(groom, alpha, axes, settings.map));
   const float per_unit = exponent_per_unit(settings.map, lists.scale);
-  return Map{lists.view, pack(lists, per_unit, settings.error_bound, settings.layers, settings.storage)};
+  return Map{lists.view, pack(lists, per_unit, settings.error_bound, settings.pieces, settings.storage)};
 }
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
@@ -51,7 +51,7 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std
 }  // namespace
 
 Settings settings_from(const registry::ParameterValues& values) {
-  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("layers")),
+  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("pieces")),
           values.choice("storage") == "words" ? KnotStorage::words : KnotStorage::halves};
 }
 

@@ -19,7 +19,7 @@ Result<Settings> settings_on_device(const registry::ParameterValues& values) {
 
 MapDescription describe(const Settings& settings) {
   MapDescription map = describe_lists(settings.map);
-  map.own = {float(settings.error_bound), float(settings.layers)};
+  map.own = {float(settings.error_bound), float(settings.pieces)};
   map.buffers[k_list_fragments].kept = false;
   map.buffers[k_counts].kept = true;
   map.buffers.push_back({settings.map.list_room / 4, 0, true, false});

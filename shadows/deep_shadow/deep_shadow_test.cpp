@@ -113,8 +113,8 @@ TEST(DeepShadow, AnyBound_IsThatFarFromTheExactListAtMost) {
 TEST(DeepShadow, FewerPieces_FewerBytes) {
   const strands::Groom groom = fur();
   std::size_t few = 0, many = 0;
-  run("deep_shadow", groom, "resolution=100,layers=2", &few);
-  run("deep_shadow", groom, "resolution=100,layers=16", &many);
+  run("deep_shadow", groom, "resolution=100,pieces=2", &few);
+  run("deep_shadow", groom, "resolution=100,pieces=16", &many);
   EXPECT_LT(double(few), 0.75 * double(many));
 }
 

@@ -8,7 +8,7 @@ namespace cuticle::shadows::deep_shadow {
 struct Settings {
   MapSettings map;
   double error_bound = 0.02;
-  std::size_t layers = k_most_pieces;
+  std::size_t pieces = k_most_pieces;
   KnotStorage storage = KnotStorage::words;
 };
 Settings settings_from(const registry::ParameterValues& values);

@@ -118,6 +118,10 @@ TEST(Candidates, SweptMethods_TakeWhatTheyKnow) {
   const auto spacings = candidates_of(spaced, {{4}, {}, {}, {"geometric", "equal", "printed"}});
   ASSERT_TRUE(spacings);
   EXPECT_EQ(spacings->size(), 5u) << "one, two, and the two cases of a method without layers";
+  const std::string bounded[] = {"deep_shadow"};
+  const auto bounds = candidates_of(bounded, {{1, 4, 16, 64}, {64}, {}, {}});
+  ASSERT_TRUE(bounds);
+  EXPECT_EQ(bounds->size(), 2u) << "the two cases of a method that needs as many pieces as its bound asks for";
   const std::string unknown[] = {"opacity"};
   EXPECT_FALSE(candidates_of(unknown, {}));
 }
