@@ -68,6 +68,10 @@ TEST(LightFrame, AMapOfAnyShape_FitsTheBoxWithItsTexels) {
       EXPECT_GE(std::min({a.x, b.x, a.y, b.y}), edge) << height << " at " << resolution;
       EXPECT_LE(std::max(a.x, b.x), float(placement.columns) - edge) << height << " at " << resolution;
       EXPECT_LE(std::max(a.y, b.y), float(placement.rows) - edge) << height << " at " << resolution;
+      const double inner = double(placement.columns - 4) * double(placement.rows - 4);
+      const double filled = std::abs(double(b.x - a.x) * double(b.y - a.y)) / inner;
+      const bool in_range = height >= 0.3f && height < 64;  // sides of at most 16 : 1
+      EXPECT_GT(filled, in_range ? 0.7 : -1.0) << height << " at " << resolution;
     }
 }
 
