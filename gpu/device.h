@@ -30,7 +30,8 @@ struct DeviceInfo {
   std::vector<int> sample_counts;  ///< multisampling offered for colour and depth
   bool timestamps = false;
   bool wide_lines = false;
-  std::string unusable;  ///< why Device::open refuses it; empty if it can be used
+  bool fragment_counts = false;  ///< Commands::begin_count
+  std::string unusable;          ///< why Device::open refuses it; empty if it can be used
 };
 
 struct DeviceRequest {
@@ -50,6 +51,8 @@ enum class Filter { nearest, linear };
 /// alpha: color = source * source alpha + target * (1 - source alpha), alpha likewise with factor 1; additive: the sum.
 enum class BlendMode { none, alpha, additive };
 enum class Topology { triangles, lines };
+/// Which depths pass against that of the target.
+enum class DepthCompare { less_or_equal, less, equal };
 
 class Device;
 
@@ -129,11 +132,12 @@ struct GraphicsDescription {
   Topology topology = Topology::triangles;
   std::vector<TextureFormat> color_formats;
   BlendMode blend = BlendMode::none;
-  bool depth_test = false, depth_write = false;  ///< nearer or equal passes; depth clears to 1
-  bool depth_target = false;                     ///< rendered with a depth target though it does neither
+  bool depth_test = false, depth_write = false;  ///< depth clears to 1
+  DepthCompare depth_compare = DepthCompare::less_or_equal;
+  bool depth_target = false;  ///< rendered with a depth target though it does neither
   int samples = 1;
   float line_width = 1;  ///< used where the device has wide lines
-  bool cull_back_faces = false;
+  bool cull_back_faces = false, cull_front_faces = false;
 };
 /// A graphics pipeline (dynamic rendering; viewport follows the target).
 class GraphicsPipeline {
@@ -157,6 +161,12 @@ struct PassCost {
   double gpu_ms = 0;
   std::uint32_t dispatches = 0;
   std::uint32_t draws = 0;
+};
+
+/// How often a fragment shader ran (pipeline statistics; Vulkan lets a device run it for more than the pixels drawn).
+struct FragmentCount {
+  std::string name;
+  std::uint64_t invocations = 0;
 };
 
 /// Work recorded for one submission. A memory barrier stands between any two recorded operations, so each sees what the
@@ -196,6 +206,9 @@ class Commands {
             std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
             std::uint32_t vertices, std::uint32_t instances = 1);
   void end_rendering();
+  /// Counts fragments of the renderings until end_count, into SubmitCost::fragments; nothing where the device cannot.
+  void begin_count(std::string_view name);
+  void end_count();
   struct Impl;
   Impl* impl() const { return impl_.get(); }
 
@@ -209,6 +222,7 @@ class Commands {
 struct SubmitCost {
   double wall_ms = 0;
   std::vector<PassCost> passes;
+  std::vector<FragmentCount> fragments;
 };
 
 /// Work that was started and may still run; what it uses stays alive. Move-only; waits when it is destroyed.

@@ -34,6 +34,12 @@ registry::Fact head_fact(const scene::Scene& scene) {
   return {true, scene.character ? "the character is drawn" : "the scene has a head"};
 }
 
+registry::Fact shadow_fact(const scene::Scene& scene) {
+  if (!scene.shadow) return {false, "the scene names no shadow method"};
+  if (scene.render_method == "cards") return {false, "cards are shadowed by the occlusion of their vertices"};
+  return {true, fmt::format("shadows by '{}'", scene.shadow->name)};
+}
+
 registry::Fact character_fact(const scene::Scene& scene) {
   if (!scene.character) return {false, "the scene has no character"};
   const std::string file = std::filesystem::path(scene.character->file).filename().string();
@@ -56,6 +62,7 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
   facts["seen_segments"] = {scene.render_method == "quads" || scene.render_method == "tiles", why};
   facts["drawn_on_device"] = {scene.render_method != "truth", why};
+  facts["shaded_from_tables"] = {scene.render_method != "cards", why};
 }
 
 }  // namespace
@@ -67,8 +74,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["strands"] = strands_fact(scene);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
-  facts["shadow_method"] = {scene.shadow.has_value(), scene.shadow ? fmt::format("shadows by '{}'", scene.shadow->name)
-                                                                   : "the scene names no shadow method"};
+  facts["shadow_method"] = shadow_fact(scene);
   facts["motion"] = motion_fact(scene);
   facts["simulation"] = {scene.simulation.solver.has_value(),
                          scene.simulation.solver

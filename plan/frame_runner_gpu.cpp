@@ -32,6 +32,7 @@ void add_cost(const gpu::SubmitCost& more, const scene::Scene& scene, gpu::Submi
     found->dispatches += pass.dispatches;
     found->draws += pass.draws;
   }
+  cost.fragments.insert(cost.fragments.end(), more.fragments.begin(), more.fragments.end());
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ constexpr std::string_view k_simulation = R"("simulation": {"solver": {"classic"
 constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
 constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
 constexpr std::string_view k_lines = R"("render": {"method": "lines"})";
+constexpr std::string_view k_cards = R"("render": {"method": "cards"})";
 constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
 constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
 constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
@@ -316,7 +317,7 @@ std::string differing_channel(const Image& picture, const Image& golden) {
 TEST(FrameRunner, PicturesAndLayers_AreTheStoredOnesAndAFaultOfOnePixelIsSeen) {
   constexpr std::string_view k_small = R"("outputs": {"aovs": true}, "camera": {"position_m": [0.2, 0.15, 1.1],
     "target_m": [0.03, 0.1, 0], "fov_deg": 12, "resolution_px": [32, 32]})";
-  for (const auto& [name, method] : {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}}) {
+  for (const auto& [name, method] : {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}, {"cards", k_cards}}) {
     FrameResult frame = frame_of(*runner({k_light, k_shadow, k_small, method}), 0);
     const Image& picture = frame.aovs.pixels.empty() ? frame.color : frame.aovs;
     const std::string path = fmt::format("{}/plan/golden/{}.exr", CUTICLE_SOURCE_DIR, name);

@@ -48,6 +48,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   picture->resources_.parameters = scene.passes;
   picture->resources_.says_seen = find_pass(plan, "aovs") != nullptr;
   CUTICLE_TRY(picture->make_strands());
+  CUTICLE_TRY(picture->make_rest());
   CUTICLE_TRY(picture->make_shadows());
   CUTICLE_TRY(picture->make_tables(progress));
   CUTICLE_TRY(picture->make_targets(first_camera.resolution));
@@ -73,6 +74,23 @@ Result<void> Picture::make_strands() {
   return {};
 }
 
+/// The strands that will be drawn, as the control hairs rest.
+Result<void> Picture::make_rest() {
+  CUTICLE_ASSIGN(resources_.model, bsdf::find_model(scene_.material.model.name));
+  resources_.model_values = &scene_.material.model.values;
+  if (!find_pass(plan_, "cards")) return {};
+  std::vector<glm::vec4> positions;
+  for (const glm::vec3& position : set_.control.positions) positions.emplace_back(position, 1);
+  CUTICLE_ASSIGN(const gpu::Buffer control, gpu::make_buffer_from<glm::vec4>(*device_, positions));
+  gpu::Commands commands = device_->record();
+  CUTICLE_TRY(generator_->record_smooth(commands, control));
+  CUTICLE_TRY(generator_->record_interpolate(commands));
+  CUTICLE_TRY(device_->submit(std::move(commands)));
+  CUTICLE_ASSIGN(rest_, read_strands());
+  resources_.rest = &rest_;
+  return {};
+}
+
 Result<void> Picture::make_shadows() {
   if (!scene_.shadow || scene_.shadow->name == "none" || !find_pass(plan_, scene_.shadow->name)) return {};
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
@@ -89,13 +107,13 @@ Result<void> Picture::make_shadows() {
 Result<void> Picture::make_tables(Progress& progress) {
   if (!find_pass(plan_, "bake_tables")) return {};
   progress.message("baking lookup tables");
-  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene_.material.model.name));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));
   const registry::ParameterValues& values = scene_.material.model.values;
   // A software device runs on the same cores and has a kernel to compile first.
-  CUTICLE_ASSIGN(table_set_, device_->info().is_software
-                                 ? lut::bake(*model, values, *layout, scene_.material.lut_size, progress)
-                                 : lut::bake_gpu(*device_, *model, values, *layout, scene_.material.lut_size));
+  CUTICLE_ASSIGN(table_set_,
+                 device_->info().is_software
+                     ? lut::bake(*resources_.model, values, *layout, scene_.material.lut_size, progress)
+                     : lut::bake_gpu(*device_, *resources_.model, values, *layout, scene_.material.lut_size));
   CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;

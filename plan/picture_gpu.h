@@ -41,6 +41,7 @@ class Picture {
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
   Result<void> make_strands();
+  Result<void> make_rest();
   Result<void> make_shadows();
   Result<void> make_tables(Progress& progress);
   Result<void> make_targets(glm::ivec2 resolution);
@@ -60,6 +61,7 @@ class Picture {
   const StrandSet& set_;
   const Plan& plan_;
   std::unique_ptr<strands::StrandGenerator> generator_;
+  strands::Groom rest_;                                       ///< empty where no pass asks for it
   std::vector<std::unique_ptr<shadows::GpuShadow>> shadows_;  ///< one per light
   std::vector<gpu::Buffer> transmittance_;
   lut::TableSet table_set_;

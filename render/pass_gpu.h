@@ -32,8 +32,11 @@ struct FrameResources {
   std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
   std::vector<const gpu::Texture*> tables;        ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
-  const gpu::Buffer* dual_scattering = nullptr;       ///< DualTerms of its glsl; null: not asked for
-  float fibre_alpha = 0.4f;                           ///< opacity of one crossing, as shadows have it
+  const gpu::Buffer* dual_scattering = nullptr;  ///< DualTerms of its glsl; null: not asked for
+  float fibre_alpha = 0.4f;                      ///< opacity of one crossing, as shadows have it
+  const bsdf::Model* model = nullptr;            ///< the material's, with its parameters
+  const registry::ParameterValues* model_values = nullptr;
+  const strands::Groom* rest = nullptr;               ///< drawn strands at rest, where a pass makes something of them
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points
   const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw

@@ -74,7 +74,7 @@ struct Outputs {
 };
 
 /// The ways in which strands become pixels.
-inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "truth"};
+inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth"};
 
 struct Scene {
   int schema_version = 1;

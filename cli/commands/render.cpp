@@ -24,6 +24,7 @@ struct RenderOptions {
 /// Sums over the frames, per pass.
 struct Costs {
   std::vector<gpu::PassCost> passes;
+  std::vector<gpu::FragmentCount> fragments;
   double wall_ms = 0;
   int frames = 0;
 
@@ -36,6 +37,13 @@ struct Costs {
       found->gpu_ms += pass.gpu_ms;
       found->dispatches += pass.dispatches;
       found->draws += pass.draws;
+    }
+    for (const gpu::FragmentCount& count : cost.fragments) {
+      const auto found = std::ranges::find(fragments, count.name, &gpu::FragmentCount::name);
+      if (found == fragments.end())
+        fragments.push_back(count);
+      else
+        found->invocations += count.invocations;
     }
   }
 };
@@ -65,6 +73,8 @@ void print_text(const Costs& costs, const CostSplit& split, const std::string& d
   for (const gpu::PassCost& pass : costs.passes)
     fmt::print("{:<20} {:>10g} {:>6g} {:>15.3f}\n", pass.name, double(pass.dispatches) / costs.frames,
                double(pass.draws) / costs.frames, pass.gpu_ms / costs.frames);
+  for (const gpu::FragmentCount& count : costs.fragments)
+    fmt::print("{:<20} {:>17.0f} fragments covered\n", count.name, double(count.invocations) / costs.frames);
   const double percent = 100 / std::max(split.sum(), 1e-9);
   fmt::print("simulate {:.2f} ms ({:.0f} %), generate {:.2f} ms ({:.0f} %), render {:.2f} ms ({:.0f} %)\n",
              split.simulate, percent * split.simulate, split.generate, percent * split.generate, split.render,
@@ -78,12 +88,16 @@ void print_json(const Costs& costs, const CostSplit& split, const std::string& d
                       {"dispatches_per_frame", double(pass.dispatches) / costs.frames},
                       {"draws_per_frame", double(pass.draws) / costs.frames},
                       {"timestamp_ms_per_frame", pass.gpu_ms / costs.frames}});
+  Json fragments = Json::object();
+  for (const gpu::FragmentCount& count : costs.fragments)
+    fragments[count.name] = double(count.invocations) / costs.frames;
   const Json json = {
       {"device", device},
       {"frames", costs.frames},
       {"wall_ms_per_frame", costs.wall_ms / costs.frames},
       {"split_ms", {{"simulate", split.simulate}, {"generate", split.generate}, {"render", split.render}}},
-      {"passes", passes}};
+      {"passes", passes},
+      {"fragments_per_frame", fragments}};
   fmt::print("{}\n", json.dump(2));
 }
 

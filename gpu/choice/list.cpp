@@ -112,6 +112,7 @@ DeviceInfo describe(VkPhysicalDevice physical, int index) {
   info.heap_bytes = device_heap(physical);
   info.timestamps = family.timestampValidBits > 0 && all.properties.limits.timestampPeriod > 0;
   info.wide_lines = features.wideLines;
+  info.fragment_counts = features.pipelineStatisticsQuery;
   info.unusable = why_unusable(physical, all.properties.apiVersion);
   return info;
 }

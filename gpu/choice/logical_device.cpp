@@ -8,6 +8,7 @@ VkPhysicalDeviceFeatures wanted_features(const VkPhysicalDeviceFeatures& offered
   wanted.wideLines = offered.wideLines;
   wanted.vertexPipelineStoresAndAtomics = offered.vertexPipelineStoresAndAtomics;
   wanted.fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics;
+  wanted.pipelineStatisticsQuery = offered.pipelineStatisticsQuery;
   wanted.independentBlend = offered.independentBlend;
   return wanted;
 }

@@ -15,7 +15,9 @@ struct Commands::Impl {
   std::vector<VkQueryPool> query_pools;           ///< two timestamps a pass, k_passes_per_pool passes a pool
   std::vector<std::shared_ptr<const void>> used;  ///< everything recorded, alive until the work is done
   std::vector<PassCost> passes;
-  bool in_pass = false, in_rendering = false;
+  std::vector<VkQueryPool> count_pools;  ///< one query each, of fragments
+  std::vector<FragmentCount> counts;
+  bool in_pass = false, in_rendering = false, in_count = false;
   std::optional<Error> error;  ///< the first misuse; submit returns it
 
   Impl() = default;
@@ -43,6 +45,9 @@ void begin(Commands::Impl& commands);
 void write_timestamp(Commands::Impl& commands, std::size_t pass, bool at_end);
 /// Fills the gpu_ms of every pass, and gives [begin, end] in milliseconds since the first pass began.
 std::vector<std::pair<double, double>> read_timestamps(Commands::Impl& commands);
+
+/// Fills in what was counted.
+void read_counts(Commands::Impl& commands);
 
 /// What a dispatch or a draw is bound with.
 struct Resources {

@@ -24,6 +24,11 @@ VkPipelineColorBlendAttachmentState blend_of(BlendMode mode) {
   return state;
 }
 
+VkCompareOp compare_of(DepthCompare compare) {
+  if (compare == DepthCompare::equal) return VK_COMPARE_OP_EQUAL;
+  return compare == DepthCompare::less ? VK_COMPARE_OP_LESS : VK_COMPARE_OP_LESS_OR_EQUAL;
+}
+
 bool has_depth(const GraphicsDescription& description) {
   return description.depth_test || description.depth_write || description.depth_target;
 }
@@ -71,7 +76,8 @@ void FixedState::set_geometry(const GraphicsDescription& description, bool wide_
   viewport.viewportCount = viewport.scissorCount = 1;
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
   raster.polygonMode = VK_POLYGON_MODE_FILL;
-  raster.cullMode = description.cull_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
+  raster.cullMode = VkCullModeFlags(description.cull_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE) |
+                    VkCullModeFlags(description.cull_front_faces ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_NONE);
   raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   raster.lineWidth = wide_lines ? description.line_width : 1.0f;
 }
@@ -80,7 +86,7 @@ void FixedState::set_depth(const GraphicsDescription& description) {
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   // Without the test enabled Vulkan writes no depth either.
   depth.depthTestEnable = description.depth_test || description.depth_write;
-  depth.depthCompareOp = description.depth_test ? VK_COMPARE_OP_LESS_OR_EQUAL : VK_COMPARE_OP_ALWAYS;
+  depth.depthCompareOp = description.depth_test ? compare_of(description.depth_compare) : VK_COMPARE_OP_ALWAYS;
   depth.depthWriteEnable = description.depth_write;
 }
 

@@ -9,6 +9,7 @@ Result<void> check_closed(const Device* device, const Commands::Impl& commands) 
   if (commands.device.get() != device) return internal_error("gpu: commands recorded by another device");
   if (commands.error) return *commands.error;
   if (commands.in_rendering) return internal_error("gpu: submitted without end_rendering");
+  if (commands.in_count) return internal_error("gpu: submitted without end_count");
   if (commands.in_pass) return internal_error(fmt::format("gpu: pass {} was not ended", commands.passes.back().name));
   return {};
 }
@@ -85,7 +86,8 @@ Result<SubmitCost> Running::finish() {
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - impl_->begin;
   CUTICLE_TRY(check_validation(device));
   impl_->times = read_timestamps(work);
-  return SubmitCost{wall.count(), work.passes};
+  read_counts(work);
+  return SubmitCost{wall.count(), work.passes, work.counts};
 }
 
 }  // namespace cuticle::gpu

@@ -100,6 +100,47 @@ TEST(GpuDraw, NearTriangleDrawnLast_HidesTheFarOne) {
   EXPECT_EQ(picture.at(8, 8), k_red);
 }
 
+TEST(GpuDraw, DepthComparedForEquality_DrawsOnlyWhereItWasPrimed) {
+  GraphicsDescription equal = with_depth();
+  equal.depth_write = false;
+  equal.depth_compare = DepthCompare::equal;
+  EXPECT_EQ(drawn({{cover(0.5f, k_red), with_depth()}, {cover(0.5f, k_green), equal}}, true).at(8, 8), k_green);
+  EXPECT_EQ(drawn({{cover(0.5f, k_red), with_depth()}, {cover(0.4f, k_green), equal}}, true).at(8, 8), k_red);
+  equal.depth_compare = DepthCompare::less;
+  EXPECT_EQ(drawn({{cover(0.5f, k_red), with_depth()}, {cover(0.5f, k_green), equal}}, true).at(8, 8), k_red);
+  EXPECT_EQ(drawn({{cover(0.5f, k_red), with_depth()}, {cover(0.4f, k_green), equal}}, true).at(8, 8), k_green);
+}
+
+TEST(GpuDraw, CulledFaces_AreNotDrawn) {
+  GraphicsDescription description = plain();
+  description.cull_back_faces = true;
+  const glm::vec4 without_back = drawn({{cover(0.5f, k_red), description}}).at(8, 8);
+  description.cull_back_faces = false;
+  description.cull_front_faces = true;
+  const glm::vec4 without_front = drawn({{cover(0.5f, k_red), description}}).at(8, 8);
+  EXPECT_NE(without_back, without_front);
+  EXPECT_EQ(without_back + without_front, k_red);
+}
+
+TEST(GpuDraw, Count_HoldsThePixelsOfItsRenderingsOnly) {
+  Device& device = shared_device();
+  if (!device.info().fragment_counts) GTEST_SKIP() << "the device counts no fragments";
+  const Texture color = target(TextureFormat::rgba32f);
+  const Commands::Target to{&color};
+  Commands commands = device.record();
+  for (const char* name : {"one", "two"}) {
+    commands.begin_count(name);
+    commands.begin_rendering({&to, 1}, nullptr);
+    record(commands, std::vector<Draw>(name[0] == 'o' ? 1 : 2, {cover(0, k_red), plain()}));
+    commands.end_rendering();
+    commands.end_count();
+  }
+  const SubmitCost cost = must(device.submit(std::move(commands)));
+  ASSERT_EQ(cost.fragments.size(), 2u);
+  EXPECT_GE(cost.fragments[0].invocations, std::uint64_t(k_size * k_size));
+  EXPECT_EQ(cost.fragments[1].invocations, 2 * cost.fragments[0].invocations);
+}
+
 TEST(GpuDraw, Line_IsDrawnInItsRowOnlyAndHiddenByWhatIsNearer) {
   GraphicsDescription lines = with_depth();
   lines.topology = Topology::lines;

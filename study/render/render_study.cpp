@@ -56,7 +56,8 @@ std::vector<Variant> variants(int truth_most, bool all) {
   std::vector<Variant> list = {{.method = "lines", .shown = true},
                                {"lines", {{"lines", "widest_px", 16.0}}},
                                {"quads", {{"quads", "samples", std::int64_t(1)}}},
-                               {.method = "quads", .shown = true}};
+                               {.method = "quads", .shown = true},
+                               {.method = "cards", .shown = true}};
   if (all) {
     list.push_back({"lines", {{"lines", "full_px", 1e4}}});
     list.push_back({"quads", {{"quads", "full_px", 1e4}}});

@@ -4,7 +4,7 @@ namespace cuticle::render::bake_tables {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"light", "strands", "output_color"};
+constexpr std::string_view k_demands[] = {"light", "strands", "output_color", "shaded_from_tables"};
 constexpr std::string_view k_systems[] = {"N12"};
 
 }  // namespace

@@ -1,0 +1,19 @@
+// What a frame tells the shaders of cards (CardFrame of cards_gpu.cpp, word for word).
+#include "cuticle/render/passes/cards/card_rows.glsl"
+
+layout(std430, set = 0, binding = 0) readonly buffer Placed { PlacedRow placed[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Rests { CardRest rests[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Indices { uint indices[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Frame {
+  mat4 world_to_clip;
+  vec4 eye;
+  vec4 atlas;      // first u of a kind's hair, its width, the step from kind to kind; w: alpha from which on it is opaque
+  vec4 diffuse;    // times the base colour; w: number of lights
+  vec4 primary;    // w: exponent
+  vec4 secondary;  // w: exponent
+  vec4 shifts;     // primary, secondary
+  vec4 to_light[8];
+  vec4 irradiance[8];
+};
+layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
+layout(set = 0, binding = 5) uniform sampler2D atlas_texture;  // base, shift, mask, alpha

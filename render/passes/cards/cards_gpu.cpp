@@ -1,0 +1,198 @@
+#include <array>
+
+#include <fmt/core.h>
+
+#include <cuticle/render/passes/cards/cards.h>
+#include <cuticle/render/passes/cards/placement_gpu.h>
+#include <cuticle/render/passes/cards/sorting_gpu.h>
+
+#include <cards_early_frag.spv.h>
+#include <cards_frag.spv.h>
+#include <cards_prime_frag.spv.h>
+#include <cards_vert.spv.h>
+
+namespace cuticle::render::cards {
+
+namespace {
+
+/// As cards_frame.glsl has it.
+struct CardFrame {
+  glm::mat4 world_to_clip;
+  glm::vec4 eye, atlas, diffuse, primary, secondary, shifts;
+  std::array<glm::vec4, k_max_lights> to_light, irradiance;
+};
+static_assert(sizeof(CardFrame) == 64 + 16 * 6 + 16 * 2 * k_max_lights);
+
+void set_material(CardFrame& frame, const registry::ParameterValues& values) {
+  const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
+  frame.diffuse = glm::vec4(all * values.rgb("diffuse"), 0);
+  frame.primary = glm::vec4(all * values.rgb("primary"), values.real("primary_exponent"));
+  frame.secondary = glm::vec4(all * values.rgb("secondary"), values.real("secondary_exponent"));
+  frame.shifts = glm::vec4(values.real("primary_shift"), values.real("secondary_shift"), 0, 0);
+}
+
+/// u = 0 and 1 of a card lie at the borders of its kind's hair.
+glm::vec4 atlas_of(const strands::CardTextures& textures, double opaque_alpha) {
+  const float first = textures.atlas_uv(0, 0, 0).x, last = textures.atlas_uv(0, 1, 0).x;
+  return {first, last - first, textures.atlas_uv(1, 0, 0).x - first, float(opaque_alpha)};
+}
+
+void set_view(CardFrame& frame, const FrameResources& resources) {
+  frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
+  frame.eye = glm::vec4(resources.camera.position, 1);
+  frame.diffuse.w = float(resources.lights.size());
+  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
+    frame.to_light[k] = glm::vec4(resources.lights[k].to_light, 0);
+    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
+  }
+}
+
+constexpr std::size_t k_most_steps = 4;
+
+/// One draw of all cards.
+struct Step {
+  const char* name;
+  bool depth_alone;  ///< no colour
+  gpu::GraphicsPipeline pipeline;
+};
+
+class Cards : public GpuPass {
+ public:
+  explicit Cards(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+  Result<void> make_parts(const FrameResources& resources) {
+    const registry::ParameterValues parameters = parameters_of(resources, entry());
+    CUTICLE_ASSIGN(const strands::HairCards cards,
+                   strands::make_hair_cards(*resources.rest, resources.head, parameters));
+    CUTICLE_ASSIGN(placement_, Placement::make(*device_, *resources.rest, cards));
+    CUTICLE_ASSIGN(sorting_, Sorting::make(*device_, cards.mesh, order_of(parameters.choice("order"))));
+    CUTICLE_ASSIGN(texture_,
+                   device_->make_texture({.size = {cards.textures.atlas.width, cards.textures.atlas.height}}));
+    CUTICLE_TRY(device_->upload(texture_, cards.textures.atlas.pixels));
+    CUTICLE_ASSIGN(frame_buffer_, device_->make_buffer(sizeof(CardFrame)));
+    CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_most_steps * sizeof(std::uint32_t)));
+    CUTICLE_ASSIGN(const registry::ParameterValues material, material_of(*resources.model, *resources.model_values));
+    set_material(frame_, material);
+    frame_.atlas = atlas_of(cards.textures, parameters.real("opaque_alpha"));
+    counts_ = parameters.boolean("count_fragments");
+    return make_steps(resources, parameters);
+  }
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    set_view(frame_, resources);
+    CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
+    placement_.record(commands, resources);
+    sorting_.record(commands, resources.camera, placement_.placed());
+    if (counts_) commands.fill(shaded_, 0);
+    for (std::size_t k = 0; k < steps_.size(); ++k) draw(commands, resources, k);
+    return {};
+  }
+
+  /// What depth left to shade, counted by the shaders: the device's own statistics may count before depth is tested.
+  Result<Settled> settle() override {
+    Settled settled;
+    if (!counts_) return settled;
+    CUTICLE_ASSIGN(const auto shaded, gpu::read_buffer<std::uint32_t>(*device_, shaded_, steps_.size()));
+    for (std::size_t k = 0; k < steps_.size(); ++k)
+      if (!steps_[k].depth_alone)
+        settled.notes.push_back(fmt::format("{}: {} fragments shaded", steps_[k].name, shaded[k]));
+    return settled;
+  }
+
+ private:
+  static Order order_of(const std::string& name) {
+    if (name == "static") return Order::inside_to_outside;
+    return name == "groups" ? Order::groups : Order::parts;
+  }
+
+  /// A step's shader, blending and depth; every step has the same vertices.
+  struct StepSettings {
+    std::span<const std::uint32_t> fragment;
+    bool is_opaque = false, writes_depth = false;
+    gpu::DepthCompare compare = gpu::DepthCompare::less;
+    bool cull_front = false, cull_back = false;
+  };
+
+  Result<void> add_step(const FrameResources& resources, const char* name, const StepSettings& settings) {
+    gpu::GraphicsDescription description = target_description(resources);
+    const bool depth_alone = settings.fragment.data() == cards_prime_frag;
+    description.vertex_spirv = cards_vert;
+    description.fragment_spirv = settings.fragment;
+    description.interface = {
+        .storage_buffers = 5,
+        .textures = 1,
+        .specialization = {settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u}};
+    if (depth_alone) description.color_formats.clear();
+    description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
+    description.depth_write = settings.writes_depth;
+    description.depth_compare = settings.compare;
+    description.cull_front_faces = settings.cull_front;
+    description.cull_back_faces = settings.cull_back;
+    CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device_->make_graphics(description));
+    steps_.push_back({name, depth_alone, std::move(pipeline)});
+    return {};
+  }
+
+  /// A8: opaque parts, back faces, front faces, each by alpha test. A9: the depth of opaque parts first, so that the
+  /// tests of depth do the rest, before anything is shaded.
+  Result<void> make_steps(const FrameResources& resources, const registry::ParameterValues& parameters) {
+    using gpu::DepthCompare;
+    const bool primes = parameters.choice("scheme") == "four_pass";
+    const std::string& writes = parameters.choice("transparent_depth");
+    const bool front = writes == "front" || writes == "both" || (writes == "printed" && !primes);
+    const std::span<const std::uint32_t> rest =
+        primes ? std::span<const std::uint32_t>(cards_early_frag) : std::span<const std::uint32_t>(cards_frag);
+    if (primes) {
+      CUTICLE_TRY(add_step(resources, "cards: depth", {.fragment = cards_prime_frag, .writes_depth = true}));
+      CUTICLE_TRY(
+          add_step(resources, "cards: opaque", {.fragment = rest, .is_opaque = true, .compare = DepthCompare::equal}));
+    } else {
+      CUTICLE_TRY(add_step(resources, "cards: opaque", {.fragment = rest, .is_opaque = true, .writes_depth = true}));
+    }
+    CUTICLE_TRY(add_step(resources, "cards: back faces",
+                         {.fragment = rest, .writes_depth = writes == "both", .cull_front = true}));
+    return add_step(resources, "cards: front faces", {.fragment = rest, .writes_depth = front, .cull_back = true});
+  }
+
+  void draw(gpu::Commands& commands, const FrameResources& resources, std::size_t k) const {
+    const Step& step = steps_[k];
+    // The first step that draws begins the targets as the frame has them; what follows goes on.
+    const bool begins_depth = k == 0 && !resources.keep_target, first_color = k == (steps_[0].depth_alone ? 1u : 0u);
+    gpu::Commands::Target target = color_target(resources);
+    target.keep = target.keep || !first_color;
+    if (k + 1 < steps_.size()) target.resolve = nullptr;
+    if (counts_) commands.begin_count(step.name);
+    commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.depth, !begins_depth);
+    commands.draw(step.pipeline,
+                  {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_},
+                  {&texture_}, {}, sorting_.index_count());
+    commands.end_rendering();
+    if (counts_) commands.end_count();
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  Placement placement_;
+  Sorting sorting_;
+  gpu::Texture texture_;
+  gpu::Buffer frame_buffer_;
+  gpu::Buffer shaded_;  ///< per step the fragments that its shader ran for, where they are counted
+  CardFrame frame_{};
+  std::vector<Step> steps_;
+  bool counts_ = false;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_EXPECT(resources.rest && resources.model && resources.model_values, "cards were planned without strands");
+  auto pass = std::make_unique<Cards>(std::move(device));
+  CUTICLE_TRY(pass->make_parts(resources));
+  return std::unique_ptr<GpuPass>(std::move(pass));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"cards", create};
+  return table;
+}
+
+}  // namespace cuticle::render::cards

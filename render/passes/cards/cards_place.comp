@@ -1,0 +1,49 @@
+#version 460
+// A card follows some of its strands: each row stands by their mean as it stood at rest, turned with the mean's tangent.
+#extension GL_GOOGLE_include_directive : require
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/render/passes/cards/card_rows.glsl"
+#include "cuticle/strands/spline/frame.glslh"
+
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Rests { CardRest rests[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Followers { uint followers[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Placed { PlacedRow placed[]; };
+layout(push_constant) uniform Push {
+  mat4 head;  // rest to world
+  uint row_count, vertices_per_strand;
+};
+
+const float k_step = 0.02;  // of v, for tangents; placement_gpu.cpp has the same
+
+// The followers' mean at v, their vertices taken for even steps.
+vec3 mean_of_followers(uvec2 list, float v) {
+  const float place = clamp(v, 0.0, 1.0) * float(vertices_per_strand - 1u);
+  const uint begin = min(uint(place), vertices_per_strand - 2u);
+  vec3 sum = vec3(0.0);
+  for (uint k = list.x; k < list.y; ++k) {
+    const uint vertex = followers[k] * vertices_per_strand + begin;
+    sum += mix(vertices[vertex].xyz, vertices[vertex + 1u].xyz, place - float(begin));
+  }
+  return sum / float(list.y - list.x);
+}
+
+void main() {
+  const uint row = invocation();
+  if (row >= row_count) return;
+  const CardRest rest = rests[row];
+  const float v = rest.correction.w;
+  const vec3 ahead = mean_of_followers(rest.followers.xy, v + k_step), behind = mean_of_followers(rest.followers.xy, v - k_step);
+  const vec3 along = ahead - behind, from = mat3(head) * rest.follower_tangent.xyz;
+  const vec3 to = dot(along, along) > 0.0 ? normalize(along) : from;
+  const vec3 hinge = any_across(from);
+  const vec3 middle =
+      mean_of_followers(rest.followers.xy, v) + transported(mat3(head) * rest.correction.xyz, from, to, hinge);
+  const vec3 across = transported(mat3(head) * rest.across.xyz, from, to, hinge);
+  const vec3 tangent = transported(mat3(head) * rest.tangent.xyz, from, to, hinge);
+  placed[row].left = vec4(middle - rest.across.w * across, rest.tangent.w);
+  placed[row].right = vec4(middle + rest.across.w * across, rest.follower_tangent.w);
+  placed[row].normal = vec4(cross(tangent, across), 0.0);
+  placed[row].tangent = vec4(tangent, 0.0);
+}

@@ -1,0 +1,39 @@
+// Scheuermann's shading of a card's pixel: two highlights with tangents shifted along the card's normal, a lerp diffuse
+// term, textures, ambient occlusion.
+#include "cuticle/bsdf/scheuermann/scheuermann.glslh"
+#include "cuticle/render/passes/cards/cards_frame.glsl"
+
+layout(constant_id = 0) const bool is_opaque = false;
+layout(constant_id = 1) const uint step_number = 0u;
+layout(constant_id = 2) const bool counts = false;
+layout(location = 0) in vec3 world;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 tangent;
+layout(location = 3) in vec3 uv_open;
+layout(location = 0) out vec4 color;
+
+// L + V by its components along the tangent, the normal, and across both.
+HalfVector half_vector_on_card(vec3 t, vec3 n, vec3 to_light_, vec3 to_eye) {
+  const vec3 sum = to_light_ + to_eye;
+  HalfVector v;
+  v.along = dot(sum, t);
+  v.toward = dot(sum, n);
+  v.across = dot(sum, cross(t, n));
+  v.length_squared = dot(sum, sum);
+  v.cos_normal = dot(to_light_, n);
+  return v;
+}
+
+vec4 shaded(vec4 texel) {
+  if (counts) atomicAdd(shaded_count[step_number], 1u);
+  const vec3 t = normalize(tangent), n = normalize(normal - t * dot(normal, t)), to_eye = normalize(eye.xyz - world);
+  const float shift = texel.g - 0.5, open = uv_open.z;
+  Scheuermann m;
+  m.diffuse = diffuse.rgb;
+  m.primary = highlight_moved(primary.rgb, primary.w, shifts.x + shift);
+  m.secondary = highlight_moved(secondary.rgb * texel.b, secondary.w, shifts.y + shift);
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < uint(diffuse.w); ++k)
+    sum += scattering_at(m, half_vector_on_card(t, n, to_light[k].xyz, to_eye)) * irradiance[k].rgb;
+  return vec4(sum * texel.r * open, is_opaque ? 1.0 : texel.a);
+}
