@@ -105,7 +105,7 @@ class ChainSolver final : public Solver {
 
   /// What a thread needs for a block.
   struct Room {
-    std::vector<Real> numbers;
+    Rows<Real> numbers;
     std::vector<LinkSphere<Real>> near;
   };
   ChainSettings settings_;

@@ -11,7 +11,7 @@ template <class Real>
 struct ChainProgram {
   Advance<Real> free = nullptr, touching = nullptr;  ///< without and with spheres
   int scratch_rows = scratch_row::count, own_rows = 0;
-  std::vector<Real> own;  ///< own_rows * k_lanes for each vertex of the chains
+  Rows<Real> own;  ///< own_rows * k_lanes for each vertex of the chains
 };
 
 /// Runs blocks in parallel; the result is bit-identical at any number of threads, and a strand's does not depend on

@@ -35,8 +35,8 @@ struct Buffers {
 };
 
 template <class T>
-Result<void> refill(gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& data) {
-  const std::span<const T> values(data);
+Result<void> refill(gpu::Device& device, gpu::Buffer& buffer, const T& data) {
+  const std::span values(data);
   if (buffer.size() >= values.size_bytes()) return device.upload(buffer, std::as_bytes(values));
   CUTICLE_ASSIGN(buffer, gpu::make_buffer_from(device, values));
   return {};
@@ -129,7 +129,7 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
   Result<void> make_chain_buffers() {
-    const auto or_one = [](std::vector<float> values) {
+    const auto or_one = [](Rows<float> values) {
       if (values.empty()) values.resize(1, 0.f);
       return values;
     };
@@ -137,8 +137,8 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.rest, or_one(chains_.rest)));
     CUTICLE_TRY(refill(*device_, buffers_.state, or_one(chains_.state)));
     CUTICLE_TRY(refill(*device_, buffers_.strands, or_one(chains_.strand)));
-    CUTICLE_TRY(refill(*device_, buffers_.scratch,
-                       or_one(std::vector<float>(vertices * std::size_t(program_.scratch_rows), 0.f))));
+    CUTICLE_TRY(
+        refill(*device_, buffers_.scratch, or_one(Rows<float>(vertices * std::size_t(program_.scratch_rows), 0.f))));
     CUTICLE_TRY(refill(*device_, buffers_.own, or_one(program_.own)));
     CUTICLE_TRY(refill(*device_, buffers_.steps, std::vector<ChainStep<float>>(1)));
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));

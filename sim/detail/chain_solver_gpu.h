@@ -10,7 +10,7 @@ struct ChainGpuProgram {
   std::string_view name;
   std::span<const std::uint32_t> free, touching;  ///< SPIR-V without and with spheres, interface of chain_kernel.glsl
   int scratch_rows = scratch_row::count;
-  std::vector<float> own;  ///< the rows that the solver adds to a vertex of the chains, see ChainProgram
+  Rows<float> own;  ///< the rows that the solver adds to a vertex of the chains, see ChainProgram
 };
 Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::Device> device,
                                                          const strands::Groom& rest, const ChainSettings& settings,

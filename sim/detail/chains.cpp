@@ -47,7 +47,7 @@ Chain chain_of(std::span<const glm::vec3> strand, std::size_t anchor, std::span<
 /// A lane's rows of one kind.
 template <class Real>
 struct LaneRows {
-  std::vector<Real>& numbers;
+  Rows<Real>& numbers;
   std::size_t first_row, lane;
   Real& at(std::size_t row) { return numbers[(first_row + row) * k_lanes + lane]; }
   void put(std::size_t row, const glm::dvec3& v) {

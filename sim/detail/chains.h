@@ -2,6 +2,7 @@
 // Strands as chains of links below their anchors, in blocks of 16 that have equally many links: the arrays of the CPU's
 // units and of the kernel (rows of exact/kernel.h).
 #include <cstdint>
+#include <new>
 #include <vector>
 
 #include <cuticle/sim/detail/chain_settings.h>
@@ -10,6 +11,22 @@
 #include <cuticle/sim/detail/chain_rows.h>
 
 namespace cuticle::sim::detail {
+
+/// Begins where a register may be loaded without crossing a cache line.
+template <class T>
+struct RowAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t k_line{64};
+  RowAllocator() = default;
+  template <class U>
+  RowAllocator(const RowAllocator<U>&) {}
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), k_line)); }
+  void deallocate(T* rows, std::size_t) { ::operator delete(rows, k_line); }
+  bool operator==(const RowAllocator&) const = default;
+};
+/// Rows of k_lanes numbers.
+template <class Real>
+using Rows = std::vector<Real, RowAllocator<Real>>;
 
 /// Where a strand's chain is. `anchor`: the last vertex that the head carries, counted from the strand's first.
 struct ChainPlace {
@@ -29,7 +46,7 @@ struct Chains {
   std::vector<ChainPlace> places;              ///< one per strand
   std::vector<std::uint32_t> links_of_vertex;  ///< one per vertex of the groom: its vertex in the chain, 0 = carried
   std::vector<BlockPlace> blocks;
-  std::vector<Real> rest, state, strand;
+  Rows<Real> rest, state, strand;
   std::uint32_t longest = 0;  ///< links of the longest chain
 
   ChainBlock<Real> block(std::size_t index, Real* scratch);

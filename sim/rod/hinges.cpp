@@ -102,7 +102,7 @@ void fill_hinge(const RestRod& rod, std::size_t i, const Stiffness& stiffness, c
 }
 
 template <class Real>
-void fill_lane(std::vector<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod,
+void fill_lane(detail::Rows<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod,
                const Stiffness& stiffness, const glm::dvec3& gravity) {
   const auto at = [&](std::size_t i, std::size_t row) -> Real& {
     return hinges[((first + i) * hinge_row::count + row) * k_lanes + lane];
@@ -122,15 +122,15 @@ void fill_lane(std::vector<Real>& hinges, std::size_t first, std::size_t lane, c
 }  // namespace
 
 template <class Real>
-std::vector<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
-                              const glm::dvec3& gravity) {
-  std::vector<Real> hinges(chains.rest.size() / detail::rest_row::count * hinge_row::count, Real(0));
+detail::Rows<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
+                               const glm::dvec3& gravity) {
+  detail::Rows<Real> hinges(chains.rest.size() / detail::rest_row::count * hinge_row::count, Real(0));
   for (std::size_t b = 0; b < chains.blocks.size(); ++b)
     for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
       fill_lane(hinges, chains.blocks[b].first_vertex, lane, rest_rod(chains, b, lane), stiffness, gravity);
   return hinges;
 }
-template std::vector<float> make_hinges<float>(const detail::Chains<float>&, const Stiffness&, const glm::dvec3&);
-template std::vector<double> make_hinges<double>(const detail::Chains<double>&, const Stiffness&, const glm::dvec3&);
+template detail::Rows<float> make_hinges<float>(const detail::Chains<float>&, const Stiffness&, const glm::dvec3&);
+template detail::Rows<double> make_hinges<double>(const detail::Chains<double>&, const Stiffness&, const glm::dvec3&);
 
 }  // namespace cuticle::sim::rod

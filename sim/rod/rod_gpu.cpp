@@ -13,7 +13,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
   const Settings settings = make_settings(solver, effects);
   CUTICLE_TRY(detail::check_for_gpu(rest, settings.chain));
   detail::Chains<float> chains = detail::make_chains<float>(rest, settings.chain);
-  std::vector<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  detail::Rows<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
   return detail::make_chain_solver_gpu(std::move(device), rest, settings.chain, std::move(chains),
                                        {.name = "rod",
                                         .free = rod_free,
