@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cuticle::cli {
+namespace cuticle::cli::points_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(PointsFile, Missing_IsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::cli
+}  // namespace cuticle::cli::points_file_test

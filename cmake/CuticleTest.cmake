@@ -1,6 +1,6 @@
-# cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [SWEEP] [TIMEOUT s]): one ctest entry per test file.
+# cuticle_test(file_test.cpp LIBS targets [LABELS N6 G7 gpu slow ...] [DATA] [SWEEP] [ALONE] [TIMEOUT s]): one ctest entry per test file.
 # LABELS carry the ids of the rows of systems.md that the file covers. DATA: registered only when the environment
-# variable CUTICLE_TEST_DATA names the folder of real grooms at configure time.
+# variable CUTICLE_TEST_DATA names the folder of real grooms at configure time. ALONE: a program of its own, which the caller may set up further.
 # SWEEP: many points or heavy headers, around code that other tests run too; under sanitizers only with CUTICLE_SWEEPS in the environment (test.sh --full).
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
@@ -18,9 +18,25 @@ if(CUTICLE_TESTS)
   target_compile_options(cuticle_test_headers PRIVATE ${CUTICLE_TEST_OPTIMISATION})
   target_link_libraries(cuticle_test_headers PRIVATE GTest::gtest_main GTest::gmock cuticle_warnings)
   target_precompile_headers(cuticle_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <cmath> <functional> <random>)
+  add_library(cuticle_test_main STATIC ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
+  target_link_libraries(cuticle_test_main PUBLIC GTest::gmock GTest::gtest PRIVATE cuticle_warnings)
 endif()
+# Where libraries compile in groups (CUTICLE_UNITY), so do tests whose first library is the same: one program, known under
+# the name of each of its files, which runs the tests of the file by whose name it is called (cmake/test_main.cpp).
+function(cuticle_test_program NAME LIBS)
+  add_executable(${NAME} ${ARGN})
+  add_dependencies(all_tests ${NAME})
+  # What a test measures is in the libraries; the test itself, mostly templates of GoogleTest, need not be fast, and compiles in half the time.
+  target_compile_options(${NAME} PRIVATE ${CUTICLE_TEST_OPTIMISATION})
+  target_precompile_headers(${NAME} REUSE_FROM cuticle_test_headers)
+  set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_include_directories(${NAME} PRIVATE ${CUTICLE_INCLUDE_DIR} ${CMAKE_BINARY_DIR}/shaders ${CMAKE_BINARY_DIR}/generated)
+  target_link_libraries(${NAME} PRIVATE ${LIBS} cuticle_test_main cuticle_warnings)
+  target_compile_definitions(${NAME} PRIVATE CUTICLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CUTICLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+endfunction()
+
 function(cuticle_test FILE)
-  cmake_parse_arguments(ARG "DATA;SWEEP" "TIMEOUT" "LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "DATA;SWEEP;ALONE" "TIMEOUT" "LIBS;LABELS" ${ARGN})
   if(NOT CUTICLE_TESTS OR (ARG_SWEEP AND CUTICLE_SANITIZE AND "$ENV{CUTICLE_SWEEPS}" STREQUAL ""))
     return()
   endif()
@@ -28,27 +44,65 @@ function(cuticle_test FILE)
     return()
   endif()
   get_filename_component(stem ${FILE} NAME_WE)
-  add_executable(${stem} ${FILE})
-  add_dependencies(all_tests ${stem})
-  # What a test measures is in the libraries; the test itself, mostly templates of GoogleTest, need not be fast, and compiles in half the time.
-  target_compile_options(${stem} PRIVATE ${CUTICLE_TEST_OPTIMISATION})
-  target_precompile_headers(${stem} REUSE_FROM cuticle_test_headers)
-  set_target_properties(${stem} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_include_directories(${stem} PRIVATE ${CUTICLE_INCLUDE_DIR} ${CMAKE_BINARY_DIR}/shaders ${CMAKE_BINARY_DIR}/generated)
-  target_link_libraries(${stem} PRIVATE ${ARG_LIBS} GTest::gtest_main GTest::gmock cuticle_warnings)
-  target_compile_definitions(${stem} PRIVATE CUTICLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CUTICLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
-  add_test(NAME ${stem} COMMAND ${stem})
+  list(GET ARG_LIBS 0 first)
+  string(REPLACE "::" "_" first ${first})
+  if(ARG_ALONE OR NOT CUTICLE_UNITY OR first IN_LIST CUTICLE_ALONE)
+    cuticle_test_program(${stem} "${ARG_LIBS}" ${FILE})
+  else()
+    get_filename_component(source ${FILE} ABSOLUTE)
+    # Vectors of jets need glm without swizzles, which must be said before its first header.
+    file(STRINGS ${source} of_jets REGEX "^#define GLM_FORCE_XYZW_ONLY" LIMIT_COUNT 1)
+    if(of_jets)
+      string(APPEND first _jets)
+    endif()
+    set_property(GLOBAL APPEND PROPERTY CUTICLE_TEST_GROUPS ${first})
+    set_property(GLOBAL APPEND PROPERTY CUTICLE_TEST_SOURCES_${first} ${source})
+    set_property(GLOBAL APPEND PROPERTY CUTICLE_TEST_LIBS_${first} ${ARG_LIBS})
+  endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
   if(CUTICLE_SANITIZE)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 5")
   endif()
+  add_test(NAME ${stem} COMMAND ${CMAKE_BINARY_DIR}/tests/${stem})
   set_tests_properties(${stem} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
     ENVIRONMENT "CUTICLE_VALIDATION=1;CUTICLE_DEVICE=cpu")
   if(ARG_DATA)
     set_property(TEST ${stem} APPEND PROPERTY ENVIRONMENT "CUTICLE_TEST_DATA=$ENV{CUTICLE_TEST_DATA}")
   endif()
+endfunction()
+
+# One program of at most twelve files, and a target and a link by the name of each file.
+function(cuticle_test_group NAME LIBS)
+  cuticle_test_program(${NAME} "${LIBS}" ${ARGN})
+  set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  foreach(source ${ARGN})
+    get_filename_component(stem ${source} NAME_WE)
+    add_custom_target(${stem} DEPENDS ${NAME})
+    add_custom_command(TARGET ${NAME} POST_BUILD VERBATIM
+      COMMAND ${CMAKE_COMMAND} -E create_symlink ${NAME} ${CMAKE_BINARY_DIR}/tests/${stem})
+  endforeach()
+endfunction()
+
+# Called once, after the last cuticle_test.
+function(cuticle_test_groups)
+  get_property(groups GLOBAL PROPERTY CUTICLE_TEST_GROUPS)
+  list(REMOVE_DUPLICATES groups)
+  foreach(group ${groups})
+    get_property(sources GLOBAL PROPERTY CUTICLE_TEST_SOURCES_${group})
+    get_property(libs GLOBAL PROPERTY CUTICLE_TEST_LIBS_${group})
+    list(REMOVE_DUPLICATES libs)
+    list(LENGTH sources count)
+    set(number 0)
+    foreach(start RANGE 0 ${count} 12)
+      list(SUBLIST sources ${start} 12 batch)
+      if(batch)
+        cuticle_test_group(${group}_tests_${number} "${libs}" ${batch})
+        math(EXPR number "${number} + 1")
+      endif()
+    endforeach()
+  endforeach()
 endfunction()
 
 # cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh.

@@ -7,7 +7,7 @@
 #include <cuticle/core/file.h>
 #include <cuticle/core/mapped_file.h>
 
-namespace cuticle {
+namespace cuticle::file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(FileTest, MakeFolder_WhereAFileStands_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::file_test

@@ -4,7 +4,7 @@
 #include <cuticle/core/json/json.h>
 #include <cuticle/core/progress.h>
 
-namespace cuticle {
+namespace cuticle::progress_test {
 namespace {
 
 std::string printed(ProgressStyle style) {
@@ -34,4 +34,4 @@ TEST(Progress, AutomaticIntoAPipe_WritesMessagesOnly) { EXPECT_EQ(printed(Progre
 TEST(Progress, Silent_WritesNothing) { EXPECT_EQ(printed(ProgressStyle::silent), ""); }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::progress_test

@@ -6,7 +6,7 @@
 #include <cuticle/core/quadrature.h>
 #include <cuticle/tests/support/csv_table.h>
 
-namespace cuticle {
+namespace cuticle::quadrature_test {
 namespace {
 
 TEST(GaussLegendre, TableOrders_MatchMpmath) {
@@ -74,4 +74,4 @@ TEST(IntegrateAdaptive, EmptyRange_IsZero) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::quadrature_test

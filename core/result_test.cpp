@@ -4,7 +4,7 @@
 
 #include <cuticle/core/result.h>
 
-namespace cuticle {
+namespace cuticle::result_test {
 namespace {
 
 Result<int> half_of(int number) {
@@ -52,4 +52,4 @@ TEST(Result, MoveOnlyValue_MovesOut) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::result_test

@@ -7,7 +7,7 @@
 #include <cuticle/core/json/json.h>
 #include <cuticle/core/trace.h>
 
-namespace cuticle {
+namespace cuticle::trace_test {
 namespace {
 
 std::string temporary_path() {
@@ -67,4 +67,4 @@ TEST(Trace, ManyThreads_LoseNoSpan) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::trace_test

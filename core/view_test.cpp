@@ -4,7 +4,7 @@
 
 #include <cuticle/core/view.h>
 
-namespace cuticle {
+namespace cuticle::view_test {
 namespace {
 
 glm::dvec3 project(const Camera& camera, glm::dvec3 world) {
@@ -54,4 +54,4 @@ TEST(Camera, LookingStraightDown_StaysFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::view_test

@@ -10,7 +10,7 @@
 #include <cuticle/core/quadrature.h>
 #include <cuticle/lut/cell_average.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_average_test {
 namespace {
 
 constexpr std::string_view k_lobe_names[] = {"only"};
@@ -147,4 +147,4 @@ TEST(AverageOverPhi, TrtOfASmoothFibre_IsTheRaysWithin4e6) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_average_test

@@ -7,7 +7,7 @@
 
 #include <cuticle/lut/table_set.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_bake_test {
 namespace {
 
 const bsdf::Model& marschner() { return *bsdf::find_model("marschner").value(); }
@@ -163,4 +163,4 @@ TEST(ExactValue, FractionsOfTheAxes_AreTheModelAtThem) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_bake_test

@@ -8,7 +8,7 @@
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_certify_test {
 namespace {
 
 const bsdf::Model& marschner() { return *bsdf::find_model("marschner").value(); }
@@ -160,4 +160,4 @@ TEST(Certify, CausticLobeAt128_IsWithinItsMeasuredBounds) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_certify_test

@@ -9,7 +9,7 @@
 #include <cuticle/lut/comparison.h>
 #include <cuticle/lut/max_error.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_error_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(RelativeError, EachMeasure_IsItsQuotient) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_error_test

@@ -6,7 +6,7 @@
 #include <cuticle/lut/bake_gpu.h>
 #include <cuticle/lut/format.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_gpu_test {
 namespace {
 
 const bsdf::Model& marschner() { return *bsdf::find_model("marschner").value(); }
@@ -67,4 +67,4 @@ TEST(Upload, Textures_HoldTheValuesInHalfWithMissingChannelsZero) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_gpu_test

@@ -6,7 +6,7 @@
 
 #include <cuticle/lut/live_tables_gpu.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_live_test {
 namespace {
 
 constexpr int k_size = 32;
@@ -139,4 +139,4 @@ TEST(LiveTables, SizeOutOfRange_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_live_test

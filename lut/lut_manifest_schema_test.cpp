@@ -11,7 +11,7 @@
 #include <cuticle/lut/manifest.h>
 #include <cuticle/lut/table_set.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_manifest_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -82,4 +82,4 @@ TEST(ManifestSchema, AnyWrongKey_IsRefusedByBoth) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_manifest_schema_test

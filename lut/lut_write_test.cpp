@@ -11,7 +11,7 @@
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_write_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ TEST_F(Written, FileThatCannotBeReplaced_LeavesNoPartOfTheSetBehind) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_write_test

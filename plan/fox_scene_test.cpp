@@ -13,7 +13,7 @@
 #include <cuticle/strands/binding/nearest_triangle.h>
 #include <cuticle/strands/statistics.h>
 
-namespace cuticle::plan {
+namespace cuticle::plan::fox_scene_test {
 namespace {
 
 scene::Scene small_fox(bool dual_quaternions) {
@@ -106,4 +106,4 @@ TEST(FoxScene, PassesOfAFrame_AreThoseOfThePlan) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::fox_scene_test

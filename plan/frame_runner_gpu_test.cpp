@@ -16,7 +16,7 @@
 #include <cuticle/plan/strand_set.h>
 #include <cuticle/render/passes/truth/rasterise.h>
 
-namespace cuticle::plan {
+namespace cuticle::plan::frame_runner_gpu_test {
 namespace {
 
 constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])";
@@ -396,4 +396,4 @@ TEST(FrameRunner, DrawnStrands_HaveTheScenesCounts) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::frame_runner_gpu_test

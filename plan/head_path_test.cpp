@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::plan {
+namespace cuticle::plan::head_path_test {
 namespace {
 
 const strands::Bounds k_bounds{{-0.1f, -0.2f, -0.1f}, {0.1f, 0.15f, 0.12f}};
@@ -96,4 +96,4 @@ TEST(CameraPath, Turntable_KeepsDistanceAndComesRound) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::head_path_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cuticle::plan {
+namespace cuticle::plan::plan_test {
 namespace {
 
 using testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST(Plan, Text_ListsPassesReasonsAndWhatIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::plan_test

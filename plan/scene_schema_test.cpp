@@ -13,7 +13,7 @@
 
 #include <cuticle/plan/plan.h>
 
-namespace cuticle::plan {
+namespace cuticle::plan::scene_schema_test {
 namespace {
 
 std::string text_of(const std::string& name) {
@@ -71,4 +71,4 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"schema_version": 1, "outputs": {"color": 1}})"));
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::scene_schema_test

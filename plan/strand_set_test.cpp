@@ -12,7 +12,7 @@
 #include <cuticle/plan/plan.h>
 #include <cuticle/strands/formats/formats.h>
 
-namespace cuticle::plan {
+namespace cuticle::plan::strand_set_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(FrameShape, CountsStrandsVerticesAndSubsteps) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan
+}  // namespace cuticle::plan::strand_set_test

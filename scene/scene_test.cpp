@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::scene {
+namespace cuticle::scene::scene_test {
 namespace {
 
 using registry::Entry;
@@ -185,4 +185,4 @@ TEST(Scene, GroomFile_HasNoHeadUnlessAsked) {
 }
 
 }  // namespace
-}  // namespace cuticle::scene
+}  // namespace cuticle::scene::scene_test

@@ -8,8 +8,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::clouds_test {
 
 namespace {
 
@@ -101,3 +100,5 @@ TEST(PointCasters, OnePoint_CoversItsDisc) {
   EXPECT_NEAR(tests::shadow_at("opacity_map", groom, {0, -0.01f, 0}), 0.6, 1e-4);
   EXPECT_EQ(tests::shadow_at("opacity_map", groom, {0.01f, -0.01f, 0}), 1.0f);
 }
+
+}  // namespace cuticle::shadows::clouds_test

@@ -4,7 +4,7 @@
 
 #include <cuticle/shadows/exact.glslh>
 
-using namespace cuticle::shadows;
+namespace cuticle::shadows::exact_test {
 
 TEST(Exact, InverseSquareRoot_IsWithinThreeUnits) {
   double worst = 0;
@@ -23,3 +23,5 @@ TEST(Exact, Affine_SumsFromLeftToRight) {
   const glm::vec3 axis(1e8f, -1e8f, 1), point(1, 1, 1);
   EXPECT_EQ(exact_affine(axis, 0.5f, point), 1.5f);
 }
+
+}  // namespace cuticle::shadows::exact_test

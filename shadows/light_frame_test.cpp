@@ -8,7 +8,7 @@
 #include <cuticle/shadows/light_frame.h>
 #include <cuticle/shadows/light_frame.glslh>
 
-using namespace cuticle::shadows;
+namespace cuticle::shadows::light_frame_test {
 
 namespace {
 
@@ -96,3 +96,5 @@ TEST(OrderedBits, Floats_KeepTheirOrderAndComeBack) {
   }
   for (std::size_t i = 1; i < std::size(values); ++i) EXPECT_LT(ordered_bits(values[i - 1]), ordered_bits(values[i]));
 }
+
+}  // namespace cuticle::shadows::light_frame_test

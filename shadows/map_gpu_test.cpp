@@ -12,8 +12,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::map_gpu_test {
 
 namespace {
 
@@ -255,3 +254,5 @@ TEST(MapGpu, MapBeyondTheDevice_IsRefused) {
         << gpu->name;
   }
 }
+
+}  // namespace cuticle::shadows::map_gpu_test

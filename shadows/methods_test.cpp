@@ -8,8 +8,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::methods_test {
 
 namespace {
 
@@ -224,3 +223,5 @@ TEST(Channels, EachOpacity_IsEvaluatedOnItsOwn) {
   EXPECT_FALSE(evaluate_channels(method, {&groom, 0.9, {0, 1, 0}}, {0.2, 0.4, 1.2}, {std::span(&behind, 1), {}},
                                  small_values(method)));
 }
+
+}  // namespace cuticle::shadows::methods_test

@@ -2,7 +2,7 @@
 
 #include <cuticle/sim/rest_pose.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::rest_pose_test {
 namespace {
 
 /// Segments of 1, 2 and 5 cm, mean 8/3 cm.
@@ -46,4 +46,4 @@ TEST(RestPose, StrandWithoutLength_HasUnitMassesAndNoNaN) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::rest_pose_test

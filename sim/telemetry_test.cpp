@@ -5,7 +5,7 @@
 
 #include <cuticle/sim/telemetry.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::telemetry_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(Effects, UnknownName_SuggestsTheNearest) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::telemetry_test

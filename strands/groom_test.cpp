@@ -13,7 +13,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::groom_test {
 namespace {
 
 using testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(Mesh, Transformed_MovesPointsAndTurnsNormals) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::groom_test

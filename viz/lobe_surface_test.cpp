@@ -8,7 +8,7 @@
 #include <cuticle/viz/lobe_surface.h>
 #include <cuticle/viz/strand_lines.h>
 
-namespace cuticle::viz {
+namespace cuticle::viz::lobe_surface_test {
 namespace {
 
 LobesView view_of(int lobe, bool logarithmic) {
@@ -83,4 +83,4 @@ TEST(LoadStrands, MissingState_NamesTheFile) {
 }
 
 }  // namespace
-}  // namespace cuticle::viz
+}  // namespace cuticle::viz::lobe_surface_test

@@ -14,7 +14,7 @@
 #include <cuticle/core/registry/parameter.h>
 #include <cuticle/tests/support/batch_data.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::batch_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -394,4 +394,4 @@ TEST(Batch, ParameterThatCannotVary_IsRefusedWithTheListOfThoseThatCan) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::batch_test

@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/csv_table.h>
 #include <cuticle/bsdf/chiang/chiang.glslh>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::chiang_accuracy_test {
 namespace {
 
 const Model& model() { return **find_model("chiang"); }
@@ -174,4 +174,4 @@ TEST(ChiangFarField, Albedo_AgreesWithMpmath) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::chiang_accuracy_test

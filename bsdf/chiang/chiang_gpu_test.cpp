@@ -7,7 +7,7 @@
 #include <cuticle/core/random.h>
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::chiang_gpu_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -96,4 +96,4 @@ TEST(ChiangGpu, EdgesOfTheDomain_AreFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::chiang_gpu_test

@@ -7,7 +7,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/core/random.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::chiang_sampling_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -123,4 +123,4 @@ TEST(ChiangSampler, LobesDrawn_TakeTheirShares) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::chiang_sampling_test

@@ -12,7 +12,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/tests/support/hard_cases.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::chiang_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -222,4 +222,4 @@ TEST(Chiang, PresetsAndTiers_AreValid) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::chiang_test

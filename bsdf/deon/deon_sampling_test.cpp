@@ -9,7 +9,7 @@
 
 #include <cuticle/tests/support/direction_grid.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::deon_sampling_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -92,4 +92,4 @@ TEST(DeonSampler, AtTheEdgesOfItsNumbers_IsFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::deon_sampling_test

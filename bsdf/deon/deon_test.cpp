@@ -16,7 +16,7 @@
 #include <cuticle/tests/support/hard_cases.h>
 #include <cuticle/bsdf/deon/deon.glslh>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::deon_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -248,4 +248,4 @@ TEST(Deon, PresetsAndTiers_AreValid) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::deon_test

@@ -7,7 +7,7 @@
 
 #include <cuticle/bsdf/dual_scattering/dual_scattering.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::dual_scattering_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(DualScattering, BadRequests_AreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::dual_scattering_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::fibres_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -45,4 +45,4 @@ TEST(Fibres, EveryModelThatMapsAFibre_TakesEachOfThem) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::fibres_test

@@ -11,7 +11,7 @@
 
 #include <cuticle/tests/support/model_values.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::hairworks_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -120,4 +120,4 @@ TEST(HairWorks, RotationWithinAQuarterInFloat_StaysWithinBound) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::hairworks_test

@@ -5,7 +5,7 @@
 
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::huang_gpu_test {
 namespace {
 
 struct OnDevice {
@@ -76,4 +76,4 @@ TEST(HuangGpu, EdgesOfTheDomain_AreFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::huang_gpu_test

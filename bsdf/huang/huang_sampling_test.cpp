@@ -7,7 +7,7 @@
 
 #include <cuticle/bsdf/model.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::huang_sampling_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -110,4 +110,4 @@ TEST_P(HuangSampling, Weights_HaveTheAlbedoAsTheirMeanAndFewOutliers) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::huang_sampling_test

@@ -13,7 +13,7 @@
 #include <cuticle/tests/support/csv_table.h>
 #include <cuticle/tests/support/model_values.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::huang_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -257,4 +257,4 @@ TEST(Huang, BadParameters_AreNamedWithTheirRange) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::huang_test

@@ -7,7 +7,7 @@
 
 #include <cuticle/tests/support/model_values.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::kajiya_kay_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -55,4 +55,4 @@ TEST(KajiyaKay, BadParameters_AreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::kajiya_kay_test

@@ -7,7 +7,7 @@
 
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::karis_gpu_test {
 namespace {
 
 struct OnDevice {
@@ -61,4 +61,4 @@ TEST(KarisGpu, Sampler_DrawsWhatTheCpuDraws) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::karis_gpu_test

@@ -14,7 +14,7 @@
 #include <cuticle/tests/support/condition_number.h>
 #include <cuticle/tests/support/csv_table.h>
 
-namespace cuticle::bsdf::karis {
+namespace cuticle::bsdf::karis::karis_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -239,4 +239,4 @@ TEST(KarisFit, Azimuth_IsThatOfTheFibreWithinItsError) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf::karis
+}  // namespace cuticle::bsdf::karis::karis_test

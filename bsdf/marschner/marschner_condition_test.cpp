@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/condition_number.h>
 #include <cuticle/tests/support/csv_table.h>
 
-namespace cuticle::bsdf::marschner {
+namespace cuticle::bsdf::marschner::marschner_condition_test {
 namespace {
 
 double setting(const std::string& settings, const std::string& name) {
@@ -93,4 +93,4 @@ TEST_P(MarschnerCondition, DoubleOverTheDomain_IsWithinItsConditionNumber) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf::marschner
+}  // namespace cuticle::bsdf::marschner::marschner_condition_test

@@ -6,7 +6,7 @@
 
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::marschner_gpu_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -134,4 +134,4 @@ TEST(MarschnerGpu, SameBatchTwice_GivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::marschner_gpu_test

@@ -6,7 +6,7 @@
 
 #include "cuticle/bsdf/marschner/marschner.glslh"
 
-namespace cuticle::bsdf::marschner {
+namespace cuticle::bsdf::marschner::marschner_jet_test {
 namespace {
 
 template <class Real>
@@ -48,4 +48,4 @@ TEST_P(MarschnerJet, Derivatives_AgreeWithCentralDifferences) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf::marschner
+}  // namespace cuticle::bsdf::marschner::marschner_jet_test

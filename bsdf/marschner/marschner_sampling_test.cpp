@@ -9,7 +9,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/core/quadrature.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::marschner_sampling_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -193,4 +193,4 @@ TEST(MarschnerSampler, AtTheEdgesOfTheDomain_DrawsAreFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::marschner_sampling_test

@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/csv_table.h>
 #include <cuticle/tests/support/hard_cases.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::marschner_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -205,4 +205,4 @@ TEST(FindLobe, Unknown_ListsTheLobes) { EXPECT_THAT(find_lobe(model(), "TTT").er
 TEST(FindQuantity, Unknown_ListsTheQuantities) { EXPECT_THAT(find_quantity("Q").error().message, HasSubstr("albedo")); }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::marschner_test

@@ -11,7 +11,7 @@
 #include <cuticle/tests/support/csv_table.h>
 #include <cuticle/tests/support/model_values.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::marschner_variants_test {
 namespace {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
@@ -203,4 +203,4 @@ TEST(MarschnerFibre, Mapping_IsAcceptedAndPutsRWhereTheScalesDo) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::marschner_variants_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::bsdf::marschner {
+namespace cuticle::bsdf::marschner::wrap_test {
 namespace {
 
 using Vector = glm::dvec3;
@@ -74,4 +74,4 @@ TEST(SolidScattering, OverASphere_IsFiniteAndEndsWhereTheWrapDoes) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf::marschner
+}  // namespace cuticle::bsdf::marschner::wrap_test

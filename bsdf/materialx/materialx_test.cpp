@@ -9,7 +9,7 @@
 
 #include <cuticle/bsdf/model.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::materialx_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST(MaterialX, MissingFile_IsNamed) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::materialx_test

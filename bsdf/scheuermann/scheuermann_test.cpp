@@ -11,7 +11,7 @@
 #include <cuticle/bsdf/scheuermann/shading.h>
 #include <cuticle/tests/support/model_values.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::scheuermann_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -158,4 +158,4 @@ TEST(Scheuermann, BadParameters_AreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::scheuermann_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::adaptive_quadrature_test {
 namespace {
 
 template <class Real, class Function, class Hidden>
@@ -84,4 +84,4 @@ TEST(AdaptiveQuadrature, ToleranceOutOfReach_EndsAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::adaptive_quadrature_test

@@ -6,7 +6,7 @@
 
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::empirical_models_gpu_test {
 namespace {
 
 class EmpiricalModelsGpu : public testing::TestWithParam<const char*> {};
@@ -57,4 +57,4 @@ TEST_P(EmpiricalModelsGpu, EdgesOfTheDomain_AreFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::empirical_models_gpu_test

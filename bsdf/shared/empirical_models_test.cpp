@@ -16,7 +16,7 @@
 #include <cuticle/bsdf/kajiya_kay/kajiya_kay.glslh>
 #include <cuticle/bsdf/scheuermann/scheuermann.glslh>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::empirical_models_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -237,4 +237,4 @@ TEST_P(EmpiricalModels, Presets_AreValid) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::empirical_models_test

@@ -9,7 +9,7 @@
 
 #include <cuticle/core/quadrature.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::highlight_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -67,4 +67,4 @@ TEST(ConeHighlightEnergy, CosineAtNormalIncidence_IsPiSquared) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::highlight_test

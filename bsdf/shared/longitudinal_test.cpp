@@ -9,7 +9,7 @@
 #include <cuticle/core/quadrature.h>
 #include <cuticle/tests/support/csv_table.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::longitudinal_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -74,4 +74,4 @@ TEST(Longitudinal, PeakOfANarrowLobe_IsAtTheShiftedSpecularDirection) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::longitudinal_test

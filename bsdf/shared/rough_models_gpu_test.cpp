@@ -5,7 +5,7 @@
 
 #include <cuticle/tests/support/model_on_device.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::rough_models_gpu_test {
 namespace {
 
 /// The largest difference over the largest value.
@@ -67,4 +67,4 @@ TEST_P(RoughModelsGpuEdges, EdgesOfTheDomain_AreFinite) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::rough_models_gpu_test

@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/direction_grid.h>
 #include <cuticle/tests/support/hard_cases.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::yan_fur_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -207,4 +207,4 @@ TEST_P(FurParameters, OutOfRange_AreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::yan_fur_test

@@ -17,7 +17,7 @@ namespace cuticle::cli {
 
 namespace {
 
-struct Request {
+struct BindRequest {
   std::string input, mesh, output, settings;
   strands::ReadOptions read;
   double mesh_metres_per_unit = 1, far = 0.005;
@@ -31,7 +31,7 @@ struct Input {
   std::vector<glm::vec3> normals = {};
 };
 
-Result<Input> read_roots(const Request& request) {
+Result<Input> read_roots(const BindRequest& request) {
   CUTICLE_ASSIGN(const strands::RootPlaces roots, strands::read_root_places(request.input));
   Input input{.normals = roots.normals};
   for (const glm::vec3& position : roots.positions) {
@@ -44,7 +44,7 @@ Result<Input> read_roots(const Request& request) {
   return input;
 }
 
-Result<Input> read_input(const Request& request, Progress& progress) {
+Result<Input> read_input(const BindRequest& request, Progress& progress) {
   Input input;
   if (request.input.ends_with(".txt")) {
     CUTICLE_ASSIGN(input, read_roots(request));
@@ -74,7 +74,7 @@ struct Bound {
   double normal_angle = 0;
 };
 
-Result<Bound> bind(const Request& request, Progress& progress) {
+Result<Bound> bind(const BindRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const strands::Mesh mesh, strands::read_obj(request.mesh, request.mesh_metres_per_unit));
   CUTICLE_ASSIGN(Input input, read_input(request, progress));
   Bound bound{.groom = std::move(input.groom)};
@@ -115,7 +115,7 @@ void print(const Bound& bound, bool json) {
   for (const auto& [key, value] : report.items()) fmt::print("{:<22}{}\n", key, value.dump());
 }
 
-int run(const Request& request, Context& context) {
+int run(const BindRequest& request, Context& context) {
   const auto bound = bind(request, *context.progress);
   if (!bound) return report(bound.error());
   const auto lost = write_groom_file(request.output, bound->groom);
@@ -130,7 +130,7 @@ int run(const Request& request, Context& context) {
 void add_bind(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("bind", "roots bound to a mesh at its nearest points, with a report of how they fit");
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<BindRequest>();
   command->add_option("input", request->input, "groom, or .txt: places of roots, on which hair is then grown")
       ->required();
   command->add_option("mesh", request->mesh, "growth mesh: .obj")->required();

@@ -8,13 +8,13 @@ namespace cuticle::cli {
 
 namespace {
 
-struct Request {
+struct ConvertRequest {
   std::string input, output;
   strands::ReadOptions read;
   double output_metres_per_unit = 1;
 };
 
-int convert(const Request& request, Progress& progress) {
+int convert(const ConvertRequest& request, Progress& progress) {
   const auto file = read_groom_file(request.input, request.read);
   if (!file) return report(file.error());
   for (const std::string& note : file->notes) progress.message(request.input + ": " + note);
@@ -30,7 +30,7 @@ int convert(const Request& request, Progress& progress) {
 
 void add_convert(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("convert", "a groom file from one format to another; what cannot be kept is said");
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ConvertRequest>();
   command->add_option("input", request->input, groom_help(false))->required();
   command->add_option("output", request->output, groom_help(true))->required();
   command->add_option("--metres-per-unit", request->read.metres_per_unit, "scale of the input; 0 = guess");

@@ -23,7 +23,7 @@ struct EvalOptions {
 };
 
 /// The values of one model and lobe at all points.
-struct Series {
+struct EvalSeries {
   std::string_view model;
   std::string lobe;
   std::vector<glm::dvec3> values;
@@ -43,13 +43,13 @@ Result<void> evaluate_on(const EvalOptions& options, const Context& context, con
 #endif
 }
 
-Result<std::vector<Series>> evaluate_all(const EvalOptions& options, const Context& context, bsdf::Quantity quantity,
+Result<std::vector<EvalSeries>> evaluate_all(const EvalOptions& options, const Context& context, bsdf::Quantity quantity,
                                          const std::vector<Subject>& subjects, const std::vector<bsdf::Point>& points) {
-  std::vector<Series> all;
+  std::vector<EvalSeries> all;
   for (const Subject& subject : subjects)
     for (const std::string& lobe : split_list(options.lobes)) {
       CUTICLE_ASSIGN(const int index, bsdf::find_lobe(*subject.model, lobe));
-      Series series{subject.model->entry.name, lobe, std::vector<glm::dvec3>(points.size())};
+      EvalSeries series{subject.model->entry.name, lobe, std::vector<glm::dvec3>(points.size())};
       CUTICLE_TRY(evaluate_on(options, context, subject, {quantity, index, points}, series.values));
       all.push_back(std::move(series));
     }
@@ -61,12 +61,12 @@ std::string in_digits(double value, const std::string& precision) {
   return precision == "f64" ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
 }
 
-std::string csv(const EvalOptions& options, bool several, const PointsTable& table, const std::vector<Series>& all) {
+std::string csv(const EvalOptions& options, bool several, const PointsTable& table, const std::vector<EvalSeries>& all) {
   std::string text = several ? "model," : "";
   for (std::size_t column : table.columns) text += fmt::format("{},", eval_columns[column].name);
   text += "lobe,r,g,b\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i)
-    for (const Series& series : all) {
+    for (const EvalSeries& series : all) {
       if (several) text += fmt::format("{},", series.model);
       for (double value : table.rows[i]) text += fmt::format("{},", value);
       const glm::dvec3 rgb = series.values[i];
@@ -76,10 +76,10 @@ std::string csv(const EvalOptions& options, bool several, const PointsTable& tab
   return text;
 }
 
-Json json_rows(const PointsTable& table, const std::vector<Series>& all) {
+Json json_rows(const PointsTable& table, const std::vector<EvalSeries>& all) {
   Json rows = Json::list();
   for (std::size_t i = 0; i < table.rows.size(); ++i)
-    for (const Series& series : all) {
+    for (const EvalSeries& series : all) {
       const glm::dvec3 rgb = series.values[i];
       Json row = {{"model", series.model}, {"lobe", series.lobe}, {"r", rgb.x}, {"g", rgb.y}, {"b", rgb.z}};
       for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -90,7 +90,7 @@ Json json_rows(const PointsTable& table, const std::vector<Series>& all) {
 }
 
 /// The rows; where a hair or a material was mapped, an object of the mappings and the rows.
-std::string json(const std::vector<Subject>& subjects, const PointsTable& table, const std::vector<Series>& all) {
+std::string json(const std::vector<Subject>& subjects, const PointsTable& table, const std::vector<EvalSeries>& all) {
   Json mappings = Json::list();
   for (const Subject& subject : subjects)
     if (subject.mapping)
@@ -117,7 +117,7 @@ Result<std::string> evaluated_text(const EvalOptions& options, const Context& co
   request.refuse_unused = subjects.size() == 1;
   CUTICLE_ASSIGN(const PointsTable table, read_coordinates(request));
   print_mappings(subjects);
-  CUTICLE_ASSIGN(const std::vector<Series> all, evaluate_all(options, context, quantity, subjects, in_radians(table)));
+  CUTICLE_ASSIGN(const std::vector<EvalSeries> all, evaluate_all(options, context, quantity, subjects, in_radians(table)));
   return context.json ? json(subjects, table, all) : csv(options, subjects.size() > 1, table, all);
 }
 

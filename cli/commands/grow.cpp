@@ -14,7 +14,7 @@ namespace cuticle::cli {
 
 namespace {
 
-struct Request {
+struct GrowRequest {
   std::vector<std::string> specifications;
   std::string settings, strand_settings, output, sheet;
   double share = -1;
@@ -22,7 +22,7 @@ struct Request {
   int compared_roots = 0;
 };
 
-Result<strands::GroomingSpecification> specification_of(const Request& request, const std::string& file) {
+Result<strands::GroomingSpecification> specification_of(const GrowRequest& request, const std::string& file) {
   auto specification = strands::default_specification();
   if (!file.empty()) {
     CUTICLE_ASSIGN(specification, strands::load_specification(file));
@@ -45,7 +45,7 @@ void tell(const std::string& what, const strands::GrowthReport& report, Progress
                                  roots.degenerate_triangles, roots.bare_triangles, roots.bad_densities));
 }
 
-Result<void> write_grown(const Request& request, const std::string& file, const std::string& output,
+Result<void> write_grown(const GrowRequest& request, const std::string& file, const std::string& output,
                          Progress& progress) {
   CUTICLE_ASSIGN(const auto specification, specification_of(request, file));
   CUTICLE_ASSIGN(const strands::Grown grown, strands::grow(specification));
@@ -59,7 +59,7 @@ Result<void> write_grown(const Request& request, const std::string& file, const 
 }
 
 /// One specification goes to the file named, several to a folder, each under its own name.
-Result<void> write_all(const Request& request, Progress& progress) {
+Result<void> write_all(const GrowRequest& request, Progress& progress) {
   if (request.specifications.size() < 2)
     return write_grown(request, request.specifications.empty() ? "" : request.specifications[0], request.output,
                        progress);
@@ -85,7 +85,7 @@ int compare_roots(int count) {
   return Exit::ok;
 }
 
-int run(const Request& request, Context& context) {
+int run(const GrowRequest& request, Context& context) {
   if (request.schema) {
     fmt::print("{}", strands::specification_schema());
     return Exit::ok;
@@ -113,7 +113,7 @@ std::string parameters_help() {
 void add_grow(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("grow", "hair on the procedural head, written as a groom in metres or drawn");
   command->footer(parameters_help);
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<GrowRequest>();
   auto* specification = command->add_option("specification", request->specifications,
                                             "grooming specifications (JSON); none: the defaults");
   command->add_option("--set", request->settings, "growing parameters as name=value,name=value")

@@ -18,7 +18,7 @@
 namespace cuticle::cli {
 namespace {
 
-struct Options {
+struct ShadowsOptions {
   std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, filter_texels,
                      spacings, points, out, camera, weights = "at_vertices";
   strands::ReadOptions read;
@@ -61,7 +61,7 @@ Result<std::vector<double>> parse_filters(const std::string& text, double footpr
   return radii;
 }
 
-Result<study::Sweep> parse_sweep(const Options& options, double footprint) {
+Result<study::Sweep> parse_sweep(const ShadowsOptions& options, double footprint) {
   study::Sweep sweep;
   CUTICLE_ASSIGN(sweep.layers, parse_integers("--layers", options.layers));
   CUTICLE_ASSIGN(sweep.resolutions, parse_integers("--resolution", options.resolutions));
@@ -75,11 +75,11 @@ Result<study::Sweep> parse_sweep(const Options& options, double footprint) {
   return sweep;
 }
 
-std::vector<std::string> method_names(const Options& options) {
+std::vector<std::string> method_names(const ShadowsOptions& options) {
   return options.methods == "all" ? study::all_methods() : split_list(options.methods);
 }
 
-double footprint_of(const Options& options, const strands::Groom& groom) {
+double footprint_of(const ShadowsOptions& options, const strands::Groom& groom) {
   return options.footprint_mm > 0 ? 1e-3 * options.footprint_mm : shadows::default_footprint_radius(groom);
 }
 
@@ -103,7 +103,7 @@ std::string column_name(const study::Candidate& candidate, bool alone) {
 }
 
 /// The truth of a table of points: rays and footprint as asked for.
-Result<void> set_truth(const Options& options, double footprint, std::vector<study::Candidate>& candidates) {
+Result<void> set_truth(const ShadowsOptions& options, double footprint, std::vector<study::Candidate>& candidates) {
   for (study::Candidate& candidate : candidates) {
     if (candidate.method->entry.name != "truth") continue;
     const std::string set = fmt::format("rays={},footprint_radius_mm={:.17g}", options.rays, 1e3 * footprint);
@@ -123,7 +123,7 @@ void print_points(const std::vector<std::string>& names, std::span<const glm::ve
   fmt::print("\n");
 }
 
-Result<int> print_at_points(const Options& options, const shadows::Casters& casters) {
+Result<int> print_at_points(const ShadowsOptions& options, const shadows::Casters& casters) {
   CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
   const double footprint = footprint_of(options, *casters.groom);
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, footprint));
@@ -144,7 +144,7 @@ Result<int> print_at_points(const Options& options, const shadows::Casters& cast
 
 constexpr std::size_t k_quick_receivers = 300;
 
-Result<study::Comparison> compare(const Options& options, const shadows::Casters& casters, Progress& progress) {
+Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::Casters& casters, Progress& progress) {
   study::ComparisonRequest request;
   request.groom_name = options.groom;
   request.groom = casters.groom;
@@ -185,7 +185,7 @@ std::string row_text(const study::ComparisonRow& row) {
 }
 
 /// What meets the request, or what comes nearest and why it does not.
-struct Verdict {
+struct BudgetVerdict {
   const study::ComparisonRow* choice = nullptr;
   study::Nearest nearest;
   std::string text() const {
@@ -193,15 +193,15 @@ struct Verdict {
     return fmt::format("none does: nearest is {}, because {}", row_text(*nearest.row), nearest.because);
   }
 };
-Verdict judge(const study::Comparison& comparison, const study::Request& request) {
-  Verdict verdict{study::best_choice(comparison, request), {}};
+BudgetVerdict judge(const study::Comparison& comparison, const study::Request& request) {
+  BudgetVerdict verdict{study::best_choice(comparison, request), {}};
   if (verdict.choice == nullptr) verdict.nearest = study::nearest_to(comparison, request);
   return verdict;
 }
 
 /// The study's JSON with the choice, and what was asked for.
 std::string json_with_choice(const study::Comparison& comparison, const study::Request& request,
-                             const Verdict& verdict) {
+                             const BudgetVerdict& verdict) {
   auto object = Json::parse(study::to_json(comparison)).value();
   const auto index = [&](const study::ComparisonRow* row) { return std::size_t(row - comparison.rows.data()); };
   object["request"] = {{"max_error", request.max_error}, {"budget_ms", request.budget_ms}};
@@ -214,7 +214,7 @@ std::string json_with_choice(const study::Comparison& comparison, const study::R
   return object.dump(2) + "\n";
 }
 
-Result<void> write_all(const Options& options, const study::Comparison& comparison, const std::string& json,
+Result<void> write_all(const ShadowsOptions& options, const study::Comparison& comparison, const std::string& json,
                        Progress& progress) {
   CUTICLE_TRY(study::write_comparison(comparison, options.out));
   CUTICLE_TRY(write_text_file(options.out + "/study.json", json));
@@ -222,7 +222,7 @@ Result<void> write_all(const Options& options, const study::Comparison& comparis
   return {};
 }
 
-Result<int> run(const Options& options, Context& context) {
+Result<int> run(const ShadowsOptions& options, Context& context) {
   CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_direction("--light", options.light));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(options.groom, options.read, *context.progress));
   const shadows::Casters casters{&groom, options.alpha, to_light};
@@ -231,7 +231,7 @@ Result<int> run(const Options& options, Context& context) {
   if (options.on_device) CUTICLE_TRY(measure_device(casters, context, comparison));
   for (const study::Refusal& refusal : comparison.refused)
     context.progress->message(fmt::format("{} {}: refused: {}", refusal.method, refusal.settings, refusal.why));
-  const Verdict verdict = judge(comparison, options.request);
+  const BudgetVerdict verdict = judge(comparison, options.request);
   const std::string json = json_with_choice(comparison, options.request, verdict);
   fmt::print("{}", context.json ? json : study::to_csv(comparison));
   if (!options.out.empty()) CUTICLE_TRY(write_all(options, comparison, json, *context.progress));
@@ -240,7 +240,7 @@ Result<int> run(const Options& options, Context& context) {
   return int(verdict.choice == nullptr ? Exit::check_failed : Exit::ok);
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, ShadowsOptions& options) {
   const double infinity = std::numeric_limits<double>::infinity();
   command.add_option("groom", options.groom, "groom: .hair or .tfx")->required();
   command.add_option("--light", options.light, "direction from the scene to the light, x,y,z");
@@ -286,7 +286,7 @@ void add_options(CLI::App& command, Options& options) {
 void add_shadows(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ShadowsOptions>();
   add_options(*command, *options);
   command->callback([&context, options] {
     context.action = [&context, options] {

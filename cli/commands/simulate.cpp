@@ -55,7 +55,7 @@ Result<void> announce_size(const strands::Groom& groom, const Formats& formats, 
 }
 
 /// What a run leaves beside the states.
-struct Series {
+struct StateSeries {
   std::string telemetry = sim::telemetry_header();
   std::vector<strands::SeriesMember> members;
   double largest_stretch = 1, wall_ms = 0;
@@ -76,7 +76,7 @@ Result<void> write_state(const strands::Groom& rest, const sim::State& state, co
   return {};
 }
 
-void add_frame(Series& series, int frame, double time, const sim::Telemetry& telemetry, double wall_ms) {
+void add_frame(StateSeries& series, int frame, double time, const sim::Telemetry& telemetry, double wall_ms) {
   series.telemetry += sim::telemetry_row(frame, time, telemetry, wall_ms);
   series.members.push_back({time, fmt::format("state_{:04d}.vtp", frame)});
   series.largest_stretch = std::max(series.largest_stretch, telemetry.largest_stretch);
@@ -84,14 +84,14 @@ void add_frame(Series& series, int frame, double time, const sim::Telemetry& tel
   series.wall_ms += wall_ms;
 }
 
-Result<void> write_series(const Series& series, const Formats& formats, const std::string& folder) {
+Result<void> write_series(const StateSeries& series, const Formats& formats, const std::string& folder) {
   if (formats.vtp) CUTICLE_TRY(write_text_file(folder + "/states.pvd", strands::format_pvd(series.members)));
   return write_text_file(folder + "/telemetry.csv", series.telemetry);
 }
 
-Result<Series> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
+Result<StateSeries> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
                           std::pair<int, int> frames, double frames_per_second, Progress& progress) {
-  Series series;
+  StateSeries series;
   const strands::Groom& rest = runner.control_groom();
   for (int frame = frames.first; frame <= frames.second; ++frame) {
     CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.render = false, .read_state = true}));
@@ -107,7 +107,7 @@ Result<Series> run_frames(plan::FrameRunner& runner, const SimulateOptions& opti
   return series;
 }
 
-void print(const Series& series, const strands::Groom& rest, const std::string& folder, bool json) {
+void print(const StateSeries& series, const strands::Groom& rest, const std::string& folder, bool json) {
   const double frames = double(std::max<std::size_t>(1, series.members.size()));
   if (json) {
     const Json summary = {{"frames", series.members.size()},
@@ -134,7 +134,7 @@ Result<void> simulate(const SimulateOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   CUTICLE_TRY(make_folder(options.out));
   CUTICLE_TRY(announce_size(runner->control_groom(), formats, frames.second - frames.first + 1, options, *context.progress));
-  CUTICLE_ASSIGN(const Series series,
+  CUTICLE_ASSIGN(const StateSeries series,
                  run_frames(*runner, options, formats, frames, scene.frames_per_second, *context.progress));
   print(series, runner->control_groom(), options.out, context.json);
   return {};

@@ -8,12 +8,12 @@
 namespace cuticle::cli {
 namespace {
 
-struct Options {
+struct LobesOptions {
   std::string models = "all", hair = "blond", out;
   bool quick = false;
 };
 
-Result<study::LobesRequest> request_of(const Options& options) {
+Result<study::LobesRequest> request_of(const LobesOptions& options) {
   study::LobesRequest request;
   CUTICLE_ASSIGN(const bsdf::NamedFibre hair, bsdf::find_fibre(options.hair));
   request.fibre = hair.fibre;
@@ -27,14 +27,14 @@ Result<study::LobesRequest> request_of(const Options& options) {
   return request;
 }
 
-Result<study::LobesStudy> run_lobes(const Options& options, Progress& progress) {
+Result<study::LobesStudy> run_lobes(const LobesOptions& options, Progress& progress) {
   CUTICLE_ASSIGN(const study::LobesRequest request, request_of(options));
   CUTICLE_ASSIGN(const study::LobesStudy lobes, study::run_lobes_study(request, progress));
   CUTICLE_TRY(study::write_lobes_study(lobes, options.out));
   return lobes;
 }
 
-int study_lobes(const Options& options, Context& context) {
+int study_lobes(const LobesOptions& options, Context& context) {
   const auto lobes = run_lobes(options, *context.progress);
   if (!lobes) return report(lobes.error());
   fmt::print("{}", context.json ? study::to_json(*lobes) : study::to_csv(*lobes));
@@ -45,7 +45,7 @@ int study_lobes(const Options& options, Context& context) {
 
 void add_study_lobes(CLI::App& study, Context& context) {
   auto* command = study.add_subcommand("lobes", "every fibre model: error against time of its tiers, and its lobes");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LobesOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--models", options->models, "models, a,b,c, or all")->capture_default_str();
   command->add_option("--hair", options->hair, "physical fibre that every model is mapped to")->capture_default_str();

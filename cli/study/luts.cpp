@@ -7,12 +7,12 @@
 namespace cuticle::cli {
 namespace {
 
-struct Options {
+struct LutsOptions {
   std::string models = "marschner", layouts, settings, out;
   bool quick = false;
 };
 
-study::LutsRequest request_of(const Options& options) {
+study::LutsRequest request_of(const LutsOptions& options) {
   study::LutsRequest request;
   request.models = split_list(options.models);
   request.settings = options.settings;
@@ -26,7 +26,7 @@ study::LutsRequest request_of(const Options& options) {
   return request;
 }
 
-int study_luts(const Options& options, Context& context) {
+int study_luts(const LutsOptions& options, Context& context) {
   const auto luts = study::run_luts_study(request_of(options), *context.progress);
   if (!luts) return report(luts.error());
   const auto written = study::write_luts_study(*luts, options.out);
@@ -39,7 +39,7 @@ int study_luts(const Options& options, Context& context) {
 
 void add_study_luts(CLI::App& study, Context& context) {
   auto* command = study.add_subcommand("luts", "lookup tables beside the model: error against bytes and time");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LutsOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--models", options->models, "models, a,b,c")->capture_default_str();
   command->add_option("--layouts", options->layouts, "layouts, a,b,c; without it all whose tables make S");

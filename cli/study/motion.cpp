@@ -7,19 +7,19 @@
 namespace cuticle::cli {
 namespace {
 
-struct Options {
+struct MotionOptions {
   std::string out;
   bool quick = false;
 };
 
-Result<study::MotionStudy> run_motion(const Options& options, Progress& progress) {
+Result<study::MotionStudy> run_motion(const MotionOptions& options, Progress& progress) {
   const study::MotionRequest request = options.quick ? study::quick_motion_request() : study::MotionRequest{};
   CUTICLE_ASSIGN(const study::MotionStudy motion, study::run_motion_study(request, progress));
   CUTICLE_TRY(study::write_motion_study(motion, options.out));
   return motion;
 }
 
-int study_motion(const Options& options, Context& context) {
+int study_motion(const MotionOptions& options, Context& context) {
   const auto motion = run_motion(options, *context.progress);
   if (!motion) return report(motion.error());
   fmt::print("{}", study::motion_csv(*motion));
@@ -30,7 +30,7 @@ int study_motion(const Options& options, Context& context) {
 
 void add_study_motion(CLI::App& study, Context& context) {
   auto* command = study.add_subcommand("motion", "strand solvers: error against time by substeps and iterations");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MotionOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_flag("--quick", options->quick, "fewer settings and timings");
   command->callback(

@@ -15,12 +15,12 @@ namespace cuticle::cli {
 #ifdef CUTICLE_HAS_GPU
 namespace {
 
-struct Options {
+struct RenderStudyOptions {
   std::string scene, out;
   bool quick = false;
 };
 
-Result<study::RenderStudy> run(const Options& options, Context& context) {
+Result<study::RenderStudy> run(const RenderStudyOptions& options, Context& context) {
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   study::RenderRequest request;
   CUTICLE_ASSIGN(
@@ -37,7 +37,7 @@ Result<study::RenderStudy> run(const Options& options, Context& context) {
   return study;
 }
 
-int study_render(const Options& options, Context& context) {
+int study_render(const RenderStudyOptions& options, Context& context) {
   const auto study = run(options, context);
   if (!study) return report(study.error());
   fmt::print("{}", study::to_csv(*study));
@@ -48,7 +48,7 @@ int study_render(const Options& options, Context& context) {
 
 void add_study_render(CLI::App& study, Context& context) {
   auto* command = study.add_subcommand("render", "ways to draw a scene's hair against brute force: error against time");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderStudyOptions>();
   command->add_option("scene", options->scene, "scene file (JSON); without it that of the demo");
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_flag("--quick", options->quick,

@@ -13,18 +13,18 @@
 namespace cuticle::cli {
 namespace {
 
-struct Options {
+struct ShadowsStudyOptions {
   std::string groom, marks, out;
   strands::ReadOptions read;
   bool quick = false;
 };
 
-Result<strands::Groom> groom_of(const Options& options, Progress& progress) {
+Result<strands::Groom> groom_of(const ShadowsStudyOptions& options, Progress& progress) {
   if (options.groom.empty()) return study::study_coat(options.quick ? 5000 : 20000);
   return load_groom(options.groom, options.read, progress);
 }
 
-Result<study::Comparison> run_shadows(const Options& options, Progress& progress) {
+Result<study::Comparison> run_shadows(const ShadowsStudyOptions& options, Progress& progress) {
   CUTICLE_ASSIGN(const strands::Groom groom, groom_of(options, progress));
   study::SlicesStudy slices = options.quick ? study::quick_slices_study() : study::SlicesStudy{};
   slices.request.groom = &groom;
@@ -40,7 +40,7 @@ std::string data_folder() {
   return folder == nullptr ? "." : folder;
 }
 
-Result<int> measure(const Options& options, Context& context) {
+Result<int> measure(const ShadowsStudyOptions& options, Context& context) {
   CUTICLE_ASSIGN(const std::vector<study::MarksFile> files, study::read_marks(options.marks, data_folder()));
   CUTICLE_TRY(make_folder(options.out));
   bool all = true;
@@ -57,7 +57,7 @@ Result<int> measure(const Options& options, Context& context) {
   return int(all ? Exit::ok : Exit::check_failed);
 }
 
-int study_shadows(const Options& options, Context& context) {
+int study_shadows(const ShadowsStudyOptions& options, Context& context) {
   if (!options.marks.empty()) {
     const auto code = measure(options, context);
     return code ? *code : report(code.error());
@@ -73,7 +73,7 @@ int study_shadows(const Options& options, Context& context) {
 void add_study_shadows(CLI::App& study, Context& context) {
   auto* command = study.add_subcommand(
       "shadows", "opacity maps and deep opacity maps, layers and resolution, against ray-traced truth");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ShadowsStudyOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_option("--groom", options->groom, "groom: .hair or .tfx; without it a coat of strands on a half sphere");
   command->add_option(

@@ -8,7 +8,7 @@
 #include <cuticle/core/file.h>
 #include <cuticle/core/image/image.h>
 
-namespace cuticle {
+namespace cuticle::image_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST(RoundToHalf, HalfWay_RoundsToEven) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::image_test

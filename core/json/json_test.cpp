@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle {
+namespace cuticle::json_test {
 namespace {
 
 TEST(Json, BracedLists_BecomeObjectsOnlyWhereEveryItemIsAPairWithAKey) {
@@ -70,4 +70,4 @@ TEST(Json, ChangedInPlace_HoldsWhatWasPut) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::json_test

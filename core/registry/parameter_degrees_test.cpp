@@ -3,7 +3,7 @@
 
 #include <cuticle/core/registry/parameter.h>
 
-namespace cuticle::registry {
+namespace cuticle::registry::parameter_degrees_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -32,4 +32,4 @@ TEST(ParameterDegrees, ParameterThatIsNoAngle_HasNoDegrees) {
 }
 
 }  // namespace
-}  // namespace cuticle::registry
+}  // namespace cuticle::registry::parameter_degrees_test

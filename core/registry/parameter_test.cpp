@@ -4,7 +4,7 @@
 #include <cuticle/core/json/json.h>
 #include <cuticle/core/registry/parameter.h>
 
-namespace cuticle::registry {
+namespace cuticle::registry::parameter_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST(ParameterJson, Errors_StartWithThePlaceAndAreBadInput) {
 }
 
 }  // namespace
-}  // namespace cuticle::registry
+}  // namespace cuticle::registry::parameter_test

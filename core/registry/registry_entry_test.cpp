@@ -4,7 +4,7 @@
 #include <cuticle/core/json/json.h>
 #include <cuticle/core/registry/entry.h>
 
-namespace cuticle::registry {
+namespace cuticle::registry::registry_entry_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -57,4 +57,4 @@ TEST(Entries, AsText_NameEveryParameterWithItsRange) {
 }
 
 }  // namespace
-}  // namespace cuticle::registry
+}  // namespace cuticle::registry::registry_entry_test

@@ -8,7 +8,7 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
-namespace cuticle {
+namespace cuticle::logarithm_test {
 namespace {
 
 TEST(PreciseLog, FloatOverTheWholeRange_IsWithinItsBound) {
@@ -48,4 +48,4 @@ TEST(Logarithms, Jet_HasTheirDerivatives) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::logarithm_test

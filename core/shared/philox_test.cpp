@@ -6,7 +6,7 @@
 #include <cuticle/core/random.h>
 #include <cuticle/tests/support/csv_table.h>
 
-namespace cuticle {
+namespace cuticle::philox_test {
 namespace {
 
 using Words = std::array<std::uint32_t, 4>;
@@ -80,4 +80,4 @@ TEST(RandomStream, OtherStreamsOfASeed_Differ) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::philox_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle {
+namespace cuticle::rotation_test {
 namespace {
 
 template <class Real>
@@ -20,4 +20,4 @@ TEST(PreciseRotation, InFloat_IsTheCosineAndTheSine) { EXPECT_EQ(differences<flo
 TEST(PreciseRotation, InDouble_IsTheCosineAndTheSine) { EXPECT_EQ(differences<double>(), 0); }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::rotation_test

@@ -6,7 +6,7 @@
 #include <cuticle/core/shared/bessel.glslh>
 #include <cuticle/core/shared/trigonometry.glslh>
 
-namespace cuticle {
+namespace cuticle::special_functions_test {
 namespace {
 
 using Jet = ceres::Jet<double, 1>;
@@ -159,4 +159,4 @@ TEST(BesselI0Scaled, OfTheLargestFloat_IsFiniteAndPositive) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::special_functions_test

@@ -3,7 +3,7 @@
 
 #include "shared_device.h"
 
-namespace cuticle::gpu {
+namespace cuticle::gpu::device_test {
 namespace {
 
 TEST(GpuDevice, List_NamesAtLeastOneUsableDevice) {
@@ -118,4 +118,4 @@ TEST(GpuBuffer, FillAndCopy_MoveWords) {
 }
 
 }  // namespace
-}  // namespace cuticle::gpu
+}  // namespace cuticle::gpu::device_test

@@ -7,7 +7,7 @@
 #include <cuticle/gpu/detail/choice.h>
 #include <cuticle/gpu/detail/texels.h>
 
-namespace cuticle::gpu {
+namespace cuticle::gpu::gpu_choice_test {
 namespace {
 
 DeviceInfo named(int index, std::string name, bool is_software, std::string unusable = {}) {
@@ -95,4 +95,4 @@ TEST(GpuChunks, NoItems_AreNoParts) { EXPECT_TRUE(chunks(0, 4, 100).empty()); }
 TEST(GpuChunks, ItemsLargerThanTheLimit_StandAlone) { EXPECT_EQ(chunks(3, 200, 100).size(), 3u); }
 
 }  // namespace
-}  // namespace cuticle::gpu
+}  // namespace cuticle::gpu::gpu_choice_test

@@ -6,7 +6,7 @@
 #include <flat_color_frag.spv.h>
 #include <pulled_vert.spv.h>
 
-namespace cuticle::gpu {
+namespace cuticle::gpu::gpu_draw_test {
 namespace {
 
 constexpr int k_size = 16;
@@ -230,4 +230,4 @@ TEST(GpuDraw, TargetsOfDifferentSizes_AreRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::gpu
+}  // namespace cuticle::gpu::gpu_draw_test

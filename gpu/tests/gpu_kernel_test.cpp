@@ -6,7 +6,7 @@
 
 #include <scale_comp.spv.h>
 
-namespace cuticle::gpu {
+namespace cuticle::gpu::gpu_kernel_test {
 namespace {
 
 struct ScaleConstants {
@@ -228,4 +228,4 @@ TEST(GpuValidation, MisdeclaredShader_FailsTheNextSubmitOnly) {
 }
 
 }  // namespace
-}  // namespace cuticle::gpu
+}  // namespace cuticle::gpu::gpu_kernel_test

@@ -6,7 +6,7 @@
 
 #include <sample_comp.spv.h>
 
-namespace cuticle::gpu {
+namespace cuticle::gpu::gpu_texture_test {
 namespace {
 
 constexpr int k_width = 7, k_height = 5;
@@ -145,4 +145,4 @@ TEST(GpuTexture, WrongNumberOfFloats_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::gpu
+}  // namespace cuticle::gpu::gpu_texture_test

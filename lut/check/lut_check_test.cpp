@@ -16,7 +16,7 @@
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/table_set.h>
 
-namespace cuticle::lut::check {
+namespace cuticle::lut::check::lut_check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST(Manifest, TextThatIsNoJson_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut::check
+}  // namespace cuticle::lut::check::lut_check_test

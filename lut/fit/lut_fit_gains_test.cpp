@@ -7,7 +7,7 @@
 #include <cuticle/lut/fit/analytic_fit.h>
 #include <cuticle/lut/fit/texel_fit.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_fit_gains_test {
 namespace {
 
 constexpr double k_degree = 0.017453292519943295;
@@ -136,4 +136,4 @@ TEST(FitAnalytic, RoughFibre_StaysWithinAFewPercent) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_fit_gains_test

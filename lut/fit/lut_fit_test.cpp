@@ -4,7 +4,7 @@
 #include <cuticle/lut/fit/detail/texel_problem.h>
 #include <cuticle/lut/fit/texel_fit.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_fit_test {
 namespace {
 
 TableSet baked(int size) {
@@ -73,4 +73,4 @@ TEST(FitTexelsOfACaustic, MarkedTexels_KeepTheirAverages) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_fit_test

@@ -9,7 +9,7 @@
 
 #include <cuticle/lut/fit/detail/tangents.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::model_fit_test {
 namespace {
 
 using testing::UnorderedElementsAre;
@@ -74,7 +74,7 @@ std::string_view away_from_edges(std::string_view name) {
 
 TEST(Tangents, EveryModel_AgreesWithDifferencesOfItsValues) {
   for (const JetModel& jet : jet_models()) {
-    const bsdf::Model& model = lut::model(jet.name);
+    const bsdf::Model& model = *bsdf::find_model(jet.name).value();
     const registry::ParameterValues values = settings(jet.name, away_from_edges(jet.name));
     const auto free = free_parameters(model, smooth_parameters(model), false).value();
     const Measurements data = measured(jet.name, "", -1, 0, 0, 1);
@@ -196,4 +196,4 @@ TEST(FitModel, BadRequests_AreErrorsThatSayWhy) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::model_fit_test

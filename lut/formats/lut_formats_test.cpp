@@ -13,7 +13,7 @@
 #include <cuticle/lut/formats/dds/dds.h>
 #include <cuticle/lut/formats/ktx2/ktx2.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_formats_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ TEST(HalfFiles, CutShortAnywhere_AreRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_formats_test

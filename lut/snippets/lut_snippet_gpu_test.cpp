@@ -17,7 +17,7 @@
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/snippets/snippet.h>
 
-namespace cuticle::lut {
+namespace cuticle::lut::lut_snippet_gpu_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -261,4 +261,4 @@ TEST_F(SnippetOnDevice, ProbesOfATableThatIsUpsideDown_NameTableAndProbe) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut
+}  // namespace cuticle::lut::lut_snippet_gpu_test

@@ -9,8 +9,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::deep_opacity_test {
 
 namespace {
 
@@ -177,3 +176,5 @@ TEST(DeepOpacity, StorageInBytes_IsCloseAndAQuarterOfTheSize) {
   EXPECT_LT(worst, 0.5f / 255 + 1e-4f) << "rounding to 255ths";
   EXPECT_GT(worst, 0.0f);
 }
+
+}  // namespace cuticle::shadows::deep_opacity_test

@@ -7,9 +7,7 @@
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
-using namespace cuticle::shadows::deep_shadow;
+namespace cuticle::shadows::deep_shadow::deep_shadow_test {
 
 namespace {
 
@@ -145,3 +143,5 @@ TEST(DeepShadow, EmptyGroom_LetsAllThrough) {
   ASSERT_TRUE(result);
   EXPECT_EQ(result->values[0], 1.0f);
 }
+
+}  // namespace cuticle::shadows::deep_shadow::deep_shadow_test

@@ -7,8 +7,7 @@
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::exact_list_test {
 
 namespace {
 
@@ -76,3 +75,5 @@ TEST(ExactList, OneAndThreeThreads_SameBits) {
   }
   EXPECT_EQ(values[0], values[1]);
 }
+
+}  // namespace cuticle::shadows::exact_list_test

@@ -8,8 +8,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <cuticle/shadows/fourier/fourier.glslh>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::fourier_test {
 
 namespace {
 
@@ -83,3 +82,5 @@ TEST(FourierMap, Smoothing_TakesTheRingingAway) {
   };
   EXPECT_LT(rise("harmonics=7,smoothing=2"), 0.3f * rise("harmonics=7"));
 }
+
+}  // namespace cuticle::shadows::fourier_test

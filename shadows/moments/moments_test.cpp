@@ -8,9 +8,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <cuticle/shadows/moments/moments.glslh>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
-using namespace cuticle::shadows::moments;
+namespace cuticle::shadows::moments::moments_test {
 
 namespace {
 
@@ -130,3 +128,5 @@ TEST(MomentMap, RandomSlab_FollowsTheExponentialLaw) {
     EXPECT_NEAR(tests::mean(within->values) / std::exp(-0.4 * half), 1, 0.05) << basis;
   }
 }
+
+}  // namespace cuticle::shadows::moments::moments_test

@@ -9,8 +9,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::opacity_map_test {
 
 namespace {
 
@@ -209,3 +208,5 @@ TEST(OpacityMap, MorePlanesThanTheTargetsHold_AreRefused) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::usage);
 }
+
+}  // namespace cuticle::shadows::opacity_map_test

@@ -5,8 +5,7 @@
 #include <cuticle/tests/support/shadow_runs.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::shadow_map_test {
 
 namespace {
 
@@ -49,3 +48,5 @@ TEST(ShadowMap, AbsorbingHair_TakesAlphaPerSpacing) {
 }
 
 TEST(ShadowMap, ClearFibres_CastNothing) { EXPECT_EQ(at({0, 0, 0}, "", 0), 1.0f); }
+
+}  // namespace cuticle::shadows::shadow_map_test

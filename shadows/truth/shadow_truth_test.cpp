@@ -8,8 +8,7 @@
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::shadow_truth_test {
 
 namespace {
 
@@ -127,3 +126,5 @@ TEST(ShadowTruth, BadInput_IsRefused) {
   EXPECT_FALSE(run(bar(), {std::span(&good, 1), std::span(&strand, 1)}, ""));
   EXPECT_FALSE(run(bar(), {std::span(&good, 1)}, "rays=0"));
 }
+
+}  // namespace cuticle::shadows::shadow_truth_test

@@ -8,8 +8,7 @@
 #include <cuticle/shadows/method.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-using namespace cuticle;
-using namespace cuticle::shadows;
+namespace cuticle::shadows::voxel_test {
 
 namespace {
 
@@ -131,3 +130,5 @@ TEST(Voxel, OneAndThreeThreads_SameBits) {
   }
   EXPECT_EQ(values[0], values[1]);
 }
+
+}  // namespace cuticle::shadows::voxel_test

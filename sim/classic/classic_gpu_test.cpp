@@ -1,7 +1,7 @@
 // The kernels against the CPU twin, against themselves, and their cost against what the registry says.
 #include <cuticle/sim/classic/test_gpu.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::classic_gpu_test {
 namespace {
 
 using namespace testing;
@@ -106,4 +106,4 @@ TEST(ClassicGpu, EmptyGroom_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::classic_gpu_test

@@ -5,7 +5,7 @@
 
 #include <cuticle/sim/classic/test_strands.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::classic_hard_test {
 namespace {
 
 using namespace testing;
@@ -181,4 +181,4 @@ TEST(ClassicHard, EmptyGroom_HasAnEmptyState) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::classic_hard_test

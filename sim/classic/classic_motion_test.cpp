@@ -4,7 +4,7 @@
 #include <cuticle/sim/classic/test_strands.h>
 #include <cuticle/sim/rest_pose.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::classic_motion_test {
 namespace {
 
 using namespace testing;
@@ -212,4 +212,4 @@ TEST(ClassicMotion, HundredMetresFromOrigin_MovesAsAtTheOrigin) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::classic_motion_test

@@ -6,7 +6,7 @@
 #include <cuticle/sim/classic/verlet.glslh>
 #include <cuticle/sim/turn.glslh>
 
-namespace cuticle::sim {
+namespace cuticle::sim::verlet_test {
 namespace {
 
 using glm::dvec3;
@@ -75,4 +75,4 @@ TEST(Turn, QuarterTurnAboutVertical_TakesXToMinusZ) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::verlet_test

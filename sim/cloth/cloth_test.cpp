@@ -2,7 +2,7 @@
 #include <cuticle/sim/classic/test_strands.h>
 #include <cuticle/sim/cloth/cloth.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::cloth_test {
 namespace {
 
 using namespace testing;
@@ -122,4 +122,4 @@ TEST(Cloth, MeshThatDoesNotFit_IsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::cloth_test

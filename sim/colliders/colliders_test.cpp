@@ -2,7 +2,7 @@
 #include <cuticle/sim/classic/test_strands.h>
 #include <cuticle/sim/colliders/contact.glslh>
 
-namespace cuticle::sim {
+namespace cuticle::sim::colliders_test {
 namespace {
 
 using namespace testing;
@@ -117,4 +117,4 @@ TEST(Pearl, FittedRadius_PutsTheMiddleOfASegmentOnTheSphere) {
 TEST(Pearl, NoSphereAndNoSegment_IsZero) { EXPECT_EQ(fitted_pearl(0.0, 0.0), 0.0); }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::colliders_test

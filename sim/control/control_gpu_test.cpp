@@ -2,7 +2,7 @@
 #include <cuticle/sim/classic/test_gpu.h>
 #include <cuticle/sim/control/control_gpu.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::control_gpu_test {
 namespace {
 
 using namespace testing;
@@ -34,4 +34,4 @@ TEST(ControlGpu, OneDispatchMore_AndNoneWithoutTheEffect) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::control_gpu_test

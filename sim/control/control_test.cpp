@@ -2,7 +2,7 @@
 #include <cuticle/sim/classic/test_strands.h>
 #include <cuticle/sim/control/control.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::control_test {
 namespace {
 
 using namespace testing;
@@ -102,4 +102,4 @@ TEST(Control, InputThatDoesNotFit_IsRefusedByNameAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::control_test

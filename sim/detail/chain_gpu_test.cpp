@@ -2,7 +2,7 @@
 // registry says.
 #include <cuticle/sim/classic/test_gpu.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::chain_gpu_test {
 namespace {
 
 using namespace testing;
@@ -81,4 +81,4 @@ TEST_P(ChainGpu, DoublePrecision_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::chain_gpu_test

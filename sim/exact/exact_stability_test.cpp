@@ -7,7 +7,7 @@
 #include <cuticle/sim/exact/exact.h>
 #include <cuticle/sim/exact/kernel.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::exact_stability_test {
 namespace {
 
 using namespace testing;
@@ -207,4 +207,4 @@ TEST(ExactContact, Incline_SticksBelowAndSlidesAboveTheAngleOfFriction) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::exact_stability_test

@@ -4,7 +4,7 @@
 #include <cuticle/sim/classic/test_strands.h>
 #include <cuticle/sim/reference/chain_reference.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::exact_truth_test {
 namespace {
 
 using namespace testing;
@@ -338,4 +338,4 @@ TEST(ExactTruth, ThirtySixtyAndManyFrames_Agree) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::exact_truth_test

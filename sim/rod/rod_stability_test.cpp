@@ -1,7 +1,7 @@
 // The rod in the cases in which strand solvers are known to break.
 #include <cuticle/sim/detail/test_stability.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::rod_stability_test {
 namespace {
 
 using namespace testing;
@@ -55,4 +55,4 @@ TEST(RodHard, StrandWhoseSquaresOverflow_TouchesNoOther) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::rod_stability_test

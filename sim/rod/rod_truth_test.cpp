@@ -3,7 +3,7 @@
 
 #include <cuticle/sim/classic/test_strands.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::rod_truth_test {
 namespace {
 
 using namespace testing;
@@ -243,4 +243,4 @@ TEST(RodTruth, ClampedBeam_SwingsAtItsLowestFrequency) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::rod_truth_test

@@ -1,7 +1,7 @@
 // Hair under water against statics.
 #include <cuticle/sim/classic/test_strands.h>
 
-namespace cuticle::sim {
+namespace cuticle::sim::water_test {
 namespace {
 
 using namespace testing;
@@ -59,4 +59,4 @@ TEST(WaterClassic, ClassicSolver_RefusesItByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::sim
+}  // namespace cuticle::sim::water_test

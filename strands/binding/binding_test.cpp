@@ -11,7 +11,7 @@
 #include <cuticle/strands/binding/nearest_triangle.h>
 #include <cuticle/strands/binding/placement.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::binding_test {
 namespace {
 
 glm::dvec3 random_point(RandomStream& random, double size = 1) {
@@ -203,4 +203,4 @@ TEST(Placement, RootsOfAnotherScaleAndPlace_AreBroughtOntoTheMesh) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::binding_test

@@ -15,7 +15,7 @@
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/tests/support/temporary_folder.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::cards_test {
 namespace {
 
 registry::ParameterValues settings(std::initializer_list<std::pair<const char*, registry::Value>> changes) {
@@ -395,4 +395,4 @@ TEST_F(CardFolder, Written_HoldMeshAndTextures) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::cards_test

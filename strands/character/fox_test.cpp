@@ -10,7 +10,7 @@
 #include <cuticle/strands/character/character.h>
 #include <cuticle/strands/spline/smooth.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::fox_test {
 namespace {
 
 const Character& fox() {
@@ -85,4 +85,4 @@ TEST_P(FoxRuns, RootsOfDrawnFur_NeverLeaveTheSkin) {
 INSTANTIATE_TEST_SUITE_P(Methods, FoxRuns, testing::Values(Skinning::linear_blend, Skinning::dual_quaternion));
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::fox_test

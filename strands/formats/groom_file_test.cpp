@@ -10,7 +10,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <cuticle/tests/support/temporary_folder.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::groom_file_test {
 namespace {
 
 using testing::AllOf;
@@ -189,4 +189,4 @@ TEST_F(ProjectFiles, ProjectOf_FindsTheFileThatNamesThePart) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::groom_file_test

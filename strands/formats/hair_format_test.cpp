@@ -8,7 +8,7 @@
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::hair_format_test {
 namespace {
 
 using testing::AllOf;
@@ -167,4 +167,4 @@ TEST(HairFile, DefaultsNotFinite_AreRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::hair_format_test

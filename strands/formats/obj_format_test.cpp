@@ -4,7 +4,7 @@
 
 #include <cuticle/strands/formats/formats.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::obj_format_test {
 namespace {
 
 using testing::AllOf;
@@ -76,4 +76,4 @@ TEST(ObjFile, CornerOfFourParts_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::obj_format_test

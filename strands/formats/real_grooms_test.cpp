@@ -7,7 +7,7 @@
 #include <cuticle/strands/binding/placement.h>
 #include <cuticle/strands/formats/formats.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::real_grooms_test {
 namespace {
 
 std::string data(const std::string& path) { return std::string(std::getenv("CUTICLE_TEST_DATA")) + "/" + path; }
@@ -116,4 +116,4 @@ TEST(RealMeshes, SintelBust_IsRead) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::real_grooms_test

@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <cuticle/tests/support/temporary_folder.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::strand_formats_test {
 namespace {
 
 using testing::AllOf;
@@ -363,4 +363,4 @@ TEST(Refusals, EachEngine_NamesFoundAndAllowed) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::strand_formats_test

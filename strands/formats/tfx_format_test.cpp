@@ -8,7 +8,7 @@
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::tfx_format_test {
 namespace {
 
 using testing::AllOf;
@@ -126,4 +126,4 @@ TEST(TfxFile, NoStrandsOrOddVersion_CannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::tfx_format_test

@@ -5,7 +5,7 @@
 
 #include <cuticle/strands/formats/vtp/vtp.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::vtp_format_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(PvdFormat, Series_ListsTimesAndFiles) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::vtp_format_test

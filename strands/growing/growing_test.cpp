@@ -13,7 +13,7 @@
 #include <cuticle/strands/spline/smooth.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::growing_test {
 namespace {
 
 const Head& head() {
@@ -203,4 +203,4 @@ TEST(Planting, ScalpWithoutVerticesOrNormals_IsRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::growing_test

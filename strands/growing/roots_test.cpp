@@ -8,7 +8,7 @@
 #include <cuticle/strands/growing/roots.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::roots_test {
 namespace {
 
 /// A right triangle of area 0.5 and one of area 1.5 beside it.
@@ -152,4 +152,4 @@ TEST(Roots, Identity_EachStrandItsOwnHair) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::roots_test

@@ -7,7 +7,7 @@
 #include <cuticle/strands/lod/lod.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::lod_test {
 namespace {
 
 /// A coat whose strands stand in random order.
@@ -98,4 +98,4 @@ TEST(Coverage, OfABoxSeenFromAfar_FallsWithTheSquareOfTheDistance) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::lod_test

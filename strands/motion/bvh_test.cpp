@@ -6,7 +6,7 @@
 
 #include <cuticle/strands/motion/bvh.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::bvh_test {
 namespace {
 
 using testing::AllOf;
@@ -139,4 +139,4 @@ TEST(Bvh, OwnHeadTurn_TurnsLeftAndRight) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::bvh_test

@@ -6,7 +6,7 @@
 
 #include <cuticle/strands/motion/bvh.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::real_motion_test {
 namespace {
 
 Motion read(const std::string& path) {
@@ -39,4 +39,4 @@ TEST(RealMotion, MakehumanWalk_75JointsAnd14Frames) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::real_motion_test

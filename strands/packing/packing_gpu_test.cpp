@@ -8,7 +8,7 @@
 
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::packing_gpu_test {
 namespace {
 
 constexpr std::uint32_t k_strands = 3000, k_vertices = 30;
@@ -58,4 +58,4 @@ TEST(GpuPacking, Coat_IsWithinTheBoundsOfTheCpu) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::packing_gpu_test

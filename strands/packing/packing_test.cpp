@@ -11,7 +11,7 @@
 #include <cuticle/strands/packing/packing.glslh>
 #include <glm/geometric.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::packing_test {
 namespace {
 
 /// The largest error of a coordinate over the half extent of its strand, less what float itself rounds; and of radii.
@@ -129,4 +129,4 @@ TEST(HalfValue, KnownCodes) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::packing_test

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::rays_test {
 namespace {
 
 Groom groom_of(const std::vector<std::vector<glm::vec3>>& strands, float radius) {
@@ -185,4 +185,4 @@ TEST(RayGroom, TwoThreads_SameCrossingsAsOne) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::rays_test

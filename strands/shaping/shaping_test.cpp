@@ -7,7 +7,7 @@
 #include <cuticle/tests/support/synthetic_grooms.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::shaping_test {
 namespace {
 
 /// `count` straight strands of 101 vertices and 0.2 m along +y, in a row 1 mm apart.
@@ -161,4 +161,4 @@ TEST(Cut, LengthsSpreadOverTheVariation) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::shaping_test

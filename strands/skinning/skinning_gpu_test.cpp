@@ -8,7 +8,7 @@
 #include <cuticle/core/random.h>
 #include <cuticle/strands/binding/carry_gpu.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::skinning_gpu_test {
 namespace {
 
 /// A wavy sheet of 60 x 60 vertices, half a metre wide.
@@ -114,4 +114,4 @@ TEST_P(SkinningOnDevice, MeshAndStrands_AreThoseOfTheCpu) {
 INSTANTIATE_TEST_SUITE_P(Methods, SkinningOnDevice, testing::Values(Skinning::linear_blend, Skinning::dual_quaternion));
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::skinning_gpu_test

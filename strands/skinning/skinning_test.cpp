@@ -9,7 +9,7 @@
 
 #include <cuticle/core/random.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::skinning_test {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
@@ -140,4 +140,4 @@ TEST(Skinning, FormulaInFloat_IsThatInDouble) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::skinning_test

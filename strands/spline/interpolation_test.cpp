@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-namespace cuticle::strands {
+namespace cuticle::strands::interpolation_test {
 namespace {
 
 using tests::uniform;
@@ -214,4 +214,4 @@ TEST(Frames, HelixOfOneTurn_TurnsByTheSolidAngleOfItsTangents) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::interpolation_test

@@ -6,7 +6,7 @@
 #include <cuticle/strands/spline/smooth.h>
 #include <cuticle/tests/support/synthetic_grooms.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::smooth_test {
 namespace {
 
 /// Seven points on a quarter circle of radius 1.
@@ -125,4 +125,4 @@ TEST(Interpolation, PublishedSizes_4095StrandsOf36And30) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::smooth_test

@@ -7,7 +7,7 @@
 #include <cuticle/gpu/device.h>
 #include <cuticle/strands/spline/smooth_gpu.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::strand_generator_test {
 namespace {
 
 constexpr int k_vertices = 36;
@@ -214,4 +214,4 @@ TEST(StrandGenerator, VerticesPastTheLargestBuffer_AreRefusedNamingTheLimit) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::strand_generator_test

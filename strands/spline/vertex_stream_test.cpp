@@ -7,7 +7,7 @@
 #include <cuticle/strands/growing/growing.h>
 #include <cuticle/strands/spline/smooth.h>
 
-namespace cuticle::strands {
+namespace cuticle::strands::vertex_stream_test {
 namespace {
 
 struct Hair {
@@ -99,4 +99,4 @@ TEST(VertexStream, WrongInput_IsNamed) {
 }
 
 }  // namespace
-}  // namespace cuticle::strands
+}  // namespace cuticle::strands::vertex_stream_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::study {
+namespace cuticle::study::lobes_study_test {
 namespace {
 
 LobesRequest small_request() {
@@ -72,4 +72,4 @@ TEST(LobesStudy, UnknownModel_IsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::study
+}  // namespace cuticle::study::lobes_study_test

@@ -9,7 +9,7 @@
 #include <cuticle/lut/evaluate.h>
 #include <cuticle/study/luts/table_sampler.h>
 
-namespace cuticle::study {
+namespace cuticle::study::luts_study_test {
 namespace {
 
 const LutsStudy& small_study() {
@@ -120,4 +120,4 @@ TEST(LutsStudy, Json_HoldsWhatTheReporterReads) {
 }
 
 }  // namespace
-}  // namespace cuticle::study
+}  // namespace cuticle::study::luts_study_test

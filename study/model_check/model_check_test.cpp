@@ -15,7 +15,7 @@
 #include <cuticle/study/model_check/report.h>
 #include <cuticle/study/model_check/sphere_quadrature.h>
 
-namespace cuticle::study::model_check {
+namespace cuticle::study::model_check::model_check_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -272,4 +272,4 @@ TEST(EachCheck, NegativeValueNextToAPole_IsFound) {
 }
 
 }  // namespace
-}  // namespace cuticle::study::model_check
+}  // namespace cuticle::study::model_check::model_check_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::study {
+namespace cuticle::study::motion_study_test {
 namespace {
 
 TEST(MotionStudy, Quick_MoreSubstepsBringSolversNearerAndTheCheapestIsNamed) {
@@ -27,4 +27,4 @@ TEST(MotionStudy, Quick_MoreSubstepsBringSolversNearerAndTheCheapestIsNamed) {
 }
 
 }  // namespace
-}  // namespace cuticle::study
+}  // namespace cuticle::study::motion_study_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::study::oracle {
+namespace cuticle::study::oracle::dielectric_cylinder_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -64,4 +64,4 @@ TEST(DielectricCylinder, RandomWalks_AgreeWithTheDenseWalk) {
 }
 
 }  // namespace
-}  // namespace cuticle::study::oracle
+}  // namespace cuticle::study::oracle::dielectric_cylinder_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::study::oracle {
+namespace cuticle::study::oracle::microsurface_test {
 namespace {
 
 using glm::dvec3;
@@ -101,4 +101,4 @@ TEST(Microsurface, FollowedLight_CrossesBothWaysInBalance) {
 }
 
 }  // namespace
-}  // namespace cuticle::study::oracle
+}  // namespace cuticle::study::oracle::microsurface_test

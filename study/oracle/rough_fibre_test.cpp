@@ -8,7 +8,7 @@
 
 #include <cuticle/study/oracle/dielectric_cylinder.h>
 
-namespace cuticle::study::oracle {
+namespace cuticle::study::oracle::rough_fibre_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -245,4 +245,4 @@ TEST(RoughFibre, SameSeed_GivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace cuticle::study::oracle
+}  // namespace cuticle::study::oracle::rough_fibre_test

@@ -11,8 +11,7 @@
 #include <cuticle/study/shadows/marks.h>
 #include <cuticle/study/shadows/slices_study.h>
 
-using namespace cuticle;
-using namespace cuticle::study;
+namespace cuticle::study::slices_study_test {
 
 namespace {
 
@@ -382,3 +381,5 @@ TEST(Marks, OfTheRepository_HoldInAReducedForm) {
       EXPECT_LT(result.error, 1.15 * result.mark->error + 0.004) << name << ": " << result.mark->name;
   }
 }
+
+}  // namespace cuticle::study::slices_study_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::study {
+namespace cuticle::study::twist_study_test {
 namespace {
 
 TEST(TwistStudy, Volumes_AreTheAnalyticOnes) {
@@ -26,4 +26,4 @@ TEST(TwistStudy, HalfATurn_LinearBlendCollapsesInTheMiddleAndDualQuaternionsDoNo
 }
 
 }  // namespace
-}  // namespace cuticle::study
+}  // namespace cuticle::study::twist_study_test

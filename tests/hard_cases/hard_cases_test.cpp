@@ -9,7 +9,7 @@
 #include <cuticle/gpu/device.h>
 #endif
 
-namespace cuticle::hard_cases {
+namespace cuticle::hard_cases::hard_cases_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(HardCaseRunner, BrokenCatalogue_IsAnError) {
 }
 
 }  // namespace
-}  // namespace cuticle::hard_cases
+}  // namespace cuticle::hard_cases::hard_cases_test

@@ -11,7 +11,7 @@
 #include <cuticle/core/quadrature.h>
 #include <cuticle/study/oracle/dielectric_cylinder.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::deon_oracle_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -116,4 +116,4 @@ TEST(DeonOracle, ResidualLobe_HasTheEnergyOfAllHigherOrders) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::deon_oracle_test

@@ -9,7 +9,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/study/oracle/rough_fibre.h>
 
-namespace cuticle {
+namespace cuticle::huang_oracle_test {
 namespace {
 
 using std::numbers::pi;
@@ -101,4 +101,4 @@ TEST_P(HuangOracle, Albedo_IsTheEnergyOfTheWalks) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::huang_oracle_test

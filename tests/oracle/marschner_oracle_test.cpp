@@ -8,7 +8,7 @@
 #include <cuticle/bsdf/model.h>
 #include <cuticle/study/oracle/dielectric_cylinder.h>
 
-namespace cuticle {
+namespace cuticle::marschner_oracle_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -126,4 +126,4 @@ TEST_P(MarschnerOracle, Attenuation_IsThatOfTheRay) {
 }
 
 }  // namespace
-}  // namespace cuticle
+}  // namespace cuticle::marschner_oracle_test

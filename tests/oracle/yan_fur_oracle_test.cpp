@@ -11,7 +11,7 @@
 #include <cuticle/core/random.h>
 #include <cuticle/study/oracle/rough_fibre.h>
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::yan_fur_oracle_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -104,4 +104,4 @@ TEST_P(YanFurOracle, Light_GoesWhereWalksGo) {
 }
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::yan_fur_oracle_test

@@ -6,7 +6,7 @@
 #include <cuticle/tests/hard_cases/elementary.glslh>
 #include <cuticle/tests/hard_cases/elementary_gpu.h>
 
-namespace cuticle::hard_cases {
+namespace cuticle::hard_cases::functions_parity_test {
 namespace {
 
 gpu::Device& device() {
@@ -57,4 +57,4 @@ TEST(PhiloxParity, Words_AreTheSameOnTheDevice) {
 }
 
 }  // namespace
-}  // namespace cuticle::hard_cases
+}  // namespace cuticle::hard_cases::functions_parity_test

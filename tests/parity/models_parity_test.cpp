@@ -12,7 +12,7 @@
 #include <cuticle/tests/support/model_on_device.h>
 #endif
 
-namespace cuticle::bsdf {
+namespace cuticle::bsdf::models_parity_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -247,4 +247,4 @@ TEST_P(ModelsParity, DeviceSamples_AreSoundAndThoseOfFloat) {
 #endif
 
 }  // namespace
-}  // namespace cuticle::bsdf
+}  // namespace cuticle::bsdf::models_parity_test

@@ -7,7 +7,7 @@
 #include <cuticle/lut/format.h>
 #include <cuticle/lut/layouts/factored/slices.h>
 
-namespace cuticle::lut::factored {
+namespace cuticle::lut::factored::lut_factored_test {
 namespace {
 
 /// Three bumps along each side, each by itself somewhere, as lobes of a fibre are.
@@ -69,4 +69,4 @@ TEST(Factored, NearField_IsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace cuticle::lut::factored
+}  // namespace cuticle::lut::factored::lut_factored_test

@@ -15,7 +15,7 @@
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/strands/lod/lod.h>
 
-namespace cuticle::render {
+namespace cuticle::render::lines_gpu_test {
 namespace {
 
 constexpr int k_size = 17;  // odd: the middle pixel looks along the camera's axis
@@ -298,4 +298,4 @@ TEST(Lines, NoLight_IsBlackButCovers) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::lines_gpu_test

@@ -12,7 +12,7 @@
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/tests/support/drawn_strands.h>
 
-namespace cuticle::render {
+namespace cuticle::render::quads_gpu_test {
 namespace {
 
 using tests::bundle, tests::Drawing, tests::device, tests::mean_difference, tests::target, tests::upload;
@@ -238,4 +238,4 @@ TEST(Quads, SamplesNotOffered_AreRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::quads_gpu_test

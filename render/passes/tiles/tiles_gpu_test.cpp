@@ -7,7 +7,7 @@
 #include <cuticle/tests/support/tile_passes.h>
 #include <gtest/gtest.h>
 
-namespace cuticle::render {
+namespace cuticle::render::tiles_gpu_test {
 namespace {
 
 using tests::bundle, tests::draw, tests::Drawing, tests::Drawn, tests::mean_difference, tests::Tiles;
@@ -234,4 +234,4 @@ TEST(Tiles, BudgetTooSmall_DrawsFewerWiderStrandsAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::tiles_gpu_test

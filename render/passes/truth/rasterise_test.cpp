@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace cuticle::render::truth {
+namespace cuticle::render::truth::rasterise_test {
 namespace {
 
 constexpr int k_size = 8;
@@ -133,4 +133,4 @@ TEST(Truth, WhatCannotBeSeen_IsLeftOut) {
 }
 
 }  // namespace
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::truth::rasterise_test

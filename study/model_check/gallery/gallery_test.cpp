@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cuticle::study::model_check {
+namespace cuticle::study::model_check::gallery_test {
 namespace {
 
 class Gallery : public testing::TestWithParam<Cause> {};
@@ -31,4 +31,4 @@ TEST_P(Gallery, Exhibit_IsNamedByItsMistake) {
 }
 
 }  // namespace
-}  // namespace cuticle::study::model_check
+}  // namespace cuticle::study::model_check::gallery_test
