@@ -8,7 +8,7 @@ function(cuticle_include_link MODULE)
     file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${MODULE} ${CUTICLE_INCLUDE_DIR}/cuticle/${MODULE} SYMBOLIC)
   endif()
 endfunction()
-foreach(module core strands gpu bsdf lut shadows sim render scene plan study viz cli tests)
+foreach(module core strands gpu bsdf lut shadows sim render scene plan study viz play cli tests)
   cuticle_include_link(${module})
 endforeach()
 

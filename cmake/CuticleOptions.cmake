@@ -71,6 +71,17 @@ if(VTK_FOUND)
 endif()
 cuticle_part(VTK ${vtk_found} "VTK views")
 
+find_package(glfw3 QUIET)
+find_package(OpenGL QUIET)
+find_path(IMGUI_FOLDER imgui.h PATH_SUFFIXES imgui)
+find_library(IMGUI_LIBRARY imgui)
+find_library(STB_LIBRARY stb)  # ImGui's fonts
+set(play_found OFF)
+if(CUTICLE_GPU AND glfw3_FOUND AND OpenGL_FOUND AND IMGUI_FOLDER AND IMGUI_LIBRARY AND STB_LIBRARY)
+  set(play_found ON)
+endif()
+cuticle_part(PLAY ${play_found} "Live window (cuticle play)")
+
 find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
 set(nanobind_found OFF)
 if(Python_FOUND)

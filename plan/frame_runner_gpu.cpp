@@ -1,6 +1,7 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -51,15 +52,43 @@ struct FrameRunner::Impl {
     CUTICLE_ASSIGN(set, build_strand_set(scene));
     for (const std::string& note : set.notes) progress.message(note);
     rest_bounds = strands::bounds(set.control);
+    CUTICLE_TRY(check_size(shape()));
+    plan = make_plan(scene, shape());
+    return make(true, scene.outputs.color, progress);
+  }
+
+  registry::FrameShape shape() const {
     registry::FrameShape shape = shape_of(scene, set);
     shape.max_storage_buffer_bytes = device->info().max_storage_buffer_bytes;
-    CUTICLE_TRY(check_size(shape));
-    plan = make_plan(scene, shape);
-    CUTICLE_ASSIGN(motion, StrandMotion::create(device, scene, set, plan));
-    if (!scene.outputs.color) return {};
-    CUTICLE_ASSIGN(picture,
-                   Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
+    return shape;
+  }
+
+  Result<void> make(bool with_motion, bool with_picture, Progress& progress) {
+    std::unique_ptr<StrandMotion> new_motion;
+    if (with_motion) {
+      CUTICLE_ASSIGN(new_motion, StrandMotion::create(device, scene, set, plan));
+    }
+    if (with_picture) {
+      CUTICLE_ASSIGN(picture,
+                     Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
+    }
+    if (with_motion) motion = std::move(new_motion);
     return {};
+  }
+
+  Result<void> change(const scene::Scene& next, Progress& progress) {
+    if (next.camera.camera.resolution != scene.camera.camera.resolution)
+      return usage_error("the resolution of a running scene cannot change");
+    const bool moves = next.simulation != scene.simulation;
+    const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
+                       next.render_method != scene.render_method;
+    scene::Scene scene_before = std::exchange(scene, next);
+    Plan plan_before = std::exchange(plan, make_plan(next, shape()));
+    Result<void> made = make(moves, draws && scene.outputs.color, progress);
+    if (made) return made;
+    scene = std::move(scene_before);
+    plan = std::move(plan_before);
+    return made;
   }
 
   /// The drawn strands live in one buffer each of positions and tangents.
@@ -102,6 +131,12 @@ Result<std::unique_ptr<FrameRunner>> FrameRunner::create(std::shared_ptr<gpu::De
   CUTICLE_TRY(impl->build(progress));
   return std::unique_ptr<FrameRunner>(new FrameRunner(std::move(impl)));
 }
+
+Result<void> FrameRunner::change(const scene::Scene& scene, Progress& progress) {
+  return impl_->change(scene, progress);
+}
+
+Camera FrameRunner::camera(int frame) const { return camera_at(impl_->scene.camera, impl_->rest_bounds, frame); }
 
 const Plan& FrameRunner::plan() const { return impl_->plan; }
 const strands::Groom& FrameRunner::control_groom() const { return impl_->set.control; }

@@ -57,11 +57,13 @@ struct MaterialSource {
   Block model;  ///< bsdf model with its parameters
   std::string layout = "nalu";
   int lut_size = 128;
+  bool operator==(const MaterialSource&) const = default;
 };
 struct SimulationSource {
   std::optional<Block> solver;  ///< absent: nothing moves but what the head moves rigidly
   std::map<std::string, registry::ParameterValues, std::less<>> effects;
   double settle_time = 0;  ///< seconds simulated before frame 0, the head at rest
+  bool operator==(const SimulationSource&) const = default;
 };
 struct CameraPath {
   Camera camera;

@@ -10,13 +10,13 @@ namespace cuticle::cli {
 
 namespace {
 
-struct Request {
+struct CardsRequest {
   std::string groom, head, settings, out = "cards";
   strands::ReadOptions read;
   double head_metres_per_unit = 1;
 };
 
-Result<std::string> make_files(const Request& request, Progress& progress) {
+Result<std::string> make_files(const CardsRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const auto values, registry::parse_assignments(strands::card_parameters(), request.settings));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(request.groom, request.read, progress));
   strands::Mesh head;
@@ -29,7 +29,7 @@ Result<std::string> make_files(const Request& request, Progress& progress) {
   return strands::card_report(cards);
 }
 
-int act(const Request& request, const Context& context) {
+int act(const CardsRequest& request, const Context& context) {
   const auto written = make_files(request, *context.progress);
   if (!written) return report(written.error());
   fmt::print("{}", *written);
@@ -41,7 +41,7 @@ int act(const Request& request, const Context& context) {
 void add_cards(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("cards", "hair cards of a groom: mesh (OBJ), textures (PNG), and what the cards lose");
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<CardsRequest>();
   command->add_option("groom", request->groom, groom_help(false))->required();
   command->add_option("--out", request->out, "folder to write (default: cards)");
   command->add_option("--head", request->head, "mesh that the hair grows on (OBJ): it shades the cards");

@@ -17,7 +17,8 @@ int run(const study::DemoOptions& options, Context& context) {
   Trace* tracing = context.trace_file.empty() ? nullptr : &trace;
   auto device = gpu::Device::open({context.device});
   if (!device) return report(device.error());
-  context.progress->message(fmt::format("device: {} ({})", (*device)->info().name, (*device)->info().is_software ? "software" : "GPU"));
+  context.progress->message(
+      fmt::format("device: {} ({})", (*device)->info().name, (*device)->info().is_software ? "software" : "GPU"));
   if (auto done = study::run_demo(*device, options, *context.progress, tracing); !done) return report(done.error());
   if (tracing)
     if (auto written = trace.write(context.trace_file); !written) return report(written.error());
@@ -27,11 +28,14 @@ int run(const study::DemoOptions& options, Context& context) {
 }  // namespace
 
 void add_demo(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("demo", "the main job on a small scene: bake, grow, simulate, shadow, render, study");
+  auto* command =
+      app.add_subcommand("demo", "the main job on a small scene: bake, grow, simulate, shadow, render, study");
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
-  command->add_option("--groom", options->groom_file, "a groom file in place of the grown hair (.hair, .tfx, .tfxproj)");
-  command->add_flag("!--part-only", options->whole_project, "of a .tfx that a .tfxproj beside it names, draw this part only");
+  command->add_option("--groom", options->groom_file,
+                      "a groom file in place of the grown hair (.hair, .tfx, .tfxproj)");
+  command->add_flag("!--part-only", options->whole_project,
+                    "of a .tfx that a .tfxproj beside it names, draw this part only");
   add_groom_options(*command, options->metres_per_unit, options->radius);
   command->add_option("--out", options->out, "folder to write (default: demo)");
   command->add_option("--frames", options->frames, "frames to simulate and render")->check(CLI::Range(2, 2000));

@@ -16,7 +16,8 @@ int print_effects(const Context& context) {
 }  // namespace
 
 void add_effects(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("effects", "the strand solvers and effects, with parameters, units, ranges, sources");
+  CLI::App* command =
+      app.add_subcommand("effects", "the strand solvers and effects, with parameters, units, ranges, sources");
   command->callback([&context] { context.action = [&context] { return print_effects(context); }; });
 }
 

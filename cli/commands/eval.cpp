@@ -43,8 +43,9 @@ Result<void> evaluate_on(const EvalOptions& options, const Context& context, con
 #endif
 }
 
-Result<std::vector<EvalSeries>> evaluate_all(const EvalOptions& options, const Context& context, bsdf::Quantity quantity,
-                                         const std::vector<Subject>& subjects, const std::vector<bsdf::Point>& points) {
+Result<std::vector<EvalSeries>> evaluate_all(const EvalOptions& options, const Context& context,
+                                             bsdf::Quantity quantity, const std::vector<Subject>& subjects,
+                                             const std::vector<bsdf::Point>& points) {
   std::vector<EvalSeries> all;
   for (const Subject& subject : subjects)
     for (const std::string& lobe : split_list(options.lobes)) {
@@ -61,7 +62,8 @@ std::string in_digits(double value, const std::string& precision) {
   return precision == "f64" ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
 }
 
-std::string csv(const EvalOptions& options, bool several, const PointsTable& table, const std::vector<EvalSeries>& all) {
+std::string csv(const EvalOptions& options, bool several, const PointsTable& table,
+                const std::vector<EvalSeries>& all) {
   std::string text = several ? "model," : "";
   for (std::size_t column : table.columns) text += fmt::format("{},", eval_columns[column].name);
   text += "lobe,r,g,b\n";
@@ -117,7 +119,8 @@ Result<std::string> evaluated_text(const EvalOptions& options, const Context& co
   request.refuse_unused = subjects.size() == 1;
   CUTICLE_ASSIGN(const PointsTable table, read_coordinates(request));
   print_mappings(subjects);
-  CUTICLE_ASSIGN(const std::vector<EvalSeries> all, evaluate_all(options, context, quantity, subjects, in_radians(table)));
+  CUTICLE_ASSIGN(const std::vector<EvalSeries> all,
+                 evaluate_all(options, context, quantity, subjects, in_radians(table)));
   return context.json ? json(subjects, table, all) : csv(options, subjects.size() > 1, table, all);
 }
 

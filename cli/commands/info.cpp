@@ -111,8 +111,9 @@ int show_info(const std::string& path, const strands::ReadOptions& options, bool
 }  // namespace
 
 void add_info(CLI::App& app, Context& context) {
-  auto* command =
-      app.add_subcommand("info", "what a groom or character file holds: strands, lengths, spacing, units; joints, clips, weights; what is amiss");
+  auto* command = app.add_subcommand(
+      "info",
+      "what a groom or character file holds: strands, lengths, spacing, units; joints, clips, weights; what is amiss");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
   command->add_option("file", *path, groom_help(false) + "; character: .glb or .gltf")->required();
@@ -120,7 +121,8 @@ void add_info(CLI::App& app, Context& context) {
   command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own");
   command->add_flag("--repair", options->repair, "mend what is damaged instead of refusing it, and count it");
   auto character = std::make_shared<CharacterInfoRequest>();
-  command->add_option("--convention", character->convention, "JSON: a character's metres_per_unit, up, forward, bones by hand");
+  command->add_option("--convention", character->convention,
+                      "JSON: a character's metres_per_unit, up, forward, bones by hand");
   command->add_option("--skeleton", character->skeleton, "BVH whose bones are mapped onto the character's");
   command->callback([&context, path, options, character] {
     context.action = [&context, path, options, character] {

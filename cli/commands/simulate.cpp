@@ -30,27 +30,32 @@ struct Formats {
 Result<Formats> parse_formats(const std::string& text) {
   Formats formats;
   for (const std::string& name : split_list(text)) {
-    if (name == "vtp") formats.vtp = true;
-    else if (name == "hair") formats.hair = true;
-    else return usage_error(fmt::format("--format: '{}' is not known, allowed vtp, hair", name));
+    if (name == "vtp")
+      formats.vtp = true;
+    else if (name == "hair")
+      formats.hair = true;
+    else
+      return usage_error(fmt::format("--format: '{}' is not known, allowed vtp, hair", name));
   }
   return formats;
 }
 
 /// Says how much will be written, and refuses past the bound or the free space.
-Result<void> announce_size(const strands::Groom& groom, const Formats& formats, int frames, const SimulateOptions& options,
-                           Progress& progress) {
-  const std::size_t frame_bytes = (formats.vtp ? strands::vtp_bytes_at_most(groom) : 0) +
-                                  (formats.hair ? strands::format_hair(groom).size() : 0);
+Result<void> announce_size(const strands::Groom& groom, const Formats& formats, int frames,
+                           const SimulateOptions& options, Progress& progress) {
+  const std::size_t frame_bytes =
+      (formats.vtp ? strands::vtp_bytes_at_most(groom) : 0) + (formats.hair ? strands::format_hair(groom).size() : 0);
   const double gigabytes = double(frame_bytes) * frames / 1e9;
   const double free = double(std::filesystem::space(options.out).available) / 1e9;
   progress.message(fmt::format("{} frame(s) will take at most {:.3f} GB in {}", frames, gigabytes, options.out));
   if (gigabytes > options.max_gigabytes)
-    return usage_error(fmt::format("{:.2f} GB would be written, allowed {} (--max-gb)", gigabytes, options.max_gigabytes),
-                       "ask for fewer frames or raise --max-gb");
+    return usage_error(
+        fmt::format("{:.2f} GB would be written, allowed {} (--max-gb)", gigabytes, options.max_gigabytes),
+        "ask for fewer frames or raise --max-gb");
   if (gigabytes > free)
-    return usage_error(fmt::format("{:.2f} GB would be written, {:.2f} GB are free in {}", gigabytes, free, options.out),
-                       "ask for fewer frames or another folder");
+    return usage_error(
+        fmt::format("{:.2f} GB would be written, {:.2f} GB are free in {}", gigabytes, free, options.out),
+        "ask for fewer frames or another folder");
   return {};
 }
 
@@ -62,7 +67,8 @@ struct StateSeries {
   std::uint32_t guards_fired = 0;
 };
 
-Result<void> write_state(const strands::Groom& rest, const sim::State& state, const Formats& formats, const std::string& stem) {
+Result<void> write_state(const strands::Groom& rest, const sim::State& state, const Formats& formats,
+                         const std::string& stem) {
   if (formats.vtp) {
     const std::vector<float> stretch = sim::stretch(rest, state.positions);
     const std::vector<float> curvature = sim::curvature(rest, state.positions);
@@ -90,7 +96,7 @@ Result<void> write_series(const StateSeries& series, const Formats& formats, con
 }
 
 Result<StateSeries> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
-                          std::pair<int, int> frames, double frames_per_second, Progress& progress) {
+                               std::pair<int, int> frames, double frames_per_second, Progress& progress) {
   StateSeries series;
   const strands::Groom& rest = runner.control_groom();
   for (int frame = frames.first; frame <= frames.second; ++frame) {
@@ -133,7 +139,8 @@ Result<void> simulate(const SimulateOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   CUTICLE_TRY(make_folder(options.out));
-  CUTICLE_TRY(announce_size(runner->control_groom(), formats, frames.second - frames.first + 1, options, *context.progress));
+  CUTICLE_TRY(
+      announce_size(runner->control_groom(), formats, frames.second - frames.first + 1, options, *context.progress));
   CUTICLE_ASSIGN(const StateSeries series,
                  run_frames(*runner, options, formats, frames, scene.frames_per_second, *context.progress));
   print(series, runner->control_groom(), options.out, context.json);
@@ -152,16 +159,16 @@ int act(const SimulateOptions& options, Context& context) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("simulate", "states of a scene's control hairs, frame by frame, with telemetry.csv");
+  auto* command =
+      app.add_subcommand("simulate", "states of a scene's control hairs, frame by frame, with telemetry.csv");
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
   command->add_option("--format", options->format, "vtp (with states.pvd), hair, or both: vtp,hair");
   command->add_option("--out", options->out, "folder to write (default: simulation)");
-  command->add_option("--max-gb", options->max_gigabytes, "refuse to write more than this")->check(CLI::Range(0.0, 1e6));
-  command->callback([&context, options] {
-    context.action = [&context, options] { return act(*options, context); };
-  });
+  command->add_option("--max-gb", options->max_gigabytes, "refuse to write more than this")
+      ->check(CLI::Range(0.0, 1e6));
+  command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }
 #else
 void add_simulate(CLI::App&, Context&) {}

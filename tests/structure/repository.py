@@ -14,7 +14,7 @@ ARROWS = {
     "strands": ["core"], "strands/rays": ["strands"], "strands/cards": ["strands", "core/image"], "lut": ["bsdf", "core/image"],
     "shadows": ["strands"], "sim": ["strands"], "scene": ["strands"],
     "render": ["bsdf", "lut", "shadows", "scene", "core/image", "strands/cards"], "plan": ["scene", "sim", "shadows", "render"],
-    "study": ["plan", "strands/rays", "study/oracle", "lut", "gpu"], "viz": ["strands", "bsdf", "lut", "shadows", "sim"],
+    "study": ["plan", "strands/rays", "study/oracle", "lut", "gpu"], "viz": ["strands", "bsdf", "lut", "shadows", "sim"], "play": ["plan", "gpu"],
 }
 EXTRA = {"shadows/truth": ["strands/rays"], "render/reference": ["strands/rays"]}
 WITH_GPU_HALF = ("strands", "bsdf", "lut", "shadows", "sim", "render", "plan")
