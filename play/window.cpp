@@ -11,12 +11,13 @@
 #include <numbers>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
 namespace cuticle::play {
 
 namespace {
 
-constexpr int k_panel_width = 340, k_least_height = 480;
+constexpr int k_panel_width = 340, k_least_side = 480;
 constexpr double k_refresh_seconds = 0.05;
 
 Error no_window(const std::string& what) {
@@ -172,7 +173,7 @@ bool ends(GLFWwindow* window, const WindowOptions& options, const WindowReport& 
 Result<WindowReport> show(Session& session, const WindowOptions& options) {
   Window window;
   const glm::ivec2 picture = session.camera().resolution;
-  CUTICLE_TRY(window.open({picture.x + k_panel_width, std::max(picture.y, k_least_height)}, "Cuticle"));
+  CUTICLE_TRY(window.open(glm::max(picture, k_least_side) + glm::ivec2(k_panel_width, 0), "Cuticle"));
   Canvas canvas;
   WindowReport report;
   std::string refused;
