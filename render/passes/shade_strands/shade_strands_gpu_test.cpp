@@ -14,7 +14,7 @@
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 #include <cuticle/tests/support/drawn_strands.h>
 
-namespace cuticle::render {
+namespace cuticle::render::shade_strands_gpu_test {
 namespace {
 
 using tests::device, tests::upload;
@@ -259,4 +259,4 @@ TEST(ShadeStrands, DualScattering_LeavesBlackHairAlone) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::shade_strands_gpu_test

@@ -6,7 +6,7 @@
 
 #include <cuticle/tests/support/tile_passes.h>
 
-namespace cuticle::render {
+namespace cuticle::render::tiles_sliced_gpu_test {
 namespace {
 
 using tests::bundle, tests::draw, tests::Drawing, tests::Drawn, tests::mean_difference;
@@ -112,4 +112,4 @@ TEST(Slices, FragmentsOfOneSlice_AreBlendedInTheOrderOfTheirVertices) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::tiles_sliced_gpu_test
