@@ -15,7 +15,7 @@
 #include <cuticle/strands/cards/hair_cards.h>
 #include <cuticle/tests/support/drawn_strands.h>
 
-namespace cuticle::render {
+namespace cuticle::render::cards_gpu_test {
 namespace {
 
 using tests::device, tests::mean_difference, tests::upload;
@@ -394,4 +394,4 @@ TEST(Cards, NumbersThatAreNone_AreRefused) {
 }
 
 }  // namespace
-}  // namespace cuticle::render
+}  // namespace cuticle::render::cards_gpu_test
