@@ -5,7 +5,7 @@ import json
 import pytest
 from program import refused, run
 
-METHODS = ("lines", "quads", "tiles", "truth")
+METHODS = ("cards", "lines", "quads", "tiles", "truth")
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +39,7 @@ def test_Render_EveryMethod_WritesItsOwnPicture(pictures):
 def test_Render_Costs_NameThePassesOfTheMethodAlone(pictures):
     for method, (costs, _) in pictures.items():
         names = {entry["name"] for entry in costs["passes"]}
-        assert names & {"lines", "quads", "tiles"} == {method} - {"truth"}
+        assert names & {"cards", "lines", "quads", "tiles"} == {method} - {"truth"}
 
 
 def test_Render_UnknownMethod_IsRefusedWithTheKnownOnes(scene):
