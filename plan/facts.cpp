@@ -87,6 +87,9 @@ registry::Facts facts_of(const scene::Scene& scene) {
   const bool dual = scene.passes.contains("dual_scattering");
   facts["dual_scattering"] = {
       dual, dual ? "the scene asks for dual scattering" : "the scene does not ask for dual scattering"};
+  const bool casts = scene.passes.contains("surface_shadow");
+  facts["surface_shadow"] = {casts, casts ? "the scene asks for shadows between hair and surfaces"
+                                          : "the scene does not ask for shadows between hair and surfaces"};
   const bool moves = scene.passes.contains("velocity"), layers = scene.outputs.aovs || moves;
   facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
   facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};

@@ -30,6 +30,7 @@ constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
 constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
 constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
 constexpr std::string_view k_points = R"("passes": {"shade_strands": {"point_px": 8}})";
+constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
 constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
 std::shared_ptr<gpu::Device> device() {
@@ -100,6 +101,8 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
                                                             {k_tiles, k_motion, k_velocity},
                                                             {k_tiles, k_simulation, k_velocity},
                                                             {k_light, k_tiles, k_points},
+                                                            {k_light, k_shadow, k_surfaces, k_motion, k_quads},
+                                                            {k_light, k_surfaces, k_tiles},
                                                             {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";

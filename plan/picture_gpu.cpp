@@ -92,13 +92,15 @@ Result<void> Picture::make_rest() {
 }
 
 Result<void> Picture::make_shadows() {
-  if (!scene_.shadow || scene_.shadow->name == "none" || !find_pass(plan_, scene_.shadow->name)) return {};
-  CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
+  const bool by_hair = scene_.shadow && scene_.shadow->name != "none" && find_pass(plan_, scene_.shadow->name);
+  if (!by_hair && !find_pass(plan_, "surface_shadow")) return {};
   for (std::size_t k = 0; k < scene_.lights.size(); ++k) {
-    CUTICLE_ASSIGN(auto shadow, method->create(device_, scene_.shadow->values));
     CUTICLE_ASSIGN(gpu::Buffer reached, device_->make_buffer(generator_->vertex_count() * sizeof(float)));
-    shadows_.push_back(std::move(shadow));
     transmittance_.push_back(std::move(reached));
+    if (!by_hair) continue;
+    CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
+    CUTICLE_ASSIGN(auto shadow, method->create(device_, scene_.shadow->values));
+    shadows_.push_back(std::move(shadow));
   }
   for (const gpu::Buffer& buffer : transmittance_) resources_.transmittance.push_back(&buffer);
   return {};
@@ -167,9 +169,15 @@ shadows::GpuStrands Picture::casters() const {
 }
 
 Result<void> Picture::record_shadows(gpu::Commands& commands) {
-  for (std::size_t k = 0; k < shadows_.size(); ++k)
-    CUTICLE_TRY(
-        shadows_[k]->record(commands, casters(), scene_.fibre_alpha, scene_.lights[k].to_light, transmittance_[k]));
+  resources_.casters = casters();
+  constexpr std::uint32_t k_one = 0x3F800000;  // 1.0f
+  for (std::size_t k = 0; k < transmittance_.size(); ++k) {
+    if (shadows_.empty())
+      commands.fill(transmittance_[k], k_one);
+    else
+      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha, scene_.lights[k].to_light,
+                                      transmittance_[k]));
+  }
   return {};
 }
 

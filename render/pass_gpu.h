@@ -15,6 +15,9 @@ namespace cuticle::render {
 namespace tile_lists {
 struct TileLists;
 }
+namespace surface_shadow {
+struct Maps;
+}
 
 /// What a pixel sees of the hair, as seen.glsl has it.
 struct Seen {
@@ -28,9 +31,11 @@ struct FrameResources {
   Camera camera;
   std::vector<Light> lights;
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
+  shadows::GpuStrands casters;                    ///< those of them that cast shadows
   const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
   std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
-  std::vector<const gpu::Texture*> tables;        ///< in the layout's order
+  const surface_shadow::Maps* surface_shadow = nullptr;  ///< what surfaces and hair cast on each other
+  std::vector<const gpu::Texture*> tables;               ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
   const gpu::Buffer* dual_scattering = nullptr;  ///< DualTerms of its glsl; null: not asked for
   float fibre_alpha = 0.4f;                      ///< opacity of one crossing, as shadows have it

@@ -9,10 +9,12 @@ layout(push_constant) uniform Push {
 
 layout(location = 0) out vec3 rest_normal;
 layout(location = 1) out float scalp;
+layout(location = 2) out vec3 rest_position;
 
 void main() {
   uint vertex = indices[gl_VertexIndex];
   rest_normal = normals[vertex].xyz;
   scalp = positions[vertex].w;
+  rest_position = positions[vertex].xyz;
   gl_Position = rest_to_clip * vec4(positions[vertex].xyz, 1.0);
 }

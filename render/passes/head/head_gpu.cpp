@@ -7,6 +7,7 @@
 
 #include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/head/head.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 
 #include <head_frag.spv.h>
 #include <head_vert.spv.h>
@@ -19,8 +20,11 @@ namespace {
 struct Frame {
   glm::vec4 skin, scalp_color, ambient;
   std::array<glm::vec4, k_max_lights> to_light, irradiance;
+  std::array<glm::mat4, k_max_lights> rest_to_map;
+  std::uint32_t map_resolution, map_columns;
+  float map_filter, unused;
 };
-static_assert(sizeof(Frame) == 16 * (3 + 2 * k_max_lights));
+static_assert(sizeof(Frame) == 16 * (3 + 2 * k_max_lights) + 64 * k_max_lights + 16);
 
 struct Geometry {
   gpu::Buffer positions, normals, indices;
@@ -56,11 +60,12 @@ Result<Geometry> upload(gpu::Device& device, const strands::Mesh& mesh, const st
 class Head : public GpuPass {
  public:
   Head(std::shared_ptr<gpu::Device> device, Geometry geometry, gpu::GraphicsPipeline pipeline, gpu::Buffer frame,
-       registry::ParameterValues parameters)
+       gpu::Texture no_map, registry::ParameterValues parameters)
       : device_(std::move(device)),
         geometry_(std::move(geometry)),
         pipeline_(std::move(pipeline)),
         frame_(std::move(frame)),
+        no_map_(std::move(no_map)),
         parameters_(std::move(parameters)) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
@@ -72,7 +77,8 @@ class Head : public GpuPass {
     commands.draw(pipeline_,
                   {deforms ? resources.head_positions : &geometry_.positions,
                    deforms ? resources.head_normals : &geometry_.normals, &geometry_.indices, &frame_},
-                  {}, gpu::bytes_of(rest_to_clip), geometry_.index_count);
+                  {resources.surface_shadow ? &resources.surface_shadow->hair : &no_map_}, gpu::bytes_of(rest_to_clip),
+                  geometry_.index_count);
     commands.end_rendering();
     return {};
   }
@@ -88,13 +94,24 @@ class Head : public GpuPass {
       frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
       frame.ambient += float(parameters_.real("ambient")) * frame.irradiance[k];
     }
+    if (resources.surface_shadow) set_maps(frame, resources);
     return frame;
+  }
+
+  static void set_maps(Frame& frame, const FrameResources& resources) {
+    const surface_shadow::Maps& maps = *resources.surface_shadow;
+    for (std::size_t k = 0; k < resources.lights.size(); ++k)
+      frame.rest_to_map[k] = glm::mat4(glm::dmat4(maps.frame.world_to_map[k]) * resources.head_transform);
+    frame.map_resolution = maps.frame.resolution;
+    frame.map_columns = maps.frame.columns;
+    frame.map_filter = maps.surface_filter;
   }
 
   std::shared_ptr<gpu::Device> device_;
   Geometry geometry_;
   gpu::GraphicsPipeline pipeline_;
   gpu::Buffer frame_;
+  gpu::Texture no_map_;  ///< bound where no hair casts
   registry::ParameterValues parameters_;
 };
 
@@ -105,11 +122,14 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.vertex_spirv = head_vert;
   description.fragment_spirv = head_frag;
   description.interface.storage_buffers = 4;
+  description.interface.textures = 1;
   description.interface.push_constant_bytes = sizeof(glm::mat4);
   CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   CUTICLE_ASSIGN(gpu::Buffer frame, device->make_buffer(sizeof(Frame)));
+  CUTICLE_ASSIGN(gpu::Texture no_map, device->make_texture({}));
   return std::unique_ptr<GpuPass>(std::make_unique<Head>(std::move(device), std::move(geometry), std::move(pipeline),
-                                                         std::move(frame), parameters_of(resources, entry())));
+                                                         std::move(frame), std::move(no_map),
+                                                         parameters_of(resources, entry())));
 }
 
 }  // namespace

@@ -13,9 +13,10 @@ layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; }
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
 layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
-layout(set = 0, binding = 8) uniform sampler2D table_m;
-layout(set = 0, binding = 9) uniform sampler2D table_n_tt_r;
-layout(set = 0, binding = 10) uniform sampler2D table_n_trt;
+layout(std430, set = 0, binding = 8) readonly buffer Visibility { float visibility[]; };  // past surfaces
+layout(set = 0, binding = 9) uniform sampler2D table_m;
+layout(set = 0, binding = 10) uniform sampler2D table_n_tt_r;
+layout(set = 0, binding = 11) uniform sampler2D table_n_trt;
 layout(push_constant) uniform Push {
   uint only_visible;
   uint listed;  // 1: the vertices of the list `shaded`
@@ -23,14 +24,19 @@ layout(push_constant) uniform Push {
 #include "cuticle/render/passes/lines/scattering.glsl"
 #include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
 layout(constant_id = 0) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
+layout(constant_id = 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
 
 const float k_largest_half = 65504.0;
 
-vec3 lit(uint light, float through, vec3 t, vec3 to_eye) {
+// What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
+vec3 lit(uint light, uint vertex, vec3 t, vec3 to_eye) {
+  float through = transmittance[light * vertex_count + vertex];
   if (k_dual == 0u) return shade(light, through, t, to_eye);
+  float past = k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
+  if (past <= 0.0) return vec3(0.0);
   Angles angles = angles_of(light, t, to_eye);
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
-  return (once + dual_scattering(angles, through)) * irradiance[light].rgb;
+  return (once + past * dual_scattering(angles, min(through / past, 1.0))) * irradiance[light].rgb;
 }
 
 void main() {
@@ -42,7 +48,7 @@ void main() {
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(strand, variation));
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k) sum += lit(k, transmittance[k * vertex_count + vertex], t, to_eye);
+  for (uint k = 0u; k < light_count; ++k) sum += lit(k, vertex, t, to_eye);
   vec3 radiance = min(sum * brightness_of(strand, variation), k_largest_half);
   float kept = tangents[vertex].w <= kept_length(strand, tip_variation) ? 1.0 : 0.0;
   colors[vertex] = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, kept)));

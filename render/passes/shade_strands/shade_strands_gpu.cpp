@@ -4,6 +4,7 @@
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/render/passes/shade_strands/shade_strands.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 
 #include <shade_choose_comp.spv.h>
@@ -80,7 +81,8 @@ class ShadeStrands : public GpuPass {
     commands.dispatch(kernels_.shade,
                       {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(),
                        &inputs_.transmittance(), &visible(resources), &buffers_.shaded,
-                       resources.dual_scattering ? resources.dual_scattering : &inputs_.frame()},
+                       resources.dual_scattering ? resources.dual_scattering : &inputs_.frame(),
+                       resources.surface_shadow ? &resources.surface_shadow->visibility : &inputs_.frame()},
                       {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
                       gpu::bytes_of(push), groups.x, groups.y);
   }
@@ -99,10 +101,11 @@ class ShadeStrands : public GpuPass {
   double point_px_;
 };
 
-Result<Kernels> make_kernels(gpu::Device& device, bool dual) {
+Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
-  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {8, 3, sizeof(ShadePush), {dual ? 1u : 0u}}));
+  const std::vector<std::uint32_t> has = {resources.dual_scattering ? 1u : 0u, resources.surface_shadow ? 1u : 0u};
+  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {9, 3, sizeof(ShadePush), has}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
 }
@@ -120,7 +123,7 @@ Result<Buffers> make_buffers(gpu::Device& device, const FrameResources& resource
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   const double point_px = parameters_of(resources, entry()).real("point_px");
-  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources.dual_scattering != nullptr));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));
   CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(std::move(device), resources));
   return std::unique_ptr<GpuPass>(

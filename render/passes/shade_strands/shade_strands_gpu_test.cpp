@@ -11,6 +11,7 @@
 #include <cuticle/lut/bake_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/shade_strands/shade_strands.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 #include <cuticle/tests/support/drawn_strands.h>
 
@@ -36,7 +37,8 @@ registry::ParameterValues material(const std::string& text) {
 struct Settings {
   double distance = 1, point_px = 0, lower = 0;
   bool dual = false;
-  float through = 1;  ///< transmittance of every vertex
+  float through = 1;  ///< hair's transmittance of every vertex
+  float past = 1;     ///< what surfaces leave
   const char* material = k_blond;
 };
 
@@ -68,7 +70,9 @@ class Field {
 
   Shaded shade(const Settings& settings) const {
     const gpu::Buffer vertices = upload(points_), segments = upload(segments_), tangents = upload(tangents_),
-                      reached = upload(std::vector<float>(points_.size(), settings.through));
+                      reached = upload(std::vector<float>(points_.size(), settings.through * settings.past));
+    surface_shadow::Maps maps;
+    maps.visibility = upload(std::vector<float>(points_.size(), settings.past));
     const lut::TableSet set =
         *lut::bake(model(), material(settings.material), **lut::find_layout("nalu"), 32, silent_progress());
     const std::vector<gpu::Texture> textures = *lut::upload(*device(), set);
@@ -83,6 +87,7 @@ class Field {
     resources.lights.push_back({"", k_to_light, glm::dvec3(k_irradiance)});
     resources.fibre_alpha = float(k_fibre_alpha);
     resources.transmittance = {&reached};
+    if (settings.past < 1) resources.surface_shadow = &maps;
     resources.strands = {&vertices, &segments, std::uint32_t(points_.size()), std::uint32_t(segments_.size()), {}};
     resources.tangents = &tangents;
     resources.table_set = &set;
@@ -184,6 +189,12 @@ TEST(ShadeStrands, VerticesBetweenPoints_AreNearTheirOwnShading) {
   }
 }
 
+/// By dual scattering where a fifth of the light arrives; its terms take seconds.
+const Shaded& deep_in_hair() {
+  static const Shaded shaded = Field().shade({.dual = true, .through = 0.2f});
+  return shaded;
+}
+
 double brightness(const Shaded& shaded) {
   double sum = 0;
   for (const glm::vec4& color : shaded.colors) sum += double(color.x + color.y + color.z);
@@ -230,7 +241,8 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
   const Field field;
   double gain = 0;
   for (float through : {0.9f, 0.2f}) {
-    const Shaded with = field.shade({.dual = true, .through = through}), without = field.shade({.through = through});
+    const Shaded with = through == 0.2f ? deep_in_hair() : field.shade({.dual = true, .through = through}),
+                 without = field.shade({.through = through});
     double worst = 0, brightest = 0;
     for (std::size_t k = 5; k < with.colors.size(); k += 311) {
       const glm::dvec3 to_eye = glm::normalize(glm::dvec3(0, 0, 1) - glm::dvec3(field.point(k)));
@@ -247,6 +259,14 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
     EXPECT_LT(worst, 0.015 * brightest);
   }
   EXPECT_GT(gain, 2) << "blond, where a fifth of the light arrives directly";
+}
+
+// No fibre scatters what a surface took away: a quarter of the light is a quarter of the radiance.
+TEST(ShadeStrands, DualScattering_OfLightHalfBehindSurfaces_IsThatOfLessLight) {
+  const Shaded &all = deep_in_hair(), part = Field().shade({.dual = true, .through = 0.2f, .past = 0.25f});
+  for (std::size_t k = 0; k < all.colors.size(); ++k)
+    EXPECT_LT(glm::distance(glm::vec3(part.colors[k]), 0.25f * glm::vec3(all.colors[k])),
+              2e-3f * glm::length(glm::vec3(all.colors[k])));
 }
 
 TEST(ShadeStrands, DualScattering_LeavesBlackHairAlone) {

@@ -1,0 +1,30 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Segments as two triangles each that face the light, an instance per light.
+#define MAPS_BINDING 0
+#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+#include "cuticle/render/finite.glsl"
+layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Segments { uint segments[]; };
+layout(push_constant) uniform Push {
+  uint vertices_per_strand;
+  float width;  // factor on the radii
+  float alpha;
+};
+layout(location = 0) flat out uint light;
+layout(location = 1) flat out uint strand;
+
+const uint k_end[6] = uint[](0u, 0u, 1u, 1u, 0u, 1u);
+const float k_side[6] = float[](-1.0, 1.0, -1.0, -1.0, 1.0, 1.0);
+
+void main() {
+  const uint corner = uint(gl_VertexIndex) % 6u, first = segments[uint(gl_VertexIndex) / 6u];
+  const vec4 begin = vertices[first], end = vertices[first + 1u], here = k_end[corner] == 0u ? begin : end;
+  light = uint(gl_InstanceIndex);
+  strand = first / vertices_per_strand;
+  const vec3 across = cross(end.xyz - begin.xyz, map_forward[light].xyz);
+  const float size = length(across);
+  const bool drawn = is_finite(begin) && is_finite(end) && size > 0.0;
+  gl_Position = drawn ? map_clip(light, here.xyz + across * (k_side[corner] * here.w * width / size))
+                      : vec4(2.0, 2.0, 2.0, 1.0);
+}

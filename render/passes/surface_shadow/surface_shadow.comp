@@ -1,0 +1,30 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// What surfaces leave of a light at each vertex of the strands, beside what hair leaves of it.
+#define MAPS_BINDING 0
+layout(local_size_x = 64) in;
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/render/finite.glsl"
+#include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
+#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, set = 0, binding = 2) writeonly buffer Visibility { float visibility[]; };
+layout(std430, set = 0, binding = 3) buffer Transmittance { float transmittance[]; };
+layout(set = 0, binding = 4) uniform sampler2D map;
+layout(push_constant) uniform Push {
+  uint vertex_count, light;
+  float half_side;
+};
+
+void main() {
+  const uint vertex = invocation();
+  if (vertex >= vertex_count) return;
+  float lit = 1.0;
+  if (is_finite(vertices[vertex])) {
+    vec3 at = (world_to_map[light] * vec4(vertices[vertex].xyz, 1.0)).xyz;
+    at.z -= map_forward[light].w;
+    lit = unshadowed(map, at, light, map_resolution, map_columns, half_side);
+  }
+  visibility[light * vertex_count + vertex] = lit;
+  transmittance[vertex] *= lit;
+}

@@ -1,0 +1,9 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define MAPS_BINDING 0
+#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+layout(location = 0) flat in uint light;
+
+void main() {
+  if (!in_own_map(gl_FragCoord.xy, light)) discard;
+}

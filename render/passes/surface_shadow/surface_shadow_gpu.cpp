@@ -1,0 +1,233 @@
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+#include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow.h>
+#include <cuticle/shadows/light_frame.h>
+
+#include <hair_shadow_frag.spv.h>
+#include <hair_shadow_vert.spv.h>
+#include <surface_shadow_comp.spv.h>
+#include <surface_shadow_frag.spv.h>
+#include <surface_shadow_vert.spv.h>
+
+namespace cuticle::render::surface_shadow {
+
+namespace {
+
+constexpr int k_most_columns = 4;
+constexpr double k_margin = 2;  // texels between what casts and the border of a map
+
+/// As the shaders read them.
+struct HairPush {
+  std::uint32_t vertices_per_strand;
+  float width, alpha;
+};
+struct LookupPush {
+  std::uint32_t vertex_count, light;
+  float half_side;
+};
+
+struct Kernels {
+  gpu::GraphicsPipeline surfaces, hair;
+  gpu::Kernel lookup;
+};
+struct Surface {
+  gpu::Buffer positions, indices;
+  strands::Bounds bounds;  ///< at rest
+  std::uint32_t index_count = 0;
+};
+struct Settings {
+  int resolution, lights;
+  double bias;          ///< metres
+  float strand_filter;  ///< texels
+  int columns() const { return std::min(lights, k_most_columns); }
+  glm::ivec2 texture_size() const { return resolution * glm::ivec2(columns(), (lights + columns() - 1) / columns()); }
+};
+
+std::array<glm::dvec3, 8> corners(const strands::Bounds& bounds) {
+  std::array<glm::dvec3, 8> all;
+  for (std::size_t k = 0; k < 8; ++k)
+    all[k] = {(k & 1 ? bounds.upper : bounds.lower).x, (k & 2 ? bounds.upper : bounds.lower).y,
+              (k & 4 ? bounds.upper : bounds.lower).z};
+  return all;
+}
+
+/// What casts or receives: the boxes of the hair and of the surface.
+std::vector<glm::dvec3> points_in_view(const FrameResources& resources, const Surface& surface) {
+  std::vector<glm::dvec3> points;
+  for (const glm::dvec3& corner : corners(resources.strands.bounds)) points.push_back(corner);
+  for (const glm::dvec3& corner : corners(surface.bounds))
+    points.emplace_back(resources.head_transform * glm::dvec4(corner, 1));
+  return points;
+}
+
+/// World to the texels and depth of light `index`: an orthographic view that holds the points.
+glm::dmat4 world_to_map(const std::array<glm::dvec3, 3>& axes, std::span<const glm::dvec3> points,
+                        const Settings& settings, int index) {
+  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(-lower);
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 seen(glm::dot(axes[0], point), glm::dot(axes[1], point), glm::dot(axes[2], point));
+    lower = glm::min(lower, seen);
+    upper = glm::max(upper, seen);
+  }
+  const glm::dvec3 extent = glm::max(upper - lower, glm::dvec3(1e-6));
+  const double texels = settings.resolution - 2 * k_margin;
+  const glm::dvec3 scale(texels / extent.x, texels / extent.y, 1 / extent.z);
+  const glm::dvec2 first(settings.resolution * (index % settings.columns()),
+                         settings.resolution * (index / settings.columns()));
+  glm::dmat4 matrix(1);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) matrix[column][row] = scale[row] * axes[std::size_t(row)][column];
+    matrix[3][row] = -scale[row] * lower[row] + (row < 2 ? first[row] + k_margin : 0);
+  }
+  return matrix;
+}
+
+class SurfaceShadow : public GpuPass {
+ public:
+  SurfaceShadow(std::shared_ptr<gpu::Device> device, const Settings& settings, Kernels kernels, Surface surface)
+      : device_(std::move(device)), settings_(settings), kernels_(std::move(kernels)), surface_(std::move(surface)) {}
+
+  Result<void> make_maps(const FrameResources& resources, float surface_filter) {
+    const gpu::TextureDescription map{settings_.texture_size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1,
+                                      true};
+    CUTICLE_ASSIGN(maps_.surfaces, device_->make_texture(map));
+    CUTICLE_ASSIGN(maps_.hair, device_->make_texture(map));
+    CUTICLE_ASSIGN(maps_.visibility, device_->make_buffer(std::size_t(settings_.lights) *
+                                                          resources.strands.vertex_count * sizeof(float)));
+    CUTICLE_ASSIGN(frame_, device_->make_buffer(sizeof(MapsFrame)));
+    maps_.surface_filter = surface_filter;
+    return {};
+  }
+
+  void publish(FrameResources& resources) const override { resources.surface_shadow = &maps_; }
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    CUTICLE_TRY(set_frame(resources));
+    CUTICLE_TRY(device_->upload(frame_, gpu::bytes_of(maps_.frame)));
+    draw_surfaces(commands, resources);
+    draw_hair(commands, resources);
+    for (int light = 0; light < settings_.lights; ++light) look_up(commands, resources, light);
+    return {};
+  }
+
+ private:
+  Result<void> set_frame(const FrameResources& resources) {
+    MapsFrame& frame = maps_.frame;
+    frame.texture_size = glm::vec2(settings_.texture_size());
+    frame.resolution = std::uint32_t(settings_.resolution);
+    frame.columns = std::uint32_t(settings_.columns());
+    const std::vector<glm::dvec3> points = points_in_view(resources, surface_);
+    for (int light = 0; light < settings_.lights; ++light) {
+      const auto index = std::size_t(light);
+      CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(resources.lights[index].to_light));
+      const shadows::PlaneAxes plane = shadows::plane_axes(-to_light);
+      const glm::dmat4 matrix = world_to_map({plane.first, plane.second, -to_light}, points, settings_, light);
+      const double depth_per_metre = glm::length(glm::dvec3(matrix[0][2], matrix[1][2], matrix[2][2]));
+      frame.world_to_map[index] = glm::mat4(matrix);
+      frame.forward[index] = glm::vec4(-to_light, settings_.bias * depth_per_metre);
+    }
+    return {};
+  }
+
+  void draw_surfaces(gpu::Commands& commands, const FrameResources& resources) const {
+    const glm::mat4 rest_to_world(resources.head_transform);
+    commands.begin_rendering({}, &maps_.surfaces);
+    commands.draw(
+        kernels_.surfaces,
+        {&frame_, resources.head_positions ? resources.head_positions : &surface_.positions, &surface_.indices}, {},
+        gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
+    commands.end_rendering();
+  }
+
+  void draw_hair(gpu::Commands& commands, const FrameResources& resources) const {
+    const shadows::GpuStrands& casters = resources.casters;
+    const HairPush push{resources.vertices_per_strand, casters.caster_width, resources.fibre_alpha};
+    commands.begin_rendering({}, &maps_.hair);
+    commands.draw(kernels_.hair, {&frame_, casters.vertices, casters.segments}, {}, gpu::bytes_of(push),
+                  6 * casters.segment_count, std::uint32_t(settings_.lights));
+    commands.end_rendering();
+  }
+
+  void look_up(gpu::Commands& commands, const FrameResources& resources, int light) const {
+    const std::uint32_t vertices = resources.strands.vertex_count;
+    const LookupPush push{vertices, std::uint32_t(light), settings_.strand_filter};
+    const gpu::Groups groups = gpu::groups_for(vertices);
+    commands.dispatch(
+        kernels_.lookup,
+        {&frame_, resources.strands.vertices, &maps_.visibility, resources.transmittance[std::size_t(light)]},
+        {&maps_.surfaces}, gpu::bytes_of(push), groups.x, groups.y);
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  Settings settings_;
+  Kernels kernels_;
+  Surface surface_;
+  Maps maps_;
+  gpu::Buffer frame_;
+};
+
+Result<gpu::GraphicsPipeline> make_depth_pipeline(gpu::Device& device, std::span<const std::uint32_t> vertex,
+                                                  std::span<const std::uint32_t> fragment, std::uint32_t push_bytes) {
+  gpu::GraphicsDescription description;
+  description.vertex_spirv = vertex;
+  description.fragment_spirv = fragment;
+  description.interface.storage_buffers = 3;
+  description.interface.push_constant_bytes = push_bytes;
+  description.depth_test = description.depth_write = true;
+  return device.make_graphics(description);
+}
+
+Result<Kernels> make_kernels(gpu::Device& device) {
+  Kernels kernels;
+  CUTICLE_ASSIGN(kernels.surfaces,
+                 make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, sizeof(glm::mat4)));
+  CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, sizeof(HairPush)));
+  CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, {4, 1, sizeof(LookupPush)}));
+  return kernels;
+}
+
+Result<Surface> upload(gpu::Device& device, const strands::Mesh& mesh) {
+  std::vector<glm::vec4> positions;
+  for (const glm::vec3& point : mesh.positions) positions.emplace_back(point, 1);
+  Surface surface;
+  surface.bounds = {mesh.positions.front(), mesh.positions.front()};
+  for (const glm::vec3& point : mesh.positions) {
+    surface.bounds.lower = glm::min(surface.bounds.lower, point);
+    surface.bounds.upper = glm::max(surface.bounds.upper, point);
+  }
+  CUTICLE_ASSIGN(surface.positions, gpu::make_buffer_from<glm::vec4>(device, positions));
+  const std::span<const std::uint32_t> indices(mesh.triangles.data()->data(), mesh.triangles.size() * 3);
+  CUTICLE_ASSIGN(surface.indices, gpu::make_buffer_from<std::uint32_t>(device, indices));
+  surface.index_count = std::uint32_t(indices.size());
+  return surface;
+}
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_EXPECT(resources.head && !resources.head->triangles.empty(), "planned without a surface");
+  CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size(), "a transmittance per light");
+  const registry::ParameterValues values = parameters_of(resources, entry());
+  const Settings settings{int(values.integer("resolution")), int(resources.lights.size()),
+                          1e-3 * values.real("bias_mm"), float(values.real("strand_filter"))};
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(Surface surface, upload(*device, *resources.head));
+  auto pass = std::make_unique<SurfaceShadow>(std::move(device), settings, std::move(kernels), std::move(surface));
+  CUTICLE_TRY(pass->make_maps(resources, float(values.real("surface_filter"))));
+  return std::unique_ptr<GpuPass>(std::move(pass));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"surface_shadow", create};
+  return table;
+}
+
+}  // namespace cuticle::render::surface_shadow

@@ -1,0 +1,25 @@
+#pragma once
+// Depth as each light sees it, the lights' maps side by side in one texture.
+#include <array>
+
+#include <cuticle/render/pass_gpu.h>
+
+namespace cuticle::render::surface_shadow {
+
+/// As surface_maps.glsl has it.
+struct MapsFrame {
+  std::array<glm::mat4, k_max_lights> world_to_map;  ///< x, y in texels of the texture, z depth 0 .. 1
+  std::array<glm::vec4, k_max_lights> forward;       ///< away from the light, unit; w: depth of the bias
+  glm::vec2 texture_size;
+  std::uint32_t resolution, columns;
+};
+
+/// What other passes read of the maps.
+struct Maps {
+  MapsFrame frame{};
+  gpu::Texture surfaces, hair;  ///< depth32f
+  gpu::Buffer visibility;       ///< of each light past the surfaces: one float per vertex, light by light
+  float surface_filter = 3;     ///< texels
+};
+
+}  // namespace cuticle::render::surface_shadow
