@@ -1,6 +1,7 @@
 #include <cuticle/core/instruction_set.h>
 
 #include <array>
+#include <cstdlib>
 
 namespace cuticle {
 namespace {
@@ -20,12 +21,22 @@ bool has_avx512() {
 }
 #endif
 
+/// Sets wider than the one that CUTICLE_WIDEST_SET names are not taken, so that each can be tested and timed.
+bool is_allowed(InstructionSet set) {
+  static const char* const widest = std::getenv("CUTICLE_WIDEST_SET");
+  if (widest == nullptr) return true;
+  for (std::size_t k = std::size_t(set); k < set_names.size(); ++k)
+    if (set_names[k] == widest) return true;
+  return false;
+}
+
 }  // namespace
 
 std::string_view name_of(InstructionSet set) { return set_names[std::size_t(set)]; }
 
 bool processor_has(InstructionSet set) {
 #if defined(__x86_64__)
+  if (!is_allowed(set)) return set == InstructionSet::baseline;
   if (set == InstructionSet::avx2) return has_avx2();
   if (set == InstructionSet::avx512) return has_avx512();
 #endif

@@ -10,7 +10,8 @@ enum class InstructionSet { baseline, avx2, avx512 };
 constexpr std::size_t instruction_set_count = 3;
 /// "baseline", "avx2", "avx512".
 std::string_view name_of(InstructionSet set);
-/// Whether this processor has all that the compiler may use for it.
+/// Whether this processor has all that the compiler may use for it, and the environment variable CUTICLE_WIDEST_SET,
+/// where it is set to a set's name, lets wider ones than that be taken.
 bool processor_has(InstructionSet set);
 /// Of the same compiled for each set, that of the widest one that this processor has.
 template <class T>

@@ -72,7 +72,8 @@ TEST_P(ChainGpu, HardSteps_KeepLengths) {
 }
 
 TEST_P(ChainGpu, Teleport_EqualsTheCpu) {
-  expect_teleport_of_the_cpu(GetParam(), GetParam() == std::string("rod") ? k_slack : "");
+  // Fused products and estimated reciprocals alone part them; without, as in the units of every x86-64, 3e-8 m.
+  expect_teleport_of_the_cpu(GetParam(), GetParam() == std::string("rod") ? k_slack : "", 4.5e-5);
 }
 
 TEST_P(ChainGpu, DoublePrecision_IsRefused) {

@@ -1,9 +1,10 @@
 #pragma once
 // What the solvers of rigid links do with all lanes of a block, for their units of one instruction set: those are
-// compiled several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. Every loop over
-// lanes is one block of arithmetic without calls or branches, which the compiler turns into vectors.
+// compiled several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. `Real` is a
+// pack of as many strands' numbers as a register holds; a block is walked in so many parts.
 #include <cuticle/core/flush_to_zero.h>
 #include <cuticle/sim/detail/chain_rows.h>
+#include <cuticle/sim/detail/pack.h>
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
@@ -12,279 +13,253 @@ namespace cuticle::sim::detail {
 namespace {
 
 constexpr int S = k_lanes;  ///< from row to row
-/// Lanes that a pass takes at once: as many floats as a register holds, so that it is straight code; a block is walked
-/// in so many parts.
-#if defined(__AVX512F__)
-constexpr int W = 16;
-#elif defined(__AVX2__)
-constexpr int W = 8;
-#else
-constexpr int W = 4;
-#endif
 
-// A loop whose body is a function of its own, inlined: locals of a loop would become arrays, which no vector holds.
-#define CUTICLE_INLINED __attribute__((always_inline))
-template <class Body>
-[[gnu::always_inline]] inline void each_lane(const Body& body) {
-#pragma omp simd
-  for (int lane = 0; lane < W; ++lane) body(lane);
-}
-
-FN glm::vec<3, Real> vector_at(const Real* row, int lane) { return {row[lane], row[S + lane], row[2 * S + lane]}; }
-FN void put(Real* row, int lane, const glm::vec<3, Real>& v) {
-  row[lane] = v.x;
-  row[S + lane] = v.y;
-  row[2 * S + lane] = v.z;
-}
-
-/// LinkCarry.
 template <class Real>
-struct CarryRows {
-  Real place[3 * S], direction[3 * S], normal[3 * S], inverse_mass[S], inverse_pivot[S], residual[S];
-};
+using Vector = glm::vec<3, Real>;
 
-/// What a block's strands share with their links within a substep, a row for each number.
 template <class Real>
-struct StrandRows {
-  Real root_step[3 * S], history[S], time[S], inverse_time[S], coasting[S], excess[S];
-  CarryRows<Real> carry[2];                         ///< of links of even and of odd number
-  Real sum[3 * S], stiffness[S], tension_pivot[S];  ///< TensionCarry
-  Real newton[3 * S], newton_parent[3 * S], aim[3 * S], turned[3 * S], pushed[3 * S], free_parent[S];
-};
-
-FN StrandStep<Real> step_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.root_step, lane), rows.history[lane], rows.time[lane], rows.inverse_time[lane],
-          rows.coasting[lane]};
+[[gnu::always_inline]] inline Real number_at(const typename Real::Scalar* row) {
+  Real pack;
+  std::memcpy(&pack.all, row, sizeof pack.all);
+  return pack;
 }
-FN LinkCarry<Real> carry_at(const CarryRows<Real>& rows, int lane) {
-  return {vector_at(rows.place, lane), vector_at(rows.direction, lane), vector_at(rows.normal, lane),
-          rows.inverse_mass[lane],     rows.inverse_pivot[lane],        rows.residual[lane]};
+template <class Real, int Stride = S>
+[[gnu::always_inline]] inline Vector<Real> vector_at(const typename Real::Scalar* row) {
+  return {number_at<Real>(row), number_at<Real>(row + Stride), number_at<Real>(row + 2 * Stride)};
 }
-FN TensionCarry<Real> tension_carry_at(const StrandRows<Real>& rows, int lane) {
-  return {vector_at(rows.sum, lane), rows.stiffness[lane], rows.tension_pivot[lane]};
+template <class Real, int Stride = S>
+[[gnu::always_inline]] inline void put(typename Real::Scalar* row, Real number) {
+  std::memcpy(row, &number.all, sizeof number.all);
 }
-FN void put_carry(CarryRows<Real>& rows, int lane, const LinkCarry<Real>& carry) {
-  put(rows.place, lane, carry.place);
-  put(rows.direction, lane, carry.direction);
-  put(rows.normal, lane, carry.normal);
-  rows.inverse_mass[lane] = carry.inverse_mass;
-  rows.inverse_pivot[lane] = carry.inverse_pivot;
-  rows.residual[lane] = carry.residual;
+template <class Real, int Stride = S>
+[[gnu::always_inline]] inline void put(typename Real::Scalar* row, const Vector<Real>& v) {
+  put<Real>(row, v.x);
+  put<Real>(row + Stride, v.y);
+  put<Real>(row + 2 * Stride, v.z);
 }
 
-/// Rows of vertex i.
+/// Rows of vertex i. Those of the scratch are no longer than a register, so that more of them stay near.
 template <class Real>
 struct VertexRows {
-  const Real* rest;
-  Real *state, *scratch;
-  VertexRows(const ChainBlock<Real>& block, int i)
+  using Scalar = typename Real::Scalar;
+  const Scalar* rest;
+  Scalar *state, *scratch;
+  [[gnu::always_inline]] VertexRows(const ChainBlock<Scalar>& block, int i)
       : rest(block.rest + i * rest_row::count * S),
         state(block.state + i * state_row::count * S),
-        scratch(block.scratch + i * block.scratch_rows * S) {}
-  const Real* rest_at(int row) const { return rest + row * S; }
-  Real* state_at(int row) const { return state + row * S; }
-  Real* scratch_at(int row) const { return scratch + row * S; }
+        scratch(block.scratch + i * block.scratch_rows * Real::count) {}
+  [[gnu::always_inline]] Real rest_at(int row) const { return number_at<Real>(rest + row * S); }
+  [[gnu::always_inline]] Real state_at(int row) const { return number_at<Real>(state + row * S); }
+  [[gnu::always_inline]] Real scratch_at(int row) const { return number_at<Real>(scratch + row * Real::count); }
+  [[gnu::always_inline]] Vector<Real> rest_vector(int row) const { return vector_at<Real>(rest + row * S); }
+  [[gnu::always_inline]] Vector<Real> state_vector(int row) const { return vector_at<Real>(state + row * S); }
+  [[gnu::always_inline]] Vector<Real> scratch_vector(int row) const {
+    return vector_at<Real, Real::count>(scratch + row * Real::count);
+  }
+  template <class T>
+  [[gnu::always_inline]] void put_state(int row, const T& value) const {
+    put<Real>(state + row * S, value);
+  }
+  template <class T>
+  [[gnu::always_inline]] void put_scratch(int row, const T& value) const {
+    put<Real, Real::count>(scratch + row * Real::count, value);
+  }
 };
 
 template <class Real>
-[[gnu::always_inline]] inline ChainVertex<Real> chain_vertex(const VertexRows<Real>& v, int lane) {
-  return {vector_at(v.state_at(state_row::here), lane), vector_at(v.state_at(state_row::before), lane),
-          vector_at(v.state_at(state_row::velocity), lane), vector_at(v.state_at(state_row::velocity_before), lane)};
+[[gnu::always_inline]] inline ChainVertex<Real> chain_vertex(const VertexRows<Real>& v) {
+  return {v.state_vector(state_row::here), v.state_vector(state_row::before), v.state_vector(state_row::velocity),
+          v.state_vector(state_row::velocity_before)};
+}
+
+/// The state before the substep is kept, and `from` where the velocity will be.
+template <class Real>
+[[gnu::always_inline]] inline void keep_before(const VertexRows<Real>& v, const ChainVertex<Real>& vertex,
+                                               const StrandStep<Real>& strand, const Vector<Real>& from) {
+  v.put_state(state_row::before, vertex.here - strand.root_step);
+  v.put_state(state_row::velocity_before, vertex.velocity);
+  v.put_state(state_row::velocity, from);
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline StrandStep<Real> begin(const ChainBlock<Scalar>& block, const ChainStep<Real>& step) {
+  const StrandStep<Real> strand = strand_step(step, vector_at<Real>(block.strand + strand_row::anchor * S),
+                                              number_at<Real>(block.strand + strand_row::guarded * S));
+  VertexRows<Real>(block, 0).put_state(state_row::before, -strand.root_step);
+  return strand;
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void begin(const ChainBlock<Real>& block, const ChainStep<Real>& step,
-                                         StrandRows<Real>& rows) {
-  const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * S, *guarded = block.strand + strand_row::guarded * S;
-  const VertexRows<Real> root(block, 0);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const StrandStep<Real> strand = strand_step(s, vector_at(anchor, lane), guarded[lane]);
-    put(rows.root_step, lane, strand.root_step);
-    put(root.state_at(state_row::velocity), lane, strand.root_step * s.per_second);
-    put(root.state_at(state_row::before), lane, -strand.root_step);
-    rows.history[lane] = strand.history;
-    rows.time[lane] = strand.time;
-    rows.inverse_time[lane] = strand.inverse_time;
-    rows.coasting[lane] = strand.coasting;
-    rows.excess[lane] = 0;
-    rows.free_parent[lane] = 0;
-    put_carry(rows.carry[0], lane, at_anchor<Real>());
-    const TensionCarry<Real> tip = below_tip<Real>();
-    put(rows.sum, lane, tip.sum);
-    rows.stiffness[lane] = tip.stiffness;
-    rows.tension_pivot[lane] = tip.inverse_pivot;
-    put(rows.newton_parent, lane, glm::vec<3, Real>(0));
-    put(rows.pushed, lane, glm::vec<3, Real>(0));
-  });
+[[gnu::always_inline]] inline LinkSphere<Real> sphere_at(const typename Real::Scalar* rows) {
+  return {vector_at<Real>(rows), number_at<Real>(rows + 3 * S)};
 }
 
-template <class Real>
-[[gnu::always_inline]] inline void clear_touch(const VertexRows<Real>& v) {
-  each_lane([&](int lane) CUTICLE_INLINED {
-    put(v.scratch_at(scratch_row::normal), lane, glm::vec<3, Real>(0));
-    put(v.scratch_at(scratch_row::begin_pushed), lane, glm::vec<3, Real>(0));
-  });
-}
-
-FN LinkSphere<Real> sphere_at(const Real* rows, int lane) { return {vector_at(rows, lane), rows[3 * S + lane]}; }
-
-template <class Real>
-[[gnu::always_inline]] inline void place_spheres(const ChainBlock<Real>& block, const ChainStep<Real>& step,
-                                                 const ChainFrame<Real>& frame) {
-  const ChainStep<Real> s = step;
-  const Real *anchor = block.strand + strand_row::anchor * S,
-             *length = VertexRows<Real>(block, 1).rest_at(rest_row::length);
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void place_spheres(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
+                                                 const ChainFrame<Scalar>& frame) {
+  const Vector<Real> anchor = vector_at<Real>(block.strand + strand_row::anchor * S);
+  const Real first_link = VertexRows<Real>(block, 1).rest_at(rest_row::length);
   for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Real> sphere = frame.spheres[k];
-    Real* const rows = frame.sphere_rows + 4 * S * k;
-    each_lane([&](int lane) CUTICLE_INLINED {
-      const LinkSphere<Real> placed =
-          link_sphere(s, sphere.centre, sphere.radius, vector_at(anchor, lane), length[lane]);
-      put(rows, lane, placed.centre);
-      rows[3 * S + lane] = placed.radius;
-    });
+    const LinkSphere<Scalar>& sphere = frame.spheres[k];
+    const LinkSphere<Real> placed =
+        link_sphere(step, Vector<Real>(sphere.centre), Real(sphere.radius), anchor, first_link);
+    put<Real>(frame.sphere_rows + 4 * S * k, placed.centre);
+    put<Real>(frame.sphere_rows + (4 * k + 3) * S, placed.radius);
   }
 }
 
-template <class Real>
-[[gnu::always_inline]] inline void push_out(const VertexRows<Real>& v, const ChainStep<Real>& step,
-                                            const Real* sphere) {
-  const ChainStep<Real> s = step;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const glm::vec<3, Real> here = vector_at(v.state_at(state_row::here), lane);
-    const Touch<Real> touch = pushed_from(Touch<Real>{vector_at(v.scratch_at(scratch_row::place), lane),
-                                                      vector_at(v.scratch_at(scratch_row::normal), lane),
-                                                      vector_at(v.scratch_at(scratch_row::begin_pushed), lane)},
-                                          sphere_at(sphere, lane), carried_by_head(s, here),
-                                          direction_or(here, Real(0), s.end_y), s.friction);
-    put(v.scratch_at(scratch_row::place), lane, touch.place);
-    put(v.scratch_at(scratch_row::normal), lane, touch.normal);
-    put(v.scratch_at(scratch_row::begin_pushed), lane, touch.begin_pushed);
-  });
-}
-
-/// Where the Newton step put a vertex, and where its link points from the parent's final place.
-template <class Real>
-[[gnu::always_inline]] inline void aim_lane(const VertexRows<Real>& v, const VertexRows<Real>& parent, int lane,
-                                            const glm::vec<3, Real>& newton, const glm::vec<3, Real>& fallback,
-                                            StrandRows<Real>& rows) {
-  const Real length = v.rest_at(rest_row::length)[lane];
-  rows.excess[lane] = max(rows.excess[lane], excess_of_newton(newton - vector_at(rows.newton_parent, lane), length));
-  const glm::vec<3, Real> aimed =
-      direction_or(newton - vector_at(parent.state_at(state_row::here), lane), Real(1e-3) * length, fallback);
-  put(rows.newton, lane, newton);
-  put(rows.newton_parent, lane, newton);
-  put(rows.aim, lane, aimed);
-  put(rows.turned, lane, aimed);
+/// The predicted vertex, pushed out of all spheres.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Touch<Real> pushed_from_all(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                          const Vector<Real>& here, const Vector<Real>& place) {
+  Touch<Real> touch{place, Vector<Real>(Real(0)), Vector<Real>(Real(0))};
+  const Vector<Real> carried = carried_by_head(step, here);
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    const LinkSphere<Real> sphere = sphere_at<Real>(frame.sphere_rows + 4 * S * k);
+    if (any(is_within(sphere, touch.place, Real(0)) || is_within(sphere, carried, Real(0))))
+      touch = pushed_from(touch, sphere, carried, direction_or(here, Real(0), step.end_y), step.friction);
+  }
+  return touch;
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void turn_out(const VertexRows<Real>& v, const VertexRows<Real>& parent,
-                                            const ChainStep<Real>& step, const Real* sphere, StrandRows<Real>& rows) {
-  const glm::vec<3, Real> side = step.end_x, other = step.end_y;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const LinkSphere<Real> met = sphere_at(sphere, lane);
-    const glm::vec<3, Real> from = vector_at(parent.state_at(state_row::here), lane),
-                            aimed = vector_at(rows.turned, lane);
-    const Real length = v.rest_at(rest_row::length)[lane];
-    const glm::vec<3, Real> turned = turned_out(from, aimed, length, met, side, other), moved = turned - aimed;
-    const glm::vec<3, Real> outward = direction_or(from + turned * length - met.centre, Real(0), turned);
-    put(v.scratch_at(scratch_row::normal), lane,
-        either(inner(moved, moved) > 0, outward, vector_at(v.scratch_at(scratch_row::normal), lane)));
-    put(rows.turned, lane, turned);
-  });
+[[gnu::always_inline]] inline void keep_touch(const VertexRows<Real>& v, const Touch<Real>& touch) {
+  v.put_scratch(scratch_row::place, touch.place);
+  v.put_scratch(scratch_row::normal, touch.normal);
+  v.put_scratch(scratch_row::begin_pushed, touch.begin_pushed);
 }
+
+/// Where the Newton step put a vertex; where its link points if that says nothing.
+template <class Real>
+struct NewtonPlace {
+  Vector<Real> place, fallback;
+};
+/// What the way down carries from parent to child.
+template <class Real>
+struct Following {
+  Vector<Real> newton, place, velocity, pushed;
+  Real excess, free_parent;
+};
 
 /// The link at its length, the velocities, and the share of the clean-up that the parent's velocity gives back.
 template <class Real>
 [[gnu::always_inline]] inline void follow(const VertexRows<Real>& v, const VertexRows<Real>& parent,
-                                          StrandRows<Real>& rows) {
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], inverse_time = rows.inverse_time[lane];
-    const glm::vec<3, Real> place =
-        vector_at(parent.state_at(state_row::here), lane) + vector_at(rows.aim, lane) * length;
-    const glm::vec<3, Real> pull =
-        cleanup_pull(place - vector_at(rows.newton, lane), length, v.rest_at(rest_row::mass_ratio)[lane], inverse_time);
-    put(parent.state_at(state_row::velocity), lane, vector_at(parent.state_at(state_row::velocity), lane) - pull);
-    put(v.state_at(state_row::velocity), lane,
-        (place - vector_at(v.state_at(state_row::velocity), lane)) * inverse_time);
-    put(v.state_at(state_row::here), lane, place);
-  });
+                                          const StrandStep<Real>& strand, const Vector<Real>& newton,
+                                          const Vector<Real>& aim, Following<Real>& f) {
+  const Real length = v.rest_at(rest_row::length);
+  const Vector<Real> place = f.place + aim * length;
+  const Vector<Real> pull = cleanup_pull(place - newton, length, v.rest_at(rest_row::mass_ratio), strand.inverse_time);
+  parent.put_state(state_row::velocity, f.velocity - pull);
+  f.velocity = (place - v.state_vector(state_row::velocity)) * strand.inverse_time;
+  f.place = place;
+}
+
+/// The link turned out of all spheres; `normal` becomes that of the last.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Vector<Real> turned_out_of_all(const ChainFrame<Scalar>& frame,
+                                                             const ChainStep<Real>& step, const Vector<Real>& from,
+                                                             const Vector<Real>& aim, Real length,
+                                                             Vector<Real>& normal) {
+  Vector<Real> turned = aim;
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    const LinkSphere<Real> sphere = sphere_at<Real>(frame.sphere_rows + 4 * S * k);
+    if (!any(is_within(sphere, from, length))) continue;
+    const Vector<Real> out = turned_out(from, turned, length, sphere, step.end_x, step.end_y), moved = out - turned;
+    normal =
+        either(inner(moved, moved) > Real(0), direction_or(from + out * length - sphere.centre, Real(0), out), normal);
+    turned = out;
+  }
+  return turned;
 }
 
 /// The same beside spheres. What a contact moved says nothing of the pull on the parent, and a parent in contact feels
 /// none.
-template <class Real>
+template <class Real, class Scalar>
 [[gnu::always_inline]] inline void follow_beside(const VertexRows<Real>& v, const VertexRows<Real>& parent,
-                                                 const ChainStep<Real>& step, StrandRows<Real>& rows) {
-  const ChainStep<Real> s = step;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const Real length = v.rest_at(rest_row::length)[lane], inverse_time = rows.inverse_time[lane];
-    const glm::vec<3, Real> from = vector_at(parent.state_at(state_row::here), lane),
-                            normal = vector_at(v.scratch_at(scratch_row::normal), lane);
-    const glm::vec<3, Real> aimed = from + vector_at(rows.aim, lane) * length,
-                            place = from + vector_at(rows.turned, lane) * length;
-    const glm::vec<3, Real> pushed = pushed_along(vector_at(rows.pushed, lane), vector_at(rows.aim, lane)),
-                            turn = place - aimed;
-    const glm::vec<3, Real> pull = cleanup_pull(aimed - vector_at(rows.newton, lane) - pushed, length,
-                                                v.rest_at(rest_row::mass_ratio)[lane], inverse_time);
-    put(parent.state_at(state_row::velocity), lane,
-        vector_at(parent.state_at(state_row::velocity), lane) - pull * rows.free_parent[lane]);
-    const bool touches = inner(normal, normal) > 0;
-    const glm::vec<3, Real> begin = vector_at(v.state_at(state_row::before), lane);
-    const Touch<Real> touch{place, normal, vector_at(v.scratch_at(scratch_row::begin_pushed), lane)};
-    const glm::vec<3, Real> beside =
-        touching_velocity(place, begin, carried_by_head(s, begin + vector_at(rows.root_step, lane)), touch,
-                          sqrt(inner(turn, turn)), s.friction, s.per_second);
-    const glm::vec<3, Real> free = (place - vector_at(v.state_at(state_row::velocity), lane)) * inverse_time;
-    put(v.state_at(state_row::velocity), lane, either(touches, beside, free));
-    put(v.state_at(state_row::here), lane, place);
-    put(rows.pushed, lane, pushed + turn);
-    rows.free_parent[lane] = touches ? Real(0) : Real(1);
-    rows.excess[lane] = touches ? Real(1) : rows.excess[lane];
-  });
+                                                 const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                 const StrandStep<Real>& strand, const Vector<Real>& newton,
+                                                 const Vector<Real>& aim, Following<Real>& f) {
+  const Real length = v.rest_at(rest_row::length);
+  Vector<Real> normal = v.scratch_vector(scratch_row::normal);
+  const Vector<Real> turned = turned_out_of_all(frame, step, f.place, aim, length, normal),
+                     aimed = f.place + aim * length, place = f.place + turned * length, turn = place - aimed,
+                     pushed = pushed_along(f.pushed, aim);
+  const Vector<Real> pull =
+      cleanup_pull(aimed - newton - pushed, length, v.rest_at(rest_row::mass_ratio), strand.inverse_time);
+  parent.put_state(state_row::velocity, f.velocity - pull * f.free_parent);
+  const auto touches = inner(normal, normal) > Real(0);
+  const Vector<Real> begin = v.state_vector(state_row::before);
+  const Vector<Real> beside = touching_velocity(place, begin, carried_by_head(step, begin + strand.root_step),
+                                                Touch<Real>{place, normal, v.scratch_vector(scratch_row::begin_pushed)},
+                                                sqrt(inner(turn, turn)), step.friction, step.per_second);
+  f.velocity = either(touches, beside, (place - v.state_vector(state_row::velocity)) * strand.inverse_time);
+  f.place = place;
+  f.pushed = pushed + turn;
+  f.free_parent = selected(touches, Real(0), Real(1));
+  f.excess = selected(touches, Real(1), f.excess);
 }
 
-/// All links down from the anchor: `aim(i)` has the Newton step of vertex i ready in `rows`.
-template <class Real, bool Touches, class Aim>
-void follow_all(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const ChainStep<Real>& step,
-                StrandRows<Real>& rows, const Aim& aim) {
-  const auto vertex = [&](int i) { return VertexRows<Real>(block, i); };
+/// All links down from the anchor: `newton_of(i)` is the NewtonPlace of vertex i.
+template <bool Touches, class Real, class Scalar, class NewtonOf>
+[[gnu::always_inline]] inline void follow_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                              const ChainStep<Real>& step, const StrandStep<Real>& strand,
+                                              const NewtonOf& newton_of) {
+  const Vector<Real> zero(Real(0));
+  Following<Real> f{zero, zero, strand.root_step * step.per_second, zero, Real(0), Real(0)};
   for (int i = 1; i <= block.links; ++i) {
-    aim(i);
-    if constexpr (Touches) {
-      for (int k = 0; k < frame.sphere_count; ++k)
-        turn_out(vertex(i), vertex(i - 1), step, frame.sphere_rows + 4 * S * k, rows);
-      follow_beside(vertex(i), vertex(i - 1), step, rows);
-    } else {
-      follow(vertex(i), vertex(i - 1), rows);
-    }
+    const VertexRows<Real> v(block, i), parent(block, i - 1);
+    const NewtonPlace<Real> newton = newton_of(i);
+    const Real length = v.rest_at(rest_row::length);
+    f.excess = max(f.excess, excess_of_newton(newton.place - f.newton, length));
+    f.newton = newton.place;
+    const Vector<Real> aim = direction_or(newton.place - f.place, Real(1e-3) * length, newton.fallback);
+    if constexpr (Touches)
+      follow_beside(v, parent, frame, step, strand, newton.place, aim, f);
+    else
+      follow(v, parent, strand, newton.place, aim, f);
+    v.put_state(state_row::here, f.place);
   }
-  each_lane([&](int lane) CUTICLE_INLINED {
-    block.strand[strand_row::guarded * S + lane] = rows.excess[lane] > 0 ? Real(1) : Real(0);
-  });
+  VertexRows<Real>(block, block.links).put_state(state_row::velocity, f.velocity);
+  put<Real>(block.strand + strand_row::guarded * S, selected(f.excess > Real(0), Real(1), Real(0)));
+}
+
+/// The same for all strands.
+template <class Real>
+[[gnu::always_inline]] inline ChainStep<Real> spread(const ChainStep<typename Real::Scalar>& step) {
+  constexpr std::size_t count = sizeof step / sizeof(typename Real::Scalar);
+  static_assert(sizeof(ChainStep<Real>) == count * sizeof(Real));
+  typename Real::Scalar numbers[count];
+  std::memcpy(numbers, &step, sizeof step);
+  Real packs[count];
+  for (std::size_t k = 0; k < count; ++k) packs[k] = numbers[k];
+  ChainStep<Real> wide;
+  std::memcpy(static_cast<void*>(&wide), packs, sizeof wide);
+  return wide;
+}
+
+/// What is read above the first and below the last vertex.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void clear_ends(const ChainBlock<Scalar>& block) {
+  for (int row = 0; row < block.scratch_rows; ++row) {
+    VertexRows<Real>(block, 0).put_scratch(row, Real(0));
+    VertexRows<Real>(block, block.links + 1).put_scratch(row, Real(0));
+  }
 }
 
 /// All substeps of a frame, part by part.
-template <class Real, class Substep>
-void advance_parts(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const Substep& substep) {
+template <class Scalar, class Substep>
+[[gnu::always_inline]] inline void advance_parts(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                                 const Substep& substep) {
   [[maybe_unused]] const FlushToZero guard;
-  StrandRows<Real> rows;
-  for (int first = 0; first < S; first += W) {
-    ChainBlock<Real> part = block;
+  for (int first = 0; first < S; first += Lanes<Scalar>::count) {
+    ChainBlock<Scalar> part = block;
     part.rest += first;
     part.state += first;
     part.strand += first;
     part.own += block.own ? first : 0;
-    for (int k = 0; k < frame.count; ++k) substep(part, frame.steps[k], rows);
+    clear_ends<Lanes<Scalar>>(part);
+    for (int k = 0; k < frame.count; ++k) substep(part, spread<Lanes<Scalar>>(frame.steps[k]));
   }
-}
-
-template <class Real>
-void push_out_of_all(const ChainFrame<Real>& frame, const ChainStep<Real>& step, const VertexRows<Real>& v) {
-  clear_touch(v);
-  for (int k = 0; k < frame.sphere_count; ++k) push_out(v, step, frame.sphere_rows + 4 * S * k);
 }
 
 }  // namespace

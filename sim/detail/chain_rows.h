@@ -33,7 +33,7 @@ struct ChainBlock {
   int links;
   const Real* rest;
   Real *state, *strand;
-  Real* scratch;     ///< (links + 2) * scratch_rows * k_lanes, zero at the anchor and at the end row
+  Real* scratch;     ///< (links + 2) * scratch_rows * k_lanes
   int scratch_rows;  ///< of a vertex: scratch_row::count, or more
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };

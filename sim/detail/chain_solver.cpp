@@ -51,10 +51,6 @@ class ChainSolver final : public Solver {
       if (chains_.within_reach(b, sphere, settings_.contact->pearl_radius)) room.near.push_back(sphere);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
     room.numbers.resize(scratch + 4 * room.near.size() * k_lanes);
-    const auto vertex =
-        std::ptrdiff_t(program_.scratch_rows) * k_lanes;  // only the ends' rows are read before they are written
-    std::fill_n(room.numbers.begin(), vertex, Real(0));
-    std::fill_n(room.numbers.begin() + std::ptrdiff_t(scratch) - vertex, vertex, Real(0));
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty())

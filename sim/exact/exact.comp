@@ -24,7 +24,7 @@ void predict(uint i, ChainStep s, StrandStep strand, inout TensionCarry below) {
   put_state(i, k_velocity, from);  // until the velocity is known
   put_scratch(i, k_place, place.place);
   scratch[scratch_at(i, k_follows)] = place.follows;
-  scratch[scratch_at(i, k_weight)] = rest[rest_at(i, k_inverse_mass)] / d.inertia;
+  scratch[scratch_at(i, k_weight)] = rest[rest_at(i, k_inverse_mass)] * reciprocal(d.inertia);
 }
 
 // Root to tip.
@@ -41,7 +41,13 @@ void eliminate(uint i, ChainStep s, inout LinkCarry carry) {
   vec3 direction = direction_or(predicted - carry.place, 1e-3 * rest_length, before);
   vec3 place = fold_opened(predicted, carry, direction, rest_length, (i & 1u) != 0u ? s.end_x : s.end_y);
   LinkRow row;
-  carry = eliminated(carry, place, direction, normal_of(i), scratch[scratch_at(i, k_weight)], rest_length, row);
+  float weight = scratch[scratch_at(i, k_weight)];
+#if TOUCHES
+  LinkMasses masses = touching_masses(carry, direction, normal_of(i), weight);
+#else
+  LinkMasses masses = free_masses(carry, direction, weight);
+#endif
+  carry = eliminated(carry, masses, place, direction, normal_of(i), weight, rest_length, row);
   put_scratch(i, k_place, place);
   put_scratch(i, k_direction, direction);
   scratch[scratch_at(i, k_coupling)] = row.coupling;
@@ -51,7 +57,7 @@ void eliminate(uint i, ChainStep s, inout LinkCarry carry) {
 vec3 newton_of(uint i) {
   vec3 above = scratch_vector(i, k_direction) * scratch[scratch_at(i, k_value)];
   vec3 under = scratch_vector(i + 1u, k_direction) * scratch[scratch_at(i + 1u, k_value)];
-  return newton_place(scratch_vector(i, k_place), normal_of(i), scratch[scratch_at(i, k_weight)], above, under);
+  return scratch_vector(i, k_place) + along_surface((above - under) * scratch[scratch_at(i, k_weight)], normal_of(i));
 }
 
 void substep(uint links, ChainStep s) {

@@ -5,250 +5,270 @@
 #include <cuticle/sim/rod/kernel.h>
 #include <cuticle/sim/rod/rod_step.glslh>
 
+namespace cuticle::sim::detail {
+namespace {
+/// Round-off is that of the numbers in the pack.
+template <class Number, int N>
+[[gnu::always_inline]] inline Pack<Number, N> smallest_pivot(Pack<Number, N> size) {
+  return sim::smallest_pivot(Number(1)) * size;
+}
+}  // namespace
+}  // namespace cuticle::sim::detail
+
 namespace cuticle::sim::rod {
 namespace {
 
 using namespace detail;
 
-#define ROWS Real*
-#define UNROLLED
-#define AT(rows, row) (rows)[(row)*k_lanes + lane]
-#define BAND_BEGIN rod_row::band
-#define RIGHT_BEGIN rod_row::right
+/// The band's numbers of a vertex: rows in memory, or packs of which every index is known, which need no memory.
+template <class Real>
+struct BandRows {
+  Real* packs;
+  typename Real::Scalar* rows;
+};
+template <class Real>
+struct BandNumber {
+  BandRows<Real> band;
+  int row;
+  [[gnu::always_inline]] operator Real() const {
+    return band.packs ? band.packs[row] : number_at<Real>(band.rows + row * Real::count);
+  }
+  [[gnu::always_inline]] void operator=(Real value) const {
+    if (band.packs)
+      band.packs[row] = value;
+    else
+      put<Real>(band.rows + row * Real::count, value);
+  }
+};
+constexpr int k_band_rows = rod_row::count - rod_row::band;
+
+#define ROWS BandRows<Real>
+#define UNROLLED _Pragma("GCC unroll 9")
+#define AT(rows, row) (BandNumber<Real>{rows, row})
+#define BAND_BEGIN 0
+#define RIGHT_BEGIN (rod_row::right - rod_row::band)
 #include "cuticle/sim/rod/rod_band.glslh"
 
-FN Real* hinge_at(const ChainBlock<Real>& block, int i, int row) {
-  return block.own + (i * hinge_row::count + row) * k_lanes;
+/// A block, and a vertex of it with its hinge.
+template <class Real>
+struct RodVertex : VertexRows<Real> {
+  using typename VertexRows<Real>::Scalar;
+  Scalar* hinge;
+  [[gnu::always_inline]] RodVertex(const ChainBlock<Scalar>& block, int i)
+      : VertexRows<Real>(block, i), hinge(block.own + i * hinge_row::count * S) {}
+  [[gnu::always_inline]] Real hinge_at(int row) const { return number_at<Real>(hinge + row * S); }
+  [[gnu::always_inline]] Vector<Real> hinge_vector(int row) const { return vector_at<Real>(hinge + row * S); }
+  [[gnu::always_inline]] BandRows<Real> band() const { return {nullptr, this->scratch + rod_row::band * Real::count}; }
+};
+
+/// Root to tip: where vertices coast, before as above the places of their parents.
+template <class Real>
+struct Coasting {
+  Vector<Real> here, place, coast;
+};
+/// From there to where the other forces, and spheres, would put the vertex.
+template <bool Touches, class Real, class Scalar>
+[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const ChainFrame<Scalar>& frame,
+                                         const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
+                                         Coasting<Real>& parent) {
+  const ChainVertex<Real> vertex = chain_vertex(v);
+  const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
+  const Coast<Real> c =
+      coast_of(vertex.here, from, drift, free_displacement(step, strand, drift).moved, fall_of(step, strand.time), arc);
+  const Real length = v.rest_at(rest_row::length);
+  const Vector<Real> before = (vertex.here - parent.here) * v.rest_at(rest_row::inverse_length),
+                     direction = direction_or(c.place - parent.place, Real(1e-3) * length, before);
+  parent = {vertex.here, c.place, parent.coast + direction * length};
+  v.put_scratch(rod_row::coast, parent.coast);
+  v.put_scratch(scratch_row::direction, direction);
+  Vector<Real> wanted = (vertex.here - parent.coast) + c.moved;
+  if constexpr (Touches) {
+    const Vector<Real> predicted = vertex.here + c.moved;
+    const Touch<Real> touch = pushed_from_all(frame, step, vertex.here, predicted);
+    keep_touch<Real>(v, touch);
+    wanted += touch.place - predicted;
+  }
+  v.put_scratch(scratch_row::place, wanted);
+  keep_before(v, vertex, strand, from);
 }
 
 template <class Real>
-void coast(const ChainBlock<Real>& block, int i, const ChainStep<Real>& step, const StrandRows<Real>& rows) {
-  const VertexRows<Real> v(block, i), parent(block, i - 1), tip(block, block.links);
-  const ChainStep<Real> s = step;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const ChainVertex<Real> vertex = chain_vertex(v, lane);
-    const StrandStep<Real> strand = step_at(rows, lane);
-    const glm::vec<3, Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
-    const Coast<Real> c = coast_of(vertex.here, from, drift, free_displacement(s, strand, drift).moved,
-                                   fall_of(s, strand.time), tip.rest_at(rest_row::reach)[lane]);
-    const Real length = v.rest_at(rest_row::length)[lane];
-    const glm::vec<3, Real> before = (vertex.here - vector_at(parent.state_at(state_row::here), lane)) *
-                                     v.rest_at(rest_row::inverse_length)[lane],
-                            direction = direction_or(c.place - vector_at(parent.scratch_at(rod_row::coasted), lane),
-                                                     Real(1e-3) * length, before);
-    put(v.scratch_at(rod_row::coasted), lane, c.place);
-    put(v.scratch_at(rod_row::coast), lane, vector_at(parent.scratch_at(rod_row::coast), lane) + direction * length);
-    put(v.scratch_at(scratch_row::direction), lane, direction);
-    put(v.scratch_at(scratch_row::place), lane, c.predicted);
-    put(v.state_at(state_row::before), lane, vertex.here - strand.root_step);
-    put(v.state_at(state_row::velocity_before), lane, vertex.velocity);
-    put(v.state_at(state_row::velocity), lane, from);  // until the velocity is known
-  });
-}
-
+struct Bending {
+  Vector<Real> direction, director;
+  Real angle;
+};
 /// The clamp's direction and director stand where a vertex has its own.
 template <class Real>
-void clamp(const ChainBlock<Real>& block, const ChainStep<Real>& step) {
-  const VertexRows<Real> root(block, 0);
-  const ChainStep<Real> s = step;
-  const Real *direction = hinge_at(block, 0, hinge_row::direction), *director = hinge_at(block, 0, hinge_row::director);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    put(root.scratch_at(scratch_row::direction), lane, turned_to_end(s, vector_at(direction, lane)));
-    put(root.scratch_at(rod_row::director), lane, turned_to_end(s, vector_at(director, lane)));
-  });
+[[gnu::always_inline]] inline Bending<Real> clamped(const RodVertex<Real>& root, const ChainStep<Real>& step) {
+  const Vector<Real> direction = turned_to_end(step, root.hinge_vector(hinge_row::direction));
+  root.put_scratch(scratch_row::direction, direction);
+  return {direction, turned_to_end(step, root.hinge_vector(hinge_row::director)),
+          sane_angle(root.hinge_at(hinge_row::angle))};
 }
 
 template <class Real>
-void bend(const ChainBlock<Real>& block, int i) {
-  const VertexRows<Real> v(block, i), parent(block, i - 1);
-  const Real *angle = hinge_at(block, i, hinge_row::angle), *x = hinge_at(block, i, hinge_row::bend_x),
-             *y = hinge_at(block, i, hinge_row::bend_y), *stiffness = hinge_at(block, i, hinge_row::stiffness);
-  const Real* const parent_angle = hinge_at(block, i - 1, hinge_row::angle);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const glm::vec<3, Real> above = vector_at(parent.scratch_at(scratch_row::direction), lane),
-                            here = vector_at(v.scratch_at(scratch_row::direction), lane),
-                            director = vector_at(parent.scratch_at(rod_row::director), lane);
-    const Hinge<Real> hinge = hinge_between(above, here, director, x[lane], y[lane],
-                                            Real(0.5) * (sane_angle(parent_angle[lane]) + sane_angle(angle[lane])));
-    put(v.scratch_at(rod_row::director), lane, transported(director, above, here));
-    put(v.scratch_at(rod_row::natural), lane, hinge.natural);
-    put(v.scratch_at(rod_row::natural_spin), lane, hinge.natural_spin);
-    v.scratch_at(rod_row::across)[lane] = hinge.across;
-    v.scratch_at(rod_row::along)[lane] = hinge.along;
-    v.scratch_at(rod_row::moment)[lane] = stiffness[lane] * spin_moment(hinge);
-    v.scratch_at(rod_row::rounding)[lane] = stiffness[lane] * spin_stiffness(hinge);
-  });
-}
-
-FN AngleHinge<Real> angle_hinge(const ChainBlock<Real>& block, int i, const Real* parent_angle, int lane) {
-  const VertexRows<Real> v(block, i);
-  const Real stiffness = hinge_at(block, i, hinge_row::twist)[lane];
-  const Real turned = sane_angle(hinge_at(block, i, hinge_row::angle)[lane]) - sane_angle(parent_angle[lane]) -
-                      hinge_at(block, i, hinge_row::natural_angle)[lane];
-  return {stiffness, v.scratch_at(rod_row::moment)[lane], v.scratch_at(rod_row::rounding)[lane], stiffness * turned};
+[[gnu::always_inline]] inline void bend(const RodVertex<Real>& v, Bending<Real>& parent) {
+  const Vector<Real> here = v.scratch_vector(scratch_row::direction);
+  const Real angle = sane_angle(v.hinge_at(hinge_row::angle)), stiffness = v.hinge_at(hinge_row::stiffness);
+  const Hinge<Real> hinge = hinge_between(parent.direction, here, parent.director, v.hinge_at(hinge_row::bend_x),
+                                          v.hinge_at(hinge_row::bend_y), Real(0.5) * (parent.angle + angle));
+  v.put_scratch(rod_row::natural, hinge.natural);
+  v.put_scratch(rod_row::natural_spin, hinge.natural_spin);
+  v.put_scratch(rod_row::across, hinge.across);
+  v.put_scratch(rod_row::along, hinge.along);
+  v.put_scratch(rod_row::moment, stiffness * spin_moment(hinge));
+  v.put_scratch(rod_row::rounding, stiffness * spin_stiffness(hinge));
+  parent = {here, transported(parent.director, parent.direction, here), angle};
 }
 
 template <class Real>
-void eliminate_angle(const ChainBlock<Real>& block, int i) {
-  const VertexRows<Real> v(block, i), parent(block, i - 1);
-  const Real *above = hinge_at(block, i - 1, hinge_row::angle), *here = hinge_at(block, i, hinge_row::angle);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const AngleRow<Real> row =
-        angle_eliminated(angle_hinge(block, i, above, lane), angle_hinge(block, i + 1, here, lane),
-                         AngleRow<Real>{parent.scratch_at(rod_row::angle_coupling)[lane],
-                                        parent.scratch_at(rod_row::angle_value)[lane]});
-    v.scratch_at(rod_row::angle_coupling)[lane] = row.coupling;
-    v.scratch_at(rod_row::angle_value)[lane] = row.value;
-  });
+[[gnu::always_inline]] inline AngleHinge<Real> angle_hinge(const RodVertex<Real>& v, const RodVertex<Real>& parent) {
+  const Real stiffness = v.hinge_at(hinge_row::twist);
+  const Real turned = sane_angle(v.hinge_at(hinge_row::angle)) - sane_angle(parent.hinge_at(hinge_row::angle)) -
+                      v.hinge_at(hinge_row::natural_angle);
+  return {stiffness, v.scratch_at(rod_row::moment), v.scratch_at(rod_row::rounding), stiffness * turned};
+}
+
+/// The angles' step: eliminated from the root, substituted from the tip.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void turn_angles(const ChainBlock<Scalar>& block) {
+  AngleRow<Real> row{Real(0), Real(0)};
+  for (int i = 1; i <= block.links; ++i) {
+    const RodVertex<Real> v(block, i), parent(block, i - 1), child(block, i + 1);
+    row = angle_eliminated(angle_hinge(v, parent), angle_hinge(child, v), row);
+    v.put_scratch(rod_row::angle_coupling, row.coupling);
+    v.put_scratch(rod_row::angle_value, row.value);
+  }
+  Real below(0);
+  for (int i = block.links; i >= 1; --i) {
+    const RodVertex<Real> v(block, i);
+    below = limited_turn(multiplier(v.scratch_at(rod_row::angle_value), v.scratch_at(rod_row::angle_coupling), below));
+    v.put_scratch(rod_row::angle_value, below);
+  }
+}
+
+/// What bending pulls with the new angles; `parent` of the one above.
+template <class Real>
+struct Pulling {
+  Vector<Real> direction;
+  Real turn, angle;
+};
+template <class Real>
+[[gnu::always_inline]] inline void pull(const RodVertex<Real>& v, Real time, Pulling<Real>& parent) {
+  const Real turn = v.scratch_at(rod_row::angle_value), across = v.scratch_at(rod_row::across),
+             along = v.scratch_at(rod_row::along), weight = v.hinge_at(hinge_row::stiffness) * (time * time),
+             now = sane_angle(v.hinge_at(hinge_row::angle)) + turn,
+             twist_weight = v.hinge_at(hinge_row::twist) * (time * time);
+  const Vector<Real> natural = spun(v.scratch_vector(rod_row::natural), v.scratch_vector(rod_row::natural_spin),
+                                    Real(0.5) * (turn + parent.turn)),
+                     here = v.scratch_vector(scratch_row::direction), chord = here - parent.direction;
+  put<Real>(v.hinge + hinge_row::angle * S, now);
+  v.put_scratch(rod_row::spin_pull, spin_by(parent.direction, here) *
+                                        (twist_weight * (now - parent.angle - v.hinge_at(hinge_row::natural_angle))));
+  v.put_scratch(rod_row::pull, bending_pull(chord, across, along, natural) * weight);
+  v.put_scratch(rod_row::gain, weight * across * along);
+  v.put_scratch(rod_row::spin, twist_weight * (along * along - Real(1)));
+  parent = {here, turn, now};
 }
 
 template <class Real>
-void substitute_angle(const ChainBlock<Real>& block, int i) {
-  const VertexRows<Real> v(block, i), below(block, i + 1);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    v.scratch_at(rod_row::angle_value)[lane] =
-        limited_turn(multiplier(v.scratch_at(rod_row::angle_value)[lane], v.scratch_at(rod_row::angle_coupling)[lane],
-                                below.scratch_at(rod_row::angle_value)[lane]));
-  });
+[[gnu::always_inline]] inline HingeRow<Real> hinge_row_of(const RodVertex<Real>& v) {
+  return {v.scratch_vector(rod_row::pull), v.scratch_vector(rod_row::spin_pull), v.scratch_at(rod_row::gain),
+          v.scratch_at(rod_row::spin), v.hinge_at(hinge_row::inverse_length)};
 }
 
-/// The angles' step, and what bending pulls with the new ones.
-template <class Real>
-void pull(const ChainBlock<Real>& block, int i, const StrandRows<Real>& rows) {
-  const VertexRows<Real> v(block, i), parent(block, i - 1);
-  const Real *stiffness = hinge_at(block, i, hinge_row::stiffness), *twist = hinge_at(block, i, hinge_row::twist),
-             *natural_angle = hinge_at(block, i, hinge_row::natural_angle),
-             *parent_angle = hinge_at(block, i - 1, hinge_row::angle);  // already the new one
-  Real* const angle = hinge_at(block, i, hinge_row::angle);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const Real turn = v.scratch_at(rod_row::angle_value)[lane], time = rows.time[lane];
-    const Real above = parent.scratch_at(rod_row::angle_value)[lane];
-    const glm::vec<3, Real> natural =
-        spun(vector_at(v.scratch_at(rod_row::natural), lane), vector_at(v.scratch_at(rod_row::natural_spin), lane),
-             Real(0.5) * (turn + above));
-    const glm::vec<3, Real> here = vector_at(v.scratch_at(scratch_row::direction), lane),
-                            parent_direction = vector_at(parent.scratch_at(scratch_row::direction), lane);
-    const glm::vec<3, Real> chord = here - parent_direction;
-    const Real across = v.scratch_at(rod_row::across)[lane], along = v.scratch_at(rod_row::along)[lane],
-               weight = stiffness[lane] * (time * time);
-    const Real now = sane_angle(angle[lane]) + turn, twist_weight = twist[lane] * (time * time);
-    angle[lane] = now;
-    put(v.scratch_at(rod_row::spin_pull), lane,
-        spin_by(parent_direction, here) * (twist_weight * (now - parent_angle[lane] - natural_angle[lane])));
-    put(v.scratch_at(rod_row::pull), lane, bending_pull(chord, across, along, natural) * weight);
-    v.scratch_at(rod_row::gain)[lane] = weight * across * along;
-    v.scratch_at(rod_row::spin)[lane] = twist_weight * (along * along - Real(1));
-  });
+/// A vertex' rows of the band. `inverse_length`: that of its parent's link, zero at the root.
+template <bool Touches, class Real>
+[[gnu::always_inline]] inline void assemble(const RodVertex<Real>& v, const RodVertex<Real>& child,
+                                            const RodVertex<Real>& grandchild, Real inverse_length, Real drag,
+                                            Real time, const BandRows<Real>& own) {
+  const BendRow<Real> bends = bend_row(hinge_row_of(v), hinge_row_of(child), hinge_row_of(grandchild), inverse_length);
+  const Real mass = v.rest_at(rest_row::mass) * (Real(1) + drag * time),
+             taut = v.state_at(state_row::tension) * (time * time),
+             taut_below = child.state_at(state_row::tension) * (time * time);
+  const Vector<Real> wanted = v.scratch_vector(scratch_row::place);
+  Vector<Real> contact(Real(0));
+  if constexpr (Touches) contact = v.scratch_vector(scratch_row::normal) * sqrt(contact_weight(mass));
+  put_rows(own, mass + taut + taut_below + bends.diagonal, bends.beside - taut, bends.beyond,
+           v.scratch_vector(scratch_row::direction), contact,
+           wanted * mass + contact * inner(contact, wanted) + bends.force);
 }
 
-FN HingeRow<Real> hinge_row_at(const ChainBlock<Real>& block, const VertexRows<Real>& v, int i, int lane) {
-  return {vector_at(v.scratch_at(rod_row::pull), lane), vector_at(v.scratch_at(rod_row::spin_pull), lane),
-          v.scratch_at(rod_row::gain)[lane], v.scratch_at(rod_row::spin)[lane],
-          hinge_at(block, i, hinge_row::inverse_length)[lane]};
-}
-
-template <class Real, bool Touches>
-void assemble(const ChainBlock<Real>& block, int i, const ChainStep<Real>& step, const StrandRows<Real>& rows) {
-  const int end = block.links + 1,
-            above = i > 1 ? i - 1 : end;  // nothing bends past the ends: rows of the end are zero
-  const VertexRows<Real> v(block, i), child(block, i + 1), grandchild(block, i + 2 < end ? i + 2 : end);
-  const Real* parent_inverse = hinge_at(block, above, hinge_row::inverse_length);
-  const Real drag = step.drag;
-  each_lane([&](int lane) CUTICLE_INLINED {
-    const BendRow<Real> bends =
-        bend_row(hinge_row_at(block, v, i, lane), hinge_row_at(block, child, i + 1, lane),
-                 hinge_row_at(block, grandchild, i + 2 < end ? i + 2 : end, lane), parent_inverse[lane]);
-    const Real time = rows.time[lane], mass = v.rest_at(rest_row::mass)[lane] * (Real(1) + drag * time);
-    const Real taut = v.state_at(state_row::tension)[lane] * (time * time),
-               taut_below = child.state_at(state_row::tension)[lane] * (time * time);
-    const glm::vec<3, Real> wanted =
-        vector_at(v.scratch_at(scratch_row::place), lane) - vector_at(v.scratch_at(rod_row::coast), lane);
-    glm::vec<3, Real> contact(0);
-    if constexpr (Touches) contact = vector_at(v.scratch_at(scratch_row::normal), lane) * sqrt(contact_weight(mass));
-    put_rows(v.scratch, lane, mass + taut + taut_below + bends.diagonal, bends.beside - taut, bends.beyond,
-             vector_at(v.scratch_at(scratch_row::direction), lane), contact,
-             wanted * mass + contact * inner(contact, wanted) + bends.force);
-  });
-}
-
-template <class Real, int C, int J>
-void eliminate_one(Real* own, Real* parent, Real* grandparent) {
-  each_lane([&](int lane) CUTICLE_INLINED { eliminate_entry(own, parent, grandparent, C, J, lane); });
-}
-template <class Real, int C>
-void eliminate_row(Real* own, Real* parent, Real* grandparent) {
-  [&]<int... J>(std::integer_sequence<int, J...>) { (eliminate_one<Real, C, 8 - J>(own, parent, grandparent), ...); }
+template <int C, class Real>
+[[gnu::always_inline]] inline void eliminate_row(const BandRows<Real>& own, const BandRows<Real>& parent,
+                                                 const BandRows<Real>& grandparent) {
+  [&]<int... J>(std::integer_sequence<int, J...>) __attribute__((always_inline)) {
+    (eliminate_entry(own, parent, grandparent, C, 8 - J), ...);
+  }
   (std::make_integer_sequence<int, 8>());
-  each_lane([&](int lane) CUTICLE_INLINED { eliminate_pivot(own, parent, grandparent, C, lane); });
+  eliminate_pivot(own, parent, grandparent, C);
 }
-template <class Real>
-void eliminate_band(const ChainBlock<Real>& block, int i) {
-  Real *own = VertexRows<Real>(block, i).scratch, *parent = VertexRows<Real>(block, i - 1).scratch,
-       *grandparent = VertexRows<Real>(block, i > 1 ? i - 2 : 0).scratch;  // the anchor's rows are zero
-  eliminate_row<Real, 0>(own, parent, grandparent);
-  eliminate_row<Real, 1>(own, parent, grandparent);
-  eliminate_row<Real, 2>(own, parent, grandparent);
-  eliminate_row<Real, 3>(own, parent, grandparent);
+template <bool Touches, class Real, class Scalar>
+[[gnu::always_inline]] inline void eliminate_vertex(const ChainBlock<Scalar>& block, int i, const ChainStep<Real>& step,
+                                                    const StrandStep<Real>& strand) {
+  const int end = block.links + 1;  // nothing bends past the ends: rows of the end, and the anchor's band, are zero
+  const RodVertex<Real> v(block, i), parent(block, i - 1), grandparent(block, i > 1 ? i - 2 : 0), child(block, i + 1),
+      grandchild(block, i + 2 < end ? i + 2 : end), above(block, i > 1 ? i - 1 : end);
+  Real packs[k_band_rows];
+  const BandRows<Real> own{packs, nullptr};
+  assemble<Touches>(v, child, grandchild, above.hinge_at(hinge_row::inverse_length), step.drag, strand.time, own);
+  eliminate_row<0>(own, parent.band(), grandparent.band());
+  eliminate_row<1>(own, parent.band(), grandparent.band());
+  eliminate_row<2>(own, parent.band(), grandparent.band());
+  eliminate_row<3>(own, parent.band(), grandparent.band());
+  for (int k = 0; k < k_band_rows; ++k) v.put_scratch(rod_row::band + k, packs[k]);
 }
-template <class Real, int C>
-void substitute_one(Real* own, Real* child, Real* grandchild) {
-  each_lane([&](int lane) CUTICLE_INLINED { substitute_row(own, child, grandchild, C, lane); });
-}
-template <class Real>
-void substitute_band(const ChainBlock<Real>& block, int i) {
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void substitute_vertex(const ChainBlock<Scalar>& block, int i) {
   const int end = block.links + 1;
-  Real *own = VertexRows<Real>(block, i).scratch, *child = VertexRows<Real>(block, i + 1).scratch,
-       *grandchild = VertexRows<Real>(block, i + 2 < end ? i + 2 : end).scratch;
-  substitute_one<Real, 3>(own, child, grandchild);
-  substitute_one<Real, 2>(own, child, grandchild);
-  substitute_one<Real, 1>(own, child, grandchild);
-  substitute_one<Real, 0>(own, child, grandchild);
+  const BandRows<Real> own = RodVertex<Real>(block, i).band(), child = RodVertex<Real>(block, i + 1).band(),
+                       grandchild = RodVertex<Real>(block, i + 2 < end ? i + 2 : end).band();
+  substitute_row(own, child, grandchild, 3);
+  substitute_row(own, child, grandchild, 2);
+  substitute_row(own, child, grandchild, 1);
+  substitute_row(own, child, grandchild, 0);
 }
 
-template <class Real>
-void aim(const ChainBlock<Real>& block, int i, StrandRows<Real>& rows) {
-  const VertexRows<Real> v(block, i), parent(block, i - 1);
-  const Real* const inverse_length = hinge_at(block, i, hinge_row::inverse_length);
-  each_lane([&](int lane) CUTICLE_INLINED {
-    v.state_at(state_row::tension)[lane] =
-        next_tension(Real(0), -v.scratch_at(rod_row::right + 3)[lane], inverse_length[lane], rows.inverse_time[lane]);
-    aim_lane(v, parent, lane,
-             vector_at(v.scratch_at(rod_row::coast), lane) + vector_at(v.scratch_at(rod_row::right), lane),
-             vector_at(v.scratch_at(scratch_row::direction), lane), rows);
+template <bool Touches, class Real, class Scalar>
+[[gnu::always_inline]] inline void coast_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                             const ChainStep<Real>& step, const StrandStep<Real>& strand) {
+  const Real arc = VertexRows<Real>(block, block.links).rest_at(rest_row::reach);
+  const Vector<Real> zero(Real(0));
+  Coasting<Real> parent{zero, zero, zero};
+  for (int i = 1; i <= block.links; ++i) coast<Touches>(RodVertex<Real>(block, i), frame, step, strand, arc, parent);
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void bend_all(const ChainBlock<Scalar>& block, const ChainStep<Real>& step, Real time) {
+  const RodVertex<Real> root(block, 0);
+  Bending<Real> bending = clamped(root, step);
+  Pulling<Real> pulling{bending.direction, Real(0), root.hinge_at(hinge_row::angle)};
+  for (int i = 1; i <= block.links; ++i) bend(RodVertex<Real>(block, i), bending);
+  turn_angles<Real>(block);
+  for (int i = 1; i <= block.links; ++i) pull(RodVertex<Real>(block, i), time, pulling);
+}
+
+template <bool Touches, class Real, class Scalar>
+void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
+  const StrandStep<Real> strand = begin(block, step);
+  if constexpr (Touches) place_spheres(block, step, frame);
+  coast_all<Touches>(block, frame, step, strand);
+  bend_all(block, step, strand.time);
+  for (int i = 1; i <= block.links; ++i) eliminate_vertex<Touches>(block, i, step, strand);
+  for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
+  follow_all<Touches>(block, frame, step, strand, [&](int i) -> NewtonPlace<Real> {
+    const RodVertex<Real> v(block, i);
+    v.put_state(state_row::tension, next_tension(Real(0), -v.scratch_at(rod_row::right + 3),
+                                                 v.hinge_at(hinge_row::inverse_length), strand.inverse_time));
+    return {v.scratch_vector(rod_row::coast) + v.scratch_vector(rod_row::right),
+            v.scratch_vector(scratch_row::direction)};
   });
 }
 
-template <class Real>
-void bend_all(const ChainBlock<Real>& block, const StrandRows<Real>& rows) {
-  for (int i = 1; i <= block.links; ++i) bend(block, i);
-  for (int i = 1; i <= block.links; ++i) eliminate_angle(block, i);
-  for (int i = block.links; i >= 1; --i) substitute_angle(block, i);
-  for (int i = 1; i <= block.links; ++i) pull(block, i, rows);
-}
-
-template <class Real, bool Touches>
-void substep(const ChainBlock<Real>& block, const ChainFrame<Real>& frame, const ChainStep<Real>& step,
-             StrandRows<Real>& rows) {
-  begin(block, step, rows);
-  clamp(block, step);
-  if constexpr (Touches) place_spheres(block, step, frame);
-  for (int i = 1; i <= block.links; ++i) {
-    coast(block, i, step, rows);
-    if constexpr (Touches) push_out_of_all(frame, step, VertexRows<Real>(block, i));
-  }
-  bend_all(block, rows);
-  for (int i = 1; i <= block.links; ++i) {
-    assemble<Real, Touches>(block, i, step, rows);
-    eliminate_band(block, i);
-  }
-  for (int i = block.links; i >= 1; --i) substitute_band(block, i);
-  follow_all<Real, Touches>(block, frame, step, rows, [&](int i) { aim(block, i, rows); });
-}
-
-template <class Real, bool Touches>
-void advance(const ChainBlock<Real>& block, const ChainFrame<Real>& frame) {
-  advance_parts(block, frame, [&](const ChainBlock<Real>& part, const ChainStep<Real>& step, StrandRows<Real>& rows) {
-    substep<Real, Touches>(part, frame, step, rows);
+template <class Scalar, bool Touches>
+void advance(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame) {
+  advance_parts(block, frame, [&](const ChainBlock<Scalar>& part, const ChainStep<Lanes<Scalar>>& step) {
+    substep<Touches>(part, frame, step);
   });
 }
 

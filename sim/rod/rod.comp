@@ -9,8 +9,8 @@ const uint k_scratch_rows = 85u;
 const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_bend_y = 3u, k_natural_angle = 4u,
            k_hinge_inverse_length = 5u, k_angle = 6u, k_clamp_direction = 0u, k_clamp_director = 3u;
 const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_natural_spin = 28u, k_across = 31u,
-           k_along = 32u, k_moment = 33u, k_rounding = 34u, k_angle_coupling = 35u, k_angle_value = 36u, k_pull_row = 37u,
-           k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
+           k_along = 32u, k_moment = 33u, k_rounding = 34u, k_angle_coupling = 35u, k_angle_value = 36u,
+           k_pull_row = 37u, k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
 
 #define ROWS uint
 #define ROLLED [[dont_unroll]]
@@ -35,9 +35,14 @@ void coast(uint i, uint links, ChainStep s, StrandStep strand) {
   vec3 before = (v.here - state_vector(i - 1u, k_here)) * rest[rest_at(i, k_inverse_length)];
   vec3 direction = direction_or(c.place - scratch_vector(i - 1u, k_coasted), 1e-3 * rest_length, before);
   put_scratch(i, k_coasted, c.place);
-  put_scratch(i, k_coast, scratch_vector(i - 1u, k_coast) + direction * rest_length);
+  vec3 place = scratch_vector(i - 1u, k_coast) + direction * rest_length, predicted = v.here + c.moved;
+  put_scratch(i, k_coast, place);
   put_scratch(i, k_direction, direction);
-  put_scratch(i, k_place, c.predicted);
+  put_scratch(i, k_place, predicted);
+#if TOUCHES
+  push_out(i, s);
+#endif
+  put_scratch(i, k_place, (v.here - place) + c.moved + (scratch_vector(i, k_place) - predicted));
   put_state(i, k_before, v.here - strand.root_step);
   put_state(i, k_velocity_before, v.velocity);
   put_state(i, k_velocity, from);  // until the velocity is known
@@ -92,8 +97,8 @@ void pull(uint i, StrandStep strand) {
 }
 
 HingeRow hinge_row(uint i) {
-  return HingeRow(scratch_vector(i, k_pull_row), scratch_vector(i, k_spin_pull), scratch_number(i, k_gain), scratch_number(i, k_spin),
-                  hinge(i, k_hinge_inverse_length));
+  return HingeRow(scratch_vector(i, k_pull_row), scratch_vector(i, k_spin_pull), scratch_number(i, k_gain),
+                  scratch_number(i, k_spin), hinge(i, k_hinge_inverse_length));
 }
 
 void assemble(uint i, uint end, ChainStep s, StrandStep strand) {
@@ -101,18 +106,19 @@ void assemble(uint i, uint end, ChainStep s, StrandStep strand) {
   BendRow bends =
       bend_row(hinge_row(i), hinge_row(i + 1u), hinge_row(min(i + 2u, end)), hinge(above, k_hinge_inverse_length));
   float time = strand.time, mass = rest[rest_at(i, k_mass)] * (1.0 + s.drag * time);
-  float taut = state[state_at(i, k_tension)] * (time * time), below = state[state_at(i + 1u, k_tension)] * (time * time);
-  vec3 wanted = scratch_vector(i, k_place) - scratch_vector(i, k_coast);
+  float taut = state[state_at(i, k_tension)] * (time * time),
+        below = state[state_at(i + 1u, k_tension)] * (time * time);
+  vec3 wanted = scratch_vector(i, k_place);
   vec3 contact = normal_of(i) * sqrt(contact_weight(mass));
-  put_rows(scratch_at(i, 0u), 0, mass + taut + below + bends.diagonal, bends.beside - taut, bends.beyond,
+  put_rows(scratch_at(i, 0u), mass + taut + below + bends.diagonal, bends.beside - taut, bends.beyond,
            scratch_vector(i, k_direction), contact, wanted * mass + contact * inner(contact, wanted) + bends.force);
 }
 
 void eliminate_band(uint i) {
   uint own_rows = scratch_at(i, 0u), parent = scratch_at(i - 1u, 0u), grandparent = scratch_at(max(i, 2u) - 2u, 0u);
   ROLLED for (int c = 0; c < 4; ++c) {
-    UNROLLED for (int j = 8; j >= 1; --j) eliminate_entry(own_rows, parent, grandparent, c, j, 0);
-    eliminate_pivot(own_rows, parent, grandparent, c, 0);
+    UNROLLED for (int j = 8; j >= 1; --j) eliminate_entry(own_rows, parent, grandparent, c, j);
+    eliminate_pivot(own_rows, parent, grandparent, c);
   }
 }
 
@@ -120,12 +126,7 @@ void substep(uint links, ChainStep s) {
   StrandStep strand = begun(s);
   put_scratch(0u, k_direction, turned_to_end(s, hinge_vector(0u, k_clamp_direction)));
   put_scratch(0u, k_director, turned_to_end(s, hinge_vector(0u, k_clamp_director)));
-  for (uint i = 1u; i <= links; ++i) {
-    coast(i, links, s, strand);
-#if TOUCHES
-    push_out(i, s);
-#endif
-  }
+  for (uint i = 1u; i <= links; ++i) coast(i, links, s, strand);
   for (uint i = 1u; i <= links; ++i) bend(i);
   turn_angles(links);
   for (uint i = 1u; i <= links; ++i) pull(i, strand);
@@ -135,7 +136,7 @@ void substep(uint links, ChainStep s) {
   }
   for (uint i = links; i >= 1u; --i)
     ROLLED for (int c = 3; c >= 0; --c)
-      substitute_row(scratch_at(i, 0u), scratch_at(i + 1u, 0u), scratch_at(min(i + 2u, links + 1u), 0u), c, 0);
+        substitute_row(scratch_at(i, 0u), scratch_at(i + 1u, 0u), scratch_at(min(i + 2u, links + 1u), 0u), c);
   Following f = Following(vec3(0), vec3(0), 0, 0);
   for (uint i = 1u; i <= links; ++i) {
     state[state_at(i, k_tension)] =
