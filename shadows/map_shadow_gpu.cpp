@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <fmt/core.h>
+
 #include <cuticle/gpu/groups.h>
 #include <cuticle/shadows/map_series.h>
 #include <cuticle/shadows/series.glslh>
@@ -22,6 +24,8 @@ class MapShadowGpu : public GpuShadow {
   Result<void> make();
   Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
                       const gpu::Buffer& transmittance) override;
+  Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
+                                const FragmentTarget& target) override;
   std::uint32_t dispatches_per_frame(const GpuStrands& strands) const override;
   std::size_t bytes() const override;
   std::vector<const gpu::Buffer*> map_buffers() const override;
@@ -29,11 +33,12 @@ class MapShadowGpu : public GpuShadow {
 
  private:
   Result<void> make_drawing();
+  Result<void> make_fragments();
   Result<void> make_kernels();
   void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
   MapPush push_for(const LightAxes& axes, const GpuStrands& strands) const;
   void clear(gpu::Commands& commands) const;
-  std::uint32_t invocations(const GpuStrands& strands, MapRun run) const;
+  std::uint32_t invocations(const GpuStrands& strands, const MapPass& pass) const;
   void run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel, const GpuStrands& strands,
            MapPush push, const gpu::Buffer& transmittance) const;
 
@@ -43,7 +48,7 @@ class MapShadowGpu : public GpuShadow {
   gpu::Buffer box_;
   std::vector<gpu::Buffer> own_;
   std::vector<gpu::Texture> targets_;
-  gpu::GraphicsPipeline drawing_;
+  gpu::GraphicsPipeline drawing_, fragments_;
   gpu::Kernel fit_;
   std::vector<gpu::Kernel> kernels_;  // one per pass
 };
@@ -57,7 +62,18 @@ Result<void> MapShadowGpu::make() {
   CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
   CUTICLE_TRY(deposits_.make(*device_, description_.settings.accumulation, description_.after_deposits));
   if (description_.drawing.targets > 0) CUTICLE_TRY(make_drawing());
+  if (!description_.fragments.vertex_code.empty()) CUTICLE_TRY(make_fragments());
   return make_kernels();
+}
+
+Result<void> MapShadowGpu::make_fragments() {
+  gpu::GraphicsDescription pipeline;
+  pipeline.vertex_spirv = description_.fragments.vertex_code;
+  pipeline.fragment_spirv = description_.fragments.fragment_code;
+  pipeline.interface = {3, description_.drawing.targets, sizeof(MapPush)};
+  pipeline.color_formats = {gpu::TextureFormat::r32f};
+  CUTICLE_ASSIGN(fragments_, device_->make_graphics(pipeline));
+  return {};
 }
 
 Result<void> MapShadowGpu::make_drawing() {
@@ -119,9 +135,9 @@ void MapShadowGpu::clear(gpu::Commands& commands) const {
   commands.end_pass();
 }
 
-std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, MapRun run) const {
+std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass& pass) const {
   const std::uint32_t side = description_.settings.resolution;
-  switch (run) {
+  switch (pass.run) {
     case MapRun::per_segment:
       return strands.segment_count;
     case MapRun::per_texel:
@@ -132,6 +148,8 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, MapRun run) c
       return strands.vertex_count;
     case MapRun::one_group:
       return gpu::k_threads;
+    case MapRun::given:
+      return pass.invocations;
   }
   return 0;
 }
@@ -141,7 +159,7 @@ void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::
   const gpu::Buffer* common[] = {strands.vertices, strands.segments, &box_, &deposits_.buffer(), &transmittance};
   std::vector<const gpu::Buffer*> bound;
   for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
-  push.count = invocations(strands, pass.run);
+  push.count = invocations(strands, pass);
   const gpu::Groups groups = gpu::groups_for(push.count);
   commands.begin_pass(pass.name);
   commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},
@@ -175,6 +193,32 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   if (!targets_.empty()) draw(commands, strands, push);
   for (std::size_t i = 0; i < kernels_.size(); ++i)
     run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
+  return {};
+}
+
+Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
+                                            const FragmentTarget& target) {
+  if (description_.fragments.vertex_code.empty())
+    return GpuShadow::record_fragments(commands, strands, to_light, target);
+  const glm::ivec2 size = target.texture->size();
+  const std::uint64_t side = std::uint64_t(size.x), per_row = side / std::max(1u, target.per_segment);
+  if (size.x != size.y || target.per_segment == 0 || per_row * side < strands.segment_count)
+    return usage_error(fmt::format("{}: a target of {} x {} texels does not hold {} fragments of {} segments",
+                                   description_.settings.method, size.x, size.y, target.per_segment,
+                                   strands.segment_count));
+  CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
+  MapPush push = push_for(light_axes(direction), strands);
+  push.count = strands.segment_count;
+  push.own[1] = float(target.per_segment);
+  push.own[2] = float(size.x);
+  const gpu::Commands::Target targets[] = {{.color = target.texture}};
+  commands.begin_pass("shadow.fragments");
+  commands.begin_rendering(targets, nullptr);
+  commands.draw(fragments_, {strands.vertices, strands.segments, &box_},
+                {&targets_[0], &targets_[1], &targets_[2], &targets_[3]}, gpu::bytes_of(push),
+                6 * strands.segment_count);
+  commands.end_rendering();
+  commands.end_pass();
   return {};
 }
 

@@ -19,19 +19,25 @@ struct MapBuffer {
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
   bool cleared = true;      ///< else only what is written is read
 };
-enum class MapRun { per_segment, per_texel, per_row, per_vertex, one_group };
+enum class MapRun { per_segment, per_texel, per_row, per_vertex, one_group, given };
 struct MapPass {
   std::string_view name;  ///< "shadow.splat"
   std::span<const std::uint32_t> code;
   std::vector<int> buffers;  ///< MapBinding, in the order of the shader's bindings
   MapRun run = MapRun::per_segment;
-  bool reads_targets = false;  ///< the targets follow the buffers as textures
+  bool reads_targets = false;     ///< the targets follow the buffers as textures
+  std::uint32_t invocations = 0;  ///< of MapRun::given
 };
 /// The graphics form: two triangles a segment, whose fragments are added into square targets, cleared to 0 before.
 struct MapDrawing {
   std::span<const std::uint32_t> vertex_code, fragment_code;  ///< both bound to vertices, segments, box, deposits
   std::uint32_t targets = 0;
   gpu::TextureFormat format = gpu::TextureFormat::rgba8;
+};
+/// N19: a lookup where strands are drawn: two triangles a segment, which cover its texels of a FragmentTarget. Bound to
+/// vertices, segments, box and the targets of MapDrawing; own[1], own[2]: parts of a segment, side of the target.
+struct FragmentDrawing {
+  std::span<const std::uint32_t> vertex_code, fragment_code;
 };
 struct MapDescription {
   MapSettings settings;
@@ -45,6 +51,7 @@ struct MapDescription {
   bool in_world = false;         ///< the box is that of the world's axes, not of the light's
   std::vector<MapBuffer> buffers;
   MapDrawing drawing;           ///< "shadow.draw", after "shadow.fit", where it has targets
+  FragmentDrawing fragments;    ///< GpuShadow::record_fragments, "shadow.fragments", where it has code
   std::vector<MapPass> passes;  ///< after "shadow.clear" (fills), "shadow.fit" and the drawing
 };
 

@@ -27,16 +27,34 @@ Result<void> check_casters(const Casters& casters) {
   CUTICLE_TRY(unit_to_light(casters.to_light));
   if (!(casters.alpha >= 0 && casters.alpha <= 1))
     return usage_error(fmt::format("alpha: {} is outside 0 .. 1", casters.alpha));
-  if (auto sound = strands::validate(*casters.groom); !sound) return bad_input(sound.error().message, sound.error().hint);
+  if (auto sound = strands::validate(*casters.groom); !sound)
+    return bad_input(sound.error().message, sound.error().hint);
   return {};
 }
 
 bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+Result<void> check_segments(const Receivers& receivers) {
+  if (receivers.segments.empty()) return {};
+  if (receivers.segments.size() != receivers.points.size())
+    return usage_error(
+        fmt::format("receivers: {} segments for {} points", receivers.segments.size(), receivers.points.size()));
+  for (std::size_t i = 0; i < receivers.segments.size(); ++i) {
+    const SegmentPlace& place = receivers.segments[i];
+    if (!is_finite(place.from) || !is_finite(place.to) || !(place.fraction >= 0 && place.fraction <= 1))
+      return bad_input(
+          fmt::format("receivers: the segment of point {} is not finite, or its fraction {} is outside "
+                      "0 .. 1",
+                      i, place.fraction));
+  }
+  return {};
+}
+
 Result<void> check_strands(const Casters& casters, const Receivers& receivers) {
   if (receivers.strands.empty()) return {};
   if (receivers.strands.size() != receivers.points.size())
-    return usage_error(fmt::format("receivers: {} strand numbers for {} points", receivers.strands.size(), receivers.points.size()));
+    return usage_error(
+        fmt::format("receivers: {} strand numbers for {} points", receivers.strands.size(), receivers.points.size()));
   for (std::size_t i = 0; i < receivers.strands.size(); ++i)
     if (receivers.strands[i] >= casters.groom->strand_count())
       return usage_error(fmt::format("receivers: strand {} of point {} is outside 0 .. {}", receivers.strands[i], i,
@@ -50,6 +68,7 @@ Result<void> check(const Casters& casters, const Receivers& receivers) {
   CUTICLE_TRY(check_casters(casters));
   for (std::size_t i = 0; i < receivers.points.size(); ++i)
     if (!is_finite(receivers.points[i])) return bad_input(fmt::format("receivers: point {} is not finite", i));
+  CUTICLE_TRY(check_segments(receivers));
   return check_strands(casters, receivers);
 }
 

@@ -21,10 +21,16 @@ struct Casters {
   glm::dvec3 to_light{0, 1, 0};  ///< unit, from the scene to the light
 };
 
+/// The segment that a point lies on: its ends, metres, and how far from the first to the second the point lies, 0 .. 1.
+struct SegmentPlace {
+  glm::vec3 from{0}, to{0};
+  float fraction = 0;
+};
 /// Where transmittance is asked for. A point that lies on a strand says which, so that it does not shadow itself.
 struct Receivers {
   std::span<const glm::vec3> points;
   std::span<const std::uint32_t> strands = {};  ///< one per point, or empty
+  std::span<const SegmentPlace> segments = {};  ///< one per point, or empty: every point is a vertex
 };
 
 struct Cost {

@@ -17,12 +17,23 @@ struct GpuStrands {
   float caster_width = 1;  ///< factor on the radii of segments that cast shadows (H11)
 };
 
+/// Transmittance at fragments: the middles of `per_segment` equal parts of every segment, in a square target of format
+/// r32f whose rows hold them segment by segment, side / per_segment segments a row.
+struct FragmentTarget {
+  const gpu::Texture* texture = nullptr;
+  std::uint32_t per_segment = 1;
+};
+
 /// A method's passes, recorded into a frame. `transmittance` receives one float per vertex.
 class GpuShadow {
  public:
   virtual ~GpuShadow() = default;
   virtual Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
                               const gpu::Buffer& transmittance) = 0;
+  /// After `record` with the same strands and light: transmittance at points between vertices, looked up in the map.
+  /// Error: usage, of a method whose map is not looked up there, or where the target has no room for all segments.
+  virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
+                                        const FragmentTarget& target);
   /// Dispatches that `record` will make: what a plan prints.
   virtual std::uint32_t dispatches_per_frame(const GpuStrands& strands) const = 0;
   virtual std::size_t bytes() const = 0;

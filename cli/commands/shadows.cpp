@@ -142,6 +142,13 @@ Result<int> print_at_points(const ShadowsOptions& options, const shadows::Caster
   return int(Exit::ok);
 }
 
+study::Weights weights_of(const std::string& name) {
+  return name == "per_fragment"       ? study::Weights::per_fragment
+         : name == "per_vertex"       ? study::Weights::per_vertex
+         : name == "tents_per_vertex" ? study::Weights::tents_per_vertex
+                                      : study::Weights::at_vertices;
+}
+
 constexpr std::size_t k_quick_receivers = 300;
 
 Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::Casters& casters, Progress& progress) {
@@ -152,9 +159,7 @@ Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::
   request.to_light = casters.to_light;
   request.footprint_radius = footprint_of(options, *casters.groom);
   request.rays = options.rays;
-  request.weights = options.weights == "per_fragment" ? study::Weights::per_fragment
-                    : options.weights == "per_vertex" ? study::Weights::per_vertex
-                                                      : study::Weights::at_vertices;
+  request.weights = weights_of(options.weights);
   request.flicker = options.flicker;
   if (!options.camera.empty()) {
     CUTICLE_ASSIGN(const glm::dvec3 to_camera, parse_direction("--camera", options.camera));
@@ -261,9 +266,9 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command
       .add_option(
           "--weights", options.weights,
-          "at_vertices; or in the middle of segments, looked up there (per_fragment) or from both ends (per_vertex); "
-          "with --camera, the last two where pixels see hair")
-      ->check(CLI::IsMember({"at_vertices", "per_fragment", "per_vertex"}));
+          "at_vertices; or in the middle of segments, looked up there (per_fragment), from both ends (per_vertex) or "
+          "with tent weights of planes from both ends (tents_per_vertex); with --camera, these where pixels see hair")
+      ->check(CLI::IsMember({"at_vertices", "per_fragment", "per_vertex", "tents_per_vertex"}));
   command.add_option("--camera", options.camera,
                      "direction to an orthographic camera, x,y,z: compare what its pixels see, not vertices");
   command.add_flag("--flicker", options.flicker,

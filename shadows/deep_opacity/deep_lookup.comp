@@ -1,55 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation per vertex: the mean over the filter's disc of T, or of sigma, within the layers of each texel.
+// Looks vertices up in a map of all texels.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_filter.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "cuticle/shadows/deep_opacity/deep_exponent.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer Ranges { uint ranges[]; };
-layout(std430, binding = 3) readonly buffer Ends { uint ends_of_layers[]; };  // then the coverage by a fibre
-layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 5) readonly buffer Table { uint table[]; };  // deposits, shares, the exponents of codes
-layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
+float exponent_at(uint texel, float z) { return stored_exponent(texel, z); }
 
-const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
-
-LayerEnds ends;
-float fibre_exponent;
-
-/// The exponent before the end of layer i % layers of texel i / layers.
-float exponent_before(uint i) {
-  const bool packed = (push.flags & k_bytes) != 0u;
-  const uint word = sums[packed ? i / 4u : i];
-  float exponent = push.per_unit * float(word);
-  for (bool left = packed; left; left = false)  // a loop is skipped where a condition would be masked
-    exponent = uintBitsToFloat(table[k_coverage_steps + 1u + k_most_layers + packed_code(word, i % 4u)]);
-  return exponent;
-}
-
-float exponent_at(uint texel, float z) {
-  const uint range = ranges[texel];
-  const float depth = z - float(range_nearest(range)), extent = depth_extent(range);
-  float exponent = 0.0;
-  if (range != k_no_range && depth > 0.0) {
-    const Layer layer = layer_at(ends, uint(depth));
-    const bool is_behind = depth >= extent;
-    const uint i = texel * push.layers + (is_behind ? push.layers - 1u : layer.index);
-    const float after = exponent_before(i);
-    float before = 0.0;
-    if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u);
-    exponent = exponent_within(layer, extent, depth, before, after, fibre_exponent);
-  }
-  return exponent;
-}
-
-void main() {
-  const uint v = invocation();
-  if (v >= push.count) return;
-  ends.count = push.layers;
-  for (uint i = 0u; i < k_most_layers; ++i) ends.end[i] = ends_of_layers[i];
-  fibre_exponent = push.per_unit * float(table[ends_of_layers[k_most_layers]]);
-  transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, k_deepest);
-}
+void main() { look_up_vertex(); }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include <cuticle/shadows/deep_opacity/tiles.h>
 #include <cuticle/shadows/detail/map_method.h>
+#include <cuticle/shadows/deep_opacity/tiles.glslh>
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
@@ -101,6 +103,23 @@ float exponent_at(const Map& map, std::size_t texel, float z, const auto& expone
   return exponent_within(layer, extent, depth, before, exponent_before(layer.index), map.fibre_exponent);
 }
 
+/// Looks points up by exponent_before(texel, layer), texels being counted as they are stored.
+Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, std::span<const glm::vec3> points,
+                                      const auto& exponent_before) {
+  const auto stored_exponent = [&](std::size_t texel, float z) {
+    return exponent_at(map, texel, z, [&](Word layer) { return exponent_before(texel, layer); });
+  };
+  if (map.slots.empty())
+    return look_up_points(map.view, settings.map, k_deepest, points,
+                          [&](float z) { return [&, z](std::size_t texel) { return stored_exponent(texel, z); }; });
+  return look_up_points(map.view, settings.map, k_deepest, points, [&](float z) {
+    return [&, z](std::size_t texel) {
+      const Word stored = stored_texel(map, texel);
+      return stored == k_no_slot ? 0.0f : stored_exponent(stored, z);
+    };
+  });
+}
+
 /// How many of the thresholds, which fall, are not below the sum.
 Word code_of(std::span<const Word> thresholds, Word sum) {
   return Word(std::lower_bound(thresholds.begin(), thresholds.end(), sum, std::greater_equal<>()) - thresholds.begin());
@@ -108,15 +127,10 @@ Word code_of(std::span<const Word> thresholds, Word sum) {
 
 Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
   const std::vector<float> exponents = code_exponents();
-  const auto at_depth = [&](float z) {
-    return [&, z](std::size_t texel) {
-      return exponent_at(map, texel, z, [&](Word layer) {
-        const std::size_t i = texel * map.ends.count + layer;
-        return exponents[packed_code(map.codes[i / 4], Word(i % 4))];
-      });
-    };
-  };
-  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
+  return look_up_by(map, settings, points, [&](std::size_t texel, Word layer) {
+    const std::size_t i = texel * map.ends.count + layer;
+    return exponents[packed_code(map.codes[i / 4], Word(i % 4))];
+  });
 }
 
 }  // namespace
@@ -131,6 +145,8 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
                                             : Spacing::equal_opacity;
   settings.first_layer = values.real("first_layer");
   settings.bytes = values.choice("storage") == "bytes";
+  settings.sparse = values.choice("tiles") == "sparse";
+  settings.tile_share = values.real("tile_share");
   CUTICLE_TRY(check_map_bytes(settings.map, settings.layers + 1));
   return settings;
 }
@@ -164,6 +180,7 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.ranges.resize(map.view.texels());
   for_each_index(map.view.texels(),
                  [&](std::size_t t) { map.ranges[t] = depth_range(depths[2 * t], ~depths[2 * t + 1]); });
+  if (settings.sparse) keep_tiles(map, tile_room(settings));
   if (settings.bytes) {
     map.codes = pack(map, accumulation.k);
     map.sums = {};
@@ -197,13 +214,9 @@ std::vector<Word> pack(const Map& map, double k) {
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
   if (settings.bytes) return look_up_packed(map, settings, points);
   const float per_unit = exponent_per_unit(settings.map, map.scale);
-  const auto at_depth = [&](float z) {
-    return [&, z](std::size_t texel) {
-      const Word* sums = &map.sums[texel * map.ends.count];
-      return exponent_at(map, texel, z, [&](Word layer) { return per_unit * float(sums[layer]); });
-    };
-  };
-  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
+  return look_up_by(map, settings, points, [&](std::size_t texel, Word layer) {
+    return per_unit * float(map.sums[texel * map.ends.count + layer]);
+  });
 }
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -23,6 +23,8 @@ struct Settings {
   std::uint32_t layers = 4;
   Spacing spacing = Spacing::equal_opacity;
   bool bytes = false;      ///< T before each layer's end in 8 bits; else sigma in 32
+  bool sparse = false;     ///< only tiles of 4 x 4 texels that hold hair are stored
+  double tile_share = 1;   ///< of all tiles of the resolution: room for those that are stored
   double first_layer = 0;  ///< of geometric spacing, as a share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond
 };
 /// Error: usage, when the map would pass 2 GiB.
@@ -31,7 +33,8 @@ Result<Settings> settings_from(const registry::ParameterValues& values);
 /// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
 std::vector<std::uint32_t> layer_shares(const Settings& settings);
 
-/// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale.
+/// A filled map: sigma before the end of layer i of texel t is sums[t * layers + i] / scale. Of a sparse one only the
+/// texels of tiles that have a slot are there (tiles.h).
 struct Map {
   MapView view;
   double scale = 1;
@@ -41,7 +44,9 @@ struct Map {
   std::vector<std::uint32_t> ranges;  ///< nearest and farthest depth step of each texel, or k_no_range
   std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> codes;  ///< instead of sums, where Settings::bytes: T in 255ths, four a word
-  std::size_t bytes() const { return 4 * (ranges.size() + sums.size() + codes.size()); }
+  std::vector<std::uint32_t> slots;  ///< where each tile of a sparse map is stored, or k_no_slot; else empty
+  std::size_t clamped = 0;           ///< texels of tiles that found no room
+  std::size_t bytes() const { return 4 * (ranges.size() + sums.size() + codes.size() + slots.size()); }
 };
 
 /// For code c = 1 .. 255, the largest sum that is rounded to T = c / 255 or more.

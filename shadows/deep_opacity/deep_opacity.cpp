@@ -8,6 +8,7 @@ namespace {
 using registry::ParameterType;
 constexpr std::string_view k_spacings[] = {"equal_opacity", "geometric", "equal"};
 constexpr std::string_view k_storages[] = {"words", "bytes"};
+constexpr std::string_view k_tiles[] = {"all", "sparse"};
 constexpr registry::Parameter k_parameters[] = {
     {"layers", ParameterType::integer, "1", 1, k_most_layers, "4", {}, "layers behind the nearest fibre of a texel"},
     k_resolution,
@@ -27,14 +28,29 @@ constexpr registry::Parameter k_parameters[] = {
      {},
      "geometric: the first layer's share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond"},
     {"storage", ParameterType::choice, "1", 0, 0, "words", k_storages,
-     "words: 32 bits a layer; bytes: 8, and 16 for the nearest depth"},
+     "words: 32 bits a layer; bytes: 8, and 32 for the depths"},
+    {"tiles", ParameterType::choice, "1", 0, 0, "all", k_tiles,
+     "sparse: only tiles of 4 x 4 texels that hold hair are stored, and a number for every tile"},
+    {"tile_share",
+     ParameterType::real,
+     "1",
+     0.001,
+     1,
+     "1",
+     {},
+     "sparse: room, as a share of all tiles; those that find none are left out, counted as clamped"},
 };
 constexpr std::string_view k_systems[] = {"G3"};
-constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"}, {"4 layers", "layers=4"}, {"8 layers", "layers=8"}};
+constexpr registry::StudyCase k_cases[] = {{"1 layer", "layers=1"},
+                                           {"4 layers", "layers=4"},
+                                           {"8 layers", "layers=8"},
+                                           {"sparse tiles", "layers=7,tiles=sparse,storage=bytes,tile_share=0.9"}};
 
-/// Fit, nearest, histogram, layers, splat, scan, lookup, and packing before it; the clearing is a fill.
+/// Fit, range, histogram, layers, splat, scan, lookup; before it three for sparse tiles, and packing. The clearing is a
+/// fill.
 std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape& shape) {
-  return (values.choice("storage") == "bytes" ? 8 : 7) * shape.lights;
+  const std::uint32_t tiles = values.choice("tiles") == "sparse" ? 3 : 0;
+  return (7 + tiles + (values.choice("storage") == "bytes" ? 1 : 0)) * shape.lights;
 }
 
 }  // namespace

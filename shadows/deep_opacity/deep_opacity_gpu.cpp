@@ -1,9 +1,11 @@
-// Deep opacity maps on the GPU: clear (fills), fit, range, histogram, layers, splat, scan, packing where it is kept
-// in bytes, lookup; the integers of the map equal the CPU's.
+// Deep opacity maps on the GPU: clear (fills), fit, range, histogram, layers, splat, scan, copying of the tiles that
+// are kept (mark, slots, keep), packing where it is kept in bytes, lookup; the integers of the map equal the CPU's.
 #include <bit>
 
 #include <cuticle/shadows/deep_opacity/deep_map.h>
+#include <cuticle/shadows/deep_opacity/tiles.h>
 #include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/deep_opacity/tiles.glslh>
 #include <cuticle/shadows/splat.glslh>
 
 #include <deep_histogram_comp.spv.h>
@@ -13,13 +15,28 @@
 #include <deep_range_comp.spv.h>
 #include <deep_scan_comp.spv.h>
 #include <deep_splat_comp.spv.h>
+#include <deep_tile_keep_comp.spv.h>
+#include <deep_tile_lookup_comp.spv.h>
+#include <deep_tile_mark_comp.spv.h>
+#include <deep_tile_slots_comp.spv.h>
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
 
 constexpr std::uint32_t k_equal_opacity_flag = 2;  // k_equal_opacity of deep_layers.comp
 constexpr std::uint32_t k_bytes_flag = 4;          // k_bytes of deep_lookup.comp
-enum Own : int { k_sums = k_own, k_ranges, k_ends, k_depths, k_histogram, k_codes };
+enum Own : int {
+  k_sums = k_own,
+  k_ranges,
+  k_ends,
+  k_depths,
+  k_histogram,
+  k_codes,
+  k_slots,
+  k_list,
+  k_stored_ranges,
+  k_stored_sums
+};
 
 /// Shares of the layers, in room for all; then, of a map in bytes, the exponents of codes and what they are rounded by.
 AfterDeposits after_deposits(const Settings& settings) {
@@ -36,14 +53,42 @@ AfterDeposits after_deposits(const Settings& settings) {
 
 std::vector<MapBuffer> buffers_of(const Settings& settings) {
   const std::uint64_t texels = std::uint64_t(settings.map.resolution) * settings.map.resolution;
-  const std::uint64_t numbers = texels * settings.layers;
-  std::vector<MapBuffer> buffers = {{.words = numbers, .kept = !settings.bytes},
-                                    {.words = texels, .cleared = false},
+  const std::uint64_t numbers = texels * settings.layers, room = tile_room(settings);
+  const std::uint64_t stored = settings.sparse ? room * k_tile_texels : texels;
+  std::vector<MapBuffer> buffers = {{.words = numbers, .kept = !settings.bytes && !settings.sparse},
+                                    {.words = texels, .kept = !settings.sparse, .cleared = false},
                                     {.words = k_most_layers + 1, .kept = false, .cleared = false},
                                     {.words = 2 * texels, .clear = k_no_depth, .kept = false},
                                     {.words = k_histogram_words, .kept = false}};
-  if (settings.bytes) buffers.push_back({.words = (numbers + 3) / 4, .cleared = false});
+  if (settings.bytes || settings.sparse)
+    buffers.push_back({.words = settings.bytes ? (stored * settings.layers + 3) / 4 : 1, .cleared = false});
+  if (!settings.sparse) return buffers;
+  buffers.push_back({.words = most_tiles(settings.map.resolution)});
+  buffers.push_back({.words = room + 1, .kept = false, .cleared = false});
+  buffers.push_back({.words = stored, .cleared = false});
+  buffers.push_back({.words = stored * settings.layers, .kept = !settings.bytes, .cleared = false});
   return buffers;
+}
+
+/// Where the lookup finds the map, and how many texels it has room for.
+struct Stored {
+  int ranges = k_ranges, sums = k_sums;
+  std::uint32_t texels = 0;
+};
+Stored stored_of(const Settings& settings) {
+  if (!settings.sparse) return {k_ranges, k_sums, settings.map.resolution * settings.map.resolution};
+  return {k_stored_ranges, k_stored_sums, std::uint32_t(tile_room(settings)) * k_tile_texels};
+}
+
+void add_tile_passes(const Settings& settings, MapDescription& map) {
+  map.own = {float(tile_room(settings))};
+  map.passes.push_back({"shadow.mark", deep_tile_mark_comp, {k_box, k_depths, k_slots}, MapRun::per_texel});
+  map.passes.push_back({"shadow.slots", deep_tile_slots_comp, {k_box, k_slots, k_list}, MapRun::one_group});
+  map.passes.push_back({.name = "shadow.keep",
+                        .code = deep_tile_keep_comp,
+                        .buffers = {k_box, k_list, k_ranges, k_sums, k_stored_ranges, k_stored_sums},
+                        .run = MapRun::given,
+                        .invocations = stored_of(settings).texels});
 }
 
 MapDescription describe(const Settings& settings) {
@@ -62,13 +107,24 @@ MapDescription describe(const Settings& settings) {
       {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group},
       {"shadow.splat", deep_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums}},
       {"shadow.scan", deep_scan_comp, {k_depths, k_ranges, k_sums}, MapRun::per_texel}};
+  if (settings.sparse) add_tile_passes(settings, map);
+  const Stored stored = stored_of(settings);
   if (settings.bytes)
-    map.passes.push_back({"shadow.pack", deep_pack_comp, {k_deposits, k_sums, k_codes}, MapRun::per_texel});
-  map.passes.push_back(
-      {"shadow.lookup",
-       deep_lookup_comp,
-       {k_vertices, k_box, k_ranges, k_ends, settings.bytes ? k_codes : k_sums, k_deposits, k_transmittance},
-       MapRun::per_vertex});
+    map.passes.push_back({.name = "shadow.pack",
+                          .code = deep_pack_comp,
+                          .buffers = {k_deposits, stored.sums, k_codes},
+                          .run = MapRun::given,
+                          .invocations = stored.texels});
+  MapPass lookup{
+      "shadow.lookup",
+      deep_lookup_comp,
+      {k_vertices, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums, k_deposits, k_transmittance},
+      MapRun::per_vertex};
+  if (settings.sparse) {
+    lookup.code = deep_tile_lookup_comp;
+    lookup.buffers.push_back(k_slots);
+  }
+  map.passes.push_back(std::move(lookup));
   return map;
 }
 
@@ -82,11 +138,13 @@ Map build_both(const strands::Groom& groom, double alpha, const LightAxes& axes,
 }
 
 MapWords words_of(const Map& map, const Settings& settings) {
-  MapWords words = {map.sums, map.ranges, {map.ends.end, map.ends.end + k_most_layers}};
-  words.back().push_back(map.fibre);
-  if (!settings.bytes) return words;
-  words.resize(k_codes);  // depths and histogram are not kept here
-  words.push_back(map.codes);
+  MapWords words(k_stored_sums + 1);  // depths and histogram are not kept here
+  words[k_ends].assign(map.ends.end, map.ends.end + k_most_layers);
+  words[k_ends].push_back(map.fibre);
+  words[std::size_t(stored_of(settings).sums)] = map.sums;
+  words[std::size_t(stored_of(settings).ranges)] = map.ranges;
+  words[k_codes] = map.codes;
+  words[k_slots] = map.slots;
   return words;
 }
 

@@ -21,20 +21,35 @@ inline float exponent_per_unit(const MapSettings& settings, double scale) {
   return float(-settings.accumulation.k / scale);
 }
 
+/// How lookups in the map average. Error: usage, for a filter too wide for it.
+inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& settings) {
+  CUTICLE_ASSIGN(const float radius, filter_in_texels(settings, double(view.scale.x)));
+  return MapFilter{radius, float(settings.depth_offset), settings.accumulation.poisson};
+}
+
 /// Transmittance at world points. at_depth(z) gives a function of a texel, the exponent of T before depth z; depths are
 /// limited to 0 .. deepest, in steps. Error: usage, for a filter too wide for the map.
 Result<std::vector<float>> look_up_points(const MapView& view, const MapSettings& settings, float deepest,
                                           std::span<const glm::vec3> points, const auto& at_depth) {
-  CUTICLE_ASSIGN(const float radius, filter_in_texels(settings, double(view.scale.x)));
-  const MapFilter filter{radius, float(settings.depth_offset), settings.accumulation.poisson};
+  CUTICLE_ASSIGN(const MapFilter filter, map_filter(view, settings));
   std::vector<float> values(points.size());
   for_each_index(points.size(),
                  [&](std::size_t i) { values[i] = transmittance_at(view, filter, deepest, points[i], at_depth); });
   return values;
 }
 
+/// look_up(map, settings, receivers), or of their points where it takes no more.
+template <auto look_up>
+auto look_up_at(const auto& map, const auto& settings, const Receivers& receivers) {
+  if constexpr (requires { look_up(map, settings, receivers); })
+    return look_up(map, settings, receivers);
+  else
+    return look_up(map, settings, receivers.points);
+}
+
 /// Method::evaluate of a method of maps, from its settings_from(values), build(groom, alpha, axes, settings) and
-/// look_up(map, settings, points), each a value or a Result of one. Errors: those of `check` and of these.
+/// look_up(map, settings, receivers or their points), each a value or a Result of one. Errors: those of `check` and of
+/// these.
 template <auto settings_from, auto build, auto look_up>
 Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& receivers,
                                    const registry::ParameterValues& values) {
@@ -46,7 +61,7 @@ Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& rece
   CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(result.values, Result(look_up(map, settings, receivers.points)));
+  CUTICLE_ASSIGN(result.values, Result(look_up_at<look_up>(map, settings, receivers)));
   result.cost.lookup_ms = milliseconds_since(built);
   result.cost.bytes = map.bytes();
   result.cost.device = cpu_device_name();

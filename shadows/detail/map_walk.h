@@ -128,6 +128,11 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
   return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
 }
 
+/// The depth of a point of the map for a lookup, in steps, limited to 0 .. deepest.
+inline float depth_in_map(const MapView& view, const MapFilter& filter, float deepest, float z) {
+  return std::clamp(lookup_depth(z, filter.depth_offset, view.scale.z), 0.0f, deepest);
+}
+
 /// The transmittance at a world point: 1 far outside the map. at_depth(z), z in steps and limited to 0 .. deepest,
 /// gives the exponent as a function of the texel.
 float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
@@ -135,7 +140,7 @@ float transmittance_at(const MapView& view, const MapFilter& filter, float deepe
   const glm::vec3 point = to_map(view, p);
   const float limit = float(std::max(view.columns, view.rows)) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
-  const float z = std::clamp(lookup_depth(point.z, filter.depth_offset, view.scale.z), 0.0f, deepest);
+  const float z = depth_in_map(view, filter, deepest, point.z);
   return mean_transmittance(view, filter, point.x, point.y, at_depth(z));
 }
 

@@ -25,6 +25,27 @@ std::uint32_t rounded_to_half(std::uint32_t sum) {
   return ((sum + half - 1 + odd) >> dropped) << dropped;
 }
 
+/// Tent weights are linear in sigma: interpolated between the depths of two vertices they give what lies as far between
+/// sigma at either depth.
+Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& settings, const Receivers& receivers) {
+  CUTICLE_ASSIGN(const MapFilter filter, map_filter(map.view, settings.map));
+  const float per_unit = exponent_per_unit(settings.map, map.scale), deepest = settings.intervals();
+  const auto depth_of = [&](const glm::vec3& p) {
+    return depth_in_map(map.view, filter, deepest, to_map(map.view, p).z);
+  };
+  std::vector<float> values(receivers.points.size());
+  for_each_index(values.size(), [&](std::size_t i) {
+    const SegmentPlace& place = receivers.segments[i];
+    const float from = depth_of(place.from), to = depth_of(place.to);
+    values[i] = transmittance_at(map.view, filter, deepest, receivers.points[i], [&](float) {
+      return [&](std::size_t texel) {
+        return per_unit * between_planes(sum_at(map, texel, from), sum_at(map, texel, to), place.fraction);
+      };
+    });
+  });
+  return values;
+}
+
 double scale_of(const strands::Groom& groom, double alpha, const Settings& settings) {
   if (settings.form == Form::graphics_8bit) return 255;
   return fixed_point_scale(alpha, settings.map.accumulation, groom.vertex_count() - groom.strand_count());
@@ -49,6 +70,7 @@ Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
   settings.map = map_settings("opacity_map", values);
   settings.slices = std::uint32_t(values.integer("slices"));
+  settings.vertex_weights = values.choice("weights") == "per_vertex";
   settings.printed_spacing = values.choice("spacing") == "printed";
   const std::string& form = values.choice("form");
   settings.form = form == "compute"         ? Form::compute
@@ -79,10 +101,11 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   return map;
 }
 
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Receivers& receivers) {
+  if (settings.vertex_weights && !receivers.segments.empty()) return look_up_by_vertex(map, settings, receivers);
   const float per_unit = exponent_per_unit(settings.map, map.scale);
   const auto at_depth = [&](float z) { return [&, z](std::size_t texel) { return per_unit * sum_at(map, texel, z); }; };
-  return look_up_points(map.view, settings.map, settings.intervals(), points, at_depth);
+  return look_up_points(map.view, settings.map, settings.intervals(), receivers.points, at_depth);
 }
 
 }  // namespace cuticle::shadows::opacity_map

@@ -9,6 +9,7 @@
 
 #include <cuticle/shadows/map_settings.h>
 #include <cuticle/shadows/map_view.h>
+#include <cuticle/shadows/method.h>
 #include <cuticle/strands/groom.h>
 
 namespace cuticle::shadows::opacity_map {
@@ -25,6 +26,8 @@ struct Settings {
   std::uint32_t slices = 16;     ///< planes, the first of which holds nothing and is not stored
   bool printed_spacing = false;  ///< slices range / n apart, as printed in the source; else range / (n - 1)
   Form form = Form::compute;
+  /// N19: tent weights of a point on a segment are interpolated from its ends', as a rasteriser does; else its own.
+  bool vertex_weights = false;
   std::uint32_t layers() const { return slices - 1; }
   /// Slice spacings from the near to the far plane of the hair.
   float intervals() const { return float(printed_spacing ? slices : slices - 1); }
@@ -47,7 +50,7 @@ struct Map {
 /// (OpacityDrawn_EightBitsAndHalf_StayCloseToTheTwin).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
+/// Transmittance at the receivers, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Receivers& receivers);
 
 }  // namespace cuticle::shadows::opacity_map

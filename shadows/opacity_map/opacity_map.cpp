@@ -8,6 +8,7 @@ namespace {
 using registry::ParameterType;
 constexpr std::string_view k_spacings[] = {"last_plane", "printed"};
 constexpr std::string_view k_forms[] = {"compute", "graphics_8bit", "graphics_half"};
+constexpr std::string_view k_weights[] = {"per_fragment", "per_vertex"};
 constexpr registry::Parameter k_parameters[] = {
     {"slices",
      ParameterType::integer,
@@ -28,8 +29,10 @@ constexpr registry::Parameter k_parameters[] = {
     {"form", ParameterType::choice, "1", 0, 0, "compute", k_forms,
      "compute: 32-bit integers; graphics: four blended four-channel targets of 8 bits or half floats, at most 17 "
      "slices"},
+    {"weights", ParameterType::choice, "1", 0, 0, "per_fragment", k_weights,
+     "tent weights of points between two vertices: their own (per_fragment), or interpolated from the vertices'"},
 };
-constexpr std::string_view k_systems[] = {"N17", "N18", "N20"};
+constexpr std::string_view k_systems[] = {"N17", "N18", "N19", "N20"};
 constexpr registry::StudyCase k_cases[] = {
     {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
 

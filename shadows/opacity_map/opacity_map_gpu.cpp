@@ -1,10 +1,12 @@
 // N17 on the GPU: clear (fills), fit, splat, scan, lookup; the integers of its map equal the CPU's. N18: fit, draw,
-// lookup.
+// lookup. N19: a further lookup where strands are drawn.
 #include <cuticle/shadows/map_shadow_gpu.h>
 #include <cuticle/shadows/opacity_map/map.h>
 
 #include <opacity_draw_frag.spv.h>
 #include <opacity_draw_vert.spv.h>
+#include <opacity_fragments_frag.spv.h>
+#include <opacity_fragments_vert.spv.h>
 #include <opacity_lookup_comp.spv.h>
 #include <opacity_splat_comp.spv.h>
 #include <opacity_target_lookup_comp.spv.h>
@@ -13,6 +15,7 @@ namespace cuticle::shadows::opacity_map {
 namespace {
 
 constexpr int k_sums = k_own;
+constexpr std::uint32_t k_vertex_weights_flag = 2;  // k_vertex_weights of opacity_fragments.frag
 
 /// N18: what is drawn, and the lookup of the targets.
 MapDescription describe_drawn(const Settings& settings) {
@@ -23,6 +26,8 @@ MapDescription describe_drawn(const Settings& settings) {
   map.own = {float(settings.map.accumulation.k), settings.form == Form::graphics_8bit ? 255.0f : 0.0f};
   map.drawing = {opacity_draw_vert, opacity_draw_frag, k_target_planes / 4,
                  settings.form == Form::graphics_8bit ? gpu::TextureFormat::rgba8 : gpu::TextureFormat::rgba16f};
+  map.flags = settings.vertex_weights ? k_vertex_weights_flag : 0;
+  map.fragments = {opacity_fragments_vert, opacity_fragments_frag};
   map.passes = {{"shadow.lookup",
                  opacity_target_lookup_comp,
                  {k_vertices, k_box, k_transmittance},

@@ -21,6 +21,11 @@ float one(const strands::Groom& groom, glm::vec3 point, const std::string& set =
   return tests::shadow_at("opacity_map", groom, point, set, alpha);
 }
 using tests::mean;
+std::vector<float> run_on_segments(const strands::Groom& groom, std::span<const glm::vec3> points,
+                                   std::span<const SegmentPlace> places, const std::string& set) {
+  const auto values = tests::values_of("opacity_map", set).value();
+  return (*find_method("opacity_map"))->evaluate({&groom}, {points, {}, places}, values).value().values;
+}
 opacity_map::Map map_of(const strands::Groom& groom, glm::dvec3 to_light) {
   return opacity_map::build_map(groom, 0.4, light_axes(to_light), {});
 }
@@ -199,6 +204,65 @@ TEST(OpacityMap, HalfFloats_ChangeSigmaByLessThanAThousandth) {
     worst = std::max(worst, std::abs(std::log(double(half->values[i])) - std::log(double(whole->values[i]))));
   EXPECT_GT(worst, 0);
   EXPECT_LT(worst, 5e-3);
+}
+
+// N19. A sheet that takes 0.4 half way along a segment, whose ends lie before the first plane and behind the last:
+// their weights give the sheet in proportion, whose T is 0.6^f; the fragment's own give all or nothing.
+TEST(TentWeights, SegmentThroughASheet_VerticesSpreadItsShadow) {
+  strands::Groom groom;
+  tests::add_strand(groom, {{-0.05f, 0.05f, 0}, {0.05f, 0.05f, 0}}, 0.005f);
+  tests::add_strand(groom, {{-0.05f, 0.1f, -0.05f}, {-0.05f, 0, -0.05f}}, 0.0001f);
+  std::vector<glm::vec3> points;
+  std::vector<SegmentPlace> places;
+  for (const float f : {0.0f, 0.25f, 0.75f, 1.0f}) {
+    places.push_back({{0, 0.1f, 0}, {0, 0, 0}, f});
+    points.emplace_back(0, 0.1f - 0.1f * f, 0);
+  }
+  for (const char* form : {"compute", "graphics_half"}) {
+    const std::string set = std::string("form=") + form;
+    const auto own = run_on_segments(groom, points, places, set);
+    const auto interpolated = run_on_segments(groom, points, places, set + ",weights=per_vertex");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(own[i], places[i].fraction < 0.5f ? 1 : 0.6, 1e-3) << form << i;
+      EXPECT_NEAR(interpolated[i], std::pow(0.6, double(places[i].fraction)), 1e-3) << form << i;
+    }
+  }
+}
+
+// The measured difference of N19: what weights per vertex change where segments pass several planes.
+TEST(TentWeights, MorePlanesASegment_MoreDifference) {
+  const strands::Groom groom = tests::coat(2000, 8, 0.03, 1e-4f, 3);
+  std::vector<glm::vec3> points;
+  std::vector<SegmentPlace> places;
+  for (std::size_t v = 0; v + 1 < groom.vertex_count(); v += 4) {
+    places.push_back({groom.positions[v], groom.positions[v + 1], 0.5f});
+    points.push_back(0.5f * (groom.positions[v] + groom.positions[v + 1]));
+  }
+  double before = 0;
+  for (const std::string slices : {"4", "16", "64"}) {
+    const auto own = run_on_segments(groom, points, places, "slices=" + slices);
+    const auto interpolated = run_on_segments(groom, points, places, "weights=per_vertex,slices=" + slices);
+    double sum = 0, most = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      sum += std::abs(double(own[i] - interpolated[i]));
+      most = std::max(most, std::abs(double(own[i] - interpolated[i])));
+    }
+    const double mean_difference = sum / double(points.size());
+    std::printf("%s slices: T differs by %.5f in the mean, %.4f at most\n", slices.c_str(), mean_difference, most);
+    EXPECT_GT(mean_difference, before) << slices;
+    EXPECT_LT(mean_difference, 0.02) << slices;
+    before = mean_difference;
+  }
+}
+
+TEST(TentWeights, UnsoundSegments_AreRefused) {
+  const strands::Groom groom = upright();
+  const auto values = tests::values_of("opacity_map", "weights=per_vertex").value();
+  const Method& method = **find_method("opacity_map");
+  const glm::vec3 points[] = {glm::vec3(0), glm::vec3(0)};
+  const SegmentPlace bad[] = {{glm::vec3(0), glm::vec3(0), 0.5f}, {glm::vec3(0), glm::vec3(0), 1.5f}};
+  EXPECT_EQ(method.evaluate({&groom}, {points, {}, bad}, values).error().kind, ErrorKind::bad_input);
+  EXPECT_EQ(method.evaluate({&groom}, {points, {}, std::span(bad, 1)}, values).error().kind, ErrorKind::usage);
 }
 
 TEST(OpacityMap, MorePlanesThanTheTargetsHold_AreRefused) {

@@ -114,17 +114,39 @@ Probes on_groom(const strands::Groom& groom, Probes probes) {
   return moved;
 }
 
+namespace {
+
+std::vector<shadows::SegmentPlace> places_of(const strands::Groom& groom, const Probes& probes) {
+  std::vector<shadows::SegmentPlace> places;
+  for (std::size_t i = 0; i < probes.points.size(); ++i) {
+    const std::uint32_t v = probes.vertices[i], last = groom.offsets[probes.strands[i] + 1] - 1;
+    places.push_back({groom.positions[v], groom.positions[std::min(v + 1, last)], probes.fractions[i]});
+  }
+  return places;
+}
+
+Result<shadows::Transmittance> evaluate_with_tents(const Candidate& candidate, const shadows::Casters& casters,
+                                                   const Probes& probes) {
+  if (!candidate.values.all().contains("weights"))
+    return usage_error("no tent weights of planes: not looked up per vertex");
+  registry::ParameterValues values = candidate.values;
+  values.set("weights", std::string("per_vertex"));
+  return candidate.method->evaluate(casters, {probes.points, probes.strands, places_of(*casters.groom, probes)},
+                                    values);
+}
+
+}  // namespace
+
 Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
                                            const Probes& probes, Weights weights) {
+  if (weights == Weights::tents_per_vertex) return evaluate_with_tents(candidate, casters, probes);
   if (weights != Weights::per_vertex)
     return candidate.method->evaluate(casters, {probes.points, probes.strands}, candidate.values);
   std::vector<glm::vec3> ends;
   std::vector<std::uint32_t> strands;
-  for (std::size_t i = 0; i < probes.points.size(); ++i) {
-    const std::uint32_t v = probes.vertices[i], strand = probes.strands[i];
-    ends.push_back(casters.groom->positions[v]);
-    ends.push_back(casters.groom->positions[std::min(v + 1, casters.groom->offsets[strand + 1] - 1)]);
-    strands.insert(strands.end(), 2, strand);
+  for (const shadows::SegmentPlace& place : places_of(*casters.groom, probes)) {
+    ends.insert(ends.end(), {place.from, place.to});
+    strands.insert(strands.end(), 2, probes.strands[strands.size() / 2]);
   }
   CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {ends, strands}, candidate.values));
   for (std::size_t i = 0; i < probes.points.size(); ++i)

@@ -18,8 +18,9 @@ struct Candidate {
   registry::ParameterValues values;
 };
 
-/// How transmittance comes to a point between two vertices: looked up there, or between that of the vertices.
-enum class Weights { at_vertices, per_fragment, per_vertex };
+/// How transmittance comes to a point between two vertices: looked up there, between that of the vertices, or looked up
+/// there with tent weights of planes interpolated from the vertices (N19).
+enum class Weights { at_vertices, per_fragment, per_vertex, tents_per_vertex };
 
 /// Points that lie a fraction 0 .. 1 of the way from their vertex to the next of their strand.
 struct Probes {
@@ -41,7 +42,7 @@ Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, 
 /// The same places on the strands of another groom of as many vertices.
 Probes on_groom(const strands::Groom& groom, Probes probes);
 
-/// A method at the probes: looked up there, or, with weights per vertex, between the values at their two vertices.
+/// A method at the probes. Error: usage, for tents_per_vertex and a method without the parameter `weights`.
 Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
                                            const Probes& probes, Weights weights);
 

@@ -225,24 +225,28 @@ TEST(CompareWithTruth, AFilterAsWideAsTheFootprint_MoreNumbersATexelAreNoWorse) 
   }
 }
 
-TEST(CompareWithTruth, WeightsPerVertex_AreTheMeanOfTheEnds) {
+TEST(CompareWithTruth, WeightsPerVertex_ComeFromTheEnds) {
   const strands::Groom groom = study_coat(4000);
   ComparisonRequest request;
   request.groom = &groom;
   request.rays = 64;
   request.receivers = 300;
-  const std::string methods[] = {"opacity_map"};
+  const std::string methods[] = {"opacity_map", "deep_opacity"};
   request.candidates = candidates_of(methods, {{4}, {128}, {}, {}}).value();
-  double errors[2];
-  for (int i = 0; i < 2; ++i) {
-    request.weights = i == 0 ? Weights::per_fragment : Weights::per_vertex;
+  std::vector<double> errors;
+  for (const Weights weights : {Weights::per_fragment, Weights::per_vertex, Weights::tents_per_vertex}) {
+    request.weights = weights;
     const auto comparison = compare_with_truth(request, silent_progress());
     ASSERT_TRUE(comparison) << comparison.error().message;
+    EXPECT_EQ(comparison->refused.size(), weights == Weights::tents_per_vertex ? 1u : 0u);
     ASSERT_EQ(comparison->rows[0].transmittance.size(), comparison->truth.size());
-    errors[i] = comparison->rows[0].error.mean;
+    errors.push_back(comparison->rows[0].error.mean);
   }
-  EXPECT_NE(errors[0], errors[1]);
-  EXPECT_NEAR(errors[0], errors[1], 0.1);
+  for (const std::size_t i : {1u, 2u}) {
+    EXPECT_NE(errors[0], errors[i]);
+    EXPECT_NEAR(errors[0], errors[i], 0.1);
+  }
+  EXPECT_NE(errors[1], errors[2]);
 }
 
 TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {

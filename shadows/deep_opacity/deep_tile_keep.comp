@@ -1,0 +1,26 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per texel of the tiles that there is room for: its range and sums, from those of the whole map.
+layout(local_size_x = 64) in;
+#include "cuticle/shadows/deep_opacity/layers.glslh"
+#include "cuticle/shadows/deep_opacity/tiles.glslh"
+#include "cuticle/shadows/map_geometry.glsl"
+
+layout(std430, binding = 0) readonly buffer Box { uint least[6]; };
+layout(std430, binding = 1) readonly buffer List { uint list[]; };
+layout(std430, binding = 2) readonly buffer Ranges { uint ranges[]; };
+layout(std430, binding = 3) readonly buffer Sums { uint sums[]; };
+layout(std430, binding = 4) writeonly buffer StoredRanges { uint stored_ranges[]; };
+layout(std430, binding = 5) writeonly buffer StoredSums { uint stored_sums[]; };
+
+void main() {
+  const uint stored = invocation(), slot = stored / k_tile_texels, place = stored % k_tile_texels;
+  if (slot >= list[uint(push.own[0])]) return;
+  placement_of(least);
+  const uint i = tile_column(list[slot], place, columns), j = tile_row(list[slot], place, columns);
+  const bool is_inside = i < columns && j < rows;
+  const uint texel = is_inside ? j * columns + i : 0u;
+  stored_ranges[stored] = is_inside ? ranges[texel] : k_no_range;
+  for (uint layer = 0u; layer < push.layers; ++layer)
+    stored_sums[stored * push.layers + layer] = is_inside ? sums[texel * push.layers + layer] : 0u;
+}

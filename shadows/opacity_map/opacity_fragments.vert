@@ -1,0 +1,27 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// N19: two triangles a segment, which cover a row of texels of the fragments' target; tent weights at its ends.
+#define MAP_IS_DRAWN
+#include "cuticle/shadows/filter.glslh"
+#include "cuticle/shadows/map_geometry.glsl"
+#include "cuticle/shadows/opacity_map/tent_planes.glsl"
+
+layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
+layout(location = 0) out vec3 position;  // metres
+layout(location = 1) out vec4 weights_of_vertex[4];
+
+const uvec2 k_corners[6] = uvec2[](uvec2(0, 0), uvec2(1, 0), uvec2(0, 1), uvec2(0, 1), uvec2(1, 0), uvec2(1, 1));
+
+void main() {
+  const uint segment = uint(gl_VertexIndex) / 6u, per_segment = uint(push.own[1]), side = uint(push.own[2]);
+  const uvec2 corner = k_corners[gl_VertexIndex % 6];
+  position = vertices[segments[segment] + corner.x].xyz;
+  const MapPlacement placement = placement_of(least);
+  const float z = place_in_map(placement, in_light_axes(position)).z;
+  weights_of_vertex = tent_weights(clamp(lookup_depth(z, push.depth_offset, placement.scale.z), 0.0, push.intervals));
+  const uint per_row = side / per_segment;
+  const uvec2 texel = uvec2((segment % per_row + corner.x) * per_segment, segment / per_row + corner.y);
+  gl_Position = vec4(2.0 * vec2(texel) / float(side) - 1.0, 0.5, 1.0);
+}
