@@ -10,7 +10,7 @@ namespace cuticle::shadows {
 
 /// Points as casters: each covers the area of a disc of its radius seen from any side, which maps deposit as a
 /// rectangle of that area. Points and radii in metres, one radius per point, or one for all. They are segments without
-/// a length, which the rays of `truth` do not see.
+/// a length, spheres to the rays of `truth`, and not seen by `voxel`.
 strands::Groom point_casters(std::span<const glm::vec3> points, std::span<const float> radii);
 
 /// Segments as casters, each a cylinder with round ends, from ends[2 i] to ends[2 i + 1], metres; one radius per

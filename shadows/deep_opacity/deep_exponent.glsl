@@ -6,14 +6,13 @@
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer Ranges { uint ranges[]; };
-layout(std430, binding = 3) readonly buffer Ends { uint ends_of_layers[]; };  // then the coverage by a fibre
+layout(std430, binding = 3) readonly buffer Layers { uint layers[]; };
 layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
 layout(std430, binding = 5) readonly buffer Table { uint table[]; };  // deposits, shares, the exponents of codes
 layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
 
 const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
 
-LayerEnds ends;
 float fibre_exponent;
 
 /// The exponent before the end of layer i % layers of texel i / layers.
@@ -31,7 +30,7 @@ float stored_exponent(uint texel, float z) {
   const float depth = z - float(range_nearest(range)), extent = depth_extent(range);
   float exponent = 0.0;
   if (range != k_no_range && depth > 0.0) {
-    const Layer layer = layer_at(ends, uint(depth));
+    const Layer layer = unpacked_layer(layers[k_layer_table + table_step(uint(depth))]);
     const bool is_behind = depth >= extent;
     const uint i = texel * push.layers + (is_behind ? push.layers - 1u : layer.index);
     const float after = exponent_before(i);
@@ -46,8 +45,6 @@ float stored_exponent(uint texel, float z) {
 void look_up_vertex() {
   const uint v = invocation();
   if (v >= push.count) return;
-  ends.count = push.layers;
-  for (uint i = 0u; i < k_most_layers; ++i) ends.end[i] = ends_of_layers[i];
-  fibre_exponent = push.per_unit * float(table[ends_of_layers[k_most_layers]]);
+  fibre_exponent = push.per_unit * float(table[layers[k_most_layers]]);
   transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, k_deepest);
 }

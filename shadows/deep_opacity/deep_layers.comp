@@ -8,13 +8,14 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Table { uint table[]; };  // deposits, then the layers' shares
 layout(std430, binding = 1) readonly buffer Histogram { uint histogram[]; };
-layout(std430, binding = 2) writeonly buffer Ends { uint ends_of_layers[]; };  // then the coverage by a fibre
+layout(std430, binding = 2) writeonly buffer Ends { uint ends_of_layers[]; };  // the coverage by a fibre, the table
 
 const uint k_lanes = 64u, k_steps_per_lane = k_depth_steps / k_lanes;
 const uint k_equal_opacity = 2u;  // k_equal_opacity_flag of deep_opacity_gpu.cpp
 shared uint before[k_lanes + 1u];  // the sum before each lane's steps, and the total
 shared uint deepest[k_lanes];
 shared uint crossing[k_most_layers];
+shared LayerEnds ends;
 
 void sum_steps(uint lane) {
   uint sum = 0u, last = 0u;
@@ -41,7 +42,6 @@ void find_crossings(uint lane) {
 void write_ends() {
   uint depth = 1u;
   for (uint lane = 0u; lane < k_lanes; ++lane) depth = max(depth, deepest[lane]);
-  LayerEnds ends;
   ends.count = push.layers;
   for (uint i = 0u; i < push.layers; ++i)
     ends.end[i] = (push.flags & k_equal_opacity) != 0u ? crossing[i] : shared_end(depth, table[k_coverage_steps + 1u + i]);
@@ -61,4 +61,7 @@ void main() {
   find_crossings(lane);
   barrier();
   if (lane == 0u) write_ends();
+  barrier();
+  for (uint step = lane; step < k_depth_steps; step += k_lanes)
+    ends_of_layers[k_layer_table + step] = packed_layer(layer_at(ends, step));
 }

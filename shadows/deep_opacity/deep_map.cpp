@@ -83,22 +83,31 @@ LayerEnds layer_ends(std::span<const Word> with_sums, const Settings& settings) 
   return rising(ends);
 }
 
+/// The layer of each depth step.
+std::vector<Layer> layer_table(const LayerEnds& ends) {
+  std::vector<Layer> layers;
+  for (Word step = 0; step < k_depth_steps; ++step) layers.push_back(layer_at(ends, step));
+  return layers;
+}
+
 /// Deposits every piece into the layer that holds it.
 void fill_layers(const strands::Groom& groom, std::span<const Word> depths, std::span<const Word> table, Map& map) {
+  const std::vector<Layer> layers = layer_table(map.ends);
   for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
-    const Layer layer = layer_at(map.ends, step - depths[2 * texel]);
-    add_to(map.sums[texel * map.ends.count + layer.index], table[covered]);
+    const Word layer = layers[table_step(step - depths[2 * texel])].index;
+    add_to(map.sums[texel * map.ends.count + layer], table[covered]);
   });
 }
 
 /// The exponent at depth z of a texel; exponent_before(i): at the end of its layer i.
-float exponent_at(const Map& map, std::size_t texel, float z, const auto& exponent_before) {
+float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t texel, float z,
+                  const auto& exponent_before) {
   const Word range = map.ranges[texel];
   const float depth = z - float(range_nearest(range));
   if (range == k_no_range || !(depth > 0)) return 0;
   const float extent = depth_extent<float>(range);
   if (depth >= extent) return exponent_before(map.ends.count - 1);
-  const Layer layer = layer_at(map.ends, Word(depth));
+  const Layer& layer = layers[table_step(Word(depth))];
   const float before = layer.index == 0 ? 0.0f : exponent_before(layer.index - 1);
   return exponent_within(layer, extent, depth, before, exponent_before(layer.index), map.fibre_exponent);
 }
@@ -106,8 +115,9 @@ float exponent_at(const Map& map, std::size_t texel, float z, const auto& expone
 /// Looks points up by exponent_before(texel, layer), texels being counted as they are stored.
 Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, std::span<const glm::vec3> points,
                                       const auto& exponent_before) {
+  const std::vector<Layer> layers = layer_table(map.ends);
   const auto stored_exponent = [&](std::size_t texel, float z) {
-    return exponent_at(map, texel, z, [&](Word layer) { return exponent_before(texel, layer); });
+    return exponent_at(map, layers, texel, z, [&](Word layer) { return exponent_before(texel, layer); });
   };
   if (map.slots.empty())
     return look_up_points(map.view, settings.map, k_deepest, points,

@@ -57,7 +57,7 @@ std::vector<MapBuffer> buffers_of(const Settings& settings) {
   const std::uint64_t stored = settings.sparse ? room * k_tile_texels : texels;
   std::vector<MapBuffer> buffers = {{.words = numbers, .kept = !settings.bytes && !settings.sparse},
                                     {.words = texels, .kept = !settings.sparse, .cleared = false},
-                                    {.words = k_most_layers + 1, .kept = false, .cleared = false},
+                                    {.words = k_layer_words, .kept = false, .cleared = false},
                                     {.words = 2 * texels, .clear = k_no_depth, .kept = false},
                                     {.words = k_histogram_words, .kept = false}};
   if (settings.bytes || settings.sparse)

@@ -7,20 +7,15 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) readonly buffer Depths { uint depths[]; };
-layout(std430, binding = 5) readonly buffer Ends { uint ends_of_layers[]; };
+layout(std430, binding = 5) readonly buffer Layers { uint layers[]; };
 layout(std430, binding = 6) buffer Sums { uint sums[]; };
 
-LayerEnds ends;
-
 void deposit(uint texel, uint covered, uint depth_step) {
-  const uint layer = layer_at(ends, depth_step - depths[2u * texel]).index;
+  const uint layer = unpacked_layer(layers[k_layer_table + table_step(depth_step - depths[2u * texel])]).index;
   atomicAdd(sums[texel * push.layers + layer], table[covered]);
 }
 
 void main() {
   const uint s = invocation();
-  if (s >= push.count) return;
-  ends.count = push.layers;
-  for (uint i = 0u; i < k_most_layers; ++i) ends.end[i] = ends_of_layers[i];
-  walk_segment(s, push.pieces_per_step);
+  if (s < push.count) walk_segment(s, push.pieces_per_step);
 }

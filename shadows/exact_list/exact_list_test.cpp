@@ -40,6 +40,30 @@ TEST(ExactList, HalfWayThroughASlab_HalfTheDepthCounts) {
   }
 }
 
+// A texel takes the parts of a fibre's segments for crossings of fibres that do not know each other: the more segments
+// a texel holds, the less an opaque fibre casts there.
+TEST(ExactList, AFibreOfManySegments_CastsLess) {
+  const auto shadow = [](int segments, double alpha) {
+    strands::Groom groom;
+    for (int fibre = 0; fibre < 40; ++fibre) {
+      for (int i = 0; i <= segments; ++i)
+        groom.positions.emplace_back(-0.05f + 0.1f * float(i) / float(segments), 0.05f,
+                                     0.00253f * float(fibre) - 0.05f);
+      groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+    }
+    groom.radii.assign(groom.positions.size(), 2e-4f);
+    const glm::vec3 behind(0, 0, 0);
+    return 1 - double(one(groom, behind, "resolution=128,filter_radius_mm=20", alpha));
+  };
+  for (const double alpha : {0.01, 0.4, 1.0}) {
+    const double whole = shadow(1, alpha), halves = shadow(256, alpha), fifths = shadow(640, alpha);
+    std::printf("alpha %.2f: %.4f of the shadow with two segments a texel, %.4f with five\n", alpha, halves / whole,
+                fifths / whole);
+    EXPECT_NEAR(halves / whole, 1, 0.25 * alpha + 2e-3);
+    EXPECT_LE(fifths, halves + 1e-6);
+  }
+}
+
 TEST(ExactList, ThreeFibresInALine_EachPointKnowsThoseBeforeIt) {
   strands::Groom groom;
   for (const float y : {0.05f, 0.04f, 0.0f}) tests::add_strand(groom, {{-0.05f, y, 0}, {0.05f, y, 0}}, 0.005f);

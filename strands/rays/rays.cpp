@@ -1,6 +1,7 @@
 #include <cuticle/strands/rays/rays.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,11 +12,17 @@
 
 namespace cuticle::strands {
 
+/// A segment of a strand, by its first vertex.
+struct RaySegment {
+  std::uint32_t first = 0, strand = 0;
+};
+
 namespace {
 
 /// Embree's query context, with the segments that the filter was told of.
 struct Collector {
-  RTCIntersectContext context;  ///< first, so that Embree's pointer is ours
+  RTCIntersectContext context;         ///< first, so that Embree's pointer is ours
+  std::array<std::uint32_t, 2> first;  ///< segment of each geometry
   std::vector<std::uint32_t> segments;
 };
 
@@ -24,28 +31,17 @@ void collect_hit(const RTCFilterFunctionNArguments* arguments) {
   auto* collector = reinterpret_cast<Collector*>(arguments->context);
   const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
   if (arguments->valid[0] == 0) return;
-  collector->segments.push_back(hit->primID);
+  collector->segments.push_back(collector->first[hit->geomID] + hit->primID);
   arguments->valid[0] = 0;
 }
 
-/// First vertices of the segments that have a length.
-std::vector<std::uint32_t> segment_vertices(const Groom& groom) {
-  std::vector<std::uint32_t> firsts;
-  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+/// The segments that have a length, or those that have none.
+std::vector<RaySegment> segments_of(const Groom& groom, bool with_length) {
+  std::vector<RaySegment> segments;
+  for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
-      if (groom.positions[v] != groom.positions[v + 1]) firsts.push_back(v);
-  return firsts;
-}
-
-std::vector<std::uint32_t> segment_strands(const Groom& groom, const std::vector<std::uint32_t>& firsts) {
-  std::vector<std::uint32_t> strands;
-  strands.reserve(firsts.size());
-  std::uint32_t strand = 0;
-  for (std::uint32_t first : firsts) {
-    while (groom.offsets[strand + 1] <= first) ++strand;
-    strands.push_back(strand);
-  }
-  return strands;
+      if ((groom.positions[v] != groom.positions[v + 1]) == with_length) segments.push_back({v, s});
+  return segments;
 }
 
 /// Embree's single precision misses rays near the surface of long segments, and finds rays that pass beside a segment
@@ -53,23 +49,24 @@ std::vector<std::uint32_t> segment_strands(const Groom& groom, const std::vector
 /// double.
 constexpr float k_wider = 1.02f;
 
-void fill_vertices(RTCGeometry geometry, const std::vector<glm::vec4>& spheres) {
+/// `count` spheres as Embree's vertices; sphere(i): position and radius. Null: no memory.
+bool fill_vertices(RTCGeometry geometry, std::size_t count, const auto& sphere) {
   auto* vertices = static_cast<glm::vec4*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, spheres.size()));
-  if (!vertices) return;
-  for (std::size_t v = 0; v < spheres.size(); ++v)
-    vertices[v] = glm::vec4(glm::vec3(spheres[v]), k_wider * spheres[v].w);
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), count));
+  if (!vertices) return false;
+  for (std::size_t i = 0; i < count; ++i) vertices[i] = sphere(i) * glm::vec4(1, 1, 1, k_wider);
+  return true;
 }
 
 /// Each segment is a round cone with both its end spheres (flags 0).
-void fill_segments(RTCGeometry geometry, const std::vector<std::uint32_t>& firsts) {
+void fill_segments(RTCGeometry geometry, const std::vector<RaySegment>& segments) {
   auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, firsts.size()));
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, segments.size()));
   auto* flags = static_cast<std::uint8_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, firsts.size()));
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, segments.size()));
   if (!indices || !flags) return;
-  std::copy(firsts.begin(), firsts.end(), indices);
-  std::fill_n(flags, firsts.size(), std::uint8_t(0));
+  for (std::size_t i = 0; i < segments.size(); ++i) indices[i] = segments[i].first;
+  std::fill_n(flags, segments.size(), std::uint8_t(0));
 }
 
 RTCRayHit make_ray(const glm::dvec3& origin, const glm::dvec3& direction) {
@@ -91,7 +88,8 @@ RTCRayHit make_ray(const glm::dvec3& origin, const glm::dvec3& direction) {
 struct RayGroom::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<std::uint32_t> first_of_segment, strand_of_segment;
+  std::vector<RaySegment> segments;  ///< those with a length, then those without
+  std::uint32_t with_length = 0;
   std::vector<glm::vec4> spheres;  ///< of the vertices: position, radius
 
   ~Impl() {
@@ -99,7 +97,15 @@ struct RayGroom::Impl {
     if (device) rtcReleaseDevice(device);
   }
   Result<void> build(const Groom& groom);
+  void attach(RTCGeometry geometry, unsigned id);
 };
+
+void RayGroom::Impl::attach(RTCGeometry geometry, unsigned id) {
+  rtcSetGeometryIntersectFilterFunction(geometry, collect_hit);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
 
 Result<void> RayGroom::Impl::build(const Groom& groom) {
   device = rtcNewDevice(nullptr);
@@ -107,22 +113,26 @@ Result<void> RayGroom::Impl::build(const Groom& groom) {
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) spheres.emplace_back(groom.positions[v], groom.radii[v]);
-  first_of_segment = segment_vertices(groom);
-  strand_of_segment = segment_strands(groom, first_of_segment);
-  if (!first_of_segment.empty()) {
+  segments = segments_of(groom, true);
+  with_length = std::uint32_t(segments.size());
+  const std::vector<RaySegment> points = segments_of(groom, false);
+  if (with_length > 0) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-    fill_vertices(geometry, spheres);
-    fill_segments(geometry, first_of_segment);
-    rtcSetGeometryIntersectFilterFunction(geometry, collect_hit);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+    if (fill_vertices(geometry, spheres.size(), [&](std::size_t v) { return spheres[v]; }))
+      fill_segments(geometry, segments);
+    attach(geometry, 0);
   }
+  if (!points.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    fill_vertices(geometry, points.size(), [&](std::size_t i) { return spheres[points[i].first]; });
+    attach(geometry, 1);
+  }
+  segments.insert(segments.end(), points.begin(), points.end());
   rtcCommitScene(scene);
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return {};
   const std::string message =
-      fmt::format("Embree could not build a tree over {} segments (error {})", first_of_segment.size(), int(error));
+      fmt::format("Embree could not build a tree over {} segments (error {})", segments.size(), int(error));
   return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"}
                                           : internal_error(message);
 }
@@ -158,19 +168,20 @@ void RayGroom::all_crossings(const glm::dvec3& origin, const glm::dvec3& directi
                              std::vector<Crossing>& crossings) const {
   thread_local Collector collector;
   rtcInitIntersectContext(&collector.context);
+  collector.first = {0, impl_->with_length};
   collector.segments.clear();
   RTCRayHit query = make_ray(origin, direction);
   rtcIntersect1(impl_->scene, &collector.context, &query);
-  std::vector<std::uint32_t>& segments = collector.segments;
-  std::sort(segments.begin(), segments.end());
-  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+  std::vector<std::uint32_t>& found = collector.segments;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   crossings.clear();
-  for (const std::uint32_t segment : segments) {
-    const glm::vec4* ends = &impl_->spheres[impl_->first_of_segment[segment]];
+  for (const std::uint32_t i : found) {
+    const RaySegment& segment = impl_->segments[i];
+    const glm::vec4* ends = &impl_->spheres[segment.first];
     const LineInterval interval = round_cone_interval(origin, direction, ends[0], ends[1]);
     if (interval.last > std::max(0.0, interval.first))
-      crossings.push_back(
-          {impl_->strand_of_segment[segment], float(std::max(0.0, interval.first)), float(interval.last)});
+      crossings.push_back({segment.strand, float(std::max(0.0, interval.first)), float(interval.last)});
   }
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
     return a.strand != b.strand ? a.strand < b.strand : a.entry < b.entry;

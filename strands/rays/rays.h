@@ -15,7 +15,7 @@ namespace cuticle::strands {
 /// A crossing of a ray with a fibre (entry and exit of one cylinder, and overlapping joints of one strand, count once).
 struct Crossing {
   std::uint32_t strand = 0;
-  float entry = 0, exit = 0;      ///< distances along the ray, metres
+  float entry = 0, exit = 0;  ///< distances along the ray, metres
 };
 
 /// A ray-traceable groom (round linear curves). Queries are thread-safe and deterministic.
@@ -23,7 +23,8 @@ class RayGroom {
  public:
   static Result<std::unique_ptr<RayGroom>> build(const Groom& groom);
   ~RayGroom();
-  /// All distinct crossings from origin (distance 0) along the unit direction, sorted by (entry, strand); `crossings` is cleared.
+  /// All distinct crossings from origin (distance 0) along the unit direction, sorted by (entry, strand); `crossings`
+  /// is cleared.
   void all_crossings(const glm::dvec3& origin, const glm::dvec3& direction, std::vector<Crossing>& crossings) const;
 
  private:
