@@ -17,4 +17,10 @@ strands::Groom point_casters(std::span<const glm::vec3> points, std::span<const 
 /// segment, or one for all.
 strands::Groom segment_casters(std::span<const glm::vec3> ends, std::span<const float> radii);
 
+/// A ball of smoke: points of one radius, normally distributed with a standard deviation, metres; the same each time.
+strands::Groom smoke(std::size_t points, double deviation, float radius);
+
+/// A crown of leaves: needles of one length and radius in all directions, distributed as the smoke.
+strands::Groom foliage(std::size_t leaves, double deviation, double length, float radius);
+
 }  // namespace cuticle::shadows

@@ -6,7 +6,6 @@
 
 #include <cuticle/shadows/clouds.h>
 #include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
 
 namespace cuticle::shadows::clouds_test {
 
@@ -15,36 +14,13 @@ namespace {
 constexpr double k_sigma = 0.05;
 constexpr std::size_t k_puffs = 40000, k_leaves = 60000;
 
-glm::dvec3 normal_point(std::mt19937_64& random) {
-  glm::dvec3 point;
-  for (int axis = 0; axis < 3; ++axis)
-    point[axis] =
-        std::sqrt(-2 * std::log(1 - tests::uniform(random))) * std::cos(2 * std::numbers::pi * tests::uniform(random));
-  return point;
-}
-/// A ball of smoke: puffs of 0.4 mm, normally distributed with a deviation of 50 mm.
-const strands::Groom& smoke() {
-  static const strands::Groom groom = [] {
-    std::mt19937_64 random(3);
-    std::vector<glm::vec3> points;
-    for (std::size_t i = 0; i < k_puffs; ++i) points.emplace_back(k_sigma * normal_point(random));
-    const float radius = 4e-4f;
-    return point_casters(points, std::span(&radius, 1));
-  }();
+/// Puffs of 0.4 mm, and needles 6 mm long and 0.2 mm thick, with a deviation of 50 mm.
+const strands::Groom& smoke_ball() {
+  static const strands::Groom groom = smoke(k_puffs, k_sigma, 4e-4f);
   return groom;
 }
-/// A crown of leaves: needles 6 mm long and 0.2 mm thick in all directions, normally distributed as the smoke.
-const strands::Groom& foliage() {
-  static const strands::Groom groom = [] {
-    std::mt19937_64 random(5);
-    std::vector<glm::vec3> ends;
-    for (std::size_t i = 0; i < k_leaves; ++i) {
-      const glm::dvec3 middle = k_sigma * normal_point(random), half = 0.003 * glm::normalize(normal_point(random));
-      ends.insert(ends.end(), {glm::vec3(middle - half), glm::vec3(middle + half)});
-    }
-    const float radius = 1e-4f;
-    return segment_casters(ends, std::span(&radius, 1));
-  }();
+const strands::Groom& leaf_crown() {
+  static const strands::Groom groom = foliage(k_leaves, k_sigma, 0.006, 1e-4f);
   return groom;
 }
 /// Mean projected area of a caster: the disc of a puff; a convex body's is a quarter of its surface.
@@ -70,25 +46,25 @@ constexpr const char* k_map = "resolution=128,filter_radius_mm=10,accumulate=poi
 
 TEST(Clouds, SmokeThroughEveryOpacityMap_FollowsTheExponentialLaw) {
   for (const char* method : {"opacity_map", "deep_opacity", "moments", "fourier"})
-    EXPECT_NEAR(measured(method, smoke(), k_map, 0.3) / expected(k_puffs, puff_area(), 0.3), 1, 0.05) << method;
+    EXPECT_NEAR(measured(method, smoke_ball(), k_map, 0.3) / expected(k_puffs, puff_area(), 0.3), 1, 0.05) << method;
 }
 
 TEST(Clouds, FoliageThroughEveryOpacityMap_FollowsTheExponentialLaw) {
   for (const char* method : {"opacity_map", "deep_opacity", "moments", "fourier"})
-    EXPECT_NEAR(measured(method, foliage(), k_map, 0.3) / expected(k_leaves, leaf_area(), 0.3), 1, 0.05) << method;
+    EXPECT_NEAR(measured(method, leaf_crown(), k_map, 0.3) / expected(k_leaves, leaf_area(), 0.3), 1, 0.05) << method;
 }
 
-TEST(Clouds, Truth_SeesFoliageAsTheMapsDo) {
+TEST(Clouds, Truth_SeesSmokeAndFoliageAsTheMapsDo) {
   if (!find_method("truth")) GTEST_SKIP() << "this build has no Embree";
-  EXPECT_NEAR(
-      measured("truth", foliage(), "rays=256,footprint_radius_mm=10", 0.3) / expected(k_leaves, leaf_area(), 0.3), 1,
-      0.05);
+  constexpr const char* k_rays = "rays=256,footprint_radius_mm=10";
+  EXPECT_NEAR(measured("truth", leaf_crown(), k_rays, 0.3) / expected(k_leaves, leaf_area(), 0.3), 1, 0.05);
+  EXPECT_NEAR(measured("truth", smoke_ball(), k_rays, 0.3) / expected(k_puffs, puff_area(), 0.3), 1, 0.05);
 }
 
 TEST(Clouds, InTheMiddle_HalfTheDepthCounts) {
   const std::vector<glm::vec3> middle(1, glm::vec3(0));
   const std::string set = "slices=32,resolution=64,filter_radius_mm=15,accumulate=poisson";
-  const auto half = tests::run_shadow("opacity_map", smoke(), middle, set, 0.3);
+  const auto half = tests::run_shadow("opacity_map", smoke_ball(), middle, set, 0.3);
   EXPECT_NEAR(double(half->values[0]) / std::sqrt(expected(k_puffs, puff_area(), 0.3)), 1, 0.06);
 }
 

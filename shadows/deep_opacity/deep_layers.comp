@@ -44,7 +44,8 @@ void write_ends() {
   for (uint lane = 0u; lane < k_lanes; ++lane) depth = max(depth, deepest[lane]);
   ends.count = push.layers;
   for (uint i = 0u; i < push.layers; ++i)
-    ends.end[i] = (push.flags & k_equal_opacity) != 0u ? crossing[i] : shared_end(depth, table[k_coverage_steps + 1u + i]);
+    ends.end[i] = (push.flags & k_equal_opacity) != 0u ? crossing[i]
+                                                         : shared_end(depth, table[k_coverage_steps + 1u + i]);
   ends = rising(ends);
   for (uint i = 0u; i < k_most_layers; ++i) ends_of_layers[i] = ends.end[i];
   ends_of_layers[k_most_layers] = fibre_coverage(histogram[k_weights], histogram[k_coverages]);

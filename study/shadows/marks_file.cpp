@@ -7,6 +7,7 @@
 
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
+#include <cuticle/shadows/clouds.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/grow.h>
@@ -64,8 +65,15 @@ Result<strands::Groom> grow_hair(const Json& json, const std::string& folder) {
 Result<strands::Groom> read_hair(const Json& json, const std::string& data, const std::string& folder) {
   if (json.contains("parts")) return read_parts(json, data);
   if (json.contains("specification")) return grow_hair(json, folder);
+  const auto cloud = [&](const char* count) { return json.at(count).get<std::size_t>(); };
+  const float radius = json.at("fibre_radius_m").get<float>();
+  if (json.contains("smoke_points"))
+    return shadows::smoke(cloud("smoke_points"), json.at("deviation_m").number(), radius);
+  if (json.contains("leaves"))
+    return shadows::foliage(cloud("leaves"), json.at("deviation_m").number(), json.at("leaf_length_m").number(),
+                            radius);
   strands::Groom coat = study_coat(json.at("coat_strands").get<int>());
-  std::fill(coat.radii.begin(), coat.radii.end(), json.at("fibre_radius_m").get<float>());
+  std::fill(coat.radii.begin(), coat.radii.end(), radius);
   return coat;
 }
 
