@@ -104,7 +104,7 @@ struct FrameRunner::Impl {
   Result<void> paint(int frame, FrameResult& result) {
     CUTICLE_ASSIGN(const gpu::SubmitCost cost,
                    picture->paint({.control_positions = &motion->positions(),
-                                   .control_before = motion->before(),
+                                   .control_motion = motion->control_motion(),
                                    .bounds = motion->bounds(),
                                    .head = motion->head(),
                                    .character = motion->character(),

@@ -1,5 +1,5 @@
 // Frames of small scenes: what is dispatched equals the plan, frames repeat bit by bit, and the picture is lit hair.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include <cuticle/plan/test_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,46 +19,7 @@
 namespace cuticle::plan::frame_runner_gpu_test {
 namespace {
 
-constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])";
-constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}})";
-constexpr std::string_view k_simulation = R"("simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})";
-constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
-constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
-constexpr std::string_view k_lines = R"("render": {"method": "lines"})";
-constexpr std::string_view k_cards = R"("render": {"method": "cards"})";
-constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
-constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
-constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
-constexpr std::string_view k_points = R"("passes": {"shade_strands": {"point_px": 8}})";
-constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
-constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
-
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
-
-scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
-  std::string text = R"({"schema_version": 1, "strand_count": 500, "strand_vertices": 12, "material": {"lut_size": 32},
-    "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})";
-  for (std::string_view part : parts) text += ", " + std::string(part);
-  const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
-  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
-  return *scene;
-}
-
-std::unique_ptr<FrameRunner> runner(std::initializer_list<std::string_view> parts) {
-  auto made = FrameRunner::create(device(), scene_of(parts), silent_progress());
-  EXPECT_TRUE(made) << (made ? "" : made.error().message);
-  return std::move(*made);
-}
-
-FrameResult frame_of(FrameRunner& runner, int frame) {
-  auto result = runner.run(frame, {.render = true, .read_state = true});
-  EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  return std::move(*result);
-}
+using namespace test_frames;
 
 std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> planned(const Plan& plan) {
   std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> counts;
@@ -160,70 +121,6 @@ TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
   EXPECT_LT(last, 0.008);
 }
 
-constexpr int k_depth = 4, k_strand = 8, k_velocity_x = 13;  // channels of FrameResult::aovs
-
-/// What the motion vectors of a frame are off, over how long they should be, where the hair was carried from `before`
-/// to where it is: both summed over the pixels that see hair.
-struct VectorError {
-  double off = 0, length = 0;
-};
-VectorError vector_error(const Image& layers, const Camera& now, const Camera& then, const glm::dmat4& before) {
-  const glm::dmat4 to_clip = projection_matrix(now) * view_matrix(now),
-                   to_clip_then = projection_matrix(then) * view_matrix(then) * before;
-  const glm::dvec2 size(layers.width, layers.height);
-  VectorError error;
-  for (int y = 0; y < layers.height; ++y)
-    for (int x = 0; x < layers.width; ++x) {
-      if (layers.at(x, y, k_strand) == 0) continue;
-      const glm::dvec4 at_depth = projection_matrix(now) * glm::dvec4(0, 0, -layers.at(x, y, k_depth), 1);
-      const glm::dvec2 middle = glm::dvec2(x, y) + 0.5, on_screen = 2.0 * middle / size - 1.0;
-      const glm::dvec4 place = glm::inverse(to_clip) * glm::dvec4(on_screen * at_depth.w, at_depth.z, at_depth.w);
-      const glm::dvec4 clip = to_clip_then * place;
-      const glm::dvec2 moved = middle - (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
-      const glm::dvec2 given(layers.at(x, y, k_velocity_x), layers.at(x, y, k_velocity_x + 1));
-      error.off += glm::length(given - moved);
-      error.length += glm::length(moved);
-    }
-  return error;
-}
-
-// F8. Measured: 2.6 % of the motion.
-TEST(FrameRunner, MotionVectorsOfAHeadThatTurns_AreThoseOfItsRigidMotion) {
-  const scene::Scene scene = scene_of({k_tiles, k_motion, k_velocity});
-  const HeadPath path = *HeadPath::create(scene, build_strand_set(scene)->pivot);
-  const auto made = runner({k_tiles, k_motion, k_velocity});
-  for (int frame : {11, 12}) {
-    const Camera& camera = scene.camera.camera;
-    const VectorError error =
-        vector_error(frame_of(*made, frame).aovs, camera, camera, path.at(frame - 1) * glm::inverse(path.at(frame)));
-    std::printf("frame %d: %.2f of %.2f pixels\n", frame, error.off, error.length);
-    EXPECT_GT(error.length, 50);
-    EXPECT_LT(error.off, 0.04 * error.length);
-  }
-}
-
-TEST(FrameRunner, MotionVectorsOfHairThatStands_AreThoseOfTheCamera) {
-  constexpr std::string_view turning = R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0],
-    "fov_deg": 30, "resolution_px": [64, 64], "turntable_deg_per_frame": 5})";
-  const scene::Scene scene = scene_of({k_quads, k_velocity, turning});
-  const VectorError error = vector_error(frame_of(*runner({k_quads, k_velocity, turning}), 3).aovs,
-                                         camera_at(scene.camera, {}, 3), camera_at(scene.camera, {}, 2), glm::dmat4(1));
-  EXPECT_GT(error.length, 50);
-  EXPECT_LT(error.off, 1e-3 * error.length);
-}
-
-TEST(FrameRunner, MotionVectorsOfSimulatedHair_BeginAtRest) {
-  const auto made = runner({k_tiles, k_simulation, k_motion, k_velocity});
-  for (int frame : {0, 12}) {
-    const Image layers = frame_of(*made, frame).aovs;
-    float longest = 0;
-    for (std::size_t k = k_velocity_x + 1; k < layers.pixels.size(); k += layers.channel_names.size())
-      longest = std::max(longest, std::abs(layers.pixels[k]));
-    std::printf("frame %d: up to %g pixels\n", frame, double(longest));
-    EXPECT_EQ(longest > 0.1f, frame > 0);
-  }
-}
-
 // H11: a quarter of the strands, four times as wide, shadows all of them.
 TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
   constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "caster_share": 0.25})";
@@ -232,6 +129,25 @@ TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
   const double open = mean(luminance(frame_of(*runner({k_light}), 0).color));
   std::printf("mean luminance: %.5f by all, %.5f by a quarter, %.5f without shadow\n", all, quarter, open);
   EXPECT_LT(std::abs(quarter - all), 0.16 * (open - all));
+}
+
+// The strands that far hair is drawn with cast for all: mean transmittance where hair is seen, of the same strands.
+TEST(FrameRunner, LevelOfDetail_CastsWithItsPrefixAsMuchAsAll) {
+  constexpr std::string_view all = R"("outputs": {"aovs": true})",
+                             level = R"("outputs": {"aovs": true}, "passes": {"quads": {"full_px": 4000}})";
+  const auto reached = [](const Image& layers) {
+    double sum = 0, seen = 0;
+    for (std::size_t p = k_strand; p < layers.pixels.size(); p += layers.channel_names.size()) {
+      if (layers.pixels[p] == 0) continue;
+      sum += double(layers.pixels[p + 2]);
+      ++seen;
+    }
+    return sum / seen;
+  };
+  const double by_all = reached(frame_of(*runner({k_light, k_shadow, k_quads, all}), 0).aovs),
+               by_level = reached(frame_of(*runner({k_light, k_shadow, k_quads, level}), 0).aovs);
+  std::printf("mean transmittance: %.4f by all, %.4f by a level\n", by_all, by_level);
+  EXPECT_LT(std::abs(by_level - by_all), 0.1 * (1 - by_all));
 }
 
 constexpr std::string_view k_wide_strands =
@@ -320,7 +236,8 @@ std::string differing_channel(const Image& picture, const Image& golden) {
 TEST(FrameRunner, PicturesAndLayers_AreTheStoredOnesAndAFaultOfOnePixelIsSeen) {
   constexpr std::string_view k_small = R"("outputs": {"aovs": true}, "camera": {"position_m": [0.2, 0.15, 1.1],
     "target_m": [0.03, 0.1, 0], "fov_deg": 12, "resolution_px": [32, 32]})";
-  for (const auto& [name, method] : {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}, {"cards", k_cards}}) {
+  for (const auto& [name, method] :
+       {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}, {"cards", k_cards}}) {
     FrameResult frame = frame_of(*runner({k_light, k_shadow, k_small, method}), 0);
     const Image& picture = frame.aovs.pixels.empty() ? frame.color : frame.aovs;
     const std::string path = fmt::format("{}/plan/golden/{}.exr", CUTICLE_SOURCE_DIR, name);

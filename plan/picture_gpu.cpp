@@ -7,8 +7,11 @@
 
 #include <cuticle/lut/bake_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
+#include <cuticle/render/passes/lines/frame_gpu.h>
+#include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/render/passes/resolve/resolve.h>
+#include <cuticle/render/passes/tile_lists/tile_lists.h>
 #include <cuticle/render/passes/tiles/tiles.h>
 #include <cuticle/render/passes/truth/rasterise.h>
 #include <cuticle/render/passes/truth/truth.h>
@@ -57,14 +60,18 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
 }
 
 Result<void> Picture::make_strands() {
-  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(device_, {.control = &set_.control,
-                                                                        .vertices_per_strand = scene_.strand_vertices,
-                                                                        .hairs = set_.hairs,
-                                                                        .weights = set_.weights,
-                                                                        .radius = set_.radius}));
+  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(
+                                 device_, {.control = &set_.control,
+                                           .vertices_per_strand = scene_.strand_vertices,
+                                           .hairs = set_.hairs,
+                                           .weights = set_.weights,
+                                           .radius = set_.radius,
+                                           .moves = bool(find_pass(plan_, "interpolate_velocities"))}));
   resources_.strands = {
       &generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
+  if (generator_->velocities()) resources_.velocities = &generator_->velocities();
+  resources_.frame_duration = 1 / scene_.frames_per_second;
   resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
   resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
@@ -155,14 +162,25 @@ Result<void> Picture::make_passes() {
 Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
   if (input.character) CUTICLE_TRY(input.character->record(commands));
   CUTICLE_TRY(generator_->record_smooth(commands, *input.control_positions));
-  return generator_->record_interpolate(commands);
+  CUTICLE_TRY(generator_->record_interpolate(commands));
+  if (!resources_.velocities) return {};
+  return generator_->record_velocities(commands, *input.control_positions, input.control_motion);
 }
 
-/// H11: shadows cast by a prefix of the strands, which are in random order, and received by all.
+/// How many strands the frame's level of detail draws, by whichever pass does.
+std::uint32_t Picture::strands_of_level() const {
+  for (const render::Pass* pass : {&render::lines::entry(), &render::quads::entry(), &render::tile_lists::entry()})
+    if (find_pass(plan_, pass->entry.name))
+      return render::lines::drawn_part(resources_, parameters_of(resources_, *pass)).strands;
+  return resources_.strands.segment_count / (resources_.vertices_per_strand - 1);
+}
+
+/// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.
 shadows::GpuStrands Picture::casters() const {
   shadows::GpuStrands strands = resources_.strands;
   const std::uint32_t segments = resources_.vertices_per_strand - 1, all = strands.segment_count / segments;
-  const auto casting = std::clamp(std::uint32_t(std::lround(scene_.caster_share * all)), std::min(1u, all), all);
+  const auto wanted = std::uint32_t(std::lround(scene_.caster_share * strands_of_level()));
+  const std::uint32_t casting = std::clamp(wanted, std::min(1u, all), all);
   strands.segment_count = casting * segments;
   strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
   return strands;
@@ -219,7 +237,7 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   resources_.camera = input.camera;
   resources_.camera_before = input.camera_before;
   resources_.control_positions = input.control_positions;
-  resources_.control_before = input.control_before;
+  resources_.control_motion = input.control_motion;
   resources_.control_vertices = std::uint32_t(set_.control.vertex_count());
   resources_.head_positions = input.character ? &input.character->mesh_positions() : nullptr;
   resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
@@ -264,8 +282,9 @@ Result<Image> Picture::read_color() const {
 Result<Image> Picture::read_aovs(const Image& color) const {
   if (!resources_.aovs) return Image{};
   CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
-  return resources_.motion_vectors ? with_channels(image, *resources_.motion_vectors, render::velocity::k_channels)
-                                   : image;
+  if (!resources_.motion_vectors) return image;
+  CUTICLE_ASSIGN(image, with_channels(image, *resources_.motion_vectors, render::velocity::k_channels));
+  return with_channels(image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
 }
 
 /// A picture's channels, then floats of a buffer, as many a pixel as there are names.

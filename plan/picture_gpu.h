@@ -15,7 +15,8 @@ namespace cuticle::plan {
 
 /// What changes from frame to frame.
 struct PictureInput {
-  const gpu::Buffer *control_positions = nullptr, *control_before = nullptr;  ///< now, and a frame before
+  const gpu::Buffer* control_positions = nullptr;
+  strands::ControlMotion control_motion;  ///< without values where no pass asks
   strands::Bounds bounds;
   glm::dmat4 head{1};
   CharacterMotion* character = nullptr;  ///< moved to the frame; null: the scene has none
@@ -52,6 +53,7 @@ class Picture {
   Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
                               std::span<const std::string_view> more_names) const;
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
+  std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
   Result<void> record_shadows(gpu::Commands& commands);
   Result<void> record_passes(gpu::Commands& commands);

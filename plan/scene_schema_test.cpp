@@ -50,7 +50,8 @@ TEST_P(OurScene, InTheRepository_IsAcceptedBySchemaAndLoader) {
   EXPECT_TRUE(loader_accepts(text));
 }
 INSTANTIATE_TEST_SUITE_P(SceneSchema, OurScene,
-                         testing::Values("demo.json", "demo_groom.json", "hairworks.json", "head_turn.json", "nalu.json", "still.json"));
+                         testing::Values("demo.json", "demo_groom.json", "frostbite.json", "hairworks.json",
+                                         "hairworks_split.json", "head_turn.json", "nalu.json", "still.json"));
 
 class BadScene : public testing::TestWithParam<const char*> {};
 TEST_P(BadScene, OfAnyKind_IsRefusedBySchemaAndLoader) {

@@ -30,7 +30,8 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
   } else if (!scene.simulation.solver) {
     CUTICLE_ASSIGN(motion->carried_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
   }
-  if (find_pass(plan, "velocity")) {
+  motion->hands_over_motion_ = find_pass(plan, "velocity") != nullptr;
+  if (motion->hands_over_motion_ && !scene.simulation.solver) {
     CUTICLE_ASSIGN(motion->before_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
   }
   return motion;
@@ -39,6 +40,12 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
 const gpu::Buffer& StrandMotion::positions() const {
   if (character_) return character_->positions();
   return solver_ ? solver_->positions() : carried_;
+}
+
+strands::ControlMotion StrandMotion::control_motion() const {
+  if (!hands_over_motion_) return {};
+  if (solver_) return {&solver_->velocities(), 0};
+  return {&before_, float(1 / scene_.frames_per_second)};
 }
 
 Result<void> StrandMotion::restart() {
@@ -63,7 +70,6 @@ Result<void> StrandMotion::settle() {
 
 Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
   gpu::Commands commands = device_->record();
-  if (before()) commands.copy(solver_->positions(), before_, before_.size());
   CUTICLE_TRY(solver_->record(
       commands, {.duration = 1 / scene_.frames_per_second,
                  .head_begin = begin,
@@ -86,8 +92,7 @@ Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
   }
   frame_ = frame;
   if (!solver_) CUTICLE_TRY(carry(carried_, head_));
-  if (!solver_ && before()) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));
-  if (solver_ && before() && frame == 0) CUTICLE_TRY(remember(solver_->positions()));
+  if (before_) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));
   CUTICLE_TRY(measure());
   return cost;
 }
@@ -98,15 +103,8 @@ Result<void> StrandMotion::carry(const gpu::Buffer& places, const glm::dmat4& he
   return device_->upload(places, std::as_bytes(std::span<const glm::vec4>(carried)));
 }
 
-Result<void> StrandMotion::remember(const gpu::Buffer& places) {
-  gpu::Commands commands = device_->record();
-  commands.copy(places, before_, before_.size());
-  CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
-  return {};
-}
-
 Result<void> StrandMotion::move_character(int frame) {
-  if (before()) {
+  if (before_) {
     character_->move_to(std::max(0, frame - 1));
     gpu::Commands commands = device_->record();
     CUTICLE_TRY(character_->record(commands));

@@ -24,9 +24,9 @@ class StrandMotion {
   const gpu::Buffer& positions() const;
   const strands::Bounds& bounds() const { return bounds_; }
   const glm::dmat4& head() const { return head_; }
-  /// Where the control hairs were a frame before, like positions(); of frame 0, where they are. Null unless the plan
-  /// holds the pass 'velocity'.
-  const gpu::Buffer* before() const { return before_.size() > 0 ? &before_ : nullptr; }
+  /// How they move: as the solver says; without one by where they were a frame before, of frame 0 where they are.
+  /// Without values unless the plan holds the pass 'velocity'.
+  strands::ControlMotion control_motion() const;
   /// Null where the scene has no character.
   CharacterMotion* character() const { return character_.get(); }
   Result<sim::State> state();
@@ -38,7 +38,6 @@ class StrandMotion {
   Result<void> settle();
   Result<gpu::SubmitCost> simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace);
   Result<void> carry(const gpu::Buffer& places, const glm::dmat4& head);
-  Result<void> remember(const gpu::Buffer& places);
   Result<void> move_character(int frame);
   Result<void> measure();
 
@@ -49,7 +48,8 @@ class StrandMotion {
   HeadPath path_;
   std::unique_ptr<sim::GpuSolver> solver_;      ///< null: carried
   std::unique_ptr<CharacterMotion> character_;  ///< null: carried rigidly
-  gpu::Buffer carried_, before_;
+  bool hands_over_motion_ = false;
+  gpu::Buffer carried_, before_;  ///< `before_`: where there is no solver
   strands::Bounds bounds_;
   glm::dmat4 head_{1};
   int frame_ = -1;

@@ -2,6 +2,7 @@
 #include <cuticle/plan/strand_set.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 
@@ -134,6 +135,29 @@ TEST(StrandSet, GrowingOnAMesh_IsRefusedByKey) {
   const auto set = build_strand_set(scene);
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("head.mesh"));
+}
+
+/// The frame of a scene of this repository.
+registry::FrameShape published(const std::string& name, std::uint32_t* casting = nullptr) {
+  const auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/" + name + ".json", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  const auto set = build_strand_set(*scene);
+  EXPECT_TRUE(set) << (set ? "" : set.error().message);
+  if (casting) *casting = std::uint32_t(std::lround(scene->caster_share * double(set->hairs.size())));
+  return shape_of(*scene, *set);
+}
+
+TEST(FrameShape, OfScenesAfterASystem_IsAsPublished) {
+  const registry::FrameShape nalu = published("nalu"), frostbite = published("frostbite");
+  EXPECT_EQ(nalu.strands, 4095u);
+  EXPECT_EQ(nalu.vertices, 122850u) << "123,000";
+  EXPECT_EQ(frostbite.vertices, 240000u);
+  std::uint32_t casting = 0;
+  const registry::FrameShape thick = published("hairworks", &casting), split = published("hairworks_split");
+  EXPECT_EQ(thick.strands, 200000u);
+  EXPECT_EQ(casting, 20000u);
+  EXPECT_NEAR(split.control_vertices, 10000, 100);
+  EXPECT_EQ(split.vertices, 500000u);
 }
 
 TEST(FrameShape, CountsStrandsVerticesAndSubsteps) {

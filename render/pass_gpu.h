@@ -9,6 +9,7 @@
 #include <cuticle/render/pass.h>
 #include <cuticle/shadows/method_gpu.h>
 #include <cuticle/strands/mesh.h>
+#include <cuticle/strands/spline/smooth_gpu.h>
 
 namespace cuticle::render {
 
@@ -54,11 +55,14 @@ struct FrameResources {
   const strands::Mesh* head = nullptr;                ///< rest pose
   const strands::Mesh* scalp = nullptr;               ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
-  /// Control hairs of this frame and of the one before, vec4 each; null where nothing asks how they moved.
-  const gpu::Buffer *control_positions = nullptr, *control_before = nullptr;
+  const gpu::Buffer* control_positions = nullptr;  ///< vec4 per control vertex
+  strands::ControlMotion control_motion;           ///< of these; without values where nothing asks how hair moves
+  double frame_duration = 0;                       ///< seconds
+  const gpu::Buffer* velocities = nullptr;         ///< vec4 per drawn vertex, m/s; null where nothing asks
   std::uint32_t control_vertices = 0;
-  Camera camera_before;                         ///< of the frame before; the frame's own in the first
-  const gpu::Buffer* motion_vectors = nullptr;  ///< vec2 per pixel: pixels since the frame before
+  Camera camera_before;                          ///< of the frame before; the frame's own in the first
+  const gpu::Buffer* seen_velocities = nullptr;  ///< of what a pixel sees, m/s: three floats; null where nothing asks
+  const gpu::Buffer* motion_vectors = nullptr;   ///< vec2 per pixel: pixels since the frame before
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
   const gpu::Texture *color = nullptr,

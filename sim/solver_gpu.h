@@ -15,6 +15,8 @@ class GpuSolver : public Solver {
   virtual Result<void> record(gpu::Commands& commands, const FrameInput& input) = 0;
   /// World positions after the recorded work, vec4 per control vertex.
   virtual const gpu::Buffer& positions() const = 0;
+  /// Velocities after the recorded work, as State::velocities has them: vec4 per control vertex, m/s.
+  virtual const gpu::Buffer& velocities() const = 0;
   /// Dispatches per effect name that `record` will make for this input: what a plan prints.
   virtual std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const = 0;
 

@@ -82,6 +82,7 @@ class ClassicGpuSolver final : public GpuSolver {
   }
 
   const gpu::Buffer& positions() const override { return buffers_.world; }
+  const gpu::Buffer& velocities() const override { return buffers_.velocities; }
 
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     const std::uint32_t count = substeps(settings_, input.duration);

@@ -15,6 +15,8 @@ class Authored {
   Result<void> advance(const FrameInput& input);
   std::span<const glm::vec3> places() const { return places_; }
   std::span<const float> weights() const { return weights_; }
+  std::span<const glm::vec3> velocities() const { return velocities_; }
+  std::span<const float> weight_rates() const { return weight_rates_; }  ///< 1/s
   /// The state between the simulated (given) and the authored motion.
   void blend(State& state) const;
 

@@ -16,7 +16,9 @@ class ControlledGpuSolver final : public GpuSolver {
     const std::vector<glm::vec4> places(vertices(), glm::vec4(0));
     CUTICLE_ASSIGN(places_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
     CUTICLE_ASSIGN(world_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
-    CUTICLE_ASSIGN(kernel_, device_->make_kernel(control_comp, {.storage_buffers = 3, .push_constant_bytes = 4}));
+    CUTICLE_ASSIGN(speeds_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
+    CUTICLE_ASSIGN(velocities_, gpu::make_buffer_from(*device_, std::span<const glm::vec4>(places)));
+    CUTICLE_ASSIGN(kernel_, device_->make_kernel(control_comp, {.storage_buffers = 6, .push_constant_bytes = 4}));
     return {};
   }
 
@@ -25,13 +27,13 @@ class ControlledGpuSolver final : public GpuSolver {
     CUTICLE_TRY(next.advance(input));
     CUTICLE_TRY(solver_->record(commands, input));
     authored_ = std::move(next);
-    std::vector<glm::vec4> places(vertices());
-    for (std::size_t i = 0; i < places.size(); ++i)
-      places[i] = glm::vec4(authored_.places()[i], authored_.weights()[i]);
-    CUTICLE_TRY(device_->upload(places_, std::as_bytes(std::span<const glm::vec4>(places))));
+    CUTICLE_TRY(upload(places_, authored_.places(), authored_.weights()));
+    CUTICLE_TRY(upload(speeds_, authored_.velocities(), authored_.weight_rates()));
     commands.begin_pass("simulate.control");
     const std::uint32_t count = static_cast<std::uint32_t>(vertices());
-    commands.dispatch(kernel_, {&solver_->positions(), &places_, &world_}, {}, gpu::bytes_of(count), (count + 63) / 64);
+    commands.dispatch(kernel_,
+                      {&solver_->positions(), &places_, &world_, &solver_->velocities(), &speeds_, &velocities_}, {},
+                      gpu::bytes_of(count), (count + 63) / 64);
     commands.end_pass();
     return {};
   }
@@ -45,6 +47,7 @@ class ControlledGpuSolver final : public GpuSolver {
   }
 
   const gpu::Buffer& positions() const override { return world_; }
+  const gpu::Buffer& velocities() const override { return velocities_; }
 
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     std::map<std::string, std::uint32_t> result = solver_->dispatches(input);
@@ -55,10 +58,17 @@ class ControlledGpuSolver final : public GpuSolver {
  private:
   std::size_t vertices() const { return authored_.places().size(); }
 
+  /// A vector and a number of each vertex.
+  Result<void> upload(const gpu::Buffer& buffer, std::span<const glm::vec3> vectors, std::span<const float> numbers) {
+    std::vector<glm::vec4> packed(vectors.size());
+    for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = glm::vec4(vectors[i], numbers[i]);
+    return device_->upload(buffer, std::as_bytes(std::span<const glm::vec4>(packed)));
+  }
+
   std::shared_ptr<gpu::Device> device_;
   std::unique_ptr<GpuSolver> solver_;
   Authored authored_;
-  gpu::Buffer places_, world_;
+  gpu::Buffer places_, speeds_, world_, velocities_;
   gpu::Kernel kernel_;
 };
 

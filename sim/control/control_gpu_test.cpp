@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing;
 
-TEST(ControlGpu, PositionsOnTheDevice_AreThoseOfTheBlendedState) {
+TEST(ControlGpu, PositionsAndVelocitiesOnTheDevice_AreThoseOfTheBlendedState) {
   const strands::Groom groom = ring(20);
   auto solver = control::controlled_gpu(device(), make_gpu("classic", groom, "", gravity()), groom,
                                         settings_of("control", "root=1,tip=0.25"))
@@ -17,6 +17,10 @@ TEST(ControlGpu, PositionsOnTheDevice_AreThoseOfTheBlendedState) {
       gpu::read_buffer<glm::vec4>(*device(), solver->positions(), groom.vertex_count()).value();
   const std::vector<glm::vec3> places(world.begin(), world.end());
   EXPECT_LT(worst_distance(places, state.positions), 1e-7);
+  const std::vector<glm::vec4> moving =
+      gpu::read_buffer<glm::vec4>(*device(), solver->velocities(), groom.vertex_count()).value();
+  const std::vector<glm::vec3> velocities(moving.begin(), moving.end());
+  EXPECT_LT(worst_distance(velocities, state.velocities), 1e-6);
   auto free = make_gpu("classic", groom, "", gravity());
   EXPECT_GT(worst_distance(run_frames(*free, 5).positions, state.positions), 0.01);
 }

@@ -97,6 +97,7 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
   const gpu::Buffer& positions() const override { return buffers_.world; }
+  const gpu::Buffer& velocities() const override { return buffers_.velocities; }
 
   std::map<std::string, std::uint32_t> dispatches(const FrameInput&) const override {
     return {{std::string(program_.name), 1}};

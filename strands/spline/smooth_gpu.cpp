@@ -7,7 +7,9 @@
 #include <cuticle/gpu/groups.h>
 
 #include <interpolate_comp.spv.h>
+#include <interpolate_velocity_comp.spv.h>
 #include <smooth_comp.spv.h>
+#include <smooth_velocity_comp.spv.h>
 
 namespace cuticle::strands {
 namespace {
@@ -16,6 +18,10 @@ constexpr float k_tip_radius = 0.5f;  // of the root's
 
 struct SmoothConstants {
   std::uint32_t hairs, vertices;
+};
+struct SmoothVelocityConstants {
+  SmoothConstants size;
+  float since;
 };
 struct InterpolateConstants {
   std::uint32_t strands, vertices, run;
@@ -63,12 +69,14 @@ struct StrandGenerator::Impl {
   std::shared_ptr<gpu::Device> device;
   std::size_t hairs = 0, strands = 0, vertices_per_strand = 0, run = 0;
   float radius = 0;
-  gpu::Kernel smooth, interpolate;
+  gpu::Kernel smooth, interpolate, smooth_velocity, interpolate_velocity;
   gpu::Buffer offsets, smoothed, hairs_of_strand, weights, vertices, tangents, segments;
+  gpu::Buffer smoothed_velocities, velocities;  ///< empty unless asked for
 
   Result<void> make_kernels();
   Result<void> upload(const StrandGeneratorInput& input);
   Result<void> make_outputs();
+  Result<void> make_velocities();
 };
 
 Result<void> StrandGenerator::Impl::make_kernels() {
@@ -96,10 +104,19 @@ Result<void> StrandGenerator::Impl::make_outputs() {
   return {};
 }
 
+Result<void> StrandGenerator::Impl::make_velocities() {
+  CUTICLE_ASSIGN(smoothed_velocities, device->make_buffer(smoothed.size()));
+  CUTICLE_ASSIGN(velocities, device->make_buffer(vertices.size()));
+  CUTICLE_ASSIGN(smooth_velocity, device->make_kernel(smooth_velocity_comp, {4, 0, sizeof(SmoothVelocityConstants)}));
+  CUTICLE_ASSIGN(interpolate_velocity, device->make_kernel(interpolate_velocity_comp, {4, 0, sizeof(SmoothConstants)}));
+  return {};
+}
+
 StrandGenerator::StrandGenerator(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 StrandGenerator::~StrandGenerator() = default;
 const gpu::Buffer& StrandGenerator::vertices() const { return impl_->vertices; }
 const gpu::Buffer& StrandGenerator::tangents() const { return impl_->tangents; }
+const gpu::Buffer& StrandGenerator::velocities() const { return impl_->velocities; }
 const gpu::Buffer& StrandGenerator::segments() const { return impl_->segments; }
 std::uint32_t StrandGenerator::vertex_count() const {
   return std::uint32_t(impl_->strands * impl_->vertices_per_strand);
@@ -123,6 +140,7 @@ Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr
   CUTICLE_TRY(impl->make_outputs());
   CUTICLE_TRY(impl->upload(input));
   CUTICLE_TRY(impl->make_kernels());
+  if (input.moves) CUTICLE_TRY(impl->make_velocities());
   return std::unique_ptr<StrandGenerator>(new StrandGenerator(std::move(impl)));
 }
 
@@ -146,6 +164,25 @@ Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
   commands.dispatch(impl_->interpolate,
                     {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},
                     {}, gpu::bytes_of(constants), groups.x, groups.y);
+  commands.end_pass();
+  return {};
+}
+
+Result<void> StrandGenerator::record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
+                                                const ControlMotion& motion) {
+  CUTICLE_EXPECT(impl_->velocities && motion.values, "a generator made for velocities is told them");
+  const auto per_strand = std::uint32_t(impl_->vertices_per_strand);
+  const SmoothVelocityConstants smooth{{std::uint32_t(impl_->hairs), per_strand}, motion.since};
+  const SmoothConstants interpolate{std::uint32_t(impl_->strands), per_strand};
+  const gpu::Groups controls = gpu::groups_for(impl_->hairs * impl_->vertices_per_strand),
+                    drawn = gpu::groups_for(impl_->strands * impl_->vertices_per_strand);
+  commands.begin_pass("generate.interpolate_velocities");
+  commands.dispatch(impl_->smooth_velocity,
+                    {&impl_->offsets, &control_positions, motion.values, &impl_->smoothed_velocities}, {},
+                    gpu::bytes_of(smooth), controls.x, controls.y);
+  commands.dispatch(impl_->interpolate_velocity,
+                    {&impl_->smoothed_velocities, &impl_->hairs_of_strand, &impl_->weights, &impl_->velocities}, {},
+                    gpu::bytes_of(interpolate), drawn.x, drawn.y);
   commands.end_pass();
   return {};
 }

@@ -13,6 +13,12 @@ struct StrandGeneratorInput {
   std::span<const std::array<std::uint32_t, 3>> hairs;  ///< per drawn strand: its three control strands
   std::span<const glm::vec3> weights;                   ///< per drawn strand, sum 1
   float radius = 35e-6f;                                ///< drawn fibre radius, metres; tapers to half at the tip
+  bool moves = false;                                   ///< whether there is room for velocities
+};
+/// How control vertices move: vec4 each, velocities in m/s, or where they were `since` > 0 seconds before.
+struct ControlMotion {
+  const gpu::Buffer* values = nullptr;
+  float since = 0;
 };
 /// N4 and N5 on the device: the passes "generate.smooth" (one thread per vertex of a smoothed control hair) and
 /// "generate.interpolate" (one thread per run of drawn vertices, tangents included), one dispatch each. The formulas
@@ -29,7 +35,14 @@ class StrandGenerator {
   ~StrandGenerator();
   Result<void> record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions);
   Result<void> record_interpolate(gpu::Commands& commands);
-  const gpu::Buffer& vertices() const;  ///< vec4 (position, radius)
+  /// F2: how the drawn vertices move, in two dispatches named "generate.interpolate_velocities": the derivative by time
+  /// of record_smooth and record_interpolate, along the control vertices' velocities, or the mean since they were where
+  /// they were (strand_generator_test: 5e-4 m/s off a difference of positions where vertices move at up to .7). Needs
+  /// StrandGeneratorInput::moves.
+  Result<void> record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
+                                 const ControlMotion& motion);
+  const gpu::Buffer& velocities() const;  ///< vec4, m/s
+  const gpu::Buffer& vertices() const;    ///< vec4 (position, radius)
   const gpu::Buffer& tangents()
       const;  ///< vec4 (unit tangent, fraction of length root -> tip, taken along the control hairs)
   const gpu::Buffer& segments() const;  ///< uint: first vertex of each segment

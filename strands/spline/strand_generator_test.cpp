@@ -1,4 +1,5 @@
 // The strands that the device generates, against smooth(), interpolate() and tangents() on the CPU.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -196,6 +197,53 @@ TEST(StrandGenerator, HairThatIsNotThere_IsRefusedNamingStrandAndRange) {
                                                  {.control = &control, .hairs = drawn.hairs, .weights = drawn.weights});
   ASSERT_FALSE(generator.ok());
   EXPECT_EQ(generator.error().message, "drawn strand 0: control hair 8 of 0..7");
+}
+
+/// Drawn vertices' velocities, from control vertices that move as told.
+std::vector<glm::vec4> velocities_of(const Groom& control, const Drawn& drawn, const std::vector<glm::vec4>& motion,
+                                     float since) {
+  auto generator = *StrandGenerator::create(device().shared_from_this(), {.control = &control,
+                                                                          .vertices_per_strand = k_vertices,
+                                                                          .hairs = drawn.hairs,
+                                                                          .weights = drawn.weights,
+                                                                          .moves = true});
+  const std::vector<glm::vec4> positions = padded(control);
+  const gpu::Buffer controls = *gpu::make_buffer_from<glm::vec4>(device(), positions),
+                    moving = *gpu::make_buffer_from<glm::vec4>(device(), motion);
+  gpu::Commands commands = device().record();
+  EXPECT_TRUE(generator->record_velocities(commands, controls, {&moving, since}).ok());
+  const auto cost = device().submit(std::move(commands));
+  EXPECT_TRUE(cost.ok()) << (cost ? "" : cost.error().message);
+  return *gpu::read_buffer<glm::vec4>(device(), generator->velocities(), generator->vertex_count());
+}
+
+// Control vertices that move apart, so that curves bend; the hair in one place, whose curve has no direction, is left
+// out.
+TEST(StrandGenerator, Velocities_AreTheDifferenceOfPositionsByTime) {
+  const Groom now = control_hairs();
+  Groom before = now;
+  std::vector<glm::vec4> velocities;
+  constexpr float k_since = 2e-3f;
+  for (std::size_t v = 0; v < now.vertex_count(); ++v) {
+    const float k = float(v);
+    velocities.emplace_back(0.3f * std::sin(k), 0.5f * std::cos(2 * k), -0.4f + 0.2f * std::sin(3 * k), 0);
+    before.positions[v] -= k_since * glm::vec3(velocities.back());
+  }
+  const Drawn drawn = drawn_on(std::uint32_t(now.strand_count()));
+  const Generated a = generate(before, drawn), b = generate(now, drawn);
+  const std::vector<glm::vec4> handed_over = velocities_of(now, drawn, velocities, 0),
+                               measured = velocities_of(now, drawn, padded(before), k_since);
+  float off = 0, off_measured = 0;
+  for (std::size_t v = 0; v < b.vertices.size(); ++v) {
+    const auto& hairs = drawn.hairs[v / k_vertices];
+    if (std::ranges::find(hairs, 5u) != hairs.end()) continue;
+    const glm::vec3 expected = glm::vec3(b.vertices[v] - a.vertices[v]) / k_since;
+    off = larger(off, glm::length(glm::vec3(handed_over[v]) - expected));
+    off_measured = larger(off_measured, glm::length(glm::vec3(measured[v]) - expected));
+  }
+  fmt::print("off by {:.4f} m/s along velocities, {:.5f} since then, of up to .7\n", off, off_measured);
+  EXPECT_LT(off, 7e-3f);
+  EXPECT_LT(off_measured, 7e-4f);
 }
 
 TEST(StrandGenerator, VerticesPastTheLargestBuffer_AreRefusedNamingTheLimit) {

@@ -38,8 +38,8 @@ Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(sa
 /// Tiles: order of transparency x shading points x level of detail.
 void add_tiles(std::vector<Variant>& list, bool all) {
   const std::vector<int> slices = all ? std::vector{0, 8, 32, 128} : std::vector{0, 32};
-  const std::vector<double> points = all ? std::vector{0.0, 4.0, 16.0} : std::vector{0.0, 8.0};
-  const std::vector<double> full = all ? std::vector{0.0, 1e4, 1e5} : std::vector{0.0, 1e4};
+  const std::vector<double> points = all ? std::vector{0.0, 16.0} : std::vector{0.0, 8.0};
+  const std::vector<double> full = all ? std::vector{0.0, 1e5} : std::vector{0.0, 1e4};
   for (int slice : slices)
     for (double point : points)
       for (double px : full) {

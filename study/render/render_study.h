@@ -28,7 +28,7 @@ struct RenderRow {
 
 struct RenderRequest {
   scene::Scene scene;  ///< its first frame, at rest, without head
-  int repeats = 5;
+  int repeats = 3;
   int truth_samples = 16;
   bool grows = true;  ///< every setting, and what a frame costs as strands, pixels and overlap grow
 };

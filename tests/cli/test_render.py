@@ -1,6 +1,7 @@
 """Pictures of a small scene from the command line, by every way of drawing strands."""
 import csv
 import json
+import re
 
 import pytest
 from program import refused, run
@@ -40,6 +41,17 @@ def test_Render_Costs_NameThePassesOfTheMethodAlone(pictures):
     for method, (costs, _) in pictures.items():
         names = {entry["name"] for entry in costs["passes"]}
         assert names & {"cards", "lines", "quads", "tiles"} == {method} - {"truth"}
+
+
+def test_Render_SimulatedScene_PrintsWhatSimulatingGeneratingAndRenderingCost(scene, tmp_path):
+    moving = tmp_path / "moving.json"
+    moving.write_text(json.dumps(json.loads(scene.read_text()) | {"simulation": {"solver": {"rod": {}}}}))
+    done = run("render", moving, "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    parts = re.findall(r"(simulate|generate|render) ([\d.]+) ms \((\d+) %\)", done.stdout)
+    assert [name for name, _, _ in parts] == ["simulate", "generate", "render"]
+    whole = sum(float(ms) for _, ms, _ in parts)
+    assert all(0 < float(ms) and abs(float(ms) / whole - int(share) / 100) < 0.006 for _, ms, share in parts)
 
 
 def test_Render_UnknownMethod_IsRefusedWithTheKnownOnes(scene):

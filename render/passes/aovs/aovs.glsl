@@ -9,22 +9,26 @@ layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, binding = 3) writeonly buffer Aovs { float aovs[]; };  // k_channels of aovs.h
+layout(std430, binding = 4) readonly buffer Velocities { vec4 velocities[]; };
+layout(std430, binding = 5) writeonly buffer SeenVelocities { float seen_velocities[]; };  // three a pixel
 layout(push_constant) uniform Push {
   mat4 world_to_clip;
   uvec2 resolution;
   uint vertices_per_strand;
   uint drawn_segments;  // of a strand
   uint shadowed;        // 1: there is transmittance
+  uint moves;           // 1: there are velocities
 };
 
 const uint k_channels = 9u;
 
-/// What the shader that includes this finds out; its source stands at binding 4.
+/// What the shader that includes this finds out; its source stands at binding 6.
 Seen seen_in(uint pixel);
 
 void write_aovs(uint pixel) {
   if (pixel >= resolution.x * resolution.y) return;
   Seen own = seen_in(pixel);
+  vec3 velocity = vec3(0.0);
   float values[k_channels] = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(own.cost));
   if (own.first != own.last) {
     vec3 from = vertices[own.first].xyz, to = vertices[own.last].xyz;
@@ -32,9 +36,12 @@ void write_aovs(uint pixel) {
     float share = share_at(world_to_clip, middle, vec2(resolution), from, to);
     vec3 tangent = normalize(mix(tangents[own.first].xyz, tangents[own.last].xyz, share));
     float reached = shadowed == 0u ? 1.0 : mix(transmittance[own.first], transmittance[own.last], share);
+    if (moves != 0u) velocity = mix(velocities[own.first].xyz, velocities[own.last].xyz, share);
     values = float[]((world_to_clip * vec4(mix(from, to, share), 1.0)).w, tangent.x, tangent.y, tangent.z,
                      float(own.first / vertices_per_strand + 1u), own.coverage, reached, float(own.samples),
                      float(own.cost));
   }
   for (uint k = 0u; k < k_channels; ++k) aovs[pixel * k_channels + k] = values[k];
+  if (moves == 0u) return;
+  for (uint k = 0u; k < 3u; ++k) seen_velocities[3u * pixel + k] = velocity[k];
 }

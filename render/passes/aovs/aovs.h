@@ -18,5 +18,7 @@ inline constexpr std::string_view k_channels[] = {
     "samples.Y",                                  // segments (tiles) or strands (quads) that the colour was made of
     "cost.Y",                                     // segments looked at (tiles) or strands shaded (quads)
 };
+/// With the pass 'velocity': what the seen point's velocity is, m/s, world, as the solver hands it over.
+inline constexpr std::string_view k_velocity_channels[] = {"world_velocity.X", "world_velocity.Y", "world_velocity.Z"};
 
 }  // namespace cuticle::render::aovs

@@ -16,45 +16,54 @@ namespace {
 struct Push {
   glm::mat4 world_to_clip;
   glm::uvec2 resolution;
-  std::uint32_t vertices_per_strand, drawn_segments, shadowed;
+  std::uint32_t vertices_per_strand, drawn_segments, shadowed, moves;
 };
 
 class Aovs : public GpuPass {
  public:
-  Aovs(gpu::Kernel kernel, gpu::Buffer values) : kernel_(std::move(kernel)), values_(std::move(values)) {}
+  Aovs(gpu::Kernel kernel, gpu::Buffer values, gpu::Buffer velocities)
+      : kernel_(std::move(kernel)), values_(std::move(values)), velocities_(std::move(velocities)) {}
 
-  void publish(FrameResources& resources) const override { resources.aovs = &values_; }
+  void publish(FrameResources& resources) const override {
+    resources.aovs = &values_;
+    if (velocities_) resources.seen_velocities = &velocities_;
+  }
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const Camera& camera = resources.camera;
     const bool shadowed = !resources.transmittance.empty();
-    const Push push{glm::mat4(projection_matrix(camera) * view_matrix(camera)), glm::uvec2(camera.resolution),
+    const Push push{glm::mat4(projection_matrix(camera) * view_matrix(camera)),
+                    glm::uvec2(camera.resolution),
                     resources.vertices_per_strand,
                     lines::drawn_part(resources, parameters_of(resources, quads::entry())).segments,
-                    shadowed ? 1u : 0u};
+                    shadowed ? 1u : 0u,
+                    velocities_ ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(std::size_t(push.resolution.x) * push.resolution.y);
     const gpu::Buffer *vertices = resources.strands.vertices, *tangents = resources.tangents,
-                      *reached = shadowed ? resources.transmittance[0] : tangents;
+                      *reached = shadowed ? resources.transmittance[0] : tangents,
+                      *moving = velocities_ ? resources.velocities : tangents,
+                      *seen_velocities = velocities_ ? &velocities_ : &values_;
     if (resources.seen_samples)
-      commands.dispatch(kernel_, {vertices, tangents, reached, &values_}, {resources.seen_samples}, gpu::bytes_of(push),
-                        groups.x, groups.y);
+      commands.dispatch(kernel_, {vertices, tangents, reached, &values_, moving, seen_velocities},
+                        {resources.seen_samples}, gpu::bytes_of(push), groups.x, groups.y);
     else
-      commands.dispatch(kernel_, {vertices, tangents, reached, &values_, resources.seen}, {}, gpu::bytes_of(push),
-                        groups.x, groups.y);
+      commands.dispatch(kernel_, {vertices, tangents, reached, &values_, moving, seen_velocities, resources.seen}, {},
+                        gpu::bytes_of(push), groups.x, groups.y);
     return {};
   }
 
  private:
   gpu::Kernel kernel_;
   gpu::Buffer values_;
+  gpu::Buffer velocities_;  ///< empty where nothing asks
 };
 
 /// By what the strands' pass leaves: samples of a visibility buffer, or what each pixel sees.
 Result<gpu::Kernel> make_kernel(gpu::Device& device, const FrameResources& resources) {
-  if (!resources.seen_samples) return device.make_kernel(aovs_comp, {5, 0, sizeof(Push)});
+  if (!resources.seen_samples) return device.make_kernel(aovs_comp, {7, 0, sizeof(Push)});
   const int samples = resources.seen_samples->samples();
   const gpu::ShaderInterface interface {
-    4, 1, sizeof(Push), { std::uint32_t(samples) }
+    6, 1, sizeof(Push), { std::uint32_t(samples) }
   };
   return samples > 1 ? device.make_kernel(aovs_many_comp, interface) : device.make_kernel(aovs_one_comp, interface);
 }
@@ -63,7 +72,11 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   const std::size_t pixels = std::size_t(resources.camera.resolution.x) * std::size_t(resources.camera.resolution.y);
   CUTICLE_ASSIGN(gpu::Kernel kernel, make_kernel(*device, resources));
   CUTICLE_ASSIGN(gpu::Buffer values, device->make_buffer(pixels * std::size(k_channels) * sizeof(float)));
-  return std::unique_ptr<GpuPass>(std::make_unique<Aovs>(std::move(kernel), std::move(values)));
+  gpu::Buffer velocities;
+  if (resources.velocities) {
+    CUTICLE_ASSIGN(velocities, device->make_buffer(pixels * std::size(k_velocity_channels) * sizeof(float)));
+  }
+  return std::unique_ptr<GpuPass>(std::make_unique<Aovs>(std::move(kernel), std::move(values), std::move(velocities)));
 }
 
 }  // namespace

@@ -12,7 +12,10 @@ layout(std430, binding = 0) readonly buffer Frame {
   uint nodes;                 // along each axis
   uint vertex_count;
   uvec2 resolution;
+  float frame_duration;  // what velocities are multiplied by; 0: control vertices come with where they were before
 };
+
+vec3 moved(vec4 now, vec4 motion) { return frame_duration > 0.0 ? frame_duration * motion.xyz : now.xyz - motion.xyz; }
 
 uint node_index(uvec3 node) { return (node.z * nodes + node.y) * nodes + node.x; }
 

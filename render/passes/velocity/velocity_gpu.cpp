@@ -25,6 +25,7 @@ struct GridFrame {
   glm::vec4 eye, right, up, forward, lower, nodes_per_metre;
   std::uint32_t nodes, vertex_count;
   glm::uvec2 resolution;
+  float frame_duration, unused;
 };
 
 struct Kernels {
@@ -50,7 +51,9 @@ GridFrame frame_of(const FrameResources& resources, std::uint32_t nodes) {
           .nodes_per_metre = glm::vec4(float(nodes - 1) / (bounds.upper - bounds.lower), 0),
           .nodes = nodes,
           .vertex_count = resources.control_vertices,
-          .resolution = glm::uvec2(camera.resolution)};
+          .resolution = glm::uvec2(camera.resolution),
+          .frame_duration = resources.control_motion.since > 0 ? 0 : float(resources.frame_duration),
+          .unused = 0};
 }
 
 class Velocity : public GpuPass {
@@ -73,14 +76,14 @@ class Velocity : public GpuPass {
 
  private:
   void record_grid(gpu::Commands& commands, const FrameResources& resources) const {
-    const gpu::Buffer *now = resources.control_positions, *before = resources.control_before;
+    const gpu::Buffer *now = resources.control_positions, *motion = resources.control_motion.values;
     const gpu::Groups vertices = gpu::groups_for(resources.control_vertices),
                       nodes = gpu::groups_for(std::size_t(nodes_) * nodes_ * nodes_);
     commands.fill(buffers_.largest, 0);
     commands.fill(buffers_.sums, 0);
-    commands.dispatch(kernels_.largest, {&buffers_.frame, now, before, &buffers_.largest}, {}, {}, vertices.x,
+    commands.dispatch(kernels_.largest, {&buffers_.frame, now, motion, &buffers_.largest}, {}, {}, vertices.x,
                       vertices.y);
-    commands.dispatch(kernels_.splat, {&buffers_.frame, now, before, &buffers_.largest, &buffers_.sums}, {}, {},
+    commands.dispatch(kernels_.splat, {&buffers_.frame, now, motion, &buffers_.largest, &buffers_.sums}, {}, {},
                       vertices.x, vertices.y);
     commands.dispatch(kernels_.mean, {&buffers_.frame, &buffers_.sums, &buffers_.largest, &buffers_.grid}, {}, {},
                       nodes.x, nodes.y);

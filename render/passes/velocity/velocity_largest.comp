@@ -4,12 +4,12 @@
 #include "cuticle/render/passes/velocity/velocity.glsl"
 #include "cuticle/render/finite.glsl"
 layout(std430, binding = 1) readonly buffer Now { vec4 now[]; };
-layout(std430, binding = 2) readonly buffer Before { vec4 before[]; };
+layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };
 layout(std430, binding = 3) buffer Largest { uint largest; };  // bits of a float that is not negative: these order alike
 
 void main() {
   uint vertex = invocation();
-  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(before[vertex])) return;
-  vec3 moved = abs(now[vertex].xyz - before[vertex].xyz);
-  atomicMax(largest, floatBitsToUint(max(moved.x, max(moved.y, moved.z))));
+  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(motion[vertex])) return;
+  vec3 way = abs(moved(now[vertex], motion[vertex]));
+  atomicMax(largest, floatBitsToUint(max(way.x, max(way.y, way.z))));
 }

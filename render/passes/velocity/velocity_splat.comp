@@ -4,16 +4,16 @@
 #include "cuticle/render/passes/velocity/velocity.glsl"
 #include "cuticle/render/finite.glsl"
 layout(std430, binding = 1) readonly buffer Now { vec4 now[]; };
-layout(std430, binding = 2) readonly buffer Before { vec4 before[]; };
+layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };
 layout(std430, binding = 3) readonly buffer Largest { float largest; };
 layout(std430, binding = 4) buffer Sums { int sums[]; };  // per node: displacement x, y, z and weight
 
 void main() {
   uint vertex = invocation();
-  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(before[vertex])) return;
+  if (vertex >= vertex_count || !is_finite(now[vertex]) || !is_finite(motion[vertex])) return;
   float unit = 1073741824.0 / float(vertex_count);  // all of them in one node stay below 2^31
-  vec3 moved = now[vertex].xyz - before[vertex].xyz, share;
-  vec4 value = vec4(largest > 0.0 ? moved / largest : vec3(0.0), 1.0);
+  vec3 way = moved(now[vertex], motion[vertex]), share;
+  vec4 value = vec4(largest > 0.0 ? way / largest : vec3(0.0), 1.0);
   uvec3 below = node_below(now[vertex].xyz, share);
   for (uint corner = 0u; corner < 8u; ++corner) {
     uint node;

@@ -1,0 +1,55 @@
+#pragma once
+// Frames of small scenes, made of parts of a scene file.
+#include <cuticle/plan/frame_runner_gpu.h>
+
+#include <gtest/gtest.h>
+
+#include <cuticle/plan/plan.h>
+
+namespace cuticle::plan::test_frames {
+
+inline constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])";
+inline constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}})";
+inline constexpr std::string_view k_simulation =
+    R"("simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})";
+inline constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
+inline constexpr std::string_view k_tiles = R"("render": {"method": "tiles"})";
+inline constexpr std::string_view k_lines = R"("render": {"method": "lines"})";
+inline constexpr std::string_view k_cards = R"("render": {"method": "cards"})";
+inline constexpr std::string_view k_quads = R"("render": {"method": "quads"})";
+inline constexpr std::string_view k_truth = R"("render": {"method": "truth"})";
+inline constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
+inline constexpr std::string_view k_points = R"("passes": {"shade_strands": {"point_px": 8}})";
+inline constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
+inline constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
+
+inline std::shared_ptr<gpu::Device> device() {
+  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+  return opened ? *opened : nullptr;
+}
+
+inline scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
+  std::string text = R"({"schema_version": 1, "strand_count": 500, "strand_vertices": 12, "material": {"lut_size": 32},
+    "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})";
+  for (std::string_view part : parts) text += ", " + std::string(part);
+  const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  return *scene;
+}
+
+inline std::unique_ptr<FrameRunner> runner(std::initializer_list<std::string_view> parts) {
+  auto made = FrameRunner::create(device(), scene_of(parts), silent_progress());
+  EXPECT_TRUE(made) << (made ? "" : made.error().message);
+  return std::move(*made);
+}
+
+inline FrameResult frame_of(FrameRunner& runner, int frame) {
+  auto result = runner.run(frame, {.render = true, .read_state = true});
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return std::move(*result);
+}
+
+inline constexpr int k_depth = 4, k_strand = 8, k_velocity_x = 13, k_speed_x = 15;  // channels of FrameResult::aovs
+
+}  // namespace cuticle::plan::test_frames

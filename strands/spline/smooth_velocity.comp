@@ -1,0 +1,33 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// How the vertices of the smoothed control hairs move: the curve through control vertices a moment later less that a
+// moment earlier.
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/strands/spline/bezier.glslh"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };    // hairs + 1
+layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };  // world positions
+layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };      // velocities, or positions before
+layout(std430, binding = 3) writeonly buffer Smoothed { vec4 smoothed[]; };  // hairs x vertices: velocity
+layout(push_constant) uniform Constants { uint hairs; uint vertices; float since; };
+
+const float k_moment = 1e-3;  // seconds: hair moves a small part of a segment, and many rounding errors
+float moment;                 // along the velocities; with positions before: 0 now, else then
+
+vec3 control_at(uint k) {
+  if (since > 0.0) return moment == 0.0 ? controls[k].xyz : motion[k].xyz;
+  return controls[k].xyz + moment * motion[k].xyz;
+}
+#include "cuticle/strands/spline/smooth.glsl"
+
+void main() {
+  const uint i = invocation();
+  if (i >= hairs * vertices) return;
+  const uint first = offsets[i / vertices], count = offsets[i / vertices + 1u] - first;
+  moment = since > 0.0 ? 0.0 : k_moment;
+  const vec3 later = smoothed_at(first, count, i % vertices, vertices).xyz;
+  moment = -k_moment;
+  const vec3 earlier = smoothed_at(first, count, i % vertices, vertices).xyz;
+  smoothed[i] = vec4((later - earlier) / (since > 0.0 ? since : 2.0 * k_moment), 0.0);
+}
