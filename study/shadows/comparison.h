@@ -63,6 +63,7 @@ struct ErrorStatistics {
 struct DeviceCost {
   std::string device;
   double wall_ms = 0, build_ms = 0, lookup_ms = 0;
+  std::vector<std::pair<std::string, double>> passes;  ///< name and milliseconds of each, in their order
 };
 struct ComparisonRow {
   std::string method, settings;  ///< settings as `--set` would take them: what differs from the defaults

@@ -20,6 +20,17 @@ Json error_json(std::string_view method, const ErrorStatistics& error) {
           {"bias_interval", error.bias_interval}};
 }
 
+Json device_json(const DeviceCost& cost) {
+  Json json{{"device", cost.device},
+            {"wall_ms", cost.wall_ms},
+            {"build_timestamp_ms", cost.build_ms},
+            {"lookup_timestamp_ms", cost.lookup_ms}};
+  json["passes"] = Json::list();
+  for (const auto& [name, milliseconds] : cost.passes)
+    json["passes"].push_back({{"name", name}, {"timestamp_ms", milliseconds}});
+  return json;
+}
+
 Json row_json(const ComparisonRow& row) {
   Json json = error_json(row.method, row.error);
   json["settings"] = row.settings;
@@ -31,11 +42,7 @@ Json row_json(const ComparisonRow& row) {
   json["total_ms"] = row.total_ms;
   json["bytes"] = row.cost.bytes;
   json["device"] = row.cost.device;
-  if (row.on_device)
-    json["on_device"] = {{"device", row.on_device->device},
-                         {"wall_ms", row.on_device->wall_ms},
-                         {"build_timestamp_ms", row.on_device->build_ms},
-                         {"lookup_timestamp_ms", row.on_device->lookup_ms}};
+  if (row.on_device) json["on_device"] = device_json(*row.on_device);
   if (row.flicker) json["light_flicker"] = row.flicker->light;
   if (row.flicker && row.flicker->motion) json["motion_flicker"] = *row.flicker->motion;
   return json;

@@ -10,9 +10,12 @@ namespace {
 constexpr int k_submissions = 5;
 
 DeviceCost cost_of(const gpu::SubmitCost& submitted, const std::string& device) {
-  DeviceCost cost{device, submitted.wall_ms, 0, 0};
-  for (std::size_t i = 0; i < submitted.passes.size(); ++i)
-    (i + 1 == submitted.passes.size() ? cost.lookup_ms : cost.build_ms) += submitted.passes[i].gpu_ms;
+  DeviceCost cost{device, submitted.wall_ms, 0, 0, {}};
+  for (std::size_t i = 0; i < submitted.passes.size(); ++i) {
+    const gpu::PassCost& pass = submitted.passes[i];
+    (i + 1 == submitted.passes.size() ? cost.lookup_ms : cost.build_ms) += pass.gpu_ms;
+    cost.passes.emplace_back(pass.name, pass.gpu_ms);
+  }
   return cost;
 }
 
