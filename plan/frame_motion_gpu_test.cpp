@@ -1,5 +1,5 @@
 // How hair moves, as its pixels say: motion vectors by the grid, and the velocities that the solver hands over.
-#include <cuticle/plan/test_frames.h>
+#include <cuticle/tests/support/small_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace cuticle::plan::frame_motion_gpu_test {
 namespace {
 
-using namespace test_frames;
+using namespace tests;
 
 /// What a pixel sees of the hair, in the world.
 glm::dvec3 seen_point(const Image& layers, const Camera& camera, int x, int y) {

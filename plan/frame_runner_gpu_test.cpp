@@ -1,5 +1,5 @@
 // Frames of small scenes: what is dispatched equals the plan, frames repeat bit by bit, and the picture is lit hair.
-#include <cuticle/plan/test_frames.h>
+#include <cuticle/tests/support/small_frames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@
 namespace cuticle::plan::frame_runner_gpu_test {
 namespace {
 
-using namespace test_frames;
+using namespace tests;
 
 std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> planned(const Plan& plan) {
   std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> counts;

@@ -6,7 +6,7 @@
 
 #include <cuticle/plan/plan.h>
 
-namespace cuticle::plan::test_frames {
+namespace cuticle::tests {
 
 inline constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])";
 inline constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}})";
@@ -23,7 +23,7 @@ inline constexpr std::string_view k_points = R"("passes": {"shade_strands": {"po
 inline constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
 inline constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
-inline std::shared_ptr<gpu::Device> device() {
+inline std::shared_ptr<gpu::Device> software_device() {
   static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
@@ -33,18 +33,18 @@ inline scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
   std::string text = R"({"schema_version": 1, "strand_count": 500, "strand_vertices": 12, "material": {"lut_size": 32},
     "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})";
   for (std::string_view part : parts) text += ", " + std::string(part);
-  const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
+  const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", plan::catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
   return *scene;
 }
 
-inline std::unique_ptr<FrameRunner> runner(std::initializer_list<std::string_view> parts) {
-  auto made = FrameRunner::create(device(), scene_of(parts), silent_progress());
+inline std::unique_ptr<plan::FrameRunner> runner(std::initializer_list<std::string_view> parts) {
+  auto made = plan::FrameRunner::create(software_device(), scene_of(parts), silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }
 
-inline FrameResult frame_of(FrameRunner& runner, int frame) {
+inline plan::FrameResult frame_of(plan::FrameRunner& runner, int frame) {
   auto result = runner.run(frame, {.render = true, .read_state = true});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return std::move(*result);
@@ -52,4 +52,4 @@ inline FrameResult frame_of(FrameRunner& runner, int frame) {
 
 inline constexpr int k_depth = 4, k_strand = 8, k_velocity_x = 13, k_speed_x = 15;  // channels of FrameResult::aovs
 
-}  // namespace cuticle::plan::test_frames
+}  // namespace cuticle::tests
