@@ -1,7 +1,7 @@
 // What a frame of hair on a moving mesh costs: 200,000 strands of 36 vertices from 10,000 guides of 7, skin -> targets
 // -> smooth -> interpolate -> vertex buffer, on two CPU threads and as kernels in one submission (CUTICLE_DEVICE
 // chooses the device): bench_strands_frame [bench/reference.json]. The best of 10 frames; memory over that of positions
-// and tangents.
+// and tangents; then a kernel that does nothing but write as much, the floor of any frame on that device.
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 #include <ctime>
@@ -11,9 +11,12 @@
 #include <cuticle/strands/skinning/skinning.h>
 #include <cuticle/strands/spline/vertex_stream.h>
 #ifdef CUTICLE_HAS_GPU
+#include <cuticle/gpu/groups.h>
 #include <cuticle/strands/binding/carry_gpu.h>
 #include <cuticle/strands/skinning/skinning_gpu.h>
 #include <cuticle/strands/spline/smooth_gpu.h>
+
+#include <vertex_stores_comp.spv.h>
 #endif
 #include "calibration.h"
 
@@ -100,6 +103,23 @@ void on_cpu(Fur& fur, double scale) {
 }
 
 #ifdef CUTICLE_HAS_GPU
+Result<void> stores_alone(gpu::Device& device, const StrandGenerator& strands, double scale) {
+  constexpr std::uint32_t constants[] = {k_strands, k_vertices};
+  constexpr gpu::ShaderInterface interface { .storage_buffers = 2, .push_constant_bytes = sizeof(constants) };
+  CUTICLE_ASSIGN(const gpu::Kernel kernel, device.make_kernel(vertex_stores_comp, interface));
+  const gpu::Groups groups = gpu::groups_for(k_strands);
+  Result<void> outcome;
+  const Cost cost = cost_of([&](int) {
+    gpu::Commands commands = device.record();
+    commands.dispatch(kernel, {&strands.vertices(), &strands.tangents()}, {}, std::as_bytes(std::span(constants)),
+                      groups.x, groups.y);
+    if (const auto done = device.submit(std::move(commands)); !done) outcome = done.error();
+  });
+  CUTICLE_TRY(outcome);
+  print("its stores", cost, scale, strands.vertices().size() + strands.tangents().size());
+  return {};
+}
+
 Result<void> on_device(const Fur& fur, double scale) {
   CUTICLE_ASSIGN(const auto device, gpu::Device::open());
   CUTICLE_ASSIGN(GpuSkin mesh, GpuSkin::create(*device, fur.skin, fur.influences, 2));
@@ -120,7 +140,7 @@ Result<void> on_device(const Fur& fur, double scale) {
   CUTICLE_TRY(outcome);
   fmt::print("{}\n", device->info().name);
   print("device", cost, scale, device->allocated_bytes());
-  return {};
+  return stores_alone(*device, *strands, scale);
 }
 #endif
 
