@@ -47,11 +47,14 @@ registry::Fact character_fact(const scene::Scene& scene) {
                                               : fmt::format("'{}' moves the skin of {}", scene.character->clip, file)};
 }
 
+registry::Fact asked(bool asks, std::string_view name) {
+  return {asks, fmt::format("the scene {} '{}'", asks ? "asks for" : "does not ask for", name)};
+}
+
 void add_effects(const scene::Scene& scene, registry::Facts& facts) {
   for (const registry::Entry* effect : catalogue().effects) {
     const std::string name(effect->name);
-    const bool asked = scene.simulation.effects.contains(name);
-    facts[name] = {asked, fmt::format("the scene {} '{}'", asked ? "asks for" : "does not ask for", name)};
+    facts[name] = asked(scene.simulation.effects.contains(name), name);
   }
 }
 
@@ -63,6 +66,26 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   facts["seen_segments"] = {scene.render_method == "quads" || scene.render_method == "tiles", why};
   facts["drawn_on_device"] = {scene.render_method != "truth", why};
   facts["shaded_from_tables"] = {scene.render_method != "cards", why};
+}
+
+/// Passes over the finished picture run where the scene names them; they read how far away each pixel is.
+void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
+  registry::Fact depth{false, "no pass reads the depth of the pixels"};
+  for (const registry::Entry* pass : catalogue().passes) {
+    if (pass->stage != registry::Stage::output) continue;
+    const std::string name(pass->name);
+    facts[name] = asked(scene.passes.contains(name), name);
+    if (facts[name].holds) depth = {true, fmt::format("'{}' reads the depth of the pixels", name)};
+  }
+  facts["pixel_depth"] = depth;
+}
+
+void add_layers(const scene::Scene& scene, registry::Facts& facts) {
+  // Tiles leave the depth of hair in the layers alone.
+  const bool hair_depth = facts["pixel_depth"].holds && scene.render_method == "tiles";
+  const bool moves = scene.passes.contains("velocity"), layers = scene.outputs.aovs || moves || hair_depth;
+  facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
+  facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
 }
 
 }  // namespace
@@ -84,15 +107,9 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["head"] = head_fact(scene);
   facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
-  const bool dual = scene.passes.contains("dual_scattering");
-  facts["dual_scattering"] = {
-      dual, dual ? "the scene asks for dual scattering" : "the scene does not ask for dual scattering"};
-  const bool casts = scene.passes.contains("surface_shadow");
-  facts["surface_shadow"] = {casts, casts ? "the scene asks for shadows between hair and surfaces"
-                                          : "the scene does not ask for shadows between hair and surfaces"};
-  const bool moves = scene.passes.contains("velocity"), layers = scene.outputs.aovs || moves;
-  facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
-  facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
+  for (const char* pass : {"dual_scattering", "surface_shadow"}) facts[pass] = asked(scene.passes.contains(pass), pass);
+  add_picture_filters(scene, facts);
+  add_layers(scene, facts);
   return facts;
 }
 

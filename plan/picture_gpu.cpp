@@ -21,6 +21,8 @@ namespace cuticle::plan {
 
 namespace {
 
+static_assert(scene::k_most_lights == render::k_max_lights);
+
 /// Texels across a pixel. Quads have multisampling alone; the truth's own scene has none, and is not the place to save.
 int supersampling(const Plan& plan) {
   if (find_pass(plan, "quads")) return 1;
@@ -135,7 +137,8 @@ Result<void> Picture::make_targets(glm::ivec2 resolution) {
   resources_.supersampling = supersampling(plan_);
   const glm::ivec2 size = resolution * resources_.supersampling;
   CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
-  CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true}));
+  const bool read = samples > 1 && find_pass(plan_, "pixel_depth");
+  CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true, read}));
   CUTICLE_ASSIGN(output_, device_->make_texture({resolution, TextureFormat::rgba32f, Filter::nearest, 1, true}));
   if (samples > 1) {
     CUTICLE_ASSIGN(resolved_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, 1, true}));

@@ -50,6 +50,7 @@ struct FrameResources {
   const gpu::Buffer* seen = nullptr;                  ///< Seen per pixel of the picture
   const gpu::Texture* seen_samples = nullptr;         ///< r32u, as large as the targets: per sample the segment, from 1
   const gpu::Buffer* aovs = nullptr;                  ///< floats per pixel: aovs::k_channels
+  const gpu::Buffer* pixel_depth = nullptr;           ///< float per pixel: 1 / distance of the nearest thing; 0: none
   std::uint32_t vertices_per_strand = 0;              ///< of the drawn strands, all alike
   double strand_radius = 35e-6;                       ///< of a drawn strand, metres, at the root
   const strands::Mesh* head = nullptr;                ///< rest pose

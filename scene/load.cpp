@@ -9,6 +9,7 @@
 
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
+#include <cuticle/scene/environment.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
@@ -198,6 +199,24 @@ Result<void> read_lights(const Reader& root, Scene& scene) {
   return {};
 }
 
+Result<void> read_environment(const Reader& root, Scene& scene) {
+  if (!root.has("environment")) return {};
+  const Reader reader = root.child("environment");
+  Environment environment;
+  reader.get("lights", environment.lights);
+  reader.get("turn_deg", environment.turn_degrees);
+  reader.get("scale", environment.scale);
+  if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
+    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights`; allowed are {} in all", root.where,
+                                 environment.lights, scene.lights.size(), k_most_lights));
+  CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
+  CUTICLE_ASSIGN(const Image picture, read_image(name));
+  const auto lights = environment_lights(picture, environment);
+  if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
+  scene.lights.insert(scene.lights.end(), lights->begin(), lights->end());
+  return {};
+}
+
 void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   if (!root.has("shadow")) return;
   const Reader reader = root.child("shadow");
@@ -260,6 +279,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   read_simulation(root, catalogue, scene);
   read_colliders(root.child("colliders"), scene);
   CUTICLE_TRY(read_lights(root, scene));
+  CUTICLE_TRY(read_environment(root, scene));
   read_shadow(root, catalogue, scene);
   CUTICLE_TRY(read_camera(root.child("camera"), scene));
   read_counts(root, catalogue, scene);

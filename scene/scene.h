@@ -78,6 +78,9 @@ struct Outputs {
 /// The ways in which strands become pixels.
 inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth"};
 
+/// Lights of a scene, those of its environment with them.
+inline constexpr std::size_t k_most_lights = 8;
+
 struct Scene {
   int schema_version = 1;
   std::string name;

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include <cuticle/core/image/image.h>
+
 namespace cuticle::scene::scene_test {
 namespace {
 
@@ -141,6 +143,20 @@ TEST(Scene, OtherVersion_IsRefused) {
 TEST(Scene, MissingFile_IsNamedWithItsKey) {
   expect_refused(R"("groom": {"file": "gone.hair"})", {"groom.file", "/gone.hair"});
   expect_refused(R"("motion": {"bvh": "gone.bvh"})", {"motion.bvh", "/gone.bvh"});
+}
+
+TEST(Scene, Environment_AddsLightsUpToEightInAll) {
+  const std::string name = (std::filesystem::temp_directory_path() / "cuticle_scene_sky.exr").string();
+  Image sky = make_image(8, 4, {"R", "G", "B"});
+  for (float& value : sky.pixels) value = 1;
+  ASSERT_TRUE(write_exr(name, sky, ExrType::single));
+  const std::string key =
+      R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}], "environment": {"file": ")" + name;
+  const auto scene = parsed(key + R"(", "lights": 7})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->lights.size(), 8u);
+  expect_refused(key + R"(", "lights": 8})", {"environment.lights", "8 in all"});
+  expect_refused(R"("environment": {"lights": 2})", {"environment.file", "missing"});
 }
 
 TEST(Scene, VariableInAFileName_IsReplacedOrNamed) {

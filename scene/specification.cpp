@@ -128,7 +128,15 @@ Spec lights() {
                       {text("name", "for messages"),
                        required(numbers("to_light", 3, -1e6, 1e6, "direction from the scene to the light")),
                        required(numbers("irradiance", 3, 0, 1e6, "on a plane facing the light, linear Rec.709"))});
-  return array("lights", 8, "lights; none: no shading by light and no shadow", std::move(light));
+  return array("lights", k_most_lights, "lights; none: no shading by light and no shadow", std::move(light));
+}
+
+Spec environment() {
+  return object(
+      "environment", "light from all around, as distant lights beside `lights`, eight in all",
+      {required(file("file", "picture in latitude and longitude, linear radiance: top row up, middle at +z")),
+       integer("lights", 1, 8, "at most, of like luminance; 6 unless given"),
+       real("turn_deg", -360, 360, "about the vertical, +z towards +x"), real("scale", 0, 1e6, "of the radiance")});
 }
 
 Spec shadow(const Catalogue& catalogue) {
@@ -166,15 +174,27 @@ Spec render() {
 Spec specification(const Catalogue& catalogue) {
   return object(
       "", "A scene of Cuticle.",
-      {required(integer("schema_version", 1, 1, "version of this format")), text("name", "for people"), groom(), head(),
-       motion(), character(), material(catalogue), simulation(catalogue), colliders(), lights(), shadow(catalogue),
+      {required(integer("schema_version", 1, 1, "version of this format")),
+       text("name", "for people"),
+       groom(),
+       head(),
+       motion(),
+       character(),
+       material(catalogue),
+       simulation(catalogue),
+       colliders(),
+       lights(),
+       environment(),
+       shadow(catalogue),
        camera(),
        integer("strand_count", 1, 10000000, "drawn strands; those of a file or a grooming specification are all drawn"),
        integer("strand_vertices", 2, strands::k_most_vertices,
                "vertices of each drawn strand; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
             "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
-       real("frames_per_second", 1, 1000, "frame rate"), outputs(), render(),
+       real("frames_per_second", 1, 1000, "frame rate"),
+       outputs(),
+       render(),
        blocks("passes", "parameters of render passes", catalogue.passes)});
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+// Light from all around, as a few distant lights.
+#include <vector>
+
+#include <cuticle/core/image/image.h>
+#include <cuticle/core/result.h>
+#include <cuticle/core/view.h>
+
+namespace cuticle::scene {
+
+/// How a picture of the surroundings becomes lights.
+struct Environment {
+  int lights = 6;           ///< at most; fewer where fewer texels shine
+  double turn_degrees = 0;  ///< about the vertical: what the middle column shows goes from +z towards +x
+  double scale = 1;         ///< of the radiance
+};
+
+/// Distant lights of a picture in latitude and longitude (twice as wide as high; linear radiance in its first three
+/// channels; top row up, middle column at +z, its right at -x): the sphere is cut into regions of like luminance, the
+/// brightest across its longer side until there are enough, and each region shines from its mean direction with all its
+/// light (Debevec, A Median Cut Algorithm for Light Probe Sampling, 2005). `irradiance` of all lights together is the
+/// integral of radiance over the sphere, within float rounding (environment_test). A black picture gives no lights.
+/// Errors: bad_input names the shape, or the first texel that is negative or not finite.
+Result<std::vector<Light>> environment_lights(const Image& picture, const Environment& environment);
+
+}  // namespace cuticle::scene
