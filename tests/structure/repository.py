@@ -12,7 +12,7 @@ CODE = (".cpp", ".h", ".glslh", ".comp", ".vert", ".frag", ".py", ".sh")
 ARROWS = {
     "core": [], "core/image": ["core"], "gpu": ["core"], "bsdf": ["core"], "study/oracle": ["core"],
     "strands": ["core"], "strands/rays": ["strands"], "strands/cards": ["strands", "core/image"], "lut": ["bsdf", "core/image"],
-    "shadows": ["strands"], "sim": ["strands"], "scene": ["strands"],
+    "shadows": ["strands"], "sim": ["strands"], "scene": ["strands", "core/image"],
     "render": ["bsdf", "lut", "shadows", "scene", "core/image", "strands/cards"], "plan": ["scene", "sim", "shadows", "render"],
     "study": ["plan", "strands/rays", "study/oracle", "lut", "gpu"], "viz": ["strands", "bsdf", "lut", "shadows", "sim"], "play": ["plan", "gpu"],
 }
