@@ -8,6 +8,7 @@
 #include <cuticle/cli/shared_files.h>
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
+#include <cuticle/shadows/channels.h>
 #include <cuticle/shadows/footprint.h>
 #include <cuticle/shadows/light_frame.h>
 #include <cuticle/study/shadows/comparison.h>
@@ -20,7 +21,7 @@ namespace {
 
 struct ShadowsOptions {
   std::string groom, light = "1,1,0.3", methods = "none,opacity_map", layers, resolutions, filters, filter_texels,
-                     spacings, points, out, camera, weights = "at_vertices";
+                     spacings, points, out, alpha_rgb, camera, weights = "at_vertices";
   strands::ReadOptions read;
   study::Request request;
   double alpha = 0.4, footprint_mm = 0;
@@ -123,20 +124,42 @@ void print_points(const std::vector<std::string>& names, std::span<const glm::ve
   fmt::print("\n");
 }
 
+/// A candidate's transmittance at the points: one column, or one for each of three opacities.
+Result<Columns> evaluate_columns(const study::Candidate& candidate, const shadows::Casters& casters,
+                                 std::span<const glm::vec3> points, const std::optional<glm::dvec3>& opacities) {
+  if (!opacities) {
+    CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {points}, candidate.values));
+    return Columns{std::move(result.values)};
+  }
+  CUTICLE_ASSIGN(const auto result,
+                 shadows::evaluate_channels(*candidate.method, casters, *opacities, {points}, candidate.values));
+  Columns columns(3);
+  for (const glm::vec3& value : result.values)
+    for (int channel = 0; channel < 3; ++channel) columns[std::size_t(channel)].push_back(value[channel]);
+  return columns;
+}
+
 Result<int> print_at_points(const ShadowsOptions& options, const shadows::Casters& casters) {
   CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
   const double footprint = footprint_of(options, *casters.groom);
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, footprint));
   CUTICLE_ASSIGN(auto candidates, study::candidates_of(method_names(options), sweep));
   CUTICLE_TRY(set_truth(options, footprint, candidates));
+  std::optional<glm::dvec3> opacities;
+  if (!options.alpha_rgb.empty()) {
+    CUTICLE_ASSIGN(opacities, parse_direction("--alpha-rgb", options.alpha_rgb));
+  }
   std::vector<std::string> names;
   Columns columns;
   for (const study::Candidate& candidate : candidates) {
-    CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {points}, candidate.values));
-    columns.push_back(std::move(result.values));
+    CUTICLE_ASSIGN(Columns of_candidate, evaluate_columns(candidate, casters, points, opacities));
+    std::move(of_candidate.begin(), of_candidate.end(), std::back_inserter(columns));
     const auto same = std::count_if(candidates.begin(), candidates.end(),
                                     [&](const auto& other) { return other.method == candidate.method; });
-    names.push_back(column_name(candidate, same == 1));
+    const std::string name = column_name(candidate, same == 1);
+    for (const char* channel : {".R", ".G", ".B"})
+      if (opacities) names.push_back(name + channel);
+    if (!opacities) names.push_back(name);
   }
   print_points(names, points, columns);
   return int(Exit::ok);
@@ -283,6 +306,10 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--at", options.points,
                      "CSV with columns x,y,z in metres: print each method's transmittance there");
+  command
+      .add_option("--alpha-rgb", options.alpha_rgb,
+                  "with --at: the opacity for red, green and blue light, a,b,c; a column each")
+      ->needs("--at");
   command.add_option("--out", options.out, "folder for study.json, study.csv, receivers.csv and the page");
 }
 

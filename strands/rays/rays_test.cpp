@@ -133,6 +133,10 @@ TEST(RayGroom, TaperedFibre_EntryAndExitLieOnTheCone) {
   EXPECT_NEAR(crossings[0].entry, 1 - radius, 1e-6);
   EXPECT_NEAR(crossings[0].exit, 1 + radius, 1e-6);
   EXPECT_EQ(crossings_of(groom, {0.5, -1, 0}, {0, -1, 0}).size(), 0u) << "behind the ray";
+  // The sphere reaches to the circle that the cone touches it in, at x = 0.1 x 0.08.
+  const auto on_sphere = crossings_of(groom, {0.004, -1, 0}, {0, 1, 0});
+  ASSERT_EQ(on_sphere.size(), 1u);
+  EXPECT_NEAR(on_sphere[0].exit - on_sphere[0].entry, 2 * std::sqrt(0.01 - 0.004 * 0.004), 1e-6);
 }
 
 TEST(RayGroom, StraightFibre_EntryAndExitAreOneDiameterApart) {

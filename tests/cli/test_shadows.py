@@ -66,6 +66,17 @@ def test_Shadows_AtPoints_OneColumnAMethod(groom, tmp_path):
     assert 0 <= float(below["truth"]) < 0.5 and abs(float(below["opacity_map"]) - float(below["truth"])) < 0.1
 
 
+def test_Shadows_OpacityOfEachChannel_OneColumnEach(groom, tmp_path):
+    points = tmp_path / "points.csv"
+    points.write_text("x,y,z\n0.02,-0.01,0.015\n")
+    light = ["--light", "0,1,0", "--methods", "opacity_map", "--at", points]
+    row, = rows(*options(groom), *light, "--alpha-rgb", "0,0.4,0.9")
+    grey, = rows(*options(groom), *light, "--alpha", "0.4")
+    assert list(row) == ["x", "y", "z", "opacity_map.R", "opacity_map.G", "opacity_map.B"]
+    assert row["opacity_map.R"] == "1" and row["opacity_map.G"] == grey["opacity_map"]
+    assert float(row["opacity_map.B"]) < float(row["opacity_map.G"]) < 1
+
+
 def test_Shadows_Folder_HoldsTheStudysData(groom, tmp_path):
     folder = tmp_path / "out"
     rows(*options(groom), "--out", folder)
@@ -90,6 +101,7 @@ def test_StudyShadows_Marks_EndWithOneWhereOneIsNotMet(tmp_path):
     (2, ["--light", "0,0,0"], "light"), (2, ["--light", "1,0"], "--light"), (2, ["--methods", "opacity_mop"], "opacity_map"),
     (2, ["--layers", "1"], "slices"), (2, ["--layers", "2.5"], "--layers"), (2, ["--filter", "-1"], "--filter"),
     (2, ["--methods", "deep_opacity", "--spacing", "linear"], "geometric"), (3, ["--at", "missing.csv"], "missing.csv"),
+    (2, ["--alpha-rgb", "0.1,0.2,0.3"], "--at"),
 ])
 def test_Shadows_BadInput_IsRefused(groom, code, extra, word):
     assert word in refused(code, *options(groom), *extra)
