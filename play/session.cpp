@@ -1,6 +1,7 @@
 #include <cuticle/play/session.h>
 
 #include <chrono>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -82,16 +83,15 @@ Result<scene::Scene> Session::changed(const Actions& actions) const {
   return next;
 }
 
-/// True where the next picture differs from the last of the same frame.
-Result<bool> Session::change(const Actions& actions) {
+/// The scene before, where the next picture differs from the last of the same frame.
+Result<std::optional<scene::Scene>> Session::change(const Actions& actions) {
   const bool nothing = actions.camera == CameraMove{} && actions.method.empty() && actions.changes.empty();
-  if (nothing) return false;
+  if (nothing) return std::optional<scene::Scene>();
   const Clock::time_point start = Clock::now();
   CUTICLE_ASSIGN(scene::Scene next, changed(actions));
   CUTICLE_TRY(runner_->change(next, progress_));
-  scene_ = std::move(next);
   if (!actions.method.empty() || !actions.changes.empty()) cost_.change_ms = milliseconds_since(start);
-  return true;
+  return std::optional(std::exchange(scene_, std::move(next)));
 }
 
 int Session::next_frame(const Actions& actions) const {
@@ -101,17 +101,18 @@ int Session::next_frame(const Actions& actions) const {
 
 Result<bool> Session::advance(const Actions& actions) {
   const Clock::time_point start = Clock::now();
-  const scene::Scene before = scene_;
-  CUTICLE_ASSIGN(const bool differs, change(actions));
+  CUTICLE_ASSIGN(std::optional<scene::Scene> before, change(actions));
   paused_ = paused_ != actions.toggle_pause;
   const int next = next_frame(actions);
-  if (next == frame_ && !differs) return false;
+  if (next == frame_ && !before) return false;
   if (Result<plan::FrameResult> drawn = runner_->run(next); drawn) {
     shown_ = std::move(*drawn);
   } else {
     // Some limits are noticed only when a frame is recorded.
-    if (differs) CUTICLE_TRY(runner_->change(before, progress_));
-    scene_ = before;
+    if (before) {
+      CUTICLE_TRY(runner_->change(*before, progress_));
+      scene_ = std::move(*before);
+    }
     return drawn.error();
   }
   frame_ = next;

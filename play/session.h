@@ -63,7 +63,7 @@ class Session {
       : scene_(scene), progress_(progress), frames_(frames) {}
   /// The scene with the actions done to it.
   Result<scene::Scene> changed(const Actions& actions) const;
-  Result<bool> change(const Actions& actions);
+  Result<std::optional<scene::Scene>> change(const Actions& actions);
   int next_frame(const Actions& actions) const;
 
   scene::Scene scene_;
