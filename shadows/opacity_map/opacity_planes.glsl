@@ -1,5 +1,5 @@
-// The four targets of a drawn map, and the exponent of T in them: four 4-vector dot products with tent weights, which are
-// the same for all texels. The shader that includes this binds three buffers before.
+// The four targets of a drawn map, and the exponent of T in them: four 4-vector dot products with tent weights, which
+// are the same for all texels. The shader that includes this binds three buffers before.
 #include "cuticle/shadows/map_filter.glsl"
 #include "cuticle/shadows/opacity_map/tent_planes.glsl"
 
