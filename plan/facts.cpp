@@ -19,9 +19,11 @@ registry::Fact strands_fact(const scene::Scene& scene) {
 
 registry::Fact colliders_fact(const scene::Scene& scene) {
   const bool own = scene.head_colliders;
-  if (!own && scene.colliders.empty()) return {false, "the scene has no colliders"};
-  if (scene.colliders.empty()) return {true, "the head collides"};
-  return {true, counted(scene.colliders.size(), "sphere collider") + (own ? " and the head's" : "")};
+  std::string what;
+  if (!scene.colliders.empty()) what = counted(scene.colliders.size(), "sphere collider");
+  if (!scene.boxes.empty()) what += (what.empty() ? "" : ", ") + counted(scene.boxes.size(), "capsule or box collider");
+  if (what.empty()) return {own, own ? "the head collides" : "the scene has no colliders"};
+  return {true, what + (own ? " and the head's" : "")};
 }
 
 registry::Fact motion_fact(const scene::Scene& scene) {

@@ -70,11 +70,12 @@ Result<void> StrandMotion::settle() {
 
 Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(solver_->record(
-      commands, {.duration = 1 / scene_.frames_per_second,
-                 .head_begin = begin,
-                 .head_end = end,
-                 .colliders = find_pass(plan_, "colliders") ? set_.colliders : std::span<const Sphere>()}));
+  const bool collides = find_pass(plan_, "colliders") != nullptr;
+  CUTICLE_TRY(solver_->record(commands, {.duration = 1 / scene_.frames_per_second,
+                                         .head_begin = begin,
+                                         .head_end = end,
+                                         .colliders = collides ? set_.colliders : std::span<const Sphere>(),
+                                         .boxes = collides ? set_.boxes : std::span<const RoundedBox>()}));
   return device_->submit(std::move(commands), trace);
 }
 

@@ -238,6 +238,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
   }
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
+  set.boxes = scene.boxes;
   CUTICLE_TRY(limit(scene, set));
   return set;
 }

@@ -22,6 +22,7 @@ struct StrandSet {
   std::shared_ptr<const strands::Character> character;  ///< what the control hairs follow; null: the head
   std::vector<strands::Root> control_roots;             ///< on the character's mesh, one per control hair
   std::vector<Sphere> colliders;                        ///< in the head's rest space
+  std::vector<RoundedBox> boxes;                        ///< colliders as well, there too
   glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots
   std::vector<std::string> notes;  ///< what was guessed, one sentence each
 };

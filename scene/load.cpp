@@ -5,7 +5,9 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <cuticle/core/file.h>
 #include <cuticle/core/json/json.h>
@@ -175,15 +177,50 @@ void read_simulation(const Reader& root, const Catalogue& catalogue, Scene& scen
   reader.get("settle_time_s", scene.simulation.settle_time);
 }
 
-void read_colliders(const Reader& reader, Scene& scene) {
+std::vector<Reader> items(const Reader& reader, const char* key) {
+  std::vector<Reader> result;
+  if (reader.has(key))
+    for (const Json& item : reader.value[key]) result.push_back({item, reader.where, reader.folder});
+  return result;
+}
+
+RoundedBox read_capsule(const Reader& fields) {
+  glm::dvec3 from(0), to(0);
+  double radius = 0;
+  fields.get("from_m", from);
+  fields.get("to_m", to);
+  fields.get("radius_m", radius);
+  return make_capsule(from, to, radius);
+}
+
+Result<RoundedBox> read_box(const Reader& fields, const std::string& path) {
+  RoundedBox box;
+  double degrees = 0;
+  fields.get("center_m", box.center);
+  fields.get("size_m", box.half_size);
+  box.half_size /= 2;
+  fields.get("rounding_m", box.radius);
+  fields.get("turn_degrees", degrees);
+  if (degrees == 0) return box;
+  CUTICLE_ASSIGN(const glm::dvec3 axis, direction(fields, "turn_axis", path));
+  box.axes = glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), axis));
+  return box;
+}
+
+Result<void> read_colliders(const Reader& reader, Scene& scene) {
   reader.get("head", scene.head_colliders);
-  if (!reader.has("spheres")) return;
-  for (const Json& item : reader.value["spheres"]) {
+  for (const Reader& fields : items(reader, "spheres")) {
     Sphere& sphere = scene.colliders.emplace_back();
-    const Reader fields{item, reader.where, reader.folder};
     fields.get("center_m", sphere.center);
     fields.get("radius_m", sphere.radius);
   }
+  for (const Reader& fields : items(reader, "capsules")) scene.boxes.push_back(read_capsule(fields));
+  std::size_t count = 0;
+  for (const Reader& fields : items(reader, "boxes")) {
+    CUTICLE_ASSIGN(const RoundedBox box, read_box(fields, fmt::format("colliders.boxes[{}]", count++)));
+    scene.boxes.push_back(box);
+  }
+  return {};
 }
 
 Result<void> read_lights(const Reader& root, Scene& scene) {
@@ -277,7 +314,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   CUTICLE_TRY(read_character(root, scene));
   read_material(root.child("material"), catalogue, scene);
   read_simulation(root, catalogue, scene);
-  read_colliders(root.child("colliders"), scene);
+  CUTICLE_TRY(read_colliders(root.child("colliders"), scene));
   CUTICLE_TRY(read_lights(root, scene));
   CUTICLE_TRY(read_environment(root, scene));
   read_shadow(root, catalogue, scene);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cuticle/core/registry/entry.h>
+#include <cuticle/core/rounded_box.h>
 #include <cuticle/core/view.h>
 #include <cuticle/strands/character/convention.h>
 #include <cuticle/strands/growing/specification.h>
@@ -92,6 +93,7 @@ struct Scene {
   SimulationSource simulation;
   std::vector<Sphere> colliders;  ///< in the head's rest space; "head": true in the file adds the head's own spheres
   bool head_colliders = false;
+  std::vector<RoundedBox> boxes;  ///< colliders as well: the file's capsules, then its boxes
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   double fibre_alpha = 0.4;     ///< opacity of one crossing

@@ -182,6 +182,31 @@ TEST(Scene, ZeroDirection_IsRefused) {
   expect_refused(R"("lights": [{"to_light": [0, 0, 0], "irradiance": [1, 1, 1]}])", {"lights[0].to_light", "zero"});
 }
 
+TEST(Scene, CapsulesAndBoxes_BecomeRoundedBoxes) {
+  const Scene scene = parsed(R"("colliders": {
+    "capsules": [{"from_m": [0, 0, 0], "to_m": [0.2, 0, 0], "radius_m": 0.03}],
+    "boxes": [{"center_m": [1, 2, 3], "size_m": [2, 4, 6], "rounding_m": 0.5,
+               "turn_axis": [0, 0, 2], "turn_degrees": 90}]
+  })")
+                          .value();
+  ASSERT_EQ(scene.boxes.size(), 2u);
+  EXPECT_EQ(scene.boxes[0].center, glm::dvec3(0.1, 0, 0));
+  EXPECT_EQ(scene.boxes[0].half_size, glm::dvec3(0, 0.1, 0));
+  EXPECT_LT(glm::distance(scene.boxes[0].axes[1], glm::dvec3(1, 0, 0)), 1e-15);
+  EXPECT_EQ(scene.boxes[1].half_size, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene.boxes[1].radius, 0.5);
+  EXPECT_LT(glm::distance(scene.boxes[1].axes[0], glm::dvec3(0, 1, 0)), 1e-15);
+}
+
+TEST(Scene, BoxesOutOfRange_AreRefused) {
+  expect_refused(R"("colliders": {"boxes": [{"center_m": [0, 0, 0], "size_m": [1, 1, 1], "turn_degrees": 5}]})",
+                 {"colliders.boxes[0].turn_axis", "zero"});
+  expect_refused(R"("colliders": {"boxes": [{"center_m": [0, 0, 0], "size_m": [1, -1, 1]}]})",
+                 {"colliders.boxes[0].size_m[1]", "-1"});
+  expect_refused(R"("colliders": {"capsules": [{"from_m": [0, 0, 0], "radius_m": 1}]})",
+                 {"colliders.capsules[0].to_m", "missing"});
+}
+
 TEST(Scene, CameraWithoutView_IsRefused) {
   expect_refused(R"("camera": {"position_m": [0, 1, 0], "target_m": [0, 0, 0]})", {"camera.up", "parallel"});
   expect_refused(R"("camera": {"near_m": 5, "far_m": 2})", {"camera.near_m", "5", "2"});

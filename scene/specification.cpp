@@ -118,9 +118,21 @@ Spec colliders() {
   Spec sphere = object("", "one sphere, in the head's rest space",
                        {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
                         required(real("radius_m", 1e-6, k_metres, "radius"))});
-  return object("colliders", "what the hair may not enter",
+  Spec capsule = object("", "all that is no farther than a radius from a straight line, in the head's rest space",
+                        {required(numbers("from_m", 3, -k_metres, k_metres, "one end of the line")),
+                         required(numbers("to_m", 3, -k_metres, k_metres, "its other end")),
+                         required(real("radius_m", 1e-6, k_metres, "radius"))});
+  Spec box = object("", "one box, in the head's rest space",
+                    {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
+                     required(numbers("size_m", 3, 0, k_metres, "whole edges, without the rounding")),
+                     real("rounding_m", 0, k_metres, "what the rounded box is larger by on every side"),
+                     numbers("turn_axis", 3, -1e6, 1e6, "axis through the centre about which the box is turned"),
+                     real("turn_degrees", -360, 360, "by so much; needs turn_axis")});
+  return object("colliders", "what the hair may not enter (capsules and boxes: the solvers exact and rod)",
                 {boolean("head", "the head's own spheres"),
-                 array("spheres", 256, "spheres that move with the head", std::move(sphere))});
+                 array("spheres", 256, "spheres that move with the head", std::move(sphere)),
+                 array("capsules", 256, "capsules that move with the head", std::move(capsule)),
+                 array("boxes", 256, "boxes that move with the head", std::move(box))});
 }
 
 Spec lights() {

@@ -1,5 +1,6 @@
 #include <cuticle/sim/head_motion.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -11,20 +12,23 @@ namespace {
 constexpr double k_longest_frame = 100;
 constexpr double k_rigid_tolerance = 1e-3;
 
+Result<void> check_rotation(std::string_view name, const glm::dmat3& turn) {
+  const glm::dmat3 identity = glm::transpose(turn) * turn;
+  double worst = std::abs(glm::determinant(turn) - 1);
+  for (int k = 0; k < 9; ++k) worst = std::max(worst, std::abs(identity[k / 3][k % 3] - (k % 4 == 0 ? 1 : 0)));
+  if (!(worst <= k_rigid_tolerance))
+    return bad_input(
+        fmt::format("{}: differs from a rotation by {:.3g}, allowed 0 .. {}", name, worst, k_rigid_tolerance),
+        "give a rigid transform, without scale, shear or mirror");
+  return {};
+}
+
 Result<void> check_transform(std::string_view name, const glm::dmat4& transform) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
       if (!std::isfinite(transform[column][row]))
         return bad_input(fmt::format("{}: element ({}, {}) is not finite", name, row, column));
-  const glm::dmat3 turn(transform);
-  const glm::dmat3 identity = glm::transpose(turn) * turn;
-  double worst = std::abs(glm::determinant(turn) - 1);
-  for (int k = 0; k < 9; ++k) worst = std::max(worst, std::abs(identity[k / 3][k % 3] - (k % 4 == 0 ? 1 : 0)));
-  if (worst > k_rigid_tolerance)
-    return bad_input(
-        fmt::format("{}: differs from a rotation by {:.3g}, allowed 0 .. {}", name, worst, k_rigid_tolerance),
-        "give a rigid transform, without scale, shear or mirror");
-  return {};
+  return check_rotation(name, glm::dmat3(transform));
 }
 
 Result<void> check_colliders(std::span<const Sphere> colliders) {
@@ -39,12 +43,28 @@ Result<void> check_colliders(std::span<const Sphere> colliders) {
   return {};
 }
 
+Result<void> check_boxes(std::span<const RoundedBox> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const RoundedBox& box = boxes[i];
+    const std::string name = fmt::format("boxes[{}]", i);
+    CUTICLE_TRY(check_rotation(name + ".axes", box.axes));
+    const glm::dvec3 &at = box.center, &half = box.half_size;
+    const double least = std::min({half.x, half.y, half.z, box.radius});
+    if (!std::isfinite(at.x + at.y + at.z + half.x + half.y + half.z + box.radius) || !(least >= 0))
+      return bad_input(
+          fmt::format("{}: centre ({}, {}, {}), half size ({}, {}, {}), radius {}: must be finite, sizes at least 0",
+                      name, at.x, at.y, at.z, half.x, half.y, half.z, box.radius));
+  }
+  return {};
+}
+
 Result<void> check(const FrameInput& input) {
   if (!(input.duration >= 0 && input.duration <= k_longest_frame))
     return bad_input(fmt::format("duration: {} s is outside 0 .. {}", input.duration, k_longest_frame));
   CUTICLE_TRY(check_transform("head_begin", input.head_begin));
   CUTICLE_TRY(check_transform("head_end", input.head_end));
-  return check_colliders(input.colliders);
+  CUTICLE_TRY(check_colliders(input.colliders));
+  return check_boxes(input.boxes);
 }
 
 glm::vec4 packed(const glm::dquat& q) { return glm::vec4(glm::dvec4(q.x, q.y, q.z, q.w)); }
@@ -58,6 +78,8 @@ std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most
 }
 
 Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::uint32_t substeps) {
+  if (!meets_boxes_ && !input.boxes.empty())
+    return usage_error("boxes: the solver meets spheres only", "capsules and boxes need the solver exact or rod");
   CUTICLE_TRY(check(input));
   const bool jump = input.teleport || input.duration == 0;
   const glm::dquat end = glm::normalize(glm::quat_cast(glm::dmat3(input.head_end)));

@@ -27,12 +27,15 @@ std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most
 /// Follows the head from frame to frame.
 class HeadMotion {
  public:
+  /// `meets_boxes`: whether the solver does.
+  explicit HeadMotion(bool meets_boxes = false) : meets_boxes_(meets_boxes) {}
   /// Cuts a frame into `substeps` equal parts, and remembers where it ends. Error: bad_input naming the field when a
   /// matrix is not finite or not rigid within 1e-3, the duration is outside 0 .. 100 s, or a collider is not finite or
-  /// has a negative radius; nothing is then remembered.
+  /// has a negative radius; usage where there are boxes that the solver does not meet; nothing is then remembered.
   Result<std::vector<Substep>> advance(const FrameInput& input, std::uint32_t substeps);
 
  private:
+  bool meets_boxes_ = false;
   bool placed_ = false;
   double previous_duration_ = 0;
 };

@@ -13,6 +13,7 @@
 
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/result.h>
+#include <cuticle/core/rounded_box.h>
 #include <cuticle/core/view.h>
 #include <cuticle/strands/groom.h>
 
@@ -29,7 +30,8 @@ struct FrameInput {
   double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders;
-  bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
+  std::span<const RoundedBox> boxes = {};  ///< colliders as well, capsules among them: exact and rod only
+  bool teleport = false;                   ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).
   std::span<const glm::vec3> authored = {};

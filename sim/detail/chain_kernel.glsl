@@ -1,7 +1,7 @@
 // Storage, contact and follow-the-leader of the solvers of rigid links: chain_lanes.h without its lanes, one thread per
-// strand, all substeps of a frame. A solver includes this with k_scratch_rows defined and TOUCHES 0 or 1, and defines
-// `substep`.
-#include "cuticle/sim/detail/link_contact.glslh"
+// strand, all substeps of a frame. A solver includes this with k_scratch_rows defined and TOUCHES 0, 1 (spheres) or 2
+// (and boxes), and defines `substep`.
+#include "cuticle/sim/detail/box_contact.glslh"
 #include "cuticle/sim/finite.glsl"
 layout(local_size_x = 64) in;
 
@@ -25,7 +25,8 @@ layout(binding = 11) writeonly buffer World { vec4 world[]; };
 layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
 layout(binding = 13) writeonly buffer Resets { uint resets[]; };
 layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
-layout(push_constant) uniform Constants { uint strand_count, step_count, sphere_count, carries; };
+layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
+layout(push_constant) uniform Constants { uint strand_count, step_count, sphere_count, box_count, carries; };
 
 const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 4u;
 const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3u, k_mass_ratio = 4u, k_reach = 5u,
@@ -60,11 +61,24 @@ LinkSphere sphere_at(ChainStep s, uint k) {
   return link_sphere(s, spheres[k].centre, spheres[k].radius, anchor_place(), rest[rest_at(1u, k_length)]);
 }
 
+LinkBox box_at(ChainStep s, uint k) { return link_box(s, boxes[k], anchor_place(), rest[rest_at(1u, k_length)]); }
+
 void push_out(uint i, ChainStep s) {
-  vec3 here = state_vector(i, k_here);
+  vec3 here = state_vector(i, k_here), carried = carried_by_head(s, here), fallback = direction_or(here, 0, s.end_y);
   Touch touch = Touch(scratch_vector(i, k_place), vec3(0), vec3(0));
-  for (uint k = 0u; k < sphere_count; ++k)
-    touch = pushed_from(touch, sphere_at(s, k), carried_by_head(s, here), direction_or(here, 0, s.end_y), s.friction);
+  for (uint k = 0u; k < sphere_count; ++k) {
+    LinkSphere sphere = sphere_at(s, k);
+    touch = pushed_from(touch, inside_sphere(sphere, touch.place, fallback), inside_sphere(sphere, carried, fallback),
+                        carried, s.friction);
+  }
+#if TOUCHES == 2
+  for (uint k = 0u; k < box_count; ++k) {
+    LinkBox box = box_at(s, k);
+    LinkSphere around = sphere_around(box);
+    if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
+      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, s.friction);
+  }
+#endif
   put_scratch(i, k_place, touch.place);
   put_scratch(i, k_normal, touch.normal);
   put_scratch(i, k_begin_pushed, touch.begin_pushed);
@@ -93,6 +107,15 @@ vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length) 
       put_scratch(i, k_normal, direction_or(from + out_of * rest_length - met.centre, 0, out_of));
     turned = out_of;
   }
+#if TOUCHES == 2
+  for (uint k = 0u; k < box_count; ++k) {
+    LinkBox box = box_at(s, k);
+    if (!is_within(sphere_around(box), from, rest_length)) continue;
+    Turned out_of = turned_out_of_box(from, turned, rest_length, box, s.end_x, s.end_y);
+    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
+    turned = out_of.direction;
+  }
+#endif
   return turned;
 }
 

@@ -94,31 +94,79 @@ template <class Real>
   return {vector_at<Real>(rows), number_at<Real>(rows + 3 * S)};
 }
 
+/// The same for all strands.
+template <class Real, template <class> class Numbers>
+[[gnu::always_inline]] inline Numbers<Real> spread(const Numbers<typename Real::Scalar>& narrow) {
+  constexpr std::size_t count = sizeof narrow / sizeof(typename Real::Scalar);
+  static_assert(sizeof(Numbers<Real>) == count * sizeof(Real));
+  typename Real::Scalar numbers[count];
+  std::memcpy(numbers, &narrow, sizeof narrow);
+  Real packs[count];
+  for (std::size_t k = 0; k < count; ++k) packs[k] = numbers[k];
+  Numbers<Real> wide;
+  std::memcpy(static_cast<void*>(&wide), packs, sizeof wide);
+  return wide;
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void put_sphere(typename Real::Scalar* rows, const Vector<Real>& centre, Real radius) {
+  put<Real>(rows, centre);
+  put<Real>(rows + 3 * S, radius);
+}
+
+/// Spheres, and of boxes what differs from strand to strand.
 template <class Real, class Scalar>
-[[gnu::always_inline]] inline void place_spheres(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
-                                                 const ChainFrame<Scalar>& frame) {
+[[gnu::always_inline]] inline void place_colliders(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
+                                                   const ChainFrame<Scalar>& frame) {
   const Vector<Real> anchor = vector_at<Real>(block.strand + strand_row::anchor * S);
   const Real first_link = VertexRows<Real>(block, 1).rest_at(rest_row::length);
   for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Scalar>& sphere = frame.spheres[k];
-    const LinkSphere<Real> placed =
-        link_sphere(step, Vector<Real>(sphere.centre), Real(sphere.radius), anchor, first_link);
-    put<Real>(frame.sphere_rows + 4 * S * k, placed.centre);
-    put<Real>(frame.sphere_rows + (4 * k + 3) * S, placed.radius);
+    const LinkSphere<Real> sphere = spread<Real>(frame.spheres[k]);
+    const LinkSphere<Real> placed = link_sphere(step, sphere.centre, sphere.radius, anchor, first_link);
+    put_sphere(frame.collider_rows + 4 * S * k, placed.centre, placed.radius);
+  }
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> placed = link_box(step, spread<Real>(frame.boxes[k]), anchor, first_link);
+    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
   }
 }
 
-/// The predicted vertex, pushed out of all spheres.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkSphere<Real> placed_at(const ChainFrame<Scalar>& frame, int k) {
+  return sphere_at<Real>(frame.collider_rows + 4 * S * k);
+}
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkBox<Real> box_at(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                   int k) {
+  return turned_box(step, spread<Real>(frame.boxes[k]), placed_at<Real>(frame, frame.sphere_count + k));
+}
+
+// Not inlined, so that spheres alone keep their registers.
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                       const Vector<Real>& carried, Touch<Real>& touch) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> box = box_at(frame, step, k);
+    const LinkSphere<Real> around = sphere_around(box);
+    if (any(is_within(around, touch.place, Real(0)) || is_within(around, carried, Real(0))))
+      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, step.friction);
+  }
+}
+
+/// The predicted vertex, pushed out of all colliders.
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline Touch<Real> pushed_from_all(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
                                                           const Vector<Real>& here, const Vector<Real>& place) {
   Touch<Real> touch{place, Vector<Real>(Real(0)), Vector<Real>(Real(0))};
   const Vector<Real> carried = carried_by_head(step, here);
   for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Real> sphere = sphere_at<Real>(frame.sphere_rows + 4 * S * k);
-    if (any(is_within(sphere, touch.place, Real(0)) || is_within(sphere, carried, Real(0))))
-      touch = pushed_from(touch, sphere, carried, direction_or(here, Real(0), step.end_y), step.friction);
+    const LinkSphere<Real> sphere = placed_at<Real>(frame, k);
+    if (!any(is_within(sphere, touch.place, Real(0)) || is_within(sphere, carried, Real(0)))) continue;
+    const Vector<Real> fallback = direction_or(here, Real(0), step.end_y);
+    touch = pushed_from(touch, inside_sphere(sphere, touch.place, fallback), inside_sphere(sphere, carried, fallback),
+                        carried, step.friction);
   }
+  if (frame.box_count) push_from_boxes(frame, step, carried, touch);
   return touch;
 }
 
@@ -154,7 +202,20 @@ template <class Real>
   f.place = place;
 }
 
-/// The link turned out of all spheres; `normal` becomes that of the last.
+template <class Real, class Scalar>
+[[gnu::noinline]] void turn_out_of_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                         const Vector<Real>& from, Real length, Vector<Real>& turned,
+                                         Vector<Real>& normal) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> box = box_at(frame, step, k);
+    if (!any(is_within(sphere_around(box), from, length))) continue;
+    const Turned<Real> out = turned_out_of_box(from, turned, length, box, step.end_x, step.end_y);
+    normal = either(inner(out.normal, out.normal) > Real(0), out.normal, normal);
+    turned = out.direction;
+  }
+}
+
+/// The link turned out of all colliders; `normal` becomes that of the last.
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline Vector<Real> turned_out_of_all(const ChainFrame<Scalar>& frame,
                                                              const ChainStep<Real>& step, const Vector<Real>& from,
@@ -162,13 +223,14 @@ template <class Real, class Scalar>
                                                              Vector<Real>& normal) {
   Vector<Real> turned = aim;
   for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Real> sphere = sphere_at<Real>(frame.sphere_rows + 4 * S * k);
+    const LinkSphere<Real> sphere = placed_at<Real>(frame, k);
     if (!any(is_within(sphere, from, length))) continue;
     const Vector<Real> out = turned_out(from, turned, length, sphere, step.end_x, step.end_y), moved = out - turned;
     normal =
         either(inner(moved, moved) > Real(0), direction_or(from + out * length - sphere.centre, Real(0), out), normal);
     turned = out;
   }
+  if (frame.box_count) turn_out_of_boxes(frame, step, from, length, turned, normal);
   return turned;
 }
 
@@ -221,20 +283,6 @@ template <bool Touches, class Real, class Scalar, class NewtonOf>
   }
   VertexRows<Real>(block, block.links).put_state(state_row::velocity, f.velocity);
   put<Real>(block.strand + strand_row::guarded * S, selected(f.excess > Real(0), Real(1), Real(0)));
-}
-
-/// The same for all strands.
-template <class Real>
-[[gnu::always_inline]] inline ChainStep<Real> spread(const ChainStep<typename Real::Scalar>& step) {
-  constexpr std::size_t count = sizeof step / sizeof(typename Real::Scalar);
-  static_assert(sizeof(ChainStep<Real>) == count * sizeof(Real));
-  typename Real::Scalar numbers[count];
-  std::memcpy(numbers, &step, sizeof step);
-  Real packs[count];
-  for (std::size_t k = 0; k < count; ++k) packs[k] = numbers[k];
-  ChainStep<Real> wide;
-  std::memcpy(static_cast<void*>(&wide), packs, sizeof wide);
-  return wide;
 }
 
 /// What is read above the first and below the last vertex.

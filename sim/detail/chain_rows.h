@@ -1,7 +1,7 @@
 #pragma once
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
-#include <cuticle/sim/detail/link_contact.glslh>
+#include <cuticle/sim/detail/box_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -38,15 +38,16 @@ struct ChainBlock {
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };
 
-/// The substeps of a frame and the spheres within reach, whose centres are in rest space; `sphere_rows`: 4 * k_lanes
-/// for each.
+/// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: 4 * k_lanes for each.
 template <class Real>
 struct ChainFrame {
   const ChainStep<Real>* steps;
   int count;
   const LinkSphere<Real>* spheres;
   int sphere_count;
-  Real* sphere_rows;
+  const LinkBox<Real>* boxes;
+  int box_count;
+  Real* collider_rows;
 };
 
 template <class Real>

@@ -118,4 +118,17 @@ std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::s
 template std::vector<LinkSphere<float>> link_spheres<float>(const ChainSettings&, std::span<const Sphere>);
 template std::vector<LinkSphere<double>> link_spheres<double>(const ChainSettings&, std::span<const Sphere>);
 
+template <class Real>
+std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes) {
+  using Vector = glm::vec<3, Real>;
+  std::vector<LinkBox<Real>> result;
+  if (!settings.contact) return result;
+  for (const RoundedBox& box : boxes)
+    result.push_back({Vector(box.center), Real(box.radius), Vector(box.axes[0]), Real(box.half_size.x),
+                      Vector(box.axes[1]), Real(box.half_size.y), Vector(box.axes[2]), Real(box.half_size.z)});
+  return result;
+}
+template std::vector<LinkBox<float>> link_boxes<float>(const ChainSettings&, std::span<const RoundedBox>);
+template std::vector<LinkBox<double>> link_boxes<double>(const ChainSettings&, std::span<const RoundedBox>);
+
 }  // namespace cuticle::sim::detail

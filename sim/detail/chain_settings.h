@@ -9,7 +9,7 @@
 #include <cuticle/sim/head_motion.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
-#include <cuticle/sim/detail/link_contact.glslh>
+#include <cuticle/sim/detail/box_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -42,8 +42,10 @@ class ChainClock {
   double time_ = 0, previous_duration_ = 0;
 };
 
-/// Centres in rest space.
+/// In rest space; none without the effect.
 template <class Real>
 std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres);
+template <class Real>
+std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes);
 
 }  // namespace cuticle::sim::detail

@@ -24,9 +24,10 @@ class ChainSolver final : public Solver {
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
     const std::vector<LinkSphere<Real>> spheres = link_spheres<Real>(settings_, input.colliders);
+    const std::vector<LinkBox<Real>> boxes = link_boxes<Real>(settings_, input.boxes);
     std::fill(resets_.begin(), resets_.end(), 0);
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(),
-                      [&](std::size_t b) { advance_block(b, steps, spheres, parts[0].carry); });
+                      [&](std::size_t b) { advance_block(b, steps, spheres, boxes, parts[0].carry); });
     if (!steps.empty()) count_resets();
     return {};
   }
@@ -43,21 +44,26 @@ class ChainSolver final : public Solver {
 
  private:
   void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps,
-                     const std::vector<LinkSphere<Real>>& spheres, const glm::vec4& carry) {
+                     const std::vector<LinkSphere<Real>>& spheres, const std::vector<LinkBox<Real>>& boxes,
+                     const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
     room.near.clear();
     for (const LinkSphere<Real>& sphere : spheres)
       if (chains_.within_reach(b, sphere, settings_.contact->pearl_radius)) room.near.push_back(sphere);
+    room.near_boxes.clear();
+    for (const LinkBox<Real>& box : boxes)
+      if (chains_.within_reach(b, sphere_around(box), settings_.contact->pearl_radius)) room.near_boxes.push_back(box);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
-    room.numbers.resize(scratch + 4 * room.near.size() * k_lanes);
+    room.numbers.resize(scratch + 4 * (room.near.size() + room.near_boxes.size()) * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty())
       block.own = program_.own.data() + chains_.blocks[b].first_vertex * std::size_t(program_.own_rows) * k_lanes;
-    const Advance<Real> advance = room.near.empty() ? program_.free : program_.touching;
-    advance(block,
-            {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()), room.numbers.data() + scratch});
+    const bool touches = !room.near.empty() || !room.near_boxes.empty();
+    const Advance<Real> advance = touches ? program_.touching : program_.free;
+    advance(block, {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()), room.near_boxes.data(),
+                    int(room.near_boxes.size()), room.numbers.data() + scratch});
     reset_broken_lanes(chains_, b, placing_);
   }
 
@@ -103,6 +109,7 @@ class ChainSolver final : public Solver {
   struct Room {
     Rows<Real> numbers;
     std::vector<LinkSphere<Real>> near;
+    std::vector<LinkBox<Real>> near_boxes;
   };
   ChainSettings settings_;
   strands::Groom rest_;
@@ -110,7 +117,7 @@ class ChainSolver final : public Solver {
   ChainProgram<Real> program_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
-  HeadMotion motion_;
+  HeadMotion motion_{true};  // meets boxes
   Placing placing_;
   ChainClock clock_;
 };

@@ -1,4 +1,5 @@
 #include <bit>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -8,11 +9,11 @@
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 15;
+constexpr std::uint32_t k_buffers = 16;
 
 /// The kernel's push constants.
 struct Constants {
-  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, carries = 0;
+  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, carries = 0;
 };
 
 /// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
@@ -31,7 +32,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own;
+      velocities, resets, own, boxes;
 };
 
 template <class T>
@@ -54,10 +55,9 @@ class ChainGpuSolver final : public GpuSolver {
 
   Result<void> make() {
     CUTICLE_TRY(make_buffers());
-    const gpu::ShaderInterface interface { .storage_buffers = k_buffers, .push_constant_bytes = sizeof(Constants) };
-    CUTICLE_ASSIGN(free_, device_->make_kernel(program_.free, interface));
+    CUTICLE_ASSIGN(free_, kernel_of(program_.free));
     if (!settings_.contact) return {};
-    CUTICLE_ASSIGN(touching_, device_->make_kernel(program_.touching, interface));
+    CUTICLE_ASSIGN(touching_, kernel_of(program_.touching));
     return {};
   }
 
@@ -66,13 +66,20 @@ class ChainGpuSolver final : public GpuSolver {
     placing_.advance(parts);
     std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
     std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
+    std::vector<LinkBox<float>> boxes = link_boxes<float>(settings_, input.boxes);
     const Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
-                              std::uint32_t(spheres.size()), parts[0].carry.w != 1.f};
+                              std::uint32_t(spheres.size()), std::uint32_t(boxes.size()), parts[0].carry.w != 1.f};
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
+    if (!boxes.empty()) {
+      CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
+      if (!beside_boxes_) {
+        CUTICLE_ASSIGN(beside_boxes_, kernel_of(program_.beside_boxes));
+      }
+    }
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
-    dispatch(commands, spheres.empty() ? free_ : touching_, constants);
+    dispatch(commands, !boxes.empty() ? *beside_boxes_ : !spheres.empty() ? touching_ : free_, constants);
     commands.end_pass();
     return {};
   }
@@ -104,6 +111,10 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
  private:
+  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code) {
+    return device_->make_kernel(code, {.storage_buffers = k_buffers, .push_constant_bytes = sizeof(Constants)});
+  }
+
   Result<void> make_buffers() {
     std::vector<glm::uvec4> places, blocks{{0, 0, 0, 0}};
     for (const ChainPlace& place : chains_.places)
@@ -142,6 +153,7 @@ class ChainGpuSolver final : public GpuSolver {
         refill(*device_, buffers_.scratch, or_one(Rows<float>(vertices * std::size_t(program_.scratch_rows), 0.f))));
     CUTICLE_TRY(refill(*device_, buffers_.own, or_one(program_.own)));
     CUTICLE_TRY(refill(*device_, buffers_.steps, std::vector<ChainStep<float>>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.boxes, std::vector<LinkBox<float>>(1)));
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
@@ -149,7 +161,7 @@ class ChainGpuSolver final : public GpuSolver {
     const Buffers& b = buffers_;
     commands.dispatch(kernel,
                       {&b.places, &b.blocks, &b.offsets, &b.vertices, &b.rest, &b.state, &b.strands, &b.scratch,
-                       &b.steps, &b.spheres, &b.frame, &b.world, &b.velocities, &b.resets, &b.own},
+                       &b.steps, &b.spheres, &b.frame, &b.world, &b.velocities, &b.resets, &b.own, &b.boxes},
                       {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
@@ -160,7 +172,8 @@ class ChainGpuSolver final : public GpuSolver {
   ChainGpuProgram program_;
   Buffers buffers_;
   gpu::Kernel free_, touching_;
-  HeadMotion motion_;
+  std::optional<gpu::Kernel> beside_boxes_;  ///< made with the first box
+  HeadMotion motion_{true};                  // meets boxes
   Placing placing_;
   ChainClock clock_;
 };

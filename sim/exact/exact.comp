@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// exact/kernel.cpp without its lanes. Compiled with PULLS and TOUCHES 0 or 1.
+#extension GL_EXT_control_flow_attributes : require
+// exact/kernel.cpp without its lanes. Compiled with PULLS and TOUCHES 0, 1 or 2.
 const uint k_scratch_rows = 16u;
 #include "cuticle/sim/detail/chain_kernel.glsl"
 

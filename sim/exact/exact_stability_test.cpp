@@ -58,7 +58,7 @@ TEST(ExactHard, LaneThatIsNotANumber_IsResetAndTouchesNoOther) {
   const auto steps = clock.steps<float>(parameters, {&part, 1});
   std::vector<float> scratch(std::size_t(good.longest + 2) * detail::scratch_row::count * detail::k_lanes, 0.f),
       other = scratch;
-  const detail::ChainFrame<float> frame{steps.data(), 1, nullptr, 0, nullptr};
+  const detail::ChainFrame<float> frame{steps.data(), 1, nullptr, 0, nullptr, 0, nullptr};
   exact::best_kernels().advance[1][0](good.block(0, scratch.data()), frame);
   exact::best_kernels().advance[1][0](broken.block(0, other.data()), frame);
   detail::Placing placing;

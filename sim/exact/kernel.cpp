@@ -122,7 +122,7 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
 template <bool Pulls, bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
   const StrandStep<Real> strand = begin(block, step);
-  if constexpr (Touches) place_spheres(block, step, frame);
+  if constexpr (Touches) place_colliders(block, step, frame);
   TensionCarry<Real> below = below_tip<Real>();
   for (int i = block.links; i >= 1; --i) predict<Pulls>(VertexRows<Real>(block, i), step, strand, below);
   LinkCarry<Real> parent = at_anchor<Real>();

@@ -251,7 +251,7 @@ template <class Real, class Scalar>
 template <bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
   const StrandStep<Real> strand = begin(block, step);
-  if constexpr (Touches) place_spheres(block, step, frame);
+  if constexpr (Touches) place_colliders(block, step, frame);
   coast_all<Touches>(block, frame, step, strand);
   bend_all(block, step, strand.time);
   for (int i = 1; i <= block.links; ++i) eliminate_vertex<Touches>(block, i, step, strand);

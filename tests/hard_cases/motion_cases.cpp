@@ -1,5 +1,6 @@
-// Every solver, one after the other: {"groom", "solver": {name: settings}, "effects": {name: settings}, "colliders": [[x, y, z, radius]], "frames", "measure"}.
-// A frame: {"duration", "turn_deg" about y, "move", "teleport", "repeat"}. Measures: "stretch", "head_distance", "speed".
+// Every solver, one after the other: {"groom", "solver": {name: settings}, "effects": {name: settings}, "colliders":
+// [[x, y, z, radius]], "frames", "measure"}. A frame: {"duration", "turn_deg" about y, "move", "teleport", "repeat"}.
+// Measures: "stretch", "head_distance", "speed".
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -61,7 +62,11 @@ Result<glm::dvec3> run_frames(sim::Solver& solver, const Json& inputs) {
   for (const Json& frame : inputs.at("frames"))
     for (int k = 0; k < frame.value("repeat", 1); ++k) {
       const glm::dmat4 next = moved(head, frame);
-      CUTICLE_TRY(solver.advance({frame.value("duration", 1.0 / 60), head, next, colliders, frame.value("teleport", false)}));
+      CUTICLE_TRY(solver.advance({.duration = frame.value("duration", 1.0 / 60),
+                                  .head_begin = head,
+                                  .head_end = next,
+                                  .colliders = colliders,
+                                  .teleport = frame.value("teleport", false)}));
       head = next;
     }
   return glm::dvec3(head[3]);
