@@ -13,7 +13,7 @@ std::string counted(std::size_t count, std::string_view thing) {
 }
 
 registry::Fact strands_fact(const scene::Scene& scene) {
-  if (scene.groom.file.empty()) return {true, "hair grown on the head"};
+  if (scene.groom.file.empty()) return {true, fmt::format("hair grown on the {}", scene.character ? "skin" : "head")};
   return {true, fmt::format("hair of {}", std::filesystem::path(scene.groom.file).filename().string())};
 }
 
@@ -24,6 +24,11 @@ registry::Fact colliders_fact(const scene::Scene& scene) {
   if (!scene.boxes.empty()) what += (what.empty() ? "" : ", ") + counted(scene.boxes.size(), "capsule or box collider");
   if (what.empty()) return {own, own ? "the head collides" : "the scene has no colliders"};
   return {true, what + (own ? " and the head's" : "")};
+}
+
+registry::Fact fins_fact(const scene::Scene& scene) {
+  if (!scene.fins) return {false, "the scene has no fins"};
+  return {true, fmt::format("fins of {}", std::filesystem::path(scene.fins->mesh).filename().string())};
 }
 
 registry::Fact motion_fact(const scene::Scene& scene) {
@@ -47,6 +52,13 @@ registry::Fact character_fact(const scene::Scene& scene) {
   const std::string file = std::filesystem::path(scene.character->file).filename().string();
   return {true, scene.character->clip.empty() ? fmt::format("hair follows the skin of {}", file)
                                               : fmt::format("'{}' moves the skin of {}", scene.character->clip, file)};
+}
+
+/// What the skin's and the carried hair's passes ask for.
+registry::Fact moving_skin_fact(const scene::Scene& scene) {
+  if (scene.character && !scene.outputs.color && !scene.simulation.solver)
+    return {false, "no picture is wanted, and nothing is simulated"};
+  return character_fact(scene);
 }
 
 registry::Fact asked(bool asks, std::string_view name) {
@@ -106,8 +118,9 @@ registry::Facts facts_of(const scene::Scene& scene) {
                              ? fmt::format("the hair is simulated by '{}'", scene.simulation.solver->name)
                              : "the hair is not simulated"};
   facts["colliders"] = colliders_fact(scene);
+  facts["fins"] = fins_fact(scene);
   facts["head"] = head_fact(scene);
-  facts["character"] = character_fact(scene);
+  facts["moving_skin"] = moving_skin_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
   for (const char* pass : {"dual_scattering", "surface_shadow"}) facts[pass] = asked(scene.passes.contains(pass), pass);
   add_picture_filters(scene, facts);

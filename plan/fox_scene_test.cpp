@@ -1,5 +1,5 @@
-// scenes/fox.json with Fox.glb of CUTICLE_TEST_DATA: over the Run clip the drawn fur begins on the skin, and the passes
-// are those of the plan.
+// scenes/fox.json and fox_fur.json with Fox.glb of CUTICLE_TEST_DATA: over the Run clip the fur, carried or simulated,
+// begins on the skin, and the passes are those of the plan.
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <cuticle/plan/strand_set.h>
+#include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/binding/nearest_triangle.h>
 #include <cuticle/strands/statistics.h>
 
@@ -103,6 +104,71 @@ TEST(FoxScene, PassesOfAFrame_AreThoseOfThePlan) {
     EXPECT_EQ(ran->dispatches + ran->draws, planned->dispatches + planned->draws) << name;
   }
   EXPECT_EQ(find_pass((*runner)->plan(), "classic"), nullptr);
+}
+
+scene::Scene small_simulated_fox() {
+  auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/fox_fur.json", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  scene->strand_count = 500;
+  scene->material.lut_size = 16;
+  scene->camera.camera.resolution = {64, 48};
+  return std::move(*scene);
+}
+
+TEST(FoxFur, Simulated_StaysRootedOnTheSkinAtItsLength) {
+  const scene::Scene scene = small_simulated_fox();
+  auto runner =
+      FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
+  ASSERT_TRUE(runner) << runner.error().message;
+  const auto set = build_strand_set(scene);
+  ASSERT_TRUE(set);
+  const strands::Groom& rest = (*runner)->control_groom();
+  const strands::RestOnMesh on_mesh = strands::rest_on_mesh(rest, set->character->mesh, set->control_roots);
+  double off_skin = 0, lag = 0, stretched = 0;
+  std::vector<glm::vec3> carried(rest.vertex_count());
+  for (int frame = 0; frame < 10; ++frame) {
+    const auto run = (*runner)->run(frame, {.render = false, .read_state = true});
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_EQ(run->state.guards_fired, 0u);
+    strands::carry(on_mesh, skin_at(*set->character, scene, frame), carried);
+    for (std::size_t s = 0; s < rest.strand_count(); ++s) {
+      const std::size_t root = rest.offsets[s], tip = rest.offsets[s + 1] - 1;
+      off_skin = std::max(off_skin, double(glm::distance(run->state.positions[root], carried[root])));
+      lag = std::max(lag, double(glm::distance(run->state.positions[tip], carried[tip])));
+    }
+    for (float ratio : sim::stretch(rest, run->state.positions))
+      stretched = std::max(stretched, std::abs(double(ratio) - 1));
+  }
+  std::printf("fur in the run: roots %.1e m off the skin, stretch %.1e, tips up to %.1e m behind\n", off_skin,
+              stretched, lag);
+  EXPECT_LT(off_skin, 2e-6);
+  EXPECT_LT(stretched, 0.02);
+  EXPECT_GT(lag, 5e-3);
+  EXPECT_LT(lag, 0.06);
+}
+
+TEST(FoxFur, Simulated_RunsSkinThenSimulationAsPlanned) {
+  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), small_simulated_fox(),
+                                    silent_progress());
+  ASSERT_TRUE(runner) << runner.error().message;
+  const auto drawn = (*runner)->run(0);
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  const Plan& plan = (*runner)->plan();
+  for (const char* name : {"skin", "carry", "classic", "smooth_strands", "head"}) {
+    const PlannedPass* planned = find_pass(plan, name);
+    const auto ran = std::ranges::find(drawn->cost.passes, name, &gpu::PassCost::name);
+    ASSERT_TRUE(planned && ran != drawn->cost.passes.end()) << name;
+    EXPECT_EQ(ran->dispatches + ran->draws, planned->dispatches + planned->draws) << name;
+  }
+  EXPECT_LT(find_pass(plan, "carry"), find_pass(plan, "classic"));
+}
+
+TEST(FoxFur, SolverThatFollowsAHeadOnly_IsRefused) {
+  scene::Scene scene = small_simulated_fox();
+  scene.simulation.solver->name = "exact";
+  const auto made = FrameRunner::create(*gpu::Device::open({.choice = "cpu"}), scene, silent_progress());
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("'exact'"), std::string::npos) << made.error().message;
 }
 
 }  // namespace

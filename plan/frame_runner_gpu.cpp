@@ -108,6 +108,8 @@ struct FrameRunner::Impl {
                                    .bounds = motion->bounds(),
                                    .head = motion->head(),
                                    .character = motion->character(),
+                                   .records_character = motion->records_character(),
+                                   .fins = motion->fins(),
                                    .camera = camera_at(scene.camera, rest_bounds, frame),
                                    .camera_before = camera_at(scene.camera, rest_bounds, std::max(0, frame - 1))},
                                   trace));
@@ -139,6 +141,9 @@ Result<void> FrameRunner::change(const scene::Scene& scene, Progress& progress) 
 Camera FrameRunner::camera(int frame) const { return camera_at(impl_->scene.camera, impl_->rest_bounds, frame); }
 
 const Plan& FrameRunner::plan() const { return impl_->plan; }
+const strands::Mesh* FrameRunner::fins() const {
+  return impl_->motion->fins() ? &impl_->motion->fins()->mesh() : nullptr;
+}
 const strands::Groom& FrameRunner::control_groom() const { return impl_->set.control; }
 
 const lut::TableSet& FrameRunner::tables() const {

@@ -36,6 +36,8 @@ class FrameRunner {
   Result<void> change(const scene::Scene& scene, Progress& progress);
   const Plan& plan() const;
   Camera camera(int frame) const;
+  /// Where the scene's fins were in the frame last run, world; null: it has none.
+  const strands::Mesh* fins() const;
   const strands::Groom& control_groom() const;  ///< simulated hairs at rest
   const lut::TableSet& tables() const;
   Result<FrameResult> run(int frame, const FrameOptions& options = {});

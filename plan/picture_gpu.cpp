@@ -78,6 +78,7 @@ Result<void> Picture::make_strands() {
   resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
+  resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
   resources_.fibre_alpha = float(scene_.fibre_alpha);
   return {};
@@ -163,7 +164,7 @@ Result<void> Picture::make_passes() {
 }
 
 Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
-  if (input.character) CUTICLE_TRY(input.character->record(commands));
+  if (input.records_character) CUTICLE_TRY(input.character->record(commands));
   CUTICLE_TRY(generator_->record_smooth(commands, *input.control_positions));
   CUTICLE_TRY(generator_->record_interpolate(commands));
   if (!resources_.velocities) return {};
@@ -244,6 +245,8 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   resources_.control_vertices = std::uint32_t(set_.control.vertex_count());
   resources_.head_positions = input.character ? &input.character->mesh_positions() : nullptr;
   resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
+  resources_.fin_positions = input.fins ? &input.fins->positions() : nullptr;
+  resources_.fin_normals = input.fins ? &input.fins->normals() : nullptr;
   gpu::Commands commands = device_->record();
   CUTICLE_TRY(record_generate(commands, input));
   CUTICLE_TRY(record_shadows(commands));

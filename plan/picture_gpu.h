@@ -6,6 +6,7 @@
 #include <cuticle/core/image/image.h>
 #include <cuticle/core/progress.h>
 #include <cuticle/plan/character_motion_gpu.h>
+#include <cuticle/plan/fin_motion_gpu.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
 #include <cuticle/render/pass_gpu.h>
@@ -20,6 +21,8 @@ struct PictureInput {
   strands::Bounds bounds;
   glm::dmat4 head{1};
   CharacterMotion* character = nullptr;  ///< moved to the frame; null: the scene has none
+  bool records_character = false;        ///< its skin and hair are moved in the picture's submission
+  const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
 };
 

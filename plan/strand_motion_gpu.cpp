@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -12,7 +13,7 @@ namespace cuticle::plan {
 sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
   sim::EffectBlocks blocks;
   for (const registry::Entry* effect : catalogue().effects) {
-    if (!find_pass(plan, effect->name)) continue;
+    if (!find_pass(plan, effect->name) || (*sim::find_effect(effect->name))->acts_on_fins) continue;
     const auto given = scene.simulation.effects.find(effect->name);
     blocks[std::string(effect->name)] =
         given == scene.simulation.effects.end() ? registry::default_values(effect->parameters) : given->second;
@@ -20,15 +21,34 @@ sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
   return blocks;
 }
 
+namespace {
+
+/// Whether the scene's solver can follow a character's skin.
+Result<void> check_on_skin(const scene::Scene& scene) {
+  if (!scene.simulation.solver) return {};
+  CUTICLE_ASSIGN(const sim::Effect* solver, sim::find_effect(scene.simulation.solver->name));
+  if (solver->follows_skin && !scene.simulation.effects.contains("control")) return {};
+  return usage_error(
+      fmt::format("simulation: hair on a character's skin cannot have {}",
+                  solver->follows_skin ? "the effect 'control'" : fmt::format("the solver '{}'", solver->entry.name)),
+      "choose the solver 'classic', or leave the effect out");
+}
+
+}  // namespace
+
 Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::Device> device,
                                                            const scene::Scene& scene, const StrandSet& set,
                                                            const Plan& plan) {
   std::unique_ptr<StrandMotion> motion(new StrandMotion(std::move(device), scene, set, plan));
   CUTICLE_ASSIGN(motion->path_, HeadPath::create(scene, set.pivot));
   if (set.character) {
+    CUTICLE_TRY(check_on_skin(scene));
     CUTICLE_ASSIGN(motion->character_, CharacterMotion::create(*motion->device_, scene, set));
   } else if (!scene.simulation.solver) {
     CUTICLE_ASSIGN(motion->carried_, motion->device_->make_buffer(set.control.vertex_count() * sizeof(glm::vec4)));
+  }
+  if (!set.fins.triangles.empty()) {
+    CUTICLE_ASSIGN(motion->fins_, FinMotion::create(motion->device_, scene, set, plan));
   }
   motion->hands_over_motion_ = find_pass(plan, "velocity") != nullptr;
   if (motion->hands_over_motion_ && !scene.simulation.solver) {
@@ -38,8 +58,8 @@ Result<std::unique_ptr<StrandMotion>> StrandMotion::create(std::shared_ptr<gpu::
 }
 
 const gpu::Buffer& StrandMotion::positions() const {
-  if (character_) return character_->positions();
-  return solver_ ? solver_->positions() : carried_;
+  if (solver_) return solver_->positions();
+  return character_ ? character_->positions() : carried_;
 }
 
 strands::ControlMotion StrandMotion::control_motion() const {
@@ -55,6 +75,7 @@ Result<void> StrandMotion::restart() {
   CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect(block.name));
   const sim::EffectBlocks effects = planned_effects(scene_, plan_);
   CUTICLE_ASSIGN(solver_, effect->create(device_, set_.control, block.values, effects));
+  if (fins_) CUTICLE_TRY(fins_->restart(effects));
   if (const auto control = effects.find("control"); control != effects.end()) {
     CUTICLE_ASSIGN(solver_, sim::control::controlled_gpu(device_, std::move(solver_), set_.control, control->second));
   }
@@ -62,25 +83,37 @@ Result<void> StrandMotion::restart() {
 }
 
 Result<void> StrandMotion::settle() {
-  const glm::dmat4 rest = path_.at(0);
   const int frames = int(std::ceil(scene_.simulation.settle_time * scene_.frames_per_second));
-  for (int k = 0; k < frames; ++k) CUTICLE_TRY(simulate(rest, rest, nullptr));
+  for (int k = 0; k < frames; ++k) CUTICLE_TRY(simulate(0, nullptr));
   return {};
 }
 
-Result<gpu::SubmitCost> StrandMotion::simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace) {
-  gpu::Commands commands = device_->record();
+/// From the frame before to this one.
+sim::FrameInput StrandMotion::input_of(int frame) const {
   const bool collides = find_pass(plan_, "colliders") != nullptr;
-  CUTICLE_TRY(solver_->record(commands, {.duration = 1 / scene_.frames_per_second,
-                                         .head_begin = begin,
-                                         .head_end = end,
-                                         .colliders = collides ? set_.colliders : std::span<const Sphere>(),
-                                         .boxes = collides ? set_.boxes : std::span<const RoundedBox>()}));
+  return {.duration = 1 / scene_.frames_per_second,
+          .head_begin = path_.at(std::max(0, frame - 1)),
+          .head_end = path_.at(frame),
+          .colliders = collides ? set_.colliders : std::span<const Sphere>(),
+          .boxes = collides ? set_.boxes : std::span<const RoundedBox>()};
+}
+
+Result<gpu::SubmitCost> StrandMotion::simulate(int frame, Trace* trace) {
+  gpu::Commands commands = device_->record();
+  const sim::FrameInput input = input_of(frame);
+  if (fins_) CUTICLE_TRY(fins_->advance(input));
+  if (character_) {
+    character_->move_to(frame);
+    CUTICLE_TRY(character_->record(commands));
+    CUTICLE_TRY(solver_->record_on_skin(commands, input, character_->positions()));
+  } else {
+    CUTICLE_TRY(solver_->record(commands, input));
+  }
   return device_->submit(std::move(commands), trace);
 }
 
 Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
-  if (character_) {
+  if (character_ && !scene_.simulation.solver) {
     CUTICLE_TRY(move_character(frame));
     return gpu::SubmitCost{};
   }
@@ -89,13 +122,18 @@ Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace) {
   for (int next = solver_ ? frame_ + 1 : frame; next <= frame; ++next) {
     head_ = path_.at(next);
     if (!solver_) break;
-    CUTICLE_ASSIGN(cost, simulate(path_.at(std::max(0, next - 1)), head_, trace));
+    CUTICLE_ASSIGN(cost, simulate(next, trace));
   }
   frame_ = frame;
-  if (!solver_) CUTICLE_TRY(carry(carried_, head_));
-  if (before_) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));
+  if (!solver_) CUTICLE_TRY(carry_rigidly(frame));
   CUTICLE_TRY(measure());
   return cost;
+}
+
+Result<void> StrandMotion::carry_rigidly(int frame) {
+  CUTICLE_TRY(carry(carried_, head_));
+  if (before_) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));
+  return fins_ ? fins_->carry(head_) : Result<void>{};
 }
 
 Result<void> StrandMotion::carry(const gpu::Buffer& places, const glm::dmat4& head) {
@@ -113,11 +151,14 @@ Result<void> StrandMotion::move_character(int frame) {
     CUTICLE_ASSIGN([[maybe_unused]] const gpu::SubmitCost cost, device_->submit(std::move(commands)));
   }
   character_->move_to(frame);
-  bounds_ = character_->bounds();
-  return {};
+  return measure();
 }
 
 Result<void> StrandMotion::measure() {
+  if (character_) {
+    bounds_ = character_->bounds();
+    return {};
+  }
   CUTICLE_ASSIGN(const std::vector<glm::vec4> places,
                  gpu::read_buffer<glm::vec4>(*device_, positions(), set_.control.vertex_count()));
   bounds_ = {glm::vec3(places.front()), glm::vec3(places.front())};

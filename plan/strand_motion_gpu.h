@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <cuticle/plan/character_motion_gpu.h>
+#include <cuticle/plan/fin_motion_gpu.h>
 #include <cuticle/plan/head_path.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
@@ -20,7 +21,7 @@ class StrandMotion {
   /// cost alike. Returns the cost of the last of them.
   Result<gpu::SubmitCost> advance_to(int frame, Trace* trace);
 
-  /// World positions, vec4 per control vertex. With a character: written when its motion is recorded.
+  /// World positions, vec4 per control vertex. Carried by a character: written when its motion is recorded.
   const gpu::Buffer& positions() const;
   const strands::Bounds& bounds() const { return bounds_; }
   const glm::dmat4& head() const { return head_; }
@@ -29,6 +30,10 @@ class StrandMotion {
   strands::ControlMotion control_motion() const;
   /// Null where the scene has no character.
   CharacterMotion* character() const { return character_.get(); }
+  /// Whether the picture has yet to record the character's motion: hair simulated on its skin is moved already.
+  bool records_character() const { return character_ && !solver_; }
+  /// Null where the scene has no fins.
+  const FinMotion* fins() const { return fins_.get(); }
   Result<sim::State> state();
 
  private:
@@ -36,7 +41,9 @@ class StrandMotion {
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
   Result<void> restart();
   Result<void> settle();
-  Result<gpu::SubmitCost> simulate(const glm::dmat4& begin, const glm::dmat4& end, Trace* trace);
+  sim::FrameInput input_of(int frame) const;
+  Result<gpu::SubmitCost> simulate(int frame, Trace* trace);
+  Result<void> carry_rigidly(int frame);
   Result<void> carry(const gpu::Buffer& places, const glm::dmat4& head);
   Result<void> move_character(int frame);
   Result<void> measure();
@@ -49,13 +56,14 @@ class StrandMotion {
   std::unique_ptr<sim::GpuSolver> solver_;      ///< null: carried
   std::unique_ptr<CharacterMotion> character_;  ///< null: carried rigidly
   bool hands_over_motion_ = false;
-  gpu::Buffer carried_, before_;  ///< `before_`: where there is no solver
+  std::unique_ptr<FinMotion> fins_;  ///< null: none
+  gpu::Buffer carried_, before_;     ///< `before_`: where there is no solver
   strands::Bounds bounds_;
   glm::dmat4 head_{1};
   int frame_ = -1;
 };
 
-/// The effects of a plan with the scene's parameters, as a solver takes them.
+/// The effects of a plan that act on hair, with the scene's parameters, as a solver takes them.
 sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan);
 
 }  // namespace cuticle::plan

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include <cuticle/plan/fins.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/sim/solver.h>
 #include <cuticle/strands/binding/binding.h>
@@ -237,6 +238,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   if (scene.head.present && !scene.head.mesh.empty()) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
   }
+  if (scene.fins) CUTICLE_TRY(read_fins(*scene.fins, set));
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
   set.boxes = scene.boxes;
   CUTICLE_TRY(limit(scene, set));

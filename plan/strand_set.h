@@ -23,6 +23,8 @@ struct StrandSet {
   std::vector<strands::Root> control_roots;             ///< on the character's mesh, one per control hair
   std::vector<Sphere> colliders;                        ///< in the head's rest space
   std::vector<RoundedBox> boxes;                        ///< colliders as well, there too
+  strands::Mesh fins;                                   ///< in the head's rest space; empty where the scene has none
+  std::vector<float> fin_weights;                       ///< one per vertex: 0 rigid .. 1 simulated
   glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots
   std::vector<std::string> notes;  ///< what was guessed, one sentence each
 };

@@ -66,6 +66,9 @@ struct FrameResources {
   const gpu::Buffer* motion_vectors = nullptr;   ///< vec2 per pixel: pixels since the frame before
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
+  /// Fins: their mesh at rest, and its vertices of this frame, vec4 each (world place, painted weight; unit normal).
+  const strands::Mesh* fins = nullptr;
+  const gpu::Buffer *fin_positions = nullptr, *fin_normals = nullptr;
   const gpu::Texture *color = nullptr,
                      *depth = nullptr;     ///< targets, at supersampled size, samples as the device offers
   const gpu::Texture* resolved = nullptr;  ///< single-sample, supersampled size

@@ -123,7 +123,7 @@ Result<void> read_motion(const Reader& root, Scene& scene) {
 
 /// What a character takes the place of, or cannot have yet.
 Result<void> check_character(const Reader& root) {
-  for (const char* key : {"motion", "simulation", "colliders"})
+  for (const char* key : {"motion", "colliders", "fins"})
     if (root.has(key))
       return bad_input(fmt::format("{}: a scene with 'character' has no '{}'", root.where, key),
                        "hair follows the character's skin; leave one of them out");
@@ -175,6 +175,17 @@ void read_simulation(const Reader& root, const Catalogue& catalogue, Scene& scen
   scene.simulation.solver = block_of(catalogue.solvers, reader.value["solver"]);
   scene.simulation.effects = blocks_of(catalogue.effects, reader.child("effects").value);
   reader.get("settle_time_s", scene.simulation.settle_time);
+}
+
+Result<void> read_fins(const Reader& root, Scene& scene) {
+  if (!root.has("fins")) return {};
+  const Reader reader = root.child("fins");
+  FinSource fins;
+  CUTICLE_ASSIGN(fins.mesh, reader.file("mesh", "fins.mesh"));
+  CUTICLE_ASSIGN(fins.weights, reader.file("weights", "fins.weights"));
+  reader.get("metres_per_unit", fins.metres_per_unit);
+  scene.fins = std::move(fins);
+  return {};
 }
 
 std::vector<Reader> items(const Reader& reader, const char* key) {
@@ -315,6 +326,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   read_material(root.child("material"), catalogue, scene);
   read_simulation(root, catalogue, scene);
   CUTICLE_TRY(read_colliders(root.child("colliders"), scene));
+  CUTICLE_TRY(read_fins(root, scene));
   CUTICLE_TRY(read_lights(root, scene));
   CUTICLE_TRY(read_environment(root, scene));
   read_shadow(root, catalogue, scene);

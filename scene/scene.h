@@ -66,6 +66,12 @@ struct SimulationSource {
   double settle_time = 0;  ///< seconds simulated before frame 0, the head at rest
   bool operator==(const SimulationSource&) const = default;
 };
+/// Sheets that hang on the head.
+struct FinSource {
+  std::string mesh;            ///< OBJ with texture coordinates, absolute path; the head's rest space
+  std::string weights;         ///< picture, absolute path: 0 rigid .. 1 simulated, over the texture coordinates
+  double metres_per_unit = 1;  ///< of the mesh
+};
 struct CameraPath {
   Camera camera;
   double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
@@ -94,6 +100,7 @@ struct Scene {
   std::vector<Sphere> colliders;  ///< in the head's rest space; "head": true in the file adds the head's own spheres
   bool head_colliders = false;
   std::vector<RoundedBox> boxes;  ///< colliders as well: the file's capsules, then its boxes
+  std::optional<FinSource> fins;
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   double fibre_alpha = 0.4;     ///< opacity of one crossing

@@ -167,8 +167,7 @@ TEST(Scene, VariableInAFileName_IsReplacedOrNamed) {
 }
 
 TEST(Scene, CharacterBesideWhatItReplaces_IsRefused) {
-  expect_refused(R"("character": {"file": "a.glb"}, "simulation": {"solver": {"classic": {}}})",
-                 {"character", "simulation"});
+  expect_refused(R"("character": {"file": "a.glb"}, "colliders": {"head": true})", {"character", "colliders"});
   expect_refused(R"("character": {"file": "a.glb", "skinning": "cubic"})", {"character.skinning", "dual_quaternion"});
 }
 

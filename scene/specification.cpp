@@ -168,6 +168,14 @@ Spec camera() {
                  real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
 }
 
+Spec fins() {
+  return object(
+      "fins", "sheets that hang on the head: rigid where the painted weight is 0, simulated where it is 1",
+      {required(file("mesh", "OBJ file with texture coordinates, in the head's rest space")),
+       required(file("weights", "picture: the weight over the mesh's texture coordinates, its first channel")),
+       real("metres_per_unit", 1e-9, 1e6, "scale of the mesh")});
+}
+
 Spec outputs() {
   return object(
       "outputs", "pictures wanted",
@@ -195,6 +203,7 @@ Spec specification(const Catalogue& catalogue) {
        material(catalogue),
        simulation(catalogue),
        colliders(),
+       fins(),
        lights(),
        environment(),
        shadow(catalogue),

@@ -77,10 +77,39 @@ std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most
   return static_cast<std::uint32_t>(std::min(rounded, double(most)));
 }
 
+Result<void> HeadMotion::follow(Carrier carrier) {
+  if (carrier_ != Carrier::none && carrier_ != carrier)
+    return usage_error("skinned: a solver's frames are all on a skin or none");
+  carrier_ = carrier;
+  return {};
+}
+
+Result<void> HeadMotion::check_boxes(const FrameInput& input) const {
+  if (meets_boxes_ || input.boxes.empty()) return {};
+  return usage_error("boxes: the solver meets spheres only", "capsules and boxes need the solver exact or rod");
+}
+
 Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::uint32_t substeps) {
-  if (!meets_boxes_ && !input.boxes.empty())
-    return usage_error("boxes: the solver meets spheres only", "capsules and boxes need the solver exact or rod");
+  if (!input.skinned.empty())
+    return usage_error("skinned: this solver follows a head only", "choose the solver 'classic'");
+  CUTICLE_TRY(check_boxes(input));
   CUTICLE_TRY(check(input));
+  CUTICLE_TRY(follow(Carrier::head));
+  return cut(input, substeps);
+}
+
+Result<std::vector<Substep>> HeadMotion::advance_on_skin(const FrameInput& input, std::uint32_t substeps) {
+  const FrameInput still{.duration = input.duration, .colliders = input.colliders};
+  CUTICLE_TRY(check_boxes(input));
+  CUTICLE_TRY(check(still));
+  CUTICLE_TRY(follow(Carrier::skin));
+  const bool onto_skin = !placed_ || input.teleport || input.duration == 0;
+  std::vector<Substep> parts = cut(still, substeps);
+  parts[0].onto_skin = onto_skin;
+  return parts;
+}
+
+std::vector<Substep> HeadMotion::cut(const FrameInput& input, std::uint32_t substeps) {
   const bool jump = input.teleport || input.duration == 0;
   const glm::dquat end = glm::normalize(glm::quat_cast(glm::dmat3(input.head_end)));
   const glm::dquat before = glm::normalize(glm::quat_cast(glm::dmat3(input.head_begin)));
@@ -95,11 +124,13 @@ Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::u
     parts[k].rotation_end = packed(glm::slerp(begin, end, double(k + 1) / substeps));
     parts[k].translation_step = glm::vec3((to - from) / double(substeps));
     parts[k].translation = glm::vec3(to);
+    parts[k].time = time_ + input.duration * (k + 1) / substeps;
   }
   const glm::dquat jump_turn = jump ? end * glm::conjugate(before) : glm::dquat(1, 0, 0, 0);
   if (jump || !placed_) parts[0].carry = packed(placed_ ? jump_turn : begin);
   placed_ = true;
   if (step > 0) previous_duration_ = step;
+  time_ += input.duration;
   return parts;
 }
 

@@ -19,6 +19,8 @@ struct Substep {
   glm::vec4 rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
   glm::vec3 translation_step{0};  ///< metres that the head moves in the substep
   glm::vec3 translation{0};       ///< the head's translation at the end of the frame, world
+  double time = 0;                ///< seconds at its end since the first frame began
+  bool onto_skin = false;         ///< on a skin: the state is put there, at rest, before the step
 };
 
 /// ceil(duration / inner_step), between 1 and `most`: past that the step stretches.
@@ -33,11 +35,20 @@ class HeadMotion {
   /// matrix is not finite or not rigid within 1e-3, the duration is outside 0 .. 100 s, or a collider is not finite or
   /// has a negative radius; usage where there are boxes that the solver does not meet; nothing is then remembered.
   Result<std::vector<Substep>> advance(const FrameInput& input, std::uint32_t substeps);
+  /// The same for hair on a skin, which no head moves: FrameInput::skinned is the caller's to read. Error: also usage
+  /// where one follows the other.
+  Result<std::vector<Substep>> advance_on_skin(const FrameInput& input, std::uint32_t substeps);
 
  private:
+  enum class Carrier { none, head, skin };
+  std::vector<Substep> cut(const FrameInput& input, std::uint32_t substeps);
+  Result<void> follow(Carrier carrier);
+  Result<void> check_boxes(const FrameInput& input) const;
+
   bool meets_boxes_ = false;
+  Carrier carrier_ = Carrier::none;
   bool placed_ = false;
-  double previous_duration_ = 0;
+  double previous_duration_ = 0, time_ = 0;
 };
 
 }  // namespace cuticle::sim

@@ -29,13 +29,19 @@ using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<
 struct FrameInput {
   double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
-  std::span<const Sphere> colliders;
+  std::span<const Sphere> colliders = {};
   std::span<const RoundedBox> boxes = {};  ///< colliders as well, capsules among them: exact and rod only
   bool teleport = false;                   ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).
   std::span<const glm::vec3> authored = {};
   std::span<const float> control = {};
+  /// Hair on a skin that deforms: world places of all vertices at the frame's end as the skin carries them, metres. A
+  /// substep takes roots and rest pose from between those of the frame before and these (first frame, teleport,
+  /// duration 0: the hair is put there, at rest); head_begin and head_end do not count, colliders are in world space.
+  /// Empty: the head carries the rest pose. All frames of a solver have it or none; only of an Effect that
+  /// follows_skin.
+  std::span<const glm::vec3> skinned = {};
 };
 
 /// State at the end of a frame, in world space, one entry per control vertex.
@@ -76,6 +82,10 @@ struct Effect {
   bool fuses_effects = false;
   /// Whether an effect acts on the result of every solver, by dispatches of its own ("control").
   bool acts_on_result = false;
+  /// Whether an effect moves the scene's fins, and does nothing to hair ("cloth").
+  bool acts_on_fins = false;
+  /// Whether a solver takes FrameInput::skinned.
+  bool follows_skin = false;
 };
 std::span<const Effect* const> effects();
 Result<const Effect*> find_effect(std::string_view name);

@@ -11,6 +11,10 @@ Result<void> GpuSolver::run(gpu::Device& device, const FrameInput& input) {
   return {};
 }
 
+Result<void> GpuSolver::record_on_skin(gpu::Commands&, const FrameInput&, const gpu::Buffer&) {
+  return usage_error("hair on a skin: this solver follows a head only", "choose the solver 'classic'");
+}
+
 Result<const GpuEffect*> find_gpu_effect(std::string_view name) {
   for (const GpuEffect* effect : gpu_effects())
     if (effect->name == name && effect->create) return effect;

@@ -13,6 +13,9 @@ class GpuSolver : public Solver {
   /// "simulate.colliders"). A pass of that name is opened once per substep. Submit what was recorded before recording
   /// the next frame.
   virtual Result<void> record(gpu::Commands& commands, const FrameInput& input) = 0;
+  /// The same for hair on a skin, whose places are on the device: vec4 per vertex, finite, as FrameInput::skinned,
+  /// which must be empty. No word of it passes through the CPU. Error: usage where the solver follows a head only.
+  virtual Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned);
   /// World positions after the recorded work, vec4 per control vertex.
   virtual const gpu::Buffer& positions() const = 0;
   /// Velocities after the recorded work, as State::velocities has them: vec4 per control vertex, m/s.

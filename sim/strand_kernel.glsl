@@ -4,10 +4,13 @@
 #define STRAND_THREADS 64
 #define POSITIONS buffer
 #endif
+#ifndef PLACES
+#define PLACES readonly buffer
+#endif
 layout(local_size_x = STRAND_THREADS) in;
 
 layout(binding = 0) readonly buffer Offsets { uint offsets[]; };
-layout(binding = 1) readonly buffer Places { vec4 places[]; };      // rest position, segment length
+layout(binding = 1) PLACES Places { vec4 places[]; };               // rest position, segment length
 layout(binding = 2) readonly buffer Traits { vec4 traits[]; };      // inverse mass, fraction of length, reach, longest segment
 layout(binding = 3) POSITIONS Positions { vec4 positions[]; };         // relative to the head's translation
 layout(binding = 4) buffer Starts { vec4 starts[]; };               // the same at the substep's begin
@@ -28,12 +31,14 @@ layout(push_constant) uniform Constants {
   uint clamped_vertices;
   vec3 translation;
   uint iterations;
-  uint begins_frame;
+  uint part;           // substep, low 16 bits, of how many in the frame
   uint ends_substep;
   float pearl_radius;
   uint contacts;       // number of spheres; the highest bit: pearls are fitted
 };
 
+uint part_index() { return part & 0xffffu; }
+uint part_count() { return part >> 16; }
 vec3 target_of(uint i, vec4 rotation) { return turned(places[i].xyz, rotation.xyz, rotation.w); }
 vec3 rest_direction(uint i, vec4 rotation) { return direction_of(target_of(i, rotation) - target_of(i - 1u, rotation)); }
 // Last vertex that the head carries, of the strand [first, last).

@@ -1,9 +1,13 @@
 #include <cuticle/sim/classic/classic.h>
 
+#include <cmath>
+
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <cuticle/sim/classic/particles.h>
 #include <cuticle/sim/classic/shape_sphere.glslh>
+#include <cuticle/sim/classic/verlet.glslh>
 
 namespace cuticle::sim::classic {
 namespace {
@@ -76,6 +80,21 @@ void meet_spheres(const Particles& strand, const StepConstants& step, const Cont
   }
 }
 
+/// Where a skin carries the vertices at a frame's begin and end, and at a substep's begin. Empty: a head carries them.
+struct Skin {
+  std::vector<glm::vec3> begin, end;
+  std::vector<glm::vec4> part_begin;
+};
+
+Result<void> check_skinned(std::span<const glm::vec3> skinned, std::size_t vertices) {
+  if (!skinned.empty() && skinned.size() != vertices)
+    return bad_input(fmt::format("skinned: {} places for {} vertices", skinned.size(), vertices));
+  for (std::size_t i = 0; i < skinned.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite(skinned[i][c])) return bad_input(fmt::format("skinned[{}]: component {} is not finite", i, c));
+  return {};
+}
+
 class ClassicSolver final : public Solver {
  public:
   ClassicSolver(const strands::Groom& rest, const Settings& settings)
@@ -87,7 +106,11 @@ class ClassicSolver final : public Solver {
         resets_(rest.strand_count(), 0) {}
 
   Result<void> advance(const FrameInput& input) override {
-    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
+    CUTICLE_TRY(check_skinned(input.skinned, positions_.size()));
+    const std::uint32_t count = substeps(settings_, input.duration);
+    CUTICLE_ASSIGN(const std::vector<Substep> parts,
+                   input.skinned.empty() ? motion_.advance(input, count) : motion_.advance_on_skin(input, count));
+    if (!input.skinned.empty()) follow_skin(input.skinned, parts[0].onto_skin);
     translation_ = parts.back().translation;
     std::vector<StepConstants> steps;
     for (const Substep& part : parts)
@@ -110,7 +133,9 @@ class ClassicSolver final : public Solver {
     const Particles strand = view(index);
     resets_[index] = 0;
     if (strand.size() == 0) return;
-    for (const StepConstants& step : steps) {
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const StepConstants& step = steps[k];
+      if (!skin_.end.empty()) move_places(index, float(k) / float(steps.size()), float(k + 1) / float(steps.size()));
       integrate(strand, step);
       constrain(strand, step, settings_);
       if (!contacts.spheres.empty()) meet_spheres(strand, step, contacts, settings_);
@@ -121,13 +146,32 @@ class ClassicSolver final : public Solver {
   Particles view(std::size_t index) {
     const std::size_t first = rest_.offsets[index], count = rest_.offsets[index + 1] - first;
     const auto part = [&](auto& values) { return std::span(values).subspan(first, count); };
-    return {part(rest_.places), part(rest_.traits), part(positions_), part(starts_), part(velocities_)};
+    const auto places = part(rest_.places), begin_places = skin_.end.empty() ? places : part(skin_.part_begin);
+    return {places, part(rest_.traits), part(positions_), part(starts_), part(velocities_), begin_places};
+  }
+
+  void follow_skin(std::span<const glm::vec3> skinned, bool onto_skin) {
+    skin_.begin = onto_skin ? std::vector(skinned.begin(), skinned.end()) : std::move(skin_.end);
+    skin_.end.assign(skinned.begin(), skinned.end());
+    skin_.part_begin.resize(skinned.size());
+    if (!onto_skin) return;
+    positions_ = skin_.begin;
+    velocities_.assign(skinned.size(), glm::vec3(0));
+  }
+
+  /// To where the skin has a strand when these shares of the frame have passed.
+  void move_places(std::size_t strand, float begin_share, float end_share) {
+    for (std::size_t i = rest_.offsets[strand]; i < rest_.offsets[strand + 1]; ++i) {
+      skin_.part_begin[i] = glm::vec4(skinned_place(skin_.begin[i], skin_.end[i], begin_share), 0);
+      rest_.places[i] = glm::vec4(skinned_place(skin_.begin[i], skin_.end[i], end_share), rest_.places[i].w);
+    }
   }
 
   Settings settings_;
   RestPose rest_;
   std::vector<glm::vec3> positions_, starts_, velocities_;
   std::vector<std::uint32_t> resets_;
+  Skin skin_;
   HeadMotion motion_;
   glm::vec3 translation_{0};
 };

@@ -8,7 +8,8 @@
 
 #include <constraints_comp.spv.h>
 #include <constraints_red_black_comp.spv.h>
-#include <integrate_comp.spv.h>
+#include <integrate_head.spv.h>
+#include <integrate_skin.spv.h>
 
 namespace cuticle::sim::classic {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 struct KernelConstants {
   StepConstants step;
   glm::vec3 translation{0};
-  std::uint32_t iterations = 1, begins_frame = 0, ends_substep = 0;
+  std::uint32_t iterations = 1, part = 0, ends_substep = 0;
   float pearl_radius = 0;
   std::uint32_t contacts = 0;
 };
@@ -45,23 +46,31 @@ class ClassicGpuSolver final : public GpuSolver {
 
   Result<void> make() {
     CUTICLE_ASSIGN(buffers_, make_strand_buffers(*device_, pose_));
-    const gpu::ShaderInterface interface {
-      .storage_buffers = k_strand_buffers, .push_constant_bytes = sizeof(KernelConstants),
-      .specialization = specialization(settings_.sweep)
-    };
-    CUTICLE_ASSIGN(integrate_, device_->make_kernel(integrate_comp, interface));
-    CUTICLE_ASSIGN(constraints_, device_->make_kernel(constraints_code(settings_.sweep), interface));
+    CUTICLE_ASSIGN(integrate_, device_->make_kernel(integrate_head, shader_interface(k_strand_buffers)));
+    CUTICLE_ASSIGN(constraints_,
+                   device_->make_kernel(constraints_code(settings_.sweep), shader_interface(k_strand_buffers)));
     if (!settings_.contact) return {};
-    CUTICLE_ASSIGN(contact_, colliders::make_contact_kernel(*device_, interface));
+    CUTICLE_ASSIGN(contact_, colliders::make_contact_kernel(*device_, shader_interface(k_strand_buffers)));
     return {};
   }
 
   Result<void> record(gpu::Commands& commands, const FrameInput& input) override {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
-    const bool touches = settings_.contact && !input.colliders.empty();
-    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, colliders::packed(input.colliders)));
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      record_substep(commands, constants(parts[k], k == 0, input), touches);
+    return record_parts(commands, input, parts, nullptr);
+  }
+
+  Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned) override {
+    CUTICLE_EXPECT(skinned.size() >= buffers_.world.size(), "a place per vertex");
+    CUTICLE_ASSIGN(const std::vector<Substep> parts,
+                   motion_.advance_on_skin(input, substeps(settings_, input.duration)));
+    if (skin_begin_.size() == 0) CUTICLE_TRY(make_for_skin());
+    const std::size_t bytes = buffers_.world.size();
+    if (parts[0].onto_skin) {
+      for (const gpu::Buffer* put : {&skin_begin_, &buffers_.positions}) commands.copy(skinned, *put, bytes);
+      commands.fill(buffers_.velocities, 0);
+    }
+    CUTICLE_TRY(record_parts(commands, input, parts, &skinned));
+    commands.copy(skinned, skin_begin_, bytes);
     return {};
   }
 
@@ -92,11 +101,35 @@ class ClassicGpuSolver final : public GpuSolver {
   }
 
  private:
-  KernelConstants constants(const Substep& part, bool begins_frame, const FrameInput& input) const {
+  gpu::ShaderInterface shader_interface(std::uint32_t buffers) const {
+    return {.storage_buffers = buffers,
+            .push_constant_bytes = sizeof(KernelConstants),
+            .specialization = specialization(settings_.sweep)};
+  }
+
+  Result<void> make_for_skin() {
+    CUTICLE_ASSIGN(integrate_, device_->make_kernel(integrate_skin, shader_interface(k_strand_buffers + 2)));
+    CUTICLE_ASSIGN(skin_begin_, device_->make_buffer(buffers_.world.size()));
+    return {};
+  }
+
+  /// `skinned`: null where a head carries the rest pose.
+  Result<void> record_parts(gpu::Commands& commands, const FrameInput& input, std::span<const Substep> parts,
+                            const gpu::Buffer* skinned) {
+    const bool touches = settings_.contact && !input.colliders.empty();
+    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, colliders::packed(input.colliders)));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      KernelConstants part = constants(parts[k], input);
+      part.part = std::uint32_t(k) | std::uint32_t(parts.size()) << 16;
+      record_substep(commands, part, touches, skinned);
+    }
+    return {};
+  }
+
+  KernelConstants constants(const Substep& part, const FrameInput& input) const {
     KernelConstants constants{.step = make_step(settings_, part, static_cast<std::uint32_t>(pose_.strand_count()))};
     constants.translation = part.translation;
     constants.iterations = settings_.iterations;
-    constants.begins_frame = begins_frame;
     if (settings_.contact) {
       constants.pearl_radius = settings_.contact->pearl_radius;
       constants.contacts = std::uint32_t(input.colliders.size()) | (settings_.contact->fit_pearls ? 0x80000000u : 0u);
@@ -105,19 +138,20 @@ class ClassicGpuSolver final : public GpuSolver {
   }
 
   void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const KernelConstants& constants,
-                std::uint32_t groups) const {
+                std::uint32_t groups, const gpu::Buffer* skinned = nullptr) const {
     const StrandBuffers& b = buffers_;
-    commands.dispatch(
-        kernel,
-        {&b.offsets, &b.places, &b.traits, &b.positions, &b.starts, &b.velocities, &b.resets, &b.world, &b.spheres}, {},
-        gpu::bytes_of(constants), groups);
+    std::vector<const gpu::Buffer*> bound{&b.offsets,    &b.places, &b.traits, &b.positions, &b.starts,
+                                          &b.velocities, &b.resets, &b.world,  &b.spheres};
+    if (skinned) bound.insert(bound.end(), {&skin_begin_, skinned});
+    commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), groups);
   }
 
   /// With spheres the contact's kernel, which sweeps lengths and spheres in turn, ends the substep.
-  void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches) const {
+  void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches,
+                      const gpu::Buffer* skinned) const {
     const std::uint32_t strands = constants.step.strand_count, groups = (strands + 63) / 64;
     commands.begin_pass(k_pass);
-    dispatch(commands, integrate_, constants, groups);
+    dispatch(commands, integrate_, constants, groups, skinned);
     constants.ends_substep = !touches;
     dispatch(commands, constraints_, constants, settings_.sweep.red_black ? std::min(strands, k_most_groups) : groups);
     commands.end_pass();
@@ -131,6 +165,7 @@ class ClassicGpuSolver final : public GpuSolver {
   Settings settings_;
   RestPose pose_;
   StrandBuffers buffers_;
+  gpu::Buffer skin_begin_;  ///< where the skin carried the vertices a frame before; empty: a head does
   gpu::Kernel integrate_, constraints_, contact_;
   HeadMotion motion_;
 };

@@ -1,5 +1,7 @@
 // The kernels against the CPU twin, against themselves, and their cost against what the registry says.
 #include <cuticle/sim/classic/test_gpu.h>
+#include <cuticle/strands/binding/carry_gpu.h>
+#include <cuticle/strands/skinning/skinning_gpu.h>
 
 namespace cuticle::sim::classic_gpu_test {
 namespace {
@@ -96,6 +98,87 @@ TEST(ClassicGpu, HardSteps_StayFinite) {
     EXPECT_TRUE(all_finite(state)) << duration;
     EXPECT_EQ(state.guards_fired, 0u) << duration;
   }
+}
+
+/// Two joints that turn against each other under a tube of 8 rings of 12 vertices along y.
+struct Limb {
+  strands::Mesh mesh;
+  std::vector<strands::Influences> influences;
+  std::vector<strands::Root> roots;
+  strands::Groom groom;  ///< a strand on every triangle
+};
+Limb limb() {
+  Limb limb;
+  for (std::uint32_t y = 0; y < 8; ++y)
+    for (std::uint32_t k = 0; k < 12; ++k) {
+      const float angle = float(k) * 0.5235988f, share = float(y) / 7;
+      limb.mesh.positions.emplace_back(0.1f * std::cos(angle), 0.05f * float(y), 0.1f * std::sin(angle));
+      limb.influences.push_back({{0, 1, 0, 0}, {1 - share, share, 0, 0}});
+      if (y == 7) continue;
+      const std::uint32_t a = 12 * y + k, b = 12 * y + (k + 1) % 12;
+      limb.mesh.triangles.push_back({a, a + 12, b});
+      limb.mesh.triangles.push_back({b, a + 12, b + 12});
+    }
+  strands::compute_normals(limb.mesh);
+  for (std::uint32_t t = 0; t < limb.mesh.triangles.size(); ++t) limb.roots.push_back({t, glm::vec3(1.f / 3)});
+  const strands::Mesh at = strands::mesh_at_roots(limb.mesh, limb.roots);
+  for (std::size_t s = 0; s < limb.roots.size(); ++s)
+    add_straight(limb.groom, at.positions[s], at.normals[s], uniform_segments(7, 0.06));
+  return limb;
+}
+std::vector<strands::JointMotion> bent(int frame) {
+  const glm::dmat4 one(1), lifted = glm::translate(one, glm::dvec3(0, 0.02 * frame, 0));
+  return strands::joint_motions(
+      std::vector{lifted, glm::rotate(lifted, 0.9 * std::sin(0.3 * frame), glm::dvec3(0, 0, 1))});
+}
+
+TEST(ClassicGpu, HairOnASkin_IsSkinnedThenSimulatedInOneSubmission) {
+  const Limb fur = limb();
+  const strands::RestOnMesh rest = strands::rest_on_mesh(fur.groom, fur.mesh, fur.roots);
+  auto skin = strands::GpuSkin::create(*device(), fur.mesh, fur.influences, 2,
+                                       std::vector<float>(fur.mesh.positions.size(), 1.f));
+  auto carried = strands::GpuCarry::create(*device(), rest);
+  ASSERT_TRUE(skin && carried);
+  auto kernels = make_gpu("classic", fur.groom, "", gravity());
+  auto cpu = make_classic(fur.groom, "", gravity());
+  double apart = 0, off_skin = 0, lag = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    const auto motions = bent(frame);
+    gpu::Commands commands = device()->record();
+    ASSERT_TRUE(skin->record(commands, motions, strands::Skinning::dual_quaternion));
+    carried->record(commands, skin->positions(), skin->normals());
+    ASSERT_TRUE(kernels->record_on_skin(commands, {.duration = 1.0 / 30}, carried->positions()));
+    const gpu::SubmitCost cost = device()->submit(std::move(commands)).value();
+    ASSERT_EQ(cost.passes.size(), 2u + 8);
+    EXPECT_EQ(cost.passes[0].name, "generate.skin");
+    EXPECT_EQ(cost.passes[1].name, "generate.carry");
+    for (std::size_t k = 2; k < cost.passes.size(); ++k) EXPECT_EQ(cost.passes[k].name, "simulate.classic");
+
+    strands::Mesh moved = fur.mesh;
+    strands::skin(fur.mesh, fur.influences, motions, strands::Skinning::dual_quaternion, moved);
+    std::vector<glm::vec3> nodes(fur.groom.vertex_count());
+    strands::carry(rest, moved, nodes);
+    ASSERT_TRUE(cpu->advance({.duration = 1.0 / 30, .skinned = nodes}).ok());
+    const State state = kernels->state().value();
+    apart = std::max(apart, worst_distance(state.positions, cpu->state()->positions));
+    const strands::Mesh at = strands::mesh_at_roots(moved, fur.roots);
+    for (std::size_t s = 0; s < fur.roots.size(); ++s) {
+      off_skin = std::max(off_skin, double(glm::distance(state.positions[8 * s], at.positions[s])));
+      lag = std::max(lag, double(glm::distance(state.positions[8 * s + 7], nodes[8 * s + 7])));
+    }
+  }
+  std::printf("hair on a skin, 20 frames: CPU and GPU %.1e m apart, roots %.1e m off, tips up to %.1e m behind\n",
+              apart, off_skin, lag);
+  EXPECT_LT(apart, 1e-6);
+  EXPECT_LT(off_skin, 3e-7);
+  EXPECT_GT(lag, 5e-3);
+}
+
+TEST(ClassicGpu, SolverOfAHead_RefusesASkin) {
+  const strands::Groom groom = ring(2);
+  auto kernels = make_gpu("exact", groom, "", gravity());
+  gpu::Commands commands = device()->record();
+  EXPECT_FALSE(kernels->record_on_skin(commands, {}, kernels->positions()).ok());
 }
 
 TEST(ClassicGpu, Teleport_EqualsCpuTwin) { expect_teleport_of_the_cpu("classic"); }

@@ -211,5 +211,83 @@ TEST(ClassicMotion, HundredMetresFromOrigin_MovesAsAtTheOrigin) {
   EXPECT_LT(worst_distance(a.positions, b.positions), 4e-5);  // the world position itself rounds to 4e-6
 }
 
+/// Advances on a skin that has these places at the frame's end.
+void advance_on(Solver& solver, std::span<const glm::vec3> skinned, double duration = 1.0 / 30) {
+  EXPECT_TRUE(solver.advance({.duration = duration, .skinned = skinned}).ok());
+}
+
+TEST(ClassicMotion, SkinThatMovesAsAHead_MovesHairAsTheHeadDoes) {
+  const strands::Groom groom = ring(6);
+  auto on_head = make_classic(groom, "", gravity()), on_skin = make_classic(groom, "", gravity());
+  const auto shift = [](int frame) { return glm::dvec3(0.02 * frame, 0.03 * std::sin(frame), -0.01 * frame); };
+  for (int frame = 0; frame <= 20; ++frame) {
+    FrameInput input{.duration = frame > 0 ? 1.0 / 30 : 0};
+    input.head_begin = glm::translate(glm::dmat4(1), shift(std::max(0, frame - 1)));
+    input.head_end = glm::translate(glm::dmat4(1), shift(frame));
+    ASSERT_TRUE(on_head->advance(input).ok());
+    std::vector<glm::vec3> skinned = groom.positions;
+    for (glm::vec3& place : skinned) place += glm::vec3(shift(frame));
+    advance_on(*on_skin, skinned, input.duration);
+  }
+  const State a = on_head->state().value(), b = on_skin->state().value();
+  // A skin's places are of the world, and the weak pull at the tips amplifies their rounding.
+  EXPECT_LT(worst_distance(a.positions, b.positions), 1.5e-4);
+  EXPECT_LT(worst_distance(a.velocities, b.velocities), 1.2e-3);
+}
+
+TEST(ClassicMotion, HairOnASkinThatDeforms_StaysRootedAtItsLength) {
+  const strands::Groom groom = ring(12);
+  auto solver = make_classic(groom, "iterations=16", gravity());
+  double root = 0, stretched = 0, lag = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const std::vector<glm::vec3> skinned = on_turning_roots(groom, frame / 30.0);
+    advance_on(*solver, skinned);
+    const State state = solver->state().value();
+    for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+      root = std::max(root, double(glm::distance(state.positions[groom.offsets[s]], skinned[groom.offsets[s]])));
+      const std::size_t tip = groom.offsets[s + 1] - 1;
+      lag = std::max(lag, double(glm::distance(state.positions[tip], skinned[tip])));
+    }
+    stretched = std::max(stretched, worst_stretch(groom, state));
+  }
+  std::printf("on a skin: roots off by %.1e m, stretch %.1e, tips up to %.3f m behind\n", root, stretched, lag);
+  EXPECT_LT(root, 1e-7);
+  EXPECT_LT(stretched, 6.5e-3);
+  EXPECT_GT(lag, 0.05);
+}
+
+TEST(ClassicMotion, SkinAtRest_HoldsTheGroomAgainstGravity) {
+  const strands::Groom groom = ring(12);
+  auto solver = make_classic(groom, "", gravity());
+  const std::vector<glm::vec3> skinned = on_turning_roots(groom, 0.4);
+  for (int frame = 0; frame < 60; ++frame) advance_on(*solver, skinned);
+  EXPECT_LT(worst_distance(solver->state()->positions, skinned), 4e-5);
+}
+
+TEST(ClassicMotion, TeleportOfASkin_PutsHairOntoItAtRest) {
+  const strands::Groom groom = ring(6);
+  auto solver = make_classic(groom, "", {});
+  for (int frame = 0; frame < 10; ++frame) advance_on(*solver, on_turning_roots(groom, frame / 30.0));
+  std::vector<glm::vec3> skinned = on_turning_roots(groom, 3);
+  for (glm::vec3& place : skinned) place += glm::vec3(5, 0, 0);
+  ASSERT_TRUE(solver->advance({.duration = 1.0 / 30, .teleport = true, .skinned = skinned}).ok());
+  const State state = solver->state().value();
+  EXPECT_LT(worst_distance(state.positions, skinned), 1e-6);
+  EXPECT_LT(worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size())), 1e-4);
+}
+
+TEST(ClassicMotion, SkinThatCannotBeFollowed_IsRefused) {
+  const strands::Groom groom = ring(2);
+  auto classic = make_classic(groom, "", {}), exact = make_exact(groom, "", {});
+  std::vector<glm::vec3> skinned = groom.positions;
+  EXPECT_FALSE(exact->advance({.skinned = skinned}).ok());
+  advance_on(*classic, skinned);
+  EXPECT_FALSE(classic->advance({}).ok());
+  skinned[3].y = NAN;
+  EXPECT_THAT(classic->advance({.skinned = skinned}).error().message, ::testing::HasSubstr("skinned[3]"));
+  skinned.pop_back();
+  EXPECT_FALSE(classic->advance({.skinned = skinned}).ok());
+}
+
 }  // namespace
 }  // namespace cuticle::sim::classic_motion_test

@@ -24,7 +24,7 @@ constexpr registry::Parameter k_parameters[] = {
     k_sag_free,
     k_clamped_vertices,
 };
-constexpr std::string_view k_systems[] = {"N6", "N7", "N8", "H4", "H5", "H6"};
+constexpr std::string_view k_systems[] = {"N6", "N7", "N8", "H3", "H4", "H5", "H6"};
 
 /// Integration and length constraints, once per substep.
 std::uint32_t dispatches(const registry::ParameterValues&, const registry::FrameShape& shape) {
@@ -45,7 +45,8 @@ const Effect& entry() {
                 .systems = k_systems,
                 .dispatches = dispatches},
       .create = create,
-      .substeps = substeps};
+      .substeps = substeps,
+      .follows_skin = true};
   return effect;
 }
 

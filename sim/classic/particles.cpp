@@ -24,7 +24,9 @@ void integrate(const Particles& p, const StepConstants& step) {
     const glm::vec3 carry(step.carry);
     const glm::vec3 here = turned(p.positions[i], carry, step.carry.w);
     const glm::vec3 velocity = turned(p.velocities[i], carry, step.carry.w);
-    const glm::vec3 target = p.target(i, step.rotation_begin), next = p.target(i, step.rotation_end);
+    const glm::vec3 target =
+        turned(glm::vec3(p.begin_places[i]), glm::vec3(step.rotation_begin), step.rotation_begin.w);
+    const glm::vec3 next = p.target(i, step.rotation_end);
     const float pull = kept(shape_rate_at(step.shape_rate, step.shape_tip, p.traits[i].y));
     const glm::vec3 moved =
         verlet_position(here, velocity * step.velocity_to_step, target, next, step.head_step, pull, step.fall);

@@ -9,10 +9,12 @@
 namespace cuticle::sim::classic {
 
 /// A strand's, or a sheet's, share of the arrays: RestPose::places and ::traits (x: inverse mass, 0 where the head
-/// carries the particle; y: place along the fading pull), positions relative to the head's translation.
+/// carries the particle; y: place along the fading pull), positions relative to the head's translation. begin_places:
+/// where a skin that deforms had them at the substep's begin; else as places.
 struct Particles {
   std::span<const glm::vec4> places, traits;
   std::span<glm::vec3> positions, starts, velocities;
+  std::span<const glm::vec4> begin_places = places;
 
   std::size_t size() const { return places.size(); }
   glm::vec3 target(std::size_t particle, const glm::vec4& rotation) const {

@@ -23,7 +23,7 @@ std::uint32_t substeps(const Settings& settings, double duration) {
 
 Result<void> check_effects(const EffectBlocks& effects) {
   for (const auto& [name, values] : effects)
-    if (name != "gravity" && name != "colliders" && name != "control")
+    if (name != "gravity" && name != "colliders" && name != "wind" && name != "water" && name != "control")
       return usage_error("the solver 'classic' has no effect '" + name + "'", "choose the solver 'exact'");
   return {};
 }
@@ -44,6 +44,13 @@ Settings make_settings(const registry::ParameterValues& solver, const EffectBloc
                     .sphere_tip = static_cast<float>(solver.real("sphere_tip"))};
   if (auto gravity = effects.find("gravity"); gravity != effects.end())
     settings.gravity = gravity->second.rgb("acceleration");
+  if (auto wind = effects.find("wind"); wind != effects.end())
+    settings.streams.push_back(wind::make_wind(wind->second));
+  if (auto water = effects.find("water"); water != effects.end()) {
+    const water::Water around = water::make_water(water->second);
+    settings.streams.push_back(around.current);
+    settings.gravity *= 1 - around.buoyancy;
+  }
   if (auto contact = effects.find("colliders"); contact != effects.end())
     settings.contact = colliders::make_contact_settings(contact->second);
   return settings;
@@ -57,6 +64,20 @@ glm::dvec3 balancing_force(const Settings& settings, const glm::vec4& rotation) 
   return settings.sag_free ? turned(settings.gravity, glm::dvec3(q), q.w) : glm::dvec3(0);
 }
 
+wind::Push push_of(const Settings& settings, double time) {
+  wind::Push push{.drag = settings.damping};
+  for (const wind::Wind& stream : settings.streams) {
+    const wind::Push one = wind::push_at(stream, time);
+    push.acceleration += one.acceleration;
+    push.drag += one.drag;
+  }
+  return push;
+}
+
+/// What drag leaves of an acceleration's gain in a step: so that a particle in a stream takes on its velocity, and
+/// weight and stream balance at one angle, whatever the step.
+double left_by_drag(double rate) { return rate > 0 ? -std::expm1(-rate) / rate : 1; }
+
 }  // namespace
 
 StepConstants make_step(const Settings& settings, const Substep& substep, std::uint32_t strand_count) {
@@ -66,9 +87,11 @@ StepConstants make_step(const Settings& settings, const Substep& substep, std::u
   step.rotation_begin = substep.rotation_begin;
   step.rotation_end = substep.rotation_end;
   step.head_step = substep.translation_step;
-  step.velocity_to_step = static_cast<float>(h * std::exp(-settings.damping * h));
-  step.fall =
-      glm::vec3((settings.gravity - balancing_force(settings, substep.rotation_end)) * double(substep.gravity_factor));
+  const wind::Push push = push_of(settings, substep.time);
+  step.velocity_to_step = static_cast<float>(h * std::exp(-push.drag * h));
+  const glm::dvec3 acceleration =
+      settings.gravity - balancing_force(settings, substep.rotation_end) + push.acceleration;
+  step.fall = glm::vec3(acceleration * double(substep.gravity_factor) * left_by_drag(push.drag * h));
   step.shape_rate = static_cast<float>(settings.shape_stiffness * h);
   step.shape_tip = settings.shape_tip;
   step.inverse_duration = h > 0 ? static_cast<float>(1 / h) : 0.f;

@@ -6,6 +6,7 @@
 
 #include <cuticle/sim/colliders/contact.h>
 #include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/water/water.h>
 
 namespace cuticle::sim::classic {
 
@@ -25,7 +26,8 @@ struct Settings {
   float shape_tip = 0;
   bool sag_free = false;
   Sweep sweep;
-  glm::dvec3 gravity{0};                              ///< m/s^2; zero without the effect
+  glm::dvec3 gravity{0};                              ///< m/s^2, less buoyancy; zero without the effect
+  std::vector<wind::Wind> streams;                    ///< of air and of water, those that the scene has
   std::optional<colliders::ContactSettings> contact;  ///< present with the effect
 };
 /// Error: usage, naming an effect that this solver does not know.
@@ -39,8 +41,8 @@ std::uint32_t substeps(const Settings& settings, double duration);
 struct StepConstants {
   glm::vec4 carry{0, 0, 0, 1}, rotation_begin{0, 0, 0, 1}, rotation_end{0, 0, 0, 1};
   glm::vec3 head_step{0};      ///< metres that the head's translation moves
-  float velocity_to_step = 0;  ///< h exp(-damping h): what is left of a velocity, as a displacement
-  glm::vec3 fall{0};           ///< gravity's share of the new position, metres
+  float velocity_to_step = 0;  ///< h exp(-drag h): what is left of a velocity, as a displacement
+  glm::vec3 fall{0};           ///< what gravity, air and water add to the new position, metres
   float shape_rate = 0;        ///< shape stiffness times h, at the root
   float shape_tip = 0;
   float inverse_duration = 0;  ///< 1/h; 0 when no time passes: velocities are kept

@@ -46,6 +46,19 @@ inline strands::Groom ring(int count) {
   return groom;
 }
 
+/// The groom as a skin carries it that deforms: every strand turns about its own root, up to a radian to and fro, and
+/// goes up and down.
+inline std::vector<glm::vec3> on_turning_roots(const strands::Groom& groom, double time) {
+  std::vector<glm::vec3> places;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+    const glm::dvec3 root(groom.strand(s)[0]), lift(0, 0.05 * std::sin(7 * time + double(s)), 0);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), std::sin(5 * time + double(s)), glm::dvec3(0, 0.6, 0.8));
+    for (const glm::vec3& place : groom.strand(s))
+      places.emplace_back(root + lift + glm::dvec3(turn * glm::dvec4(glm::dvec3(place) - root, 0)));
+  }
+  return places;
+}
+
 inline registry::ParameterValues settings_of(std::string_view name, const std::string& assignments = {}) {
   return registry::parse_assignments((*find_effect(name))->entry.parameters, assignments).value();
 }

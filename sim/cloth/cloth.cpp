@@ -76,6 +76,7 @@ class Sheet final : public Solver {
     const std::vector<glm::vec4> next = skinned_places(input);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const float share = float(k + 1) / float(parts.size());
+      begin_places_ = places_;
       for (std::size_t i = 0; i < places_.size(); ++i)
         places_[i] = last_places_[i] + (next[i] - last_places_[i]) * share;
       run(classic::make_step(settings_, parts[k], 1), input.colliders);
@@ -118,7 +119,7 @@ class Sheet final : public Solver {
   }
 
   void run(const classic::StepConstants& step, std::span<const Sphere> spheres) {
-    const classic::Particles particles{places_, traits_, positions_, starts_, velocities_};
+    const classic::Particles particles{places_, traits_, positions_, starts_, velocities_, begin_places_};
     integrate(particles, step);
     for (std::uint32_t sweep = 0; sweep < settings_.iterations; ++sweep) {
       for (const Edge& edge : edges_) keep_distance(particles, edge.a, edge.b, edge.length, step.rotation_end);
@@ -141,7 +142,7 @@ class Sheet final : public Solver {
 
   classic::Settings settings_;
   std::vector<Edge> edges_;
-  std::vector<glm::vec4> places_, last_places_, traits_;
+  std::vector<glm::vec4> places_, begin_places_, last_places_, traits_;
   std::vector<glm::vec3> positions_, starts_, velocities_;
   HeadMotion motion_;
   glm::vec3 translation_{0};
@@ -168,9 +169,12 @@ Result<void> check(const strands::Mesh& mesh, std::span<const float> weights) {
 }  // namespace
 
 Result<std::unique_ptr<Solver>> make_cloth(const strands::Mesh& mesh, std::span<const float> weights,
-                                           const registry::ParameterValues& solver, const EffectBlocks& effects) {
+                                           const registry::ParameterValues& values, const EffectBlocks& effects) {
   CUTICLE_TRY(classic::check_effects(effects));
   CUTICLE_TRY(check(mesh, weights));
+  CUTICLE_ASSIGN(const Effect* classic, find_effect("classic"));
+  registry::ParameterValues solver = registry::default_values(classic->entry.parameters);
+  for (const auto& [name, value] : values.all()) solver.set(name, value);
   return control::controlled(std::make_unique<Sheet>(mesh, weights, classic::make_settings(solver, effects)),
                              sheet_of(mesh, weights), whole_control());
 }

@@ -8,13 +8,12 @@
 namespace cuticle::sim {
 
 /// A sheet in the head's rest space, metres. weights: one per vertex, 0 (root: rigid, goes with the skin) .. 1 (tip:
-/// simulated); solver: values of classic's table (inner_step, max_substeps, iterations, damping, shape_stiffness and
-/// shape_tip, which fades with the weight, sag_free); effects: "gravity", "colliders". FrameInput::authored is the
-/// skinned mesh at the frame's end (none: the mesh carried by the head); FrameInput::control must be empty or factors
-/// of the skin's weight. The state is the blend, one entry per vertex of the mesh; not finite: the whole sheet is put
-/// back and counted. Error: bad_input naming triangle or vertex when an index is out of range, a position is not finite
-/// or a weight is outside 0 .. 1; usage for another effect.
+/// simulated); values: of the table of "cloth"; effects: "gravity", "wind", "water", "colliders". FrameInput::authored
+/// is the skinned mesh at the frame's end (none: the mesh carried by the head); FrameInput::control must be empty or
+/// factors of the skin's weight. The state is the blend, one entry per vertex of the mesh; not finite: the whole sheet
+/// is put back and counted. Error: bad_input naming triangle or vertex when an index is out of range, a position is not
+/// finite or a weight is outside 0 .. 1; usage for another effect.
 Result<std::unique_ptr<Solver>> make_cloth(const strands::Mesh& mesh, std::span<const float> weights,
-                                           const registry::ParameterValues& solver, const EffectBlocks& effects);
+                                           const registry::ParameterValues& values, const EffectBlocks& effects);
 
 }  // namespace cuticle::sim

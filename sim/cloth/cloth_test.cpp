@@ -27,7 +27,7 @@ Fin strip(std::uint32_t columns, bool rigid_root = true) {
   return fin;
 }
 std::unique_ptr<Solver> cloth(const Fin& fin, const std::string& settings, const EffectBlocks& effects = gravity()) {
-  return make_cloth(fin.mesh, fin.weights, settings_of("classic", settings), effects).value();
+  return make_cloth(fin.mesh, fin.weights, settings_of("cloth", settings), effects).value();
 }
 double worst_edge(const Fin& fin, const State& state) {
   double worst = 0;
@@ -110,7 +110,7 @@ TEST(Cloth, SheetThatFallsOnABall_StaysOutside) {
 TEST(Cloth, MeshThatDoesNotFit_IsRefusedByName) {
   Fin fin = strip(2);
   const auto refused = [&] {
-    return make_cloth(fin.mesh, fin.weights, settings_of("classic"), gravity()).error().message;
+    return make_cloth(fin.mesh, fin.weights, settings_of("cloth"), gravity()).error().message;
   };
   fin.weights[3] = 1.5f;
   EXPECT_THAT(refused(), ::testing::HasSubstr("weights[3]: 1.5"));

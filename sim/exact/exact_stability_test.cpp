@@ -158,10 +158,11 @@ TEST(ExactHard, EmptyGroom_HasAnEmptyState) {
   EXPECT_TRUE(run_still(*solver, 2, 1.0 / 30).positions.empty());
 }
 
-TEST(Wind, ClassicSolver_RefusesItByName) {
-  const auto made = (*find_effect("classic"))->create(ring(1), settings_of("classic"), {{"wind", settings_of("wind")}});
+TEST(ClassicEffects, WhatItDoesNotKnow_IsRefusedByName) {
+  const auto made =
+      (*find_effect("classic"))->create(ring(1), settings_of("classic"), {{"cloth", settings_of("cloth")}});
   ASSERT_FALSE(made.ok());
-  EXPECT_THAT(made.error().message, ::testing::HasSubstr("wind"));
+  EXPECT_THAT(made.error().message, ::testing::HasSubstr("cloth"));
 }
 
 TEST(ExactContact, StrandsOnBalls_KeepLengthStayOutsideAndComeToRest) {

@@ -23,7 +23,7 @@ const Effect& entry() {
       .entry = {.kind = registry::EntryKind::effect,
                 .name = "water",
                 .summary =
-                    "under water: buoyancy, drag and a swelling current, folded into exact and rod (no dispatch of "
+                    "under water: buoyancy, drag and a swelling current, folded into every solver (no dispatch of "
                     "its own)",
                 .source = "Archimedes; linear drag by length as in wind",
                 .parameters = k_parameters,

@@ -27,7 +27,7 @@ double off_line(const State& state, const glm::dvec3& truth) {
 }
 
 class Water : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, Water, ::testing::Values("exact", "rod"),
+INSTANTIATE_TEST_SUITE_P(Solvers, Water, ::testing::Values("classic", "exact", "rod"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(Water, HairLighterThanWater_RisesAndHeavierHangs) {
@@ -49,13 +49,6 @@ TEST_P(Water, SteadyCurrent_TiltsByDragOverTheRemainingWeight) {
 TEST_P(Water, OfItsOwnDensityAndStill_HairStaysWhereItIs) {
   const State state = rest_in(GetParam(), "current=0/0/0,density=1300,fibre_density=1300");
   EXPECT_LT(off_line(state, {0.6, -0.8, 0}), 1e-2);  // nothing brings it back: rounding moves it in 9,600 substeps
-}
-
-TEST(WaterClassic, ClassicSolver_RefusesItByName) {
-  const auto made =
-      (*find_effect("classic"))->create(ring(1), settings_of("classic"), {{"water", settings_of("water")}});
-  ASSERT_FALSE(made.ok());
-  EXPECT_THAT(made.error().message, ::testing::HasSubstr("water"));
 }
 
 }  // namespace

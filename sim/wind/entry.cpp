@@ -16,14 +16,13 @@ constexpr std::string_view k_demands[] = {"simulation", "wind"};
 
 const Effect& entry() {
   static const Effect effect = {
-      .entry = {
-          .kind = registry::EntryKind::effect,
-          .name = "wind",
-          .summary = "uniform, gusting air: linear drag, folded into the integration of exact (no dispatch of its own)",
-          .source = "linear drag by length; the resting chain is a straight line at tan phi = drag U / g",
-          .parameters = k_parameters,
-          .demands = k_demands,
-          .stage = registry::Stage::simulate}};
+      .entry = {.kind = registry::EntryKind::effect,
+                .name = "wind",
+                .summary = "uniform, gusting air: linear drag, folded into every solver (no dispatch of its own)",
+                .source = "linear drag by length; the resting chain is a straight line at tan phi = drag U / g",
+                .parameters = k_parameters,
+                .demands = k_demands,
+                .stage = registry::Stage::simulate}};
   return effect;
 }
 

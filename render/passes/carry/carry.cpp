@@ -4,7 +4,7 @@ namespace cuticle::render::carry {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"character", "output_color"};
+constexpr std::string_view k_demands[] = {"moving_skin"};
 constexpr std::string_view k_systems[] = {"H2"};
 constexpr std::string_view k_after[] = {"skin"};
 
@@ -17,7 +17,8 @@ const Pass& entry() {
                   .source = "target positions from skinning: docs/systems.md, H2",
                   .demands = k_demands,
                   .systems = k_systems,
-                  .after = k_after});
+                  .after = k_after},
+                 registry::Stage::prepare);
   return pass;
 }
 

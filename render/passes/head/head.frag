@@ -1,10 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Diffuse with wrapped light: (wrap + N.L) / (1 + wrap). Light directions come in the head's rest frame.
+// Diffuse with wrapped light: (wrap + N.L) / (1 + wrap). Light directions come in the mesh's rest frame. THIN: a sheet
+// that is seen from both sides, and that lets a share of the light through.
 const uint k_max_lights = 8;
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
-  vec4 skin, scalp_color;  // w of skin: wrap; w of scalp_color: number of lights
-  vec4 ambient;            // radiance factor, rgb
+  vec4 albedo_0, albedo_1;  // w of the first: wrap; of the second: number of lights
+  vec4 ambient;             // radiance factor, rgb; w: share of the light that comes through
   vec4 to_light[k_max_lights];
   vec4 irradiance[k_max_lights];
   mat4 rest_to_map[k_max_lights];  // of surface_shadow
@@ -15,7 +16,7 @@ layout(set = 0, binding = 4) uniform sampler2D hair_map;
 #include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
 
 layout(location = 0) in vec3 rest_normal;
-layout(location = 1) in float scalp;
+layout(location = 1) in float mixed;
 layout(location = 2) in vec3 rest_position;
 layout(location = 0) out vec4 color;
 
@@ -25,12 +26,20 @@ float reached(uint light) {
   return unshadowed(hair_map, at, light, map_resolution, map_columns, map_filter);
 }
 
+float wrapped(float cosine) { return max((albedo_0.w + cosine) / (1.0 + albedo_0.w), 0.0); }
+
 void main() {
   vec3 normal = normalize(rest_normal);
+#ifdef THIN
+  if (!gl_FrontFacing) normal = -normal;
+#endif
   vec3 received = ambient.rgb;
-  for (uint k = 0u; k < uint(scalp_color.w); ++k) {
-    float wrapped = (skin.w + dot(normal, to_light[k].xyz)) / (1.0 + skin.w);
-    if (wrapped > 0.0) received += wrapped * reached(k) * irradiance[k].rgb;
+  for (uint k = 0u; k < uint(albedo_1.w); ++k) {
+    float cosine = dot(normal, to_light[k].xyz), share = wrapped(cosine);
+#ifdef THIN
+    share = mix(share, wrapped(-cosine), ambient.w);
+#endif
+    if (share > 0.0) received += share * reached(k) * irradiance[k].rgb;
   }
-  color = vec4(mix(skin.rgb, scalp_color.rgb, scalp) * received * 0.31830989, 1.0);
+  color = vec4(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989, 1.0);
 }

@@ -4,7 +4,7 @@ namespace cuticle::render::skin {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"character", "output_color"};
+constexpr std::string_view k_demands[] = {"moving_skin"};
 constexpr std::string_view k_systems[] = {"H1"};
 
 }  // namespace
@@ -15,7 +15,8 @@ const Pass& entry() {
                   .summary = "the growth mesh moved by its joints, linear blend or dual quaternions",
                   .source = "Kavan et al. 2008, Geometric skinning with approximate dual quaternion blending",
                   .demands = k_demands,
-                  .systems = k_systems});
+                  .systems = k_systems},
+                 registry::Stage::prepare);
   return pass;
 }
 

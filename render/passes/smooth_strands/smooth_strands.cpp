@@ -6,7 +6,6 @@ namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color"};
 constexpr std::string_view k_systems[] = {"N4"};
-constexpr std::string_view k_after[] = {"carry"};
 
 }  // namespace
 
@@ -16,8 +15,7 @@ const Pass& entry() {
                   .summary = "control hairs to Bezier curves from this frame's tangents, resampled",
                   .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.2",
                   .demands = k_demands,
-                  .systems = k_systems,
-                  .after = k_after});
+                  .systems = k_systems});
   return pass;
 }
 

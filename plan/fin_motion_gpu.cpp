@@ -1,0 +1,53 @@
+#include <cuticle/plan/fin_motion_gpu.h>
+
+#include <cuticle/sim/cloth/cloth.h>
+
+namespace cuticle::plan {
+
+Result<std::unique_ptr<FinMotion>> FinMotion::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
+                                                     const StrandSet& set, const Plan& plan) {
+  std::unique_ptr<FinMotion> motion(new FinMotion(std::move(device), scene, set, plan));
+  const std::size_t bytes = set.fins.positions.size() * sizeof(glm::vec4);
+  CUTICLE_ASSIGN(motion->positions_, motion->device_->make_buffer(bytes));
+  CUTICLE_ASSIGN(motion->normals_, motion->device_->make_buffer(bytes));
+  return motion;
+}
+
+Result<void> FinMotion::restart(const sim::EffectBlocks& effects) {
+  cloth_.reset();
+  const PlannedPass* planned = find_pass(plan_, "cloth");
+  if (!planned) return {};
+  const auto given = scene_.simulation.effects.find(planned->entry->name);
+  const registry::ParameterValues values =
+      given == scene_.simulation.effects.end() ? registry::default_values(planned->entry->parameters) : given->second;
+  CUTICLE_ASSIGN(cloth_, sim::make_cloth(set_.fins, set_.fin_weights, values, effects));
+  return {};
+}
+
+Result<void> FinMotion::advance(const sim::FrameInput& input) {
+  if (!cloth_) return carry(input.head_end);
+  sim::FrameInput spheres_only = input;
+  spheres_only.boxes = {};
+  CUTICLE_TRY(cloth_->advance(spheres_only));
+  CUTICLE_ASSIGN(sim::State state, cloth_->state());
+  moved_.positions = std::move(state.positions);
+  return upload();
+}
+
+Result<void> FinMotion::carry(const glm::dmat4& head) {
+  moved_.positions = strands::transformed(set_.fins, head).positions;
+  return upload();
+}
+
+Result<void> FinMotion::upload() {
+  strands::compute_normals(moved_);
+  std::vector<glm::vec4> positions, normals;
+  for (std::size_t i = 0; i < moved_.positions.size(); ++i) {
+    positions.emplace_back(moved_.positions[i], set_.fin_weights[i]);
+    normals.emplace_back(moved_.normals[i], 0);
+  }
+  CUTICLE_TRY(device_->upload(positions_, std::as_bytes(std::span<const glm::vec4>(positions))));
+  return device_->upload(normals_, std::as_bytes(std::span<const glm::vec4>(normals)));
+}
+
+}  // namespace cuticle::plan

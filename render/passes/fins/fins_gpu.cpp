@@ -1,0 +1,43 @@
+#include <cuticle/render/passes/fins/fins.h>
+#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+
+#include <fins_frag.spv.h>
+
+namespace cuticle::render::fins {
+
+namespace {
+
+class Fins : public GpuPass {
+ public:
+  Fins(std::shared_ptr<gpu::Device> device, head::MeshDraw draw, head::Diffuse diffuse)
+      : device_(std::move(device)), draw_(std::move(draw)), diffuse_(diffuse) {}
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    return draw_.record(*device_, commands, resources, *resources.fin_positions, *resources.fin_normals, glm::dmat4(1),
+                        diffuse_);
+  }
+
+ private:
+  std::shared_ptr<gpu::Device> device_;
+  head::MeshDraw draw_;
+  head::Diffuse diffuse_;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_EXPECT(resources.fins && !resources.fins->triangles.empty(), "the fins' pass was planned without fins");
+  const registry::ParameterValues values = parameters_of(resources, entry());
+  CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, resources.fins->triangles, fins_frag));
+  return std::unique_ptr<GpuPass>(
+      std::make_unique<Fins>(std::move(device), std::move(draw),
+                             head::Diffuse{values.rgb("root"), values.rgb("tip"), values.real("wrap"),
+                                           values.real("ambient"), values.real("through")}));
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"fins", create};
+  return table;
+}
+
+}  // namespace cuticle::render::fins

@@ -1,0 +1,82 @@
+#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+
+#include <array>
+
+#include <glm/matrix.hpp>
+
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+
+#include <head_vert.spv.h>
+
+namespace cuticle::render::head {
+namespace {
+
+/// As head.frag reads it.
+struct DiffuseFrame {
+  glm::vec4 albedo_0, albedo_1, ambient;
+  std::array<glm::vec4, k_max_lights> to_light, irradiance;
+  std::array<glm::mat4, k_max_lights> rest_to_map;
+  std::uint32_t map_resolution, map_columns;
+  float map_filter, unused;
+};
+static_assert(sizeof(DiffuseFrame) == 16 * (3 + 2 * k_max_lights) + 64 * k_max_lights + 16);
+
+void set_maps(DiffuseFrame& frame, const FrameResources& resources, const glm::dmat4& to_world) {
+  const surface_shadow::Maps& maps = *resources.surface_shadow;
+  for (std::size_t k = 0; k < resources.lights.size(); ++k)
+    frame.rest_to_map[k] = glm::mat4(glm::dmat4(maps.frame.world_to_map[k]) * to_world);
+  frame.map_resolution = maps.frame.resolution;
+  frame.map_columns = maps.frame.columns;
+  frame.map_filter = maps.surface_filter;
+}
+
+DiffuseFrame frame_of(const FrameResources& resources, const glm::dmat4& to_world, const Diffuse& diffuse) {
+  DiffuseFrame frame{};
+  frame.albedo_0 = glm::vec4(diffuse.albedo_0, diffuse.wrap);
+  frame.albedo_1 = glm::vec4(diffuse.albedo_1, double(resources.lights.size()));
+  const glm::dmat3 to_rest(glm::inverse(to_world));
+  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
+    frame.to_light[k] = glm::vec4(to_rest * resources.lights[k].to_light, 0);
+    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
+    frame.ambient += float(diffuse.ambient) * frame.irradiance[k];
+  }
+  frame.ambient.w = float(diffuse.through);
+  if (resources.surface_shadow) set_maps(frame, resources, to_world);
+  return frame;
+}
+
+}  // namespace
+
+Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& resources,
+                                  std::span<const std::array<std::uint32_t, 3>> triangles,
+                                  std::span<const std::uint32_t> fragment) {
+  MeshDraw draw;
+  gpu::GraphicsDescription description = target_description(resources);
+  description.vertex_spirv = head_vert;
+  description.fragment_spirv = fragment;
+  description.interface.storage_buffers = 4;
+  description.interface.textures = 1;
+  description.interface.push_constant_bytes = sizeof(glm::mat4);
+  CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
+  CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
+  CUTICLE_ASSIGN(draw.frame_, device.make_buffer(sizeof(DiffuseFrame)));
+  const std::span<const std::uint32_t> indices(triangles.data()->data(), triangles.size() * 3);
+  CUTICLE_ASSIGN(draw.indices_, gpu::make_buffer_from<std::uint32_t>(device, indices));
+  draw.index_count_ = std::uint32_t(indices.size());
+  return draw;
+}
+
+Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, const FrameResources& resources,
+                              const gpu::Buffer& positions, const gpu::Buffer& normals, const glm::dmat4& to_world,
+                              const Diffuse& diffuse) {
+  CUTICLE_TRY(device.upload(frame_, gpu::bytes_of(frame_of(resources, to_world, diffuse))));
+  const glm::mat4 to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) * to_world);
+  begin_target(commands, resources);
+  commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_},
+                {resources.surface_shadow ? &resources.surface_shadow->hair : &no_map_}, gpu::bytes_of(to_clip),
+                index_count_);
+  commands.end_rendering();
+  return {};
+}
+
+}  // namespace cuticle::render::head
