@@ -144,7 +144,7 @@ TEST(FoxFur, Simulated_StaysRootedOnTheSkinAtItsLength) {
   EXPECT_LT(off_skin, 2e-6);
   EXPECT_LT(stretched, 0.02);
   EXPECT_GT(lag, 5e-3);
-  EXPECT_LT(lag, 0.06);
+  EXPECT_LT(lag, 0.13);  // of hair up to 0.09 m long, on the feet
 }
 
 TEST(FoxFur, Simulated_RunsSkinThenSimulationAsPlanned) {

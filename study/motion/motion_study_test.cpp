@@ -24,6 +24,9 @@ TEST(MotionStudy, Quick_MoreSubstepsBringSolversNearerAndTheCheapestIsNamed) {
   ASSERT_NE(found, nullptr);
   EXPECT_LE(found->error, 0.05);
   EXPECT_EQ(cheapest(*study, "swing", 1e-9), nullptr);
+  MotionStudy unknown = *study;
+  unknown.reference_change["swing"] = 0.06;
+  EXPECT_EQ(cheapest(unknown, "swing", 0.05), nullptr);
 }
 
 }  // namespace
