@@ -92,6 +92,14 @@ TEST_P(ChainGpu, HardSteps_KeepLengths) {
   }
 }
 
+// Software Vulkan ends all loops of an invocation after 65,535 turns together.
+TEST_P(ChainGpu, LongFrameOfALongStrand_IsWalkedToItsEnd) {
+  strands::Groom groom;
+  add_straight(groom, {0, 0, 0}, {1, 0, 0}, uniform_segments(80, 0.3));
+  const State state = run_still(*make_gpu(GetParam(), groom, "inner_step=0.001", gravity()), 1, 1.0 / 30);
+  EXPECT_LT(worst_stretch(groom, state), 1e-5);
+}
+
 TEST_P(ChainGpu, Teleport_EqualsTheCpu) {
   // Fused products and estimated reciprocals alone part them; without, as in the units of every x86-64, 3e-8 m.
   expect_teleport_of_the_cpu(GetParam(), GetParam() == std::string("rod") ? k_slack : "", 4.5e-5);

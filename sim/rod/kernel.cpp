@@ -44,6 +44,7 @@ constexpr int k_band_rows = rod_row::count - rod_row::band;
 
 #define ROWS BandRows<Real>
 #define UNROLLED _Pragma("GCC unroll 9")
+#define FROM_8_DOWN_TO_ABOVE(m, j) UNROLLED for (int m = 8; m > j; --m)
 #define AT(rows, row) (BandNumber<Real>{rows, row})
 #define BAND_BEGIN 0
 #define RIGHT_BEGIN (rod_row::right - rod_row::band)

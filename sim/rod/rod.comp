@@ -15,6 +15,7 @@ const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_
 #define ROWS uint
 #define ROLLED [[dont_unroll]]
 #define UNROLLED [[unroll]]
+#define FROM_8_DOWN_TO_ABOVE(m, j) UNROLLED for (int m = 8; m >= 1; --m) if (m > j)
 #define AT(rows, row) scratch[(rows) + uint(row) * k_lanes]
 #define BAND_BEGIN 45
 #define RIGHT_BEGIN 81
