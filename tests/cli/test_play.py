@@ -49,7 +49,7 @@ def closed(process, display):
 
 def xdo(display, *words):
     subprocess.run(["xdotool", *map(str, words)], check=True, env=display, timeout=60)
-    time.sleep(0.4)  # longer than the window takes to look at what was done
+    time.sleep(0.8)  # longer than the window takes to look at what was done
 
 
 def middle(report, control):
