@@ -20,8 +20,12 @@ registry::Fact strands_fact(const scene::Scene& scene) {
 registry::Fact colliders_fact(const scene::Scene& scene) {
   const bool own = scene.head_colliders;
   std::string what;
-  if (!scene.colliders.empty()) what = counted(scene.colliders.size(), "sphere collider");
-  if (!scene.boxes.empty()) what += (what.empty() ? "" : ", ") + counted(scene.boxes.size(), "capsule or box collider");
+  const auto add = [&](std::size_t count, std::string_view thing) {
+    if (count > 0) what += (what.empty() ? "" : ", ") + counted(count, thing);
+  };
+  add(scene.colliders.size(), "sphere collider");
+  add(scene.boxes.size(), "capsule or box collider");
+  add(scene.mesh_colliders.size(), "mesh collider");
   if (what.empty()) return {own, own ? "the head collides" : "the scene has no colliders"};
   return {true, what + (own ? " and the head's" : "")};
 }

@@ -231,6 +231,14 @@ Result<void> read_colliders(const Reader& reader, Scene& scene) {
     CUTICLE_ASSIGN(const RoundedBox box, read_box(fields, fmt::format("colliders.boxes[{}]", count++)));
     scene.boxes.push_back(box);
   }
+  for (const Reader& fields : items(reader, "meshes")) {
+    MeshCollider mesh;
+    CUTICLE_ASSIGN(mesh.file,
+                   fields.file("file", fmt::format("colliders.meshes[{}].file", scene.mesh_colliders.size())));
+    fields.get("spacing_m", mesh.spacing);
+    fields.get("metres_per_unit", mesh.metres_per_unit);
+    scene.mesh_colliders.push_back(std::move(mesh));
+  }
   return {};
 }
 

@@ -206,6 +206,13 @@ TEST(Scene, BoxesOutOfRange_AreRefused) {
                  {"colliders.capsules[0].to_m", "missing"});
 }
 
+TEST(Scene, MeshColliders_NeedAFileAndASpacing) {
+  expect_refused(R"("colliders": {"meshes": [{"file": "none.obj", "spacing_m": 0.01}]})",
+                 {"colliders.meshes[0].file", "none.obj"});
+  expect_refused(R"("colliders": {"meshes": [{"file": "none.obj", "spacing_m": 0}]})",
+                 {"colliders.meshes[0].spacing_m", "0"});
+}
+
 TEST(Scene, CameraWithoutView_IsRefused) {
   expect_refused(R"("camera": {"position_m": [0, 1, 0], "target_m": [0, 0, 0]})", {"camera.up", "parallel"});
   expect_refused(R"("camera": {"near_m": 5, "far_m": 2})", {"camera.near_m", "5", "2"});

@@ -128,11 +128,16 @@ Spec colliders() {
                      real("rounding_m", 0, k_metres, "what the rounded box is larger by on every side"),
                      numbers("turn_axis", 3, -1e6, 1e6, "axis through the centre about which the box is turned"),
                      real("turn_degrees", -360, 360, "by so much; needs turn_axis")});
-  return object("colliders", "what the hair may not enter (capsules and boxes: the solvers exact and rod)",
+  Spec mesh = object("", "a closed mesh, in the head's rest space",
+                     {required(file("file", "OBJ, or the mesh of a glTF character at rest")),
+                      required(real("spacing_m", 1e-6, k_metres, "of the grid on which its distance is stored")),
+                      real("metres_per_unit", 1e-6, 1000, "scale of an OBJ")});
+  return object("colliders", "what the hair may not enter (capsules, boxes and meshes: the solvers exact and rod)",
                 {boolean("head", "the head's own spheres"),
                  array("spheres", 256, "spheres that move with the head", std::move(sphere)),
                  array("capsules", 256, "capsules that move with the head", std::move(capsule)),
-                 array("boxes", 256, "boxes that move with the head", std::move(box))});
+                 array("boxes", 256, "boxes that move with the head", std::move(box)),
+                 array("meshes", 16, "meshes that move with the head", std::move(mesh))});
 }
 
 Spec lights() {

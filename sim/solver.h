@@ -23,6 +23,9 @@ namespace cuticle::sim {
 /// effect is not simulated and none of its work is dispatched.
 using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
 
+struct DistanceField;
+using FieldPointer = std::shared_ptr<const DistanceField>;
+
 /// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space
 /// of the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is
 /// taken to stand at head_begin; the first frame starts from the rest pose there.
@@ -30,8 +33,9 @@ struct FrameInput {
   double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders = {};
-  std::span<const RoundedBox> boxes = {};  ///< colliders as well, capsules among them: exact and rod only
-  bool teleport = false;                   ///< the whole state moves rigidly with the head, velocity kept in its frame
+  std::span<const RoundedBox> boxes = {};     ///< colliders as well, capsules among them: exact and rod only
+  std::span<const FieldPointer> fields = {};  ///< the same of meshes (colliders/distance_field.h); none is null
+  bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).
   std::span<const glm::vec3> authored = {};

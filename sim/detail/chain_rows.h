@@ -1,7 +1,7 @@
 #pragma once
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
-#include <cuticle/sim/detail/box_contact.glslh>
+#include <cuticle/sim/detail/field_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -48,6 +48,9 @@ struct ChainFrame {
   const LinkBox<Real>* boxes;
   int box_count;
   Real* collider_rows;
+  const LinkField<Real>* fields = nullptr;
+  int field_count = 0;
+  const float* const* field_values = nullptr;  ///< of each field
 };
 
 template <class Real>

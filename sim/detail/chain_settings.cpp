@@ -1,5 +1,6 @@
 #include <cuticle/sim/detail/chain_settings.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/placing.h>
 
 namespace cuticle::sim::detail {
@@ -130,5 +131,22 @@ std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<c
 }
 template std::vector<LinkBox<float>> link_boxes<float>(const ChainSettings&, std::span<const RoundedBox>);
 template std::vector<LinkBox<double>> link_boxes<double>(const ChainSettings&, std::span<const RoundedBox>);
+
+template <class Real>
+std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields) {
+  using Vector = glm::vec<3, Real>;
+  std::vector<LinkField<Real>> result;
+  if (!settings.contact) return result;
+  for (const FieldPointer& field : fields) {
+    const glm::dvec3 half = glm::dvec3(field->cells) * (field->spacing / 2);
+    result.push_back({{Vector(field->centre), Real(0), Vector(1, 0, 0), Real(half.x), Vector(0, 1, 0), Real(half.y),
+                       Vector(0, 0, 1), Real(half.z)},
+                      Vector(field->cells),
+                      Real(1 / field->spacing)});
+  }
+  return result;
+}
+template std::vector<LinkField<float>> link_fields<float>(const ChainSettings&, std::span<const FieldPointer>);
+template std::vector<LinkField<double>> link_fields<double>(const ChainSettings&, std::span<const FieldPointer>);
 
 }  // namespace cuticle::sim::detail

@@ -9,7 +9,7 @@
 #include <cuticle/sim/head_motion.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
-#include <cuticle/sim/detail/box_contact.glslh>
+#include <cuticle/sim/detail/field_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -47,5 +47,7 @@ template <class Real>
 std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres);
 template <class Real>
 std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes);
+template <class Real>
+std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields);
 
 }  // namespace cuticle::sim::detail

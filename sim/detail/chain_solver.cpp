@@ -3,10 +3,29 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/guard.h>
 
 namespace cuticle::sim::detail {
 namespace {
+
+/// Of a frame, or those of them within reach.
+template <class Real>
+struct Colliders {
+  std::vector<LinkSphere<Real>> spheres = {};
+  std::vector<LinkBox<Real>> boxes = {};
+  std::vector<LinkField<Real>> fields = {};
+  std::vector<const float*> field_values = {};
+  std::size_t count() const { return spheres.size() + boxes.size() + fields.size(); }
+};
+
+template <class Real>
+Colliders<Real> colliders_of(const ChainSettings& settings, const FrameInput& input) {
+  Colliders<Real> colliders{link_spheres<Real>(settings, input.colliders), link_boxes<Real>(settings, input.boxes),
+                            link_fields<Real>(settings, input.fields)};
+  for (const FieldPointer& field : input.fields) colliders.field_values.push_back(field->values.data());
+  return colliders;
+}
 
 template <class Real>
 class ChainSolver final : public Solver {
@@ -23,11 +42,10 @@ class ChainSolver final : public Solver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
-    const std::vector<LinkSphere<Real>> spheres = link_spheres<Real>(settings_, input.colliders);
-    const std::vector<LinkBox<Real>> boxes = link_boxes<Real>(settings_, input.boxes);
+    const Colliders<Real> colliders = colliders_of<Real>(settings_, input);
     std::fill(resets_.begin(), resets_.end(), 0);
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(),
-                      [&](std::size_t b) { advance_block(b, steps, spheres, boxes, parts[0].carry); });
+                      [&](std::size_t b) { advance_block(b, steps, colliders, parts[0].carry); });
     if (!steps.empty()) count_resets();
     return {};
   }
@@ -43,27 +61,41 @@ class ChainSolver final : public Solver {
   }
 
  private:
-  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps,
-                     const std::vector<LinkSphere<Real>>& spheres, const std::vector<LinkBox<Real>>& boxes,
+  void find_near(std::size_t b, const Colliders<Real>& all, Colliders<Real>& near) const {
+    const auto reached = [&](const LinkSphere<Real>& around) {
+      return chains_.within_reach(b, around, settings_.contact->pearl_radius);
+    };
+    near.spheres.clear();
+    near.boxes.clear();
+    near.fields.clear();
+    near.field_values.clear();
+    for (const LinkSphere<Real>& sphere : all.spheres)
+      if (reached(sphere)) near.spheres.push_back(sphere);
+    for (const LinkBox<Real>& box : all.boxes)
+      if (reached(sphere_around(box))) near.boxes.push_back(box);
+    for (std::size_t k = 0; k < all.fields.size(); ++k) {
+      if (!reached(sphere_around(all.fields[k].grid))) continue;
+      near.fields.push_back(all.fields[k]);
+      near.field_values.push_back(all.field_values[k]);
+    }
+  }
+
+  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps, const Colliders<Real>& colliders,
                      const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
-    room.near.clear();
-    for (const LinkSphere<Real>& sphere : spheres)
-      if (chains_.within_reach(b, sphere, settings_.contact->pearl_radius)) room.near.push_back(sphere);
-    room.near_boxes.clear();
-    for (const LinkBox<Real>& box : boxes)
-      if (chains_.within_reach(b, sphere_around(box), settings_.contact->pearl_radius)) room.near_boxes.push_back(box);
+    const Colliders<Real>& near = room.near;
+    find_near(b, colliders, room.near);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
-    room.numbers.resize(scratch + 4 * (room.near.size() + room.near_boxes.size()) * k_lanes);
+    room.numbers.resize(scratch + 4 * near.count() * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty())
       block.own = program_.own.data() + chains_.blocks[b].first_vertex * std::size_t(program_.own_rows) * k_lanes;
-    const bool touches = !room.near.empty() || !room.near_boxes.empty();
-    const Advance<Real> advance = touches ? program_.touching : program_.free;
-    advance(block, {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()), room.near_boxes.data(),
-                    int(room.near_boxes.size()), room.numbers.data() + scratch});
+    const Advance<Real> advance = near.count() > 0 ? program_.touching : program_.free;
+    advance(block, {steps.data(), int(steps.size()), near.spheres.data(), int(near.spheres.size()), near.boxes.data(),
+                    int(near.boxes.size()), room.numbers.data() + scratch, near.fields.data(), int(near.fields.size()),
+                    near.field_values.data()});
     reset_broken_lanes(chains_, b, placing_);
   }
 
@@ -108,8 +140,7 @@ class ChainSolver final : public Solver {
   /// What a thread needs for a block.
   struct Room {
     Rows<Real> numbers;
-    std::vector<LinkSphere<Real>> near;
-    std::vector<LinkBox<Real>> near_boxes;
+    Colliders<Real> near;
   };
   ChainSettings settings_;
   strands::Groom rest_;
@@ -117,7 +148,7 @@ class ChainSolver final : public Solver {
   ChainProgram<Real> program_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
-  HeadMotion motion_{true};  // meets boxes
+  HeadMotion motion_{true};  // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };

@@ -1,19 +1,22 @@
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <optional>
 
 #include <fmt/core.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/detail/placing.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 16;
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 18;
+static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 
 /// The kernel's push constants.
 struct Constants {
-  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, carries = 0;
+  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, field_count = 0, carries = 0;
 };
 
 /// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
@@ -32,7 +35,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes;
+      velocities, resets, own, boxes, fields, field_values;
 };
 
 template <class T>
@@ -55,9 +58,9 @@ class ChainGpuSolver final : public GpuSolver {
 
   Result<void> make() {
     CUTICLE_TRY(make_buffers());
-    CUTICLE_ASSIGN(free_, kernel_of(program_.free));
+    CUTICLE_ASSIGN(free_, kernel_of(program_.free, k_buffers));
     if (!settings_.contact) return {};
-    CUTICLE_ASSIGN(touching_, kernel_of(program_.touching));
+    CUTICLE_ASSIGN(touching_, kernel_of(program_.touching, k_buffers));
     return {};
   }
 
@@ -67,19 +70,21 @@ class ChainGpuSolver final : public GpuSolver {
     std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
     std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
     std::vector<LinkBox<float>> boxes = link_boxes<float>(settings_, input.boxes);
+    std::vector<LinkField<float>> fields = link_fields<float>(settings_, input.fields);
     const Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
-                              std::uint32_t(spheres.size()), std::uint32_t(boxes.size()), parts[0].carry.w != 1.f};
+                              std::uint32_t(spheres.size()),       std::uint32_t(boxes.size()),
+                              std::uint32_t(fields.size()),        parts[0].carry.w != 1.f};
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
-    if (!boxes.empty()) {
-      CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
-      if (!beside_boxes_) {
-        CUTICLE_ASSIGN(beside_boxes_, kernel_of(program_.beside_boxes));
-      }
+    if (!boxes.empty()) CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
+    if (!fields.empty()) {
+      CUTICLE_TRY(refill(*device_, buffers_.fields, fields));
+      CUTICLE_TRY(upload_values(input.fields));
     }
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
+    CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
-    dispatch(commands, !boxes.empty() ? *beside_boxes_ : !spheres.empty() ? touching_ : free_, constants);
+    dispatch(commands, *kernel, constants);
     commands.end_pass();
     return {};
   }
@@ -111,8 +116,31 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
  private:
-  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code) {
-    return device_->make_kernel(code, {.storage_buffers = k_buffers, .push_constant_bytes = sizeof(Constants)});
+  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers,
+                                std::vector<std::uint32_t> specialization = {}) {
+    return device_->make_kernel(code, {.storage_buffers = buffers,
+                                       .push_constant_bytes = sizeof(Constants),
+                                       .specialization = std::move(specialization)});
+  }
+
+  /// The one for such colliders, made when they are first met.
+  Result<const gpu::Kernel*> kernel_for(const Constants& constants) {
+    if (constants.box_count + constants.field_count == 0) return constants.sphere_count > 0 ? &touching_ : &free_;
+    gpu::Kernel& kernel = beside_all_[constants.field_count > 0];
+    if (!kernel) {
+      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, {constants.field_count > 0}));
+    }
+    return &kernel;
+  }
+
+  /// Only when they are others than the last.
+  Result<void> upload_values(std::span<const FieldPointer> fields) {
+    if (std::ranges::equal(fields, fields_)) return {};
+    std::vector<float> values;
+    for (const FieldPointer& field : fields) values.insert(values.end(), field->values.begin(), field->values.end());
+    CUTICLE_TRY(refill(*device_, buffers_.field_values, values));
+    fields_.assign(fields.begin(), fields.end());
+    return {};
   }
 
   Result<void> make_buffers() {
@@ -154,15 +182,19 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.own, or_one(program_.own)));
     CUTICLE_TRY(refill(*device_, buffers_.steps, std::vector<ChainStep<float>>(1)));
     CUTICLE_TRY(refill(*device_, buffers_.boxes, std::vector<LinkBox<float>>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.fields, std::vector<LinkField<float>>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.field_values, std::vector<float>(1)));
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
   void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants) const {
     const Buffers& b = buffers_;
-    commands.dispatch(kernel,
-                      {&b.places, &b.blocks, &b.offsets, &b.vertices, &b.rest, &b.state, &b.strands, &b.scratch,
-                       &b.steps, &b.spheres, &b.frame, &b.world, &b.velocities, &b.resets, &b.own, &b.boxes},
-                      {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
+    std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
+                                          &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
+                                          &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
+    if (constants.box_count + constants.field_count > 0)
+      bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values});
+    commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
   std::shared_ptr<gpu::Device> device_;
@@ -172,8 +204,9 @@ class ChainGpuSolver final : public GpuSolver {
   ChainGpuProgram program_;
   Buffers buffers_;
   gpu::Kernel free_, touching_;
-  std::optional<gpu::Kernel> beside_boxes_;  ///< made with the first box
-  HeadMotion motion_{true};                  // meets boxes
+  std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
+  std::vector<FieldPointer> fields_;       ///< whose values are on the device
+  HeadMotion motion_{true};                // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };
