@@ -56,6 +56,8 @@ struct State {
   /// pressure, at roots and at carried vertices. Empty where the solver solves no tensions (classic).
   std::vector<float> tensions = {};
   std::uint32_t guards_fired = 0;  ///< strands reset in the last frame because something was not finite
+  /// Vertices that "strand_interaction" could not count in the last frame: outside its grid, or faster than 128 m/s.
+  std::uint32_t left_out = 0;
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots
@@ -84,7 +86,8 @@ struct Effect {
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
   /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
   bool fuses_effects = false;
-  /// Whether an effect acts on the result of every solver, by dispatches of its own ("control").
+  /// Whether an effect acts on what a solver found in a frame, by dispatches of its own ("control",
+  /// "strand_interaction").
   bool acts_on_result = false;
   /// Whether an effect moves the scene's fins, and does nothing to hair ("cloth").
   bool acts_on_fins = false;

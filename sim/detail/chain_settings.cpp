@@ -78,6 +78,8 @@ ChainSettings make_chain_settings(const registry::ParameterValues& solver, const
   }
   if (auto contact = effects.find("colliders"); contact != effects.end())
     settings.contact = colliders::make_contact_settings(contact->second);
+  if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
+    settings.interaction = strand_interaction::make_settings(interaction->second);
   return settings;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cuticle/sim/colliders/contact.h>
 #include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/strand_interaction/settings.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
 #include <cuticle/sim/detail/field_contact.glslh>
@@ -19,10 +20,11 @@ struct ChainSettings {
   std::uint32_t max_substeps = 1, clamped_vertices = 1;
   double damping = 0, shape_stiffness = 0, shape_tip = 0;
   bool sag_free = false, double_precision = false;
-  glm::dvec3 gravity{0};                              ///< m/s^2, less buoyancy; zero without the effect
-  std::optional<wind::Wind> wind;                     ///< present with the effect
-  std::optional<water::Water> water;                  ///< present with the effect
-  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+  glm::dvec3 gravity{0};                                    ///< m/s^2, less buoyancy; zero without the effect
+  std::optional<wind::Wind> wind;                           ///< present with the effect
+  std::optional<water::Water> water;                        ///< present with the effect
+  std::optional<colliders::ContactSettings> contact;        ///< present with the effect
+  std::optional<strand_interaction::Settings> interaction;  ///< present with the effect
 };
 /// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
 /// effects.

@@ -5,6 +5,7 @@
 
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/guard.h>
+#include <cuticle/sim/strand_interaction/strand_interaction.h>
 
 namespace cuticle::sim::detail {
 namespace {
@@ -31,11 +32,12 @@ template <class Real>
 class ChainSolver final : public Solver {
  public:
   ChainSolver(const strands::Groom& rest, const ChainSettings& settings, Chains<Real> chains,
-              ChainProgram<Real> program)
+              ChainProgram<Real> program, std::unique_ptr<strand_interaction::StrandInteraction> interaction)
       : settings_(settings),
         rest_(rest),
         chains_(std::move(chains)),
         program_(std::move(program)),
+        interaction_(std::move(interaction)),
         resets_(rest.strand_count(), 0) {}
 
   Result<void> advance(const FrameInput& input) override {
@@ -46,7 +48,9 @@ class ChainSolver final : public Solver {
     std::fill(resets_.begin(), resets_.end(), 0);
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(),
                       [&](std::size_t b) { advance_block(b, steps, colliders, parts[0].carry); });
-    if (!steps.empty()) count_resets();
+    if (steps.empty()) return {};
+    count_resets();
+    if (interaction_) interact(input.duration);
     return {};
   }
 
@@ -57,6 +61,7 @@ class ChainSolver final : public Solver {
     state.tensions = tensions_of<Real>(chains_, rest_, chains_.state);
     for (std::size_t s = 0; s < rest_.strand_count(); ++s) append_strand(state, s);
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
+    if (interaction_) state.left_out = interaction_->left_out();
     return state;
   }
 
@@ -118,22 +123,62 @@ class ChainSolver final : public Solver {
     }
   }
 
+  /// Where vertex i of a strand stands: a rest place that the head carries, and the chain's vertex, from there (0:
+  /// none).
+  struct Stand {
+    std::size_t rest;
+    std::uint32_t link;
+  };
+  Stand stand_of(std::size_t strand, std::size_t i) const {
+    const ChainPlace& place = chains_.places[strand];
+    const std::size_t anchor = rest_.offsets[strand] + place.anchor;
+    // What is welded to the anchor goes with it.
+    if (i < anchor || !place.has_links || chains_.links_of_vertex[i] == 0) return {std::min(i, anchor), 0};
+    return {anchor, chains_.links_of_vertex[i]};
+  }
+
   void append_strand(State& state, std::size_t s) {
-    const ChainPlace& place = chains_.places[s];
     for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
-      const std::uint32_t link = chains_.links_of_vertex[i];
-      const bool carried = i < rest_.offsets[s] + place.anchor || !place.has_links || link == 0;
-      // What is welded to the anchor goes with it.
-      const std::size_t rest =
-          carried ? std::min<std::size_t>(i, rest_.offsets[s] + place.anchor) : rest_.offsets[s] + place.anchor;
-      glm::dvec3 at = placing_.world(glm::dvec3(rest_.positions[rest])),
-                 velocity = placing_.velocity(glm::dvec3(rest_.positions[rest]));
-      if (!carried) {
-        at += vector_at(chains_.state_at(place.block, link, state_row::here), place.lane);
-        velocity = vector_at(chains_.state_at(place.block, link, state_row::velocity), place.lane);
-      }
+      const Stand stand = stand_of(s, i);
+      const glm::dvec3 rest(rest_.positions[stand.rest]);
+      glm::dvec3 at = placing_.world(rest);
+      if (stand.link) at += state_of(s, stand, state_row::here);
       state.positions.emplace_back(at);
-      state.velocities.emplace_back(velocity);
+      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest));
+    }
+  }
+
+  glm::dvec3 state_of(std::size_t strand, const Stand& stand, std::size_t row) {
+    const ChainPlace& place = chains_.places[strand];
+    return vector_at(chains_.state_at(place.block, stand.link, row), place.lane);
+  }
+
+  void interact(double duration) {
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { show_to_interaction(s); });
+    const std::span<const glm::vec3> changes = interaction_->changes(placing_.rotation(), duration);
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { push(s, changes); });
+  }
+
+  void show_to_interaction(std::size_t s) {
+    for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+      const Stand stand = stand_of(s, i);
+      const glm::dvec3 rest(rest_.positions[stand.rest]);
+      interaction_->places()[i] = stand.link ? rest + state_of(s, stand, state_row::here) * placing_.rotation() : rest;
+      interaction_->velocities()[i] = stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest);
+    }
+  }
+
+  /// Velocities of both substeps: what BDF2 takes for a change between them would go on by itself.
+  void push(std::size_t s, std::span<const glm::vec3> changes) {
+    const ChainPlace& place = chains_.places[s];
+    std::uint32_t above = 0;
+    for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+      const Stand stand = stand_of(s, i);
+      if (stand.link == above) continue;  // carried, or welded
+      above = stand.link;
+      for (const std::size_t row : {state_row::velocity, state_row::velocity_before})
+        put_vector(chains_.state_at(place.block, stand.link, row), place.lane,
+                   state_of(s, stand, row) + glm::dvec3(changes[i]));
     }
   }
 
@@ -146,6 +191,7 @@ class ChainSolver final : public Solver {
   strands::Groom rest_;
   Chains<Real> chains_;
   ChainProgram<Real> program_;
+  std::unique_ptr<strand_interaction::StrandInteraction> interaction_;  ///< null without the effect
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
   HeadMotion motion_{true};  // meets all colliders
@@ -156,13 +202,18 @@ class ChainSolver final : public Solver {
 }  // namespace
 
 template <class Real>
-std::unique_ptr<Solver> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
-                                          Chains<Real> chains, ChainProgram<Real> program) {
-  return std::make_unique<ChainSolver<Real>>(rest, settings, std::move(chains), std::move(program));
+Result<std::unique_ptr<Solver>> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
+                                                  Chains<Real> chains, ChainProgram<Real> program) {
+  std::unique_ptr<strand_interaction::StrandInteraction> interaction;
+  if (settings.interaction) {
+    CUTICLE_ASSIGN(interaction, strand_interaction::StrandInteraction::create(rest, *settings.interaction));
+  }
+  return std::unique_ptr<Solver>(std::make_unique<ChainSolver<Real>>(rest, settings, std::move(chains),
+                                                                     std::move(program), std::move(interaction)));
 }
-template std::unique_ptr<Solver> make_chain_solver<float>(const strands::Groom&, const ChainSettings&, Chains<float>,
-                                                          ChainProgram<float>);
-template std::unique_ptr<Solver> make_chain_solver<double>(const strands::Groom&, const ChainSettings&, Chains<double>,
-                                                           ChainProgram<double>);
+template Result<std::unique_ptr<Solver>> make_chain_solver<float>(const strands::Groom&, const ChainSettings&,
+                                                                  Chains<float>, ChainProgram<float>);
+template Result<std::unique_ptr<Solver>> make_chain_solver<double>(const strands::Groom&, const ChainSettings&,
+                                                                   Chains<double>, ChainProgram<double>);
 
 }  // namespace cuticle::sim::detail

@@ -7,6 +7,7 @@
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/detail/placing.h>
+#include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
 
 namespace cuticle::sim::detail {
 namespace {
@@ -59,6 +60,10 @@ class ChainGpuSolver final : public GpuSolver {
   Result<void> make() {
     CUTICLE_TRY(make_buffers());
     CUTICLE_ASSIGN(free_, kernel_of(program_.free, k_buffers));
+    if (settings_.interaction) {
+      CUTICLE_ASSIGN(interaction_, strand_interaction::StrandInteractionGpu::create(
+                                       *device_, rest_, *settings_.interaction, velocity_layout()));
+    }
     if (!settings_.contact) return {};
     CUTICLE_ASSIGN(touching_, kernel_of(program_.touching, k_buffers));
     return {};
@@ -86,6 +91,9 @@ class ChainGpuSolver final : public GpuSolver {
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
     dispatch(commands, *kernel, constants);
     commands.end_pass();
+    if (interaction_ && !steps.empty())
+      interaction_->record(commands, {&buffers_.world, &buffers_.velocities, &buffers_.state}, placing_.rotation(),
+                           placing_.world(glm::dvec3(0)), input.duration);
     return {};
   }
 
@@ -105,14 +113,19 @@ class ChainGpuSolver final : public GpuSolver {
     state.positions.assign(world.begin(), world.end());
     state.velocities.assign(velocities.begin(), velocities.end());
     for (std::uint32_t fired : resets) state.guards_fired += fired;
+    if (interaction_) {
+      CUTICLE_ASSIGN(state.left_out, interaction_->left_out(*device_));
+    }
     return state;
   }
 
   const gpu::Buffer& positions() const override { return buffers_.world; }
   const gpu::Buffer& velocities() const override { return buffers_.velocities; }
 
-  std::map<std::string, std::uint32_t> dispatches(const FrameInput&) const override {
-    return {{std::string(program_.name), 1}};
+  std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
+    std::map<std::string, std::uint32_t> result{{std::string(program_.name), 1}};
+    if (interaction_ && input.duration > 0) result["strand_interaction"] = 2;
+    return result;
   }
 
  private:
@@ -141,6 +154,27 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.field_values, values));
     fields_.assign(fields.begin(), fields.end());
     return {};
+  }
+
+  std::uint32_t velocity_at(const ChainPlace& place, std::uint32_t link) const {
+    const std::uint32_t row = (chains_.blocks[place.block].first_vertex + link) * std::uint32_t(state_row::count);
+    return (row + std::uint32_t(state_row::velocity)) * std::uint32_t(k_lanes) + place.lane;
+  }
+
+  strand_interaction::VelocityLayout velocity_layout() const {
+    strand_interaction::VelocityLayout layout{
+        {}, std::uint32_t(k_lanes), std::uint32_t((state_row::velocity_before - state_row::velocity) * k_lanes)};
+    for (std::size_t s = 0; s < rest_.strand_count(); ++s) {
+      const ChainPlace& place = chains_.places[s];
+      std::uint32_t above = 0;
+      for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+        // What is carried has none, and what is welded is pushed once.
+        const std::uint32_t link = place.has_links ? chains_.links_of_vertex[i] : 0;
+        layout.places.push_back(link == above ? layout.k_carried : velocity_at(place, link));
+        above = link;
+      }
+    }
+    return layout;
   }
 
   Result<void> make_buffers() {
@@ -206,7 +240,8 @@ class ChainGpuSolver final : public GpuSolver {
   gpu::Kernel free_, touching_;
   std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
   std::vector<FieldPointer> fields_;       ///< whose values are on the device
-  HeadMotion motion_{true};                // meets all colliders
+  std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
+  HeadMotion motion_{true};                                                // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };
