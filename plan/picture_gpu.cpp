@@ -6,11 +6,13 @@
 #include <glm/gtc/packing.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/render/passes/resolve/resolve.h>
+#include <cuticle/render/passes/temporal_antialiasing/pixel_shift_gpu.h>
 #include <cuticle/render/passes/tile_lists/tile_lists.h>
 #include <cuticle/render/passes/tiles/tiles.h>
 #include <cuticle/render/passes/truth/rasterise.h>
@@ -20,8 +22,6 @@
 namespace cuticle::plan {
 
 namespace {
-
-static_assert(scene::k_most_lights == render::k_max_lights);
 
 /// Texels across a pixel. Quads have multisampling alone; the truth's own scene has none, and is not the place to save.
 int supersampling(const Plan& plan) {
@@ -78,6 +78,7 @@ Result<void> Picture::make_strands() {
   resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
+  resources_.floor = scene_.floor;
   resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
   resources_.fibre_alpha = float(scene_.fibre_alpha);
@@ -197,8 +198,8 @@ Result<void> Picture::record_shadows(gpu::Commands& commands) {
     if (shadows_.empty())
       commands.fill(transmittance_[k], k_one);
     else
-      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha, scene_.lights[k].to_light,
-                                      transmittance_[k]));
+      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha,
+                                      render::source_of(scene_.lights[k]), transmittance_[k]));
   }
   return {};
 }
@@ -217,6 +218,7 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
 }
 
 Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
+  resources_.frames_since_cut = input.follows ? resources_.frames_since_cut + 1 : 1;
   for (;;) {
     CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(input, trace));
     CUTICLE_ASSIGN(const bool holds, settle());
@@ -239,6 +241,8 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   resources_.strands.bounds = input.bounds;
   resources_.head_transform = input.head;
   resources_.camera = input.camera;
+  if (find_pass(plan_, "temporal_antialiasing"))
+    resources_.camera.pixel_shift = render::temporal_antialiasing::pixel_shift(resources_);
   resources_.camera_before = input.camera_before;
   resources_.control_positions = input.control_positions;
   resources_.control_motion = input.control_motion;
@@ -286,9 +290,10 @@ Result<Image> Picture::read_color() const {
 }
 
 Result<Image> Picture::read_aovs(const Image& color) const {
-  if (!resources_.aovs) return Image{};
+  const bool moves = scene_.passes.contains("velocity");
+  if (!resources_.aovs || !(scene_.outputs.aovs || moves)) return Image{};
   CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
-  if (!resources_.motion_vectors) return image;
+  if (!resources_.motion_vectors || !moves) return image;
   CUTICLE_ASSIGN(image, with_channels(image, *resources_.motion_vectors, render::velocity::k_channels));
   return with_channels(image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
 }

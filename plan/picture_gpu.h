@@ -24,6 +24,7 @@ struct PictureInput {
   bool records_character = false;        ///< its skin and hair are moved in the picture's submission
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
+  bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
 };
 
 class Picture {

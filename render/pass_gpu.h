@@ -2,6 +2,7 @@
 // GPU half of a render pass, and the resources that the passes of one frame share.
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <cuticle/core/view.h>
 #include <cuticle/gpu/device.h>
@@ -62,10 +63,12 @@ struct FrameResources {
   const gpu::Buffer* velocities = nullptr;         ///< vec4 per drawn vertex, m/s; null where nothing asks
   std::uint32_t control_vertices = 0;
   Camera camera_before;                          ///< of the frame before; the frame's own in the first
+  std::uint32_t frames_since_cut = 1;            ///< frames that follow each other, this one with them
   const gpu::Buffer* seen_velocities = nullptr;  ///< of what a pixel sees, m/s: three floats; null where nothing asks
   const gpu::Buffer* motion_vectors = nullptr;   ///< vec2 per pixel: pixels since the frame before
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
+  std::optional<Floor> floor;
   /// Fins: their mesh at rest, and its vertices of this frame, vec4 each (world place, painted weight; unit normal).
   const strands::Mesh* fins = nullptr;
   const gpu::Buffer *fin_positions = nullptr, *fin_normals = nullptr;
@@ -79,9 +82,6 @@ struct FrameResources {
   /// Parameters of the passes by name, as the scene gives them; absent: defaults.
   std::map<std::string, registry::ParameterValues, std::less<>> parameters;
 };
-
-/// The most lights that a frame is shaded by.
-inline constexpr std::size_t k_max_lights = 8;
 
 /// The parameters of a pass in this frame.
 registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);

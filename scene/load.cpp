@@ -188,6 +188,15 @@ Result<void> read_fins(const Reader& root, Scene& scene) {
   return {};
 }
 
+void read_floor(const Reader& root, Scene& scene) {
+  if (!root.has("floor")) return;
+  const Reader reader = root.child("floor");
+  scene.floor.emplace();
+  reader.get("height_m", scene.floor->height);
+  reader.get("size_m", scene.floor->size);
+  reader.get("albedo", scene.floor->albedo);
+}
+
 std::vector<Reader> items(const Reader& reader, const char* key) {
   std::vector<Reader> result;
   if (reader.has(key))
@@ -242,6 +251,34 @@ Result<void> read_colliders(const Reader& reader, Scene& scene) {
   return {};
 }
 
+/// The cone of a spot, from its lamp.
+Result<void> read_spot(const Reader& light, const std::string& path, Lamp& lamp) {
+  if (!light.has("spot")) return {};
+  const Reader reader = light.child("spot");
+  glm::dvec3 to(0);
+  double inner = 0, outer = 0;
+  reader.get("to_m", to);
+  reader.get("inner_deg", inner);
+  reader.get("outer_deg", outer);
+  if (inner >= outer)
+    return bad_input(
+        fmt::format("{}: {}.spot.inner_deg = {} is not below outer_deg = {}", light.where, path, inner, outer));
+  if (!(glm::length(to - lamp.position) > 0))
+    return bad_input(fmt::format("{}: {}.spot.to_m is where the lamp stands", light.where, path));
+  lamp.axis = glm::normalize(to - lamp.position);
+  lamp.inner_angle = glm::radians(inner);
+  lamp.outer_angle = glm::radians(outer);
+  return {};
+}
+
+Result<Lamp> read_lamp(const Reader& reader, const std::string& path) {
+  Lamp lamp;
+  reader.get("position_m", lamp.position);
+  reader.get("intensity", lamp.intensity);
+  CUTICLE_TRY(read_spot(reader, path, lamp));
+  return lamp;
+}
+
 Result<void> read_lights(const Reader& root, Scene& scene) {
   if (!root.has("lights")) return {};
   for (const Json& item : root.value["lights"]) {
@@ -255,6 +292,19 @@ Result<void> read_lights(const Reader& root, Scene& scene) {
   return {};
 }
 
+Result<void> read_lamps(const Reader& root, Scene& scene) {
+  std::size_t count = 0;
+  for (const Reader& reader : items(root, "lamps")) {
+    Light light;
+    reader.get("name", light.name);
+    CUTICLE_ASSIGN(light.lamp, read_lamp(reader, fmt::format("lamps[{}]", count++)));
+    scene.lights.push_back(light);
+  }
+  if (scene.lights.size() <= k_most_lights) return {};
+  return bad_input(fmt::format("{}: lamps: {} beside {} of `lights`; allowed are {} in all", root.where, count,
+                               scene.lights.size() - count, k_most_lights));
+}
+
 Result<void> read_environment(const Reader& root, Scene& scene) {
   if (!root.has("environment")) return {};
   const Reader reader = root.child("environment");
@@ -263,8 +313,8 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   reader.get("turn_deg", environment.turn_degrees);
   reader.get("scale", environment.scale);
   if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
-    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights`; allowed are {} in all", root.where,
-                                 environment.lights, scene.lights.size(), k_most_lights));
+    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
+                                 root.where, environment.lights, scene.lights.size(), k_most_lights));
   CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
   CUTICLE_ASSIGN(const Image picture, read_image(name));
   const auto lights = environment_lights(picture, environment);
@@ -273,12 +323,23 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   return {};
 }
 
-void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
-  if (!root.has("shadow")) return;
+/// Some shadow methods take distant lights alone, and say so by demanding them.
+Result<void> check_lamps(const Reader& root, const registry::Entry& method, const Scene& scene) {
+  const bool has_lamp = std::ranges::any_of(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
+  if (!has_lamp || std::ranges::find(method.demands, "distant_lights") == method.demands.end()) return {};
+  return bad_input(
+      fmt::format("{}: shadow.method: '{}' takes distant lights alone; the scene has lamps", root.where, method.name),
+      "deep_opacity or shadow_map");
+}
+
+Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
+  if (!root.has("shadow")) return {};
   const Reader reader = root.child("shadow");
   scene.shadow = block_of(catalogue.methods, reader.value["method"]);
+  CUTICLE_TRY(check_lamps(root, entry_of(catalogue.methods, scene.shadow->name), scene));
   reader.get("fibre_alpha", scene.fibre_alpha);
   reader.get("caster_share", scene.caster_share);
+  return {};
 }
 
 Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {
@@ -335,9 +396,11 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   read_simulation(root, catalogue, scene);
   CUTICLE_TRY(read_colliders(root.child("colliders"), scene));
   CUTICLE_TRY(read_fins(root, scene));
+  read_floor(root, scene);
   CUTICLE_TRY(read_lights(root, scene));
+  CUTICLE_TRY(read_lamps(root, scene));
   CUTICLE_TRY(read_environment(root, scene));
-  read_shadow(root, catalogue, scene);
+  CUTICLE_TRY(read_shadow(root, catalogue, scene));
   CUTICLE_TRY(read_camera(root.child("camera"), scene));
   read_counts(root, catalogue, scene);
   return scene;

@@ -91,9 +91,6 @@ struct Outputs {
 /// The ways in which strands become pixels.
 inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth"};
 
-/// Lights of a scene, those of its environment with them.
-inline constexpr std::size_t k_most_lights = 8;
-
 struct Scene {
   int schema_version = 1;
   std::string name;
@@ -108,6 +105,7 @@ struct Scene {
   std::vector<RoundedBox> boxes;  ///< colliders as well: the file's capsules, then its boxes
   std::vector<MeshCollider> mesh_colliders;
   std::optional<FinSource> fins;
+  std::optional<Floor> floor;
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   double fibre_alpha = 0.4;     ///< opacity of one crossing

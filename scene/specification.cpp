@@ -148,9 +148,23 @@ Spec lights() {
   return array("lights", k_most_lights, "lights; none: no shading by light and no shadow", std::move(light));
 }
 
+Spec lamps() {
+  Spec spot = object("spot", "shines to one side; absent: all around",
+                     {required(numbers("to_m", 3, -k_metres, k_metres, "what the middle of its cone points at")),
+                      required(real("outer_deg", 0.1, 179, "from its middle to where it ends")),
+                      real("inner_deg", 0, 179, "up to here in full, below outer_deg; 0 unless given")});
+  Spec lamp =
+      object("", "a light with a place",
+             {text("name", "for messages"), required(numbers("position_m", 3, -k_metres, k_metres, "where it stands")),
+              required(numbers("intensity", 3, 0, 1e6,
+                               "irradiance at 1 m, linear Rec.709; falls as 1 / distance^2, within 1 mm as at 1 mm")),
+              std::move(spot)});
+  return array("lamps", k_most_lights, "lights with a place, eight with `lights` and `environment`", std::move(lamp));
+}
+
 Spec environment() {
   return object(
-      "environment", "light from all around, as distant lights beside `lights`, eight in all",
+      "environment", "light from all around, as distant lights beside `lights` and `lamps`, eight in all",
       {required(file("file", "picture in latitude and longitude, linear radiance: top row up, middle at +z")),
        integer("lights", 1, 8, "at most, of like luminance; 6 unless given"),
        real("turn_deg", -360, 360, "about the vertical, +z towards +x"), real("scale", 0, 1e6, "of the radiance")});
@@ -181,6 +195,13 @@ Spec fins() {
        real("metres_per_unit", 1e-9, 1e6, "scale of the mesh")});
 }
 
+Spec floor() {
+  return object("floor", "a level square about the vertical axis, seen and lit from above; casts no shadow itself",
+                {required(real("height_m", -k_metres, k_metres, "above the origin")),
+                 real("size_m", 1e-3, k_metres, "of a side; 2 unless given"),
+                 numbers("albedo", 3, 0, 1, "diffuse, linear Rec.709; .4 unless given")});
+}
+
 Spec outputs() {
   return object(
       "outputs", "pictures wanted",
@@ -209,7 +230,9 @@ Spec specification(const Catalogue& catalogue) {
        simulation(catalogue),
        colliders(),
        fins(),
+       floor(),
        lights(),
+       lamps(),
        environment(),
        shadow(catalogue),
        camera(),

@@ -7,7 +7,7 @@ namespace cuticle::render::tiles {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
-constexpr std::string_view k_after[] = {"head", "fins", "shade_strands", "tile_sort"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor", "shade_strands", "tile_sort"};
 constexpr std::string_view k_systems[] = {"F6", "F7", "F9"};
 constexpr registry::Parameter k_parameters[] = {
     {.name = "opacity",
