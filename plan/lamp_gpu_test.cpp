@@ -60,6 +60,19 @@ TEST_P(Lamps, FarAway_LightAsADistantLight) {
 INSTANTIATE_TEST_SUITE_P(Methods, Lamps, testing::Values("lines", "quads", "tiles", "cards", "truth"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+// A lamp beside the head: what tiles make of it is as near the truth as by a distant light.
+TEST(Lamp, BesideTheHair_TilesAgreeWithTheTruth) {
+  const std::string near = R"("lamps": [{"position_m": [0.25, 0.4, 0.3], "intensity": [1.5, 1.5, 1.5]}])",
+                    far = R"("lights": [{"to_light": [0.25, 0.3, 0.3], "irradiance": [6, 6, 6]}])";
+  double share[2];
+  for (const bool is_near : {false, true}) {
+    const Image truth = picture("truth", is_near ? near : far);
+    share[is_near] = difference(picture("tiles", is_near ? near : far), truth) / mean(truth);
+  }
+  std::printf("tiles against the truth: %.4f of the mean by a distant light, %.4f by a lamp\n", share[0], share[1]);
+  EXPECT_LT(share[1], 1.3 * share[0]);
+}
+
 // In the middle of the head's hair, at no distance from some of it.
 TEST(Lamp, InsideTheHair_GivesAFinitePicture) {
   const Image image = picture("tiles", R"("lamps": [{"position_m": [0, 0.1, 0.02], "intensity": [1, 1, 1]}])");
