@@ -58,6 +58,7 @@ struct State {
   std::uint32_t guards_fired = 0;  ///< strands reset in the last frame because something was not finite
   /// Vertices that "strand_interaction" could not count in the last frame: outside its grid, or faster than 128 m/s.
   std::uint32_t left_out = 0;
+  std::uint32_t asleep = 0;  ///< strands that "sleep" has left as they are since they came to rest
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots

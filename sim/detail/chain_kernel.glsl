@@ -26,7 +26,7 @@ layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
 layout(binding = 13) writeonly buffer Resets { uint resets[]; };
 layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
 #if TOUCHES == 2
-layout(constant_id = 0) const bool k_meets_fields = false;
+layout(constant_id = 1) const bool k_meets_fields = false;
 layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
 layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
 #include "cuticle/sim/detail/field_contact.glslh"
@@ -34,15 +34,18 @@ layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
 #endif
 layout(push_constant) uniform Constants {
   uint strand_count, step_count, sphere_count, box_count, field_count, carries;
+  uint still;                                // whether nothing acts that did not in the frame before
+  float sleep_speed, sleep_time, frame_time;  // of k_sleeps: m/s, s, s
 };
+layout(constant_id = 0) const bool k_sleeps = false;
 
-const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 4u;
+const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 5u;
 const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3u, k_mass_ratio = 4u, k_reach = 5u,
            k_pull = 6u, k_target = 7u;
 const uint k_here = 0u, k_before = 3u, k_velocity = 6u, k_velocity_before = 9u, k_tension = 12u;
 const uint k_place = 0u, k_direction = 3u, k_weight = 6u, k_coupling = 7u, k_value = 8u, k_follows = 9u, k_normal = 10u,
            k_begin_pushed = 13u;
-const uint k_guarded = 3u;
+const uint k_guarded = 3u, k_quiet = 4u;
 
 uint first_vertex, lane, strand_base;
 
@@ -251,6 +254,29 @@ void reset(uint links) {
   strands[strand_base + k_guarded * k_lanes] = 2;
 }
 
+// detail/sleepers.h for one strand.
+bool sleeps_on() {
+  if (still == 0u) strands[strand_base + k_quiet * k_lanes] = 0;
+  return strands[strand_base + k_quiet * k_lanes] >= sleep_time;
+}
+
+void bring_to_rest(uint links) {
+  for (uint i = 1u; i <= links; ++i) {
+    put_state(i, k_before, state_vector(i, k_here));
+    put_state(i, k_velocity, vec3(0));
+    put_state(i, k_velocity_before, vec3(0));
+  }
+}
+
+void fall_asleep(uint links) {
+  float fastest = 0;
+  for (uint i = 1u; i <= links; ++i)
+    fastest = max(fastest, inner(state_vector(i, k_velocity), state_vector(i, k_velocity)));
+  float quiet = fastest < sleep_speed * sleep_speed ? strands[strand_base + k_quiet * k_lanes] + frame_time : 0;
+  strands[strand_base + k_quiet * k_lanes] = quiet;
+  if (quiet >= sleep_time) bring_to_rest(links);
+}
+
 void show(uint strand, uint anchor) {
   for (uint i = offsets[strand]; i < offsets[strand + 1u]; ++i) {
     uint link = vertices[i].w, fixed_at = min(i, offsets[strand] + anchor);
@@ -271,12 +297,14 @@ void main() {
     first_vertex = blocks[place.x].y;
     lane = place.y;
     strand_base = place.x * k_strand_rows * k_lanes + lane;
+    if (k_sleeps && sleeps_on()) return;
     if (carries != 0u) carry_state(links);
     for (uint k = 0u; k < step_count; ++k) substep(links, steps[k]);
     if (!all_finite(links)) {
       reset(links);
       resets[strand] = 1u;
     }
+    if (k_sleeps && still != 0u) fall_asleep(links);
   }
   show(strand, place.z);
 }

@@ -80,7 +80,14 @@ ChainSettings make_chain_settings(const registry::ParameterValues& solver, const
     settings.contact = colliders::make_contact_settings(contact->second);
   if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
     settings.interaction = strand_interaction::make_settings(interaction->second);
+  if (auto sleep = effects.find("sleep"); sleep != effects.end()) settings.sleep = sleep::make_settings(sleep->second);
   return settings;
+}
+
+Result<void> check(const ChainSettings& settings) {
+  if (!settings.sleep || !settings.interaction) return {};
+  return usage_error("the effects 'sleep' and 'strand_interaction' exclude each other",
+                     "leave one of them out: strands that push each other are not at rest one by one");
 }
 
 template <class Real>
@@ -110,6 +117,15 @@ std::vector<ChainStep<Real>> ChainClock::steps(const ChainSettings& settings, st
 }
 template std::vector<ChainStep<float>> ChainClock::steps<float>(const ChainSettings&, std::span<const Substep>);
 template std::vector<ChainStep<double>> ChainClock::steps<double>(const ChainSettings&, std::span<const Substep>);
+
+template <class Real>
+std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps) {
+  std::vector<sleep::Push> pushes;
+  for (const ChainStep<Real>& step : steps) pushes.push_back({glm::dvec3(step.acceleration), double(step.drag)});
+  return pushes;
+}
+template std::vector<sleep::Push> pushes_of<float>(std::span<const ChainStep<float>>);
+template std::vector<sleep::Push> pushes_of<double>(std::span<const ChainStep<double>>);
 
 template <class Real>
 std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres) {

@@ -7,6 +7,7 @@
 
 #include <cuticle/sim/colliders/contact.h>
 #include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/sleep/sleep.h>
 #include <cuticle/sim/strand_interaction/settings.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
@@ -25,10 +26,14 @@ struct ChainSettings {
   std::optional<water::Water> water;                        ///< present with the effect
   std::optional<colliders::ContactSettings> contact;        ///< present with the effect
   std::optional<strand_interaction::Settings> interaction;  ///< present with the effect
+  std::optional<sleep::Settings> sleep;                     ///< present with the effect
 };
 /// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
 /// effects.
 ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+/// Error: usage where effects exclude each other.
+Result<void> check(const ChainSettings& settings);
 
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
 std::uint32_t substeps(const ChainSettings& settings, double duration);
@@ -43,6 +48,10 @@ class ChainClock {
  private:
   double time_ = 0, previous_duration_ = 0;
 };
+
+/// What sleep::Watch compares.
+template <class Real>
+std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps);
 
 /// In rest space; none without the effect.
 template <class Real>

@@ -5,6 +5,7 @@
 
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/guard.h>
+#include <cuticle/sim/detail/sleepers.h>
 #include <cuticle/sim/strand_interaction/strand_interaction.h>
 
 namespace cuticle::sim::detail {
@@ -38,7 +39,9 @@ class ChainSolver final : public Solver {
         chains_(std::move(chains)),
         program_(std::move(program)),
         interaction_(std::move(interaction)),
-        resets_(rest.strand_count(), 0) {}
+        resets_(rest.strand_count(), 0) {
+    if (settings.sleep) sleepers_.emplace(*settings.sleep);
+  }
 
   Result<void> advance(const FrameInput& input) override {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
@@ -46,8 +49,12 @@ class ChainSolver final : public Solver {
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
     const Colliders<Real> colliders = colliders_of<Real>(settings_, input);
     std::fill(resets_.begin(), resets_.end(), 0);
-    tbb::parallel_for(std::size_t(0), chains_.blocks.size(),
-                      [&](std::size_t b) { advance_block(b, steps, colliders, parts[0].carry); });
+    const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
+    tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
+      if (sleepers_ && !sleepers_->begin(chains_, b, still, own_rows(b))) return;
+      advance_block(b, steps, colliders, parts[0].carry);
+      if (sleepers_) sleepers_->end(chains_, b, input.duration, own_rows(b));
+    });
     if (steps.empty()) return {};
     count_resets();
     if (interaction_) interact(input.duration);
@@ -62,6 +69,7 @@ class ChainSolver final : public Solver {
     for (std::size_t s = 0; s < rest_.strand_count(); ++s) append_strand(state, s);
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
     if (interaction_) state.left_out = interaction_->left_out();
+    if (sleepers_) state.asleep = sleepers_->count(chains_);
     return state;
   }
 
@@ -95,13 +103,18 @@ class ChainSolver final : public Solver {
     room.numbers.resize(scratch + 4 * near.count() * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
-    if (!program_.own.empty())
-      block.own = program_.own.data() + chains_.blocks[b].first_vertex * std::size_t(program_.own_rows) * k_lanes;
+    if (!program_.own.empty()) block.own = own_rows(b).data();
     const Advance<Real> advance = near.count() > 0 ? program_.touching : program_.free;
     advance(block, {steps.data(), int(steps.size()), near.spheres.data(), int(near.spheres.size()), near.boxes.data(),
                     int(near.boxes.size()), room.numbers.data() + scratch, near.fields.data(), int(near.fields.size()),
                     near.field_values.data()});
     reset_broken_lanes(chains_, b, placing_);
+  }
+
+  /// The rows that the program adds to a block's vertices.
+  std::span<Real> own_rows(std::size_t b) {
+    const std::size_t row = std::size_t(program_.own_rows) * k_lanes;
+    return std::span(program_.own).subspan(chains_.blocks[b].first_vertex * row, (chains_.blocks[b].links + 2) * row);
   }
 
   /// The whole state turned with the head.
@@ -192,6 +205,8 @@ class ChainSolver final : public Solver {
   Chains<Real> chains_;
   ChainProgram<Real> program_;
   std::unique_ptr<strand_interaction::StrandInteraction> interaction_;  ///< null without the effect
+  std::optional<Sleepers<Real>> sleepers_;                              ///< none without the effect
+  sleep::Watch watch_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
   HeadMotion motion_{true};  // meets all colliders
@@ -204,6 +219,7 @@ class ChainSolver final : public Solver {
 template <class Real>
 Result<std::unique_ptr<Solver>> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
                                                   Chains<Real> chains, ChainProgram<Real> program) {
+  CUTICLE_TRY(check(settings));
   std::unique_ptr<strand_interaction::StrandInteraction> interaction;
   if (settings.interaction) {
     CUTICLE_ASSIGN(interaction, strand_interaction::StrandInteraction::create(rest, *settings.interaction));

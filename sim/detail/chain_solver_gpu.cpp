@@ -17,7 +17,9 @@ static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh
 
 /// The kernel's push constants.
 struct Constants {
-  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, field_count = 0, carries = 0;
+  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, field_count = 0, carries = 0,
+                still = 0;
+  float sleep_speed = 0, sleep_time = 0, frame_time = 0;
 };
 
 /// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
@@ -76,9 +78,10 @@ class ChainGpuSolver final : public GpuSolver {
     std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
     std::vector<LinkBox<float>> boxes = link_boxes<float>(settings_, input.boxes);
     std::vector<LinkField<float>> fields = link_fields<float>(settings_, input.fields);
-    const Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
-                              std::uint32_t(spheres.size()),       std::uint32_t(boxes.size()),
-                              std::uint32_t(fields.size()),        parts[0].carry.w != 1.f};
+    Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
+                        std::uint32_t(spheres.size()),       std::uint32_t(boxes.size()),
+                        std::uint32_t(fields.size()),        parts[0].carry.w != 1.f};
+    if (settings_.sleep) set_sleep(constants, input, steps);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
     if (!boxes.empty()) CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
@@ -109,6 +112,7 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<float> numbers,
                    gpu::read_buffer<float>(*device_, buffers_.state, buffers_.state.size() / sizeof(float)));
     State state;
+    if (settings_.sleep) CUTICLE_TRY(count_sleepers(state));
     state.tensions = tensions_of<float>(chains_, rest_, numbers);
     state.positions.assign(world.begin(), world.end());
     state.velocities.assign(velocities.begin(), velocities.end());
@@ -129,11 +133,10 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
  private:
-  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers,
-                                std::vector<std::uint32_t> specialization = {}) {
+  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false) {
     return device_->make_kernel(code, {.storage_buffers = buffers,
                                        .push_constant_bytes = sizeof(Constants),
-                                       .specialization = std::move(specialization)});
+                                       .specialization = {settings_.sleep.has_value(), meets_fields}});
   }
 
   /// The one for such colliders, made when they are first met.
@@ -141,7 +144,7 @@ class ChainGpuSolver final : public GpuSolver {
     if (constants.box_count + constants.field_count == 0) return constants.sphere_count > 0 ? &touching_ : &free_;
     gpu::Kernel& kernel = beside_all_[constants.field_count > 0];
     if (!kernel) {
-      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, {constants.field_count > 0}));
+      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0));
     }
     return &kernel;
   }
@@ -153,6 +156,23 @@ class ChainGpuSolver final : public GpuSolver {
     for (const FieldPointer& field : fields) values.insert(values.end(), field->values.begin(), field->values.end());
     CUTICLE_TRY(refill(*device_, buffers_.field_values, values));
     fields_.assign(fields.begin(), fields.end());
+    return {};
+  }
+
+  void set_sleep(Constants& constants, const FrameInput& input, std::span<const ChainStep<float>> steps) {
+    constants.still = watch_.is_still(input, pushes_of<float>(steps));
+    constants.sleep_speed = settings_.sleep->speed;
+    constants.sleep_time = settings_.sleep->time;
+    constants.frame_time = float(input.duration);
+  }
+
+  Result<void> count_sleepers(State& state) {
+    CUTICLE_ASSIGN(const std::vector<float> rows,
+                   gpu::read_buffer<float>(*device_, buffers_.strands, chains_.strand.size()));
+    for (const ChainPlace& place : chains_.places) {
+      const std::size_t row = place.block * std::size_t(strand_row::count) + strand_row::quiet;
+      state.asleep += place.has_links && rows[row * k_lanes + place.lane] >= settings_.sleep->time;
+    }
     return {};
   }
 
@@ -241,7 +261,8 @@ class ChainGpuSolver final : public GpuSolver {
   std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
   std::vector<FieldPointer> fields_;       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
-  HeadMotion motion_{true};                                                // meets all colliders
+  sleep::Watch watch_;
+  HeadMotion motion_{true};  // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };
@@ -259,6 +280,7 @@ Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::De
 
 Result<void> check_for_gpu(const strands::Groom& rest, const ChainSettings& settings) {
   CUTICLE_TRY(strands::validate(rest));
+  CUTICLE_TRY(check(settings));
   if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
   if (settings.double_precision)
     return usage_error("double_precision: the kernel computes in float", "leave it out on a GPU");
