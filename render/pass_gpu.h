@@ -31,6 +31,8 @@ struct Seen {
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
 struct FrameResources {
   Camera camera;
+  /// Of a picture that is drawn in chunks, the one that the targets hold: pixels; no size: all of the picture.
+  glm::ivec2 part_corner{0}, part_size{0};
   std::vector<Light> lights;
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
   shadows::GpuStrands casters;                    ///< those of them that cast shadows
@@ -85,6 +87,10 @@ struct FrameResources {
 
 /// The parameters of a pass in this frame.
 registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
+/// Pixels of what is drawn at once: a chunk, else the picture.
+glm::ivec2 drawn_size(const FrameResources& resources);
+/// World to clip space of what is drawn at once.
+glm::dmat4 drawn_world_to_clip(const FrameResources& resources);
 /// A pipeline that draws into the frame's targets, nearest wins; shaders and interface are still to be set.
 gpu::GraphicsDescription target_description(const FrameResources& resources);
 /// The colour target of a rendering, as `keep_target` and `resolve_target` say.

@@ -183,7 +183,7 @@ Spec camera() {
                 {numbers("position_m", 3, -k_metres, k_metres, "eye"),
                  numbers("target_m", 3, -k_metres, k_metres, "looked at"), numbers("up", 3, -1, 1, "up"),
                  real("fov_deg", 0.6, 170, "vertical field of view"), real("near_m", 1e-5, k_metres, "near plane"),
-                 real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 16, 4096, "width, height"),
+                 real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 1, 16384, "width, height"),
                  real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
 }
 

@@ -68,7 +68,7 @@ Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, cons
                               const gpu::Buffer& positions, const gpu::Buffer& normals, const glm::dmat4& to_world,
                               const Diffuse& diffuse) {
   CUTICLE_TRY(device.upload(frame_, gpu::bytes_of(frame_of(resources, to_world, diffuse))));
-  const glm::mat4 to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) * to_world);
+  const glm::mat4 to_clip(drawn_world_to_clip(resources) * to_world);
   const surface_shadow::Maps* const maps = resources.surface_shadow;
   begin_target(commands, resources);
   commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_},

@@ -72,7 +72,7 @@ void sort(uint begin, uint end) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * push.grid.x + gl_WorkGroupID.x;
+  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * tile_grid().x + gl_WorkGroupID.x;
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);

@@ -15,6 +15,14 @@ constexpr registry::Parameter k_parameters[] = {
      .maximum = 1,
      .default_text = "1",
      .summary = "of a drawn strand where it covers a pixel whole; 'truth' draws with the same"},
+    {.name = "chunk_px",
+     .type = registry::ParameterType::integer,
+     .unit = "px",
+     .minimum = 0,
+     .maximum = 4096,
+     .default_text = "0",
+     .summary = "side of the squares, rounded up to whole tiles, that the picture is drawn in one after the other; 0: "
+                "all at once up to 4096 pixels each way, larger pictures by 1024"},
 };
 
 }  // namespace
