@@ -1,5 +1,4 @@
 // Reads a checked scene file into a Scene. What `check` has refused cannot appear here.
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
@@ -10,53 +9,12 @@
 #include <glm/trigonometric.hpp>
 
 #include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/scene/environment.h>
+#include <cuticle/scene/reader.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
 
 namespace {
-
-/// Keys of one object; absent keys leave the default in place.
-struct Reader {
-  const Json& value;
-  const std::string& where;
-  const std::string& folder;
-
-  template <class T>
-  void get(const char* key, T& target) const {
-    if (const Json* found = value.find(key)) target = found->get<T>();
-  }
-  void get(const char* key, glm::dvec3& target) const {
-    if (const Json* found = value.find(key))
-      target = {(*found)[0].number(), (*found)[1].number(), (*found)[2].number()};
-  }
-  bool has(const char* key) const { return value.contains(key); }
-  Reader child(const char* key) const {
-    static const Json empty = Json::object();
-    const Json* found = value.find(key);
-    return {found ? *found : empty, where, folder};
-  }
-  /// A name whose leading ${VARIABLE} is replaced by the environment variable of that name.
-  Result<std::string> expanded(const std::string& name, std::string_view path) const {
-    const std::size_t end = name.find('}');
-    if (!name.starts_with("${") || end == std::string::npos) return name;
-    const std::string variable = name.substr(2, end - 2);
-    if (const char* value = std::getenv(variable.c_str())) return value + name.substr(end + 1);
-    return bad_input(fmt::format("{}: {}: the environment variable {} is not set", where, path, variable));
-  }
-  /// The absolute name of a file that exists; empty when the key is absent.
-  Result<std::string> file(const char* key, std::string_view path) const {
-    if (!has(key)) return std::string();
-    CUTICLE_ASSIGN(const std::string given, expanded(value[key].text(), path));
-    const std::filesystem::path name = std::filesystem::path(folder) / given;
-    std::error_code code;
-    if (std::filesystem::is_regular_file(name, code)) return name.lexically_normal().string();
-    return bad_input(fmt::format("{}: {}: no file '{}'", where, path, name.lexically_normal().string()),
-                     "file names are relative to the scene file");
-  }
-};
 
 const registry::Entry& entry_of(std::span<const registry::Entry* const> entries, std::string_view name) {
   return **std::ranges::find(entries, name, &registry::Entry::name);
@@ -76,13 +34,6 @@ std::map<std::string, registry::ParameterValues, std::less<>> blocks_of(std::spa
   std::map<std::string, registry::ParameterValues, std::less<>> blocks;
   for (const auto& [name, values] : json.items()) blocks[name] = values_of(entry_of(entries, name).parameters, values);
   return blocks;
-}
-
-Result<glm::dvec3> direction(const Reader& reader, const char* key, const std::string& path) {
-  glm::dvec3 vector{0};
-  reader.get(key, vector);
-  if (glm::length(vector) > 0) return glm::normalize(vector);
-  return bad_input(fmt::format("{}: {}.{} is the zero vector; allowed: any direction", reader.where, path, key));
 }
 
 Result<void> read_groom(const Reader& reader, Scene& scene) {
@@ -197,13 +148,6 @@ void read_floor(const Reader& root, Scene& scene) {
   reader.get("albedo", scene.floor->albedo);
 }
 
-std::vector<Reader> items(const Reader& reader, const char* key) {
-  std::vector<Reader> result;
-  if (reader.has(key))
-    for (const Json& item : reader.value[key]) result.push_back({item, reader.where, reader.folder});
-  return result;
-}
-
 RoundedBox read_capsule(const Reader& fields) {
   glm::dvec3 from(0), to(0);
   double radius = 0;
@@ -248,78 +192,6 @@ Result<void> read_colliders(const Reader& reader, Scene& scene) {
     fields.get("metres_per_unit", mesh.metres_per_unit);
     scene.mesh_colliders.push_back(std::move(mesh));
   }
-  return {};
-}
-
-/// The cone of a spot, from its lamp.
-Result<void> read_spot(const Reader& light, const std::string& path, Lamp& lamp) {
-  if (!light.has("spot")) return {};
-  const Reader reader = light.child("spot");
-  glm::dvec3 to(0);
-  double inner = 0, outer = 0;
-  reader.get("to_m", to);
-  reader.get("inner_deg", inner);
-  reader.get("outer_deg", outer);
-  if (inner >= outer)
-    return bad_input(
-        fmt::format("{}: {}.spot.inner_deg = {} is not below outer_deg = {}", light.where, path, inner, outer));
-  if (!(glm::length(to - lamp.position) > 0))
-    return bad_input(fmt::format("{}: {}.spot.to_m is where the lamp stands", light.where, path));
-  lamp.axis = glm::normalize(to - lamp.position);
-  lamp.inner_angle = glm::radians(inner);
-  lamp.outer_angle = glm::radians(outer);
-  return {};
-}
-
-Result<Lamp> read_lamp(const Reader& reader, const std::string& path) {
-  Lamp lamp;
-  reader.get("position_m", lamp.position);
-  reader.get("intensity", lamp.intensity);
-  CUTICLE_TRY(read_spot(reader, path, lamp));
-  return lamp;
-}
-
-Result<void> read_lights(const Reader& root, Scene& scene) {
-  if (!root.has("lights")) return {};
-  for (const Json& item : root.value["lights"]) {
-    const Reader reader{item, root.where, root.folder};
-    Light light;
-    reader.get("name", light.name);
-    reader.get("irradiance", light.irradiance);
-    CUTICLE_ASSIGN(light.to_light, direction(reader, "to_light", fmt::format("lights[{}]", scene.lights.size())));
-    scene.lights.push_back(light);
-  }
-  return {};
-}
-
-Result<void> read_lamps(const Reader& root, Scene& scene) {
-  std::size_t count = 0;
-  for (const Reader& reader : items(root, "lamps")) {
-    Light light;
-    reader.get("name", light.name);
-    CUTICLE_ASSIGN(light.lamp, read_lamp(reader, fmt::format("lamps[{}]", count++)));
-    scene.lights.push_back(light);
-  }
-  if (scene.lights.size() <= k_most_lights) return {};
-  return bad_input(fmt::format("{}: lamps: {} beside {} of `lights`; allowed are {} in all", root.where, count,
-                               scene.lights.size() - count, k_most_lights));
-}
-
-Result<void> read_environment(const Reader& root, Scene& scene) {
-  if (!root.has("environment")) return {};
-  const Reader reader = root.child("environment");
-  Environment environment;
-  reader.get("lights", environment.lights);
-  reader.get("turn_deg", environment.turn_degrees);
-  reader.get("scale", environment.scale);
-  if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
-    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
-                                 root.where, environment.lights, scene.lights.size(), k_most_lights));
-  CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
-  CUTICLE_ASSIGN(const Image picture, read_image(name));
-  const auto lights = environment_lights(picture, environment);
-  if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
-  scene.lights.insert(scene.lights.end(), lights->begin(), lights->end());
   return {};
 }
 
@@ -398,8 +270,6 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   CUTICLE_TRY(read_fins(root, scene));
   read_floor(root, scene);
   CUTICLE_TRY(read_lights(root, scene));
-  CUTICLE_TRY(read_lamps(root, scene));
-  CUTICLE_TRY(read_environment(root, scene));
   CUTICLE_TRY(read_shadow(root, catalogue, scene));
   CUTICLE_TRY(read_camera(root.child("camera"), scene));
   read_counts(root, catalogue, scene);
