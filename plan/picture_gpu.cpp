@@ -53,12 +53,6 @@ constexpr std::string_view k_whole_pictures[] = {"lines",
                                                  "motion_blur",
                                                  "temporal_antialiasing"};
 
-const render::GpuPassEntry* find_gpu_pass(std::string_view name) {
-  for (const render::GpuPassEntry* entry : render::gpu_passes())
-    if (entry->name == name) return entry;
-  return nullptr;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
@@ -190,9 +184,9 @@ Result<void> Picture::make_targets() {
 
 Result<void> Picture::make_passes() {
   for (const PlannedPass& planned : plan_.passes) {
-    const render::GpuPassEntry* entry = find_gpu_pass(planned.entry->name);
-    if (!entry) continue;
-    CUTICLE_ASSIGN(auto pass, entry->create(device_, resources_));
+    const auto entry = std::ranges::find(render::gpu_passes(), planned.entry->name, &render::GpuPassEntry::name);
+    if (entry == render::gpu_passes().end()) continue;
+    CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
     passes_.push_back({planned.entry->name, draws, std::move(pass)});
