@@ -95,8 +95,7 @@ sim::FrameInput StrandMotion::input_of(int frame) const {
           .head_begin = path_.at(std::max(0, frame - 1)),
           .head_end = path_.at(frame),
           .colliders = collides ? set_.colliders : std::span<const Sphere>(),
-          .boxes = collides ? set_.boxes : std::span<const RoundedBox>(),
-          .fields = collides ? set_.fields : std::span<const sim::FieldPointer>()};
+          .boxes = collides ? set_.boxes : std::span<const RoundedBox>()};
 }
 
 Result<gpu::SubmitCost> StrandMotion::simulate(int frame, Trace* trace) {
