@@ -17,7 +17,8 @@ using namespace cuticle;
 struct Case {
   std::string name, solver, settings;
   int strands, threads;
-  bool sphere = false, wind = false, water = false, far_sphere = false;
+  bool sphere = false, far_sphere = false;
+  std::string effect = {};  ///< beside gravity
 };
 
 strands::Groom straight_strands(int count) {
@@ -41,8 +42,7 @@ void run(const Case& c, double scale) {
   const strands::Groom groom = straight_strands(c.strands);
   sim::EffectBlocks effects{{"gravity", values_of("gravity", "")}};
   if (c.sphere || c.far_sphere) effects["colliders"] = values_of("colliders", "pearl_radius=0");
-  if (c.wind) effects["wind"] = values_of("wind", "");
-  if (c.water) effects["water"] = values_of("water", "");
+  if (!c.effect.empty()) effects[c.effect] = values_of(c.effect, "");
   const auto solver = (*sim::find_effect(c.solver))->create(groom, values_of(c.solver, c.settings), effects).value();
   const Sphere ball{{c.far_sphere ? 5 : 0.1, -0.2, 0}, 0.05};
   sim::FrameInput input;
@@ -66,14 +66,20 @@ int main(int argc, char** argv) {
   for (int threads : {1, 2}) {
     run({"exact, 4 substeps", "exact", four, 1000, threads}, scale);
     run({"exact, 4 substeps, sphere", "exact", four, 1000, threads, true}, scale);
-    run({"exact, 4 substeps, sphere out of reach", "exact", four, 1000, threads, false, false, false, true}, scale);
-    run({"exact, 4 substeps, wind", "exact", four, 1000, threads, false, true}, scale);
-    run({"exact, 4 substeps, water", "exact", four, 1000, threads, false, false, true}, scale);
-    run({"exact, 4 substeps, pull to the rest pose", "exact", "inner_step=0.00417,max_substeps=4", 1000, threads},
+    run({"exact, 4 substeps, sphere out of reach", "exact", four, 1000, threads, false, true}, scale);
+    run({"exact, 4 substeps, wind", "exact", four, 1000, threads, false, false, "wind"}, scale);
+    run({"exact, 4 substeps, water", "exact", four, 1000, threads, false, false, "water"}, scale);
+    const std::string beside = "strand_interaction";
+    run({"exact, 4 substeps, strand against strand", "exact", four, 1000, threads, false, false, beside}, scale);
+    const std::string pulled = "inner_step=0.00417,max_substeps=4";
+    run({"exact, 4 substeps, pull to the rest pose", "exact", pulled, 1000, threads}, scale);
+    run({"exact, 4 substeps, pull to the rest pose, asleep", "exact", pulled, 1000, threads, false, false, "sleep"},
         scale);
     run({"exact, 4 substeps", "exact", four, 10000, threads}, scale);
     run({"rod, 8 substeps", "rod", eight, 1000, threads}, scale);
     run({"rod, 8 substeps, sphere", "rod", eight, 1000, threads, true}, scale);
+    run({"rod, 8 substeps, strand against strand", "rod", eight, 1000, threads, false, false, beside}, scale);
+    run({"rod, 8 substeps, asleep", "rod", eight + ",fibre_radius=1e-3", 1000, threads, false, false, "sleep"}, scale);
     run({"rod, 8 substeps", "rod", eight, 10000, threads}, scale);
   }
   run({"classic, 4 substeps of 4 sweeps", "classic", four, 1000, 2}, scale);

@@ -32,6 +32,9 @@ glm::dmat4 projection_matrix(const Camera& camera) {
   const double aspect = double(camera.resolution.x) / double(camera.resolution.y);
   glm::dmat4 projection = glm::perspectiveRH_ZO(camera.vertical_field_of_view, aspect, camera.near_plane, camera.far_plane);
   projection[1][1] = -projection[1][1];
+  const glm::dvec2 shift = 2.0 * camera.pixel_shift / glm::dvec2(camera.resolution);  // w is -z
+  projection[2][0] -= shift.x;
+  projection[2][1] -= shift.y;
   return projection;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -20,8 +21,12 @@ registry::Fact strands_fact(const scene::Scene& scene) {
 registry::Fact colliders_fact(const scene::Scene& scene) {
   const bool own = scene.head_colliders;
   std::string what;
-  if (!scene.colliders.empty()) what = counted(scene.colliders.size(), "sphere collider");
-  if (!scene.boxes.empty()) what += (what.empty() ? "" : ", ") + counted(scene.boxes.size(), "capsule or box collider");
+  const auto add = [&](std::size_t count, std::string_view thing) {
+    if (count > 0) what += (what.empty() ? "" : ", ") + counted(count, thing);
+  };
+  add(scene.colliders.size(), "sphere collider");
+  add(scene.boxes.size(), "capsule or box collider");
+  add(scene.mesh_colliders.size(), "mesh collider");
   if (what.empty()) return {own, own ? "the head collides" : "the scene has no colliders"};
   return {true, what + (own ? " and the head's" : "")};
 }
@@ -97,7 +102,9 @@ void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
 void add_layers(const scene::Scene& scene, registry::Facts& facts) {
   // Tiles leave the depth of hair in the layers alone.
   const bool hair_depth = facts["pixel_depth"].holds && scene.render_method == "tiles";
-  const bool moves = scene.passes.contains("velocity"), layers = scene.outputs.aovs || moves || hair_depth;
+  const bool blurs = facts["motion_blur"].holds || facts["temporal_antialiasing"].holds;
+  const bool moves = scene.passes.contains("velocity") || blurs;
+  const bool layers = scene.outputs.aovs || moves || hair_depth;
   facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
   facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
 }
@@ -111,6 +118,8 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["strands"] = strands_fact(scene);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
+  const auto lamps = std::ranges::count_if(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
+  facts["distant_lights"] = {lamps == 0, lamps == 0 ? "all lights are far away" : counted(std::size_t(lamps), "lamp")};
   facts["shadow_method"] = shadow_fact(scene);
   facts["motion"] = motion_fact(scene);
   facts["simulation"] = {scene.simulation.solver.has_value(),
@@ -120,6 +129,8 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["colliders"] = colliders_fact(scene);
   facts["fins"] = fins_fact(scene);
   facts["head"] = head_fact(scene);
+  facts["floor"] = {scene.floor.has_value(), scene.floor ? "the scene has a floor" : "the scene has no floor"};
+  facts["surfaces"] = facts[facts["floor"].holds ? "floor" : "head"];
   facts["moving_skin"] = moving_skin_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
   for (const char* pass : {"dual_scattering", "surface_shadow"}) facts[pass] = asked(scene.passes.contains(pass), pass);

@@ -28,6 +28,7 @@ Result<void> FinMotion::advance(const sim::FrameInput& input) {
   if (!cloth_) return carry(input.head_end);
   sim::FrameInput spheres_only = input;
   spheres_only.boxes = {};
+  spheres_only.fields = {};
   CUTICLE_TRY(cloth_->advance(spheres_only));
   CUTICLE_ASSIGN(sim::State state, cloth_->state());
   moved_.positions = std::move(state.positions);

@@ -36,6 +36,8 @@ void add_cost(const gpu::SubmitCost& more, const scene::Scene& scene, gpu::Submi
   cost.fragments.insert(cost.fragments.end(), more.fragments.begin(), more.fragments.end());
 }
 
+constexpr int k_none = -2;
+
 }  // namespace
 
 struct FrameRunner::Impl {
@@ -47,6 +49,7 @@ struct FrameRunner::Impl {
   Plan plan;
   std::unique_ptr<StrandMotion> motion;
   std::unique_ptr<Picture> picture;
+  int painted = k_none;  ///< the frame last painted
 
   Result<void> build(Progress& progress) {
     CUTICLE_ASSIGN(set, build_strand_set(scene));
@@ -79,6 +82,7 @@ struct FrameRunner::Impl {
   Result<void> change(const scene::Scene& next, Progress& progress) {
     if (next.camera.camera.resolution != scene.camera.camera.resolution)
       return usage_error("the resolution of a running scene cannot change");
+    painted = k_none;
     const bool moves = next.simulation != scene.simulation;
     const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
                        next.render_method != scene.render_method;
@@ -111,8 +115,10 @@ struct FrameRunner::Impl {
                                    .records_character = motion->records_character(),
                                    .fins = motion->fins(),
                                    .camera = camera_at(scene.camera, rest_bounds, frame),
-                                   .camera_before = camera_at(scene.camera, rest_bounds, std::max(0, frame - 1))},
+                                   .camera_before = camera_at(scene.camera, rest_bounds, std::max(0, frame - 1)),
+                                   .follows = frame == painted + 1},
                                   trace));
+    painted = frame;
     add_cost(cost, scene, result.cost);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));

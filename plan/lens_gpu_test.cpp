@@ -2,16 +2,17 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include <cuticle/core/shared/disc.glslh>
+
 namespace cuticle::plan::lens_gpu_test {
 namespace {
 
-constexpr int k_views = 16;
+constexpr std::uint32_t k_views = 16;
 constexpr double k_lens = 0.03, k_focus = 0.95;  // metres
 
 std::shared_ptr<gpu::Device> device() {
@@ -50,9 +51,8 @@ Image picture(FrameRunner& runner, const scene::Scene& scene) {
 
 Image mean_over_lens(FrameRunner& runner, const char* method) {
   Image mean;
-  for (int k = 0; k < k_views; ++k) {
-    const double radius = std::sqrt((k + 0.5) / k_views), angle = k * std::numbers::pi * (3 - std::sqrt(5.0));
-    const Image view = picture(runner, scene_from(method, radius * glm::dvec2(std::cos(angle), std::sin(angle))));
+  for (std::uint32_t k = 0; k < k_views; ++k) {
+    const Image view = picture(runner, scene_from(method, disc_point(k, k_views, 0.0)));
     if (k == 0) mean = make_image(view.width, view.height, view.channel_names);
     for (std::size_t p = 0; p < view.pixels.size(); ++p) mean.pixels[p] += view.pixels[p] / k_views;
   }

@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
+#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/render/passes/resolve/resolve.h>
+#include <cuticle/render/passes/temporal_antialiasing/pixel_shift_gpu.h>
 #include <cuticle/render/passes/tile_lists/tile_lists.h>
+#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 #include <cuticle/render/passes/tiles/tiles.h>
 #include <cuticle/render/passes/truth/rasterise.h>
 #include <cuticle/render/passes/truth/truth.h>
@@ -20,8 +24,6 @@
 namespace cuticle::plan {
 
 namespace {
-
-static_assert(scene::k_most_lights == render::k_max_lights);
 
 /// Texels across a pixel. Quads have multisampling alone; the truth's own scene has none, and is not the place to save.
 int supersampling(const Plan& plan) {
@@ -37,11 +39,19 @@ int sample_count(const gpu::DeviceInfo& info, const Plan& plan, const render::Fr
   return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
 }
 
-const render::GpuPassEntry* find_gpu_pass(std::string_view name) {
-  for (const render::GpuPassEntry* entry : render::gpu_passes())
-    if (entry->name == name) return entry;
-  return nullptr;
-}
+constexpr int k_most_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
+/// Passes that draw or look at all of a picture at once.
+constexpr std::string_view k_whole_pictures[] = {"lines",
+                                                 "quads",
+                                                 "cards",
+                                                 "truth",
+                                                 "aovs",
+                                                 "pixel_depth",
+                                                 "velocity",
+                                                 "ambient_occlusion",
+                                                 "depth_of_field",
+                                                 "motion_blur",
+                                                 "temporal_antialiasing"};
 
 }  // namespace
 
@@ -52,13 +62,32 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   picture->resources_.camera = first_camera;
   picture->resources_.parameters = scene.passes;
   picture->resources_.says_seen = find_pass(plan, "aovs") != nullptr;
+  CUTICLE_TRY(picture->choose_chunks());
   CUTICLE_TRY(picture->make_strands());
   CUTICLE_TRY(picture->make_rest());
   CUTICLE_TRY(picture->make_shadows());
   CUTICLE_TRY(picture->make_tables(progress));
-  CUTICLE_TRY(picture->make_targets(first_camera.resolution));
+  CUTICLE_TRY(picture->make_targets());
   CUTICLE_TRY(picture->make_passes());
   return picture;
+}
+
+Result<void> Picture::choose_chunks() {
+  const glm::ivec2 all = resources_.camera.resolution;
+  const bool is_large = std::max(all.x, all.y) > k_most_at_once;
+  int chunk = int(parameters_of(resources_, render::tiles::entry()).integer("chunk_px"));
+  if (chunk == 0 && is_large) chunk = k_usual_chunk;
+  if (chunk == 0 || !(is_large || find_pass(plan_, "tiles"))) return {};
+  for (const std::string_view name : k_whole_pictures)
+    if (find_pass(plan_, name))
+      return bad_input(
+          fmt::format("camera.resolution_px: {} x {} in chunks of {}: '{}' draws whole pictures only, of at "
+                      "most {} pixels each way",
+                      all.x, all.y, chunk, name, k_most_at_once),
+          "the method 'tiles' draws in chunks, without passes over the whole picture");
+  constexpr int k_tile = int(render::tile_lists::k_tile);
+  resources_.part_size = glm::min(glm::ivec2((chunk + k_tile - 1) / k_tile * k_tile), all);
+  return {};
 }
 
 Result<void> Picture::make_strands() {
@@ -78,6 +107,7 @@ Result<void> Picture::make_strands() {
   resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
+  resources_.floor = scene_.floor;
   resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
   resources_.fibre_alpha = float(scene_.fibre_alpha);
@@ -132,7 +162,8 @@ Result<void> Picture::make_tables(Progress& progress) {
   return {};
 }
 
-Result<void> Picture::make_targets(glm::ivec2 resolution) {
+Result<void> Picture::make_targets() {
+  const glm::ivec2 resolution = drawn_size(resources_);
   using gpu::Filter, gpu::TextureFormat;
   const int samples = sample_count(device_->info(), plan_, resources_);
   resources_.supersampling = supersampling(plan_);
@@ -153,9 +184,9 @@ Result<void> Picture::make_targets(glm::ivec2 resolution) {
 
 Result<void> Picture::make_passes() {
   for (const PlannedPass& planned : plan_.passes) {
-    const render::GpuPassEntry* entry = find_gpu_pass(planned.entry->name);
-    if (!entry) continue;
-    CUTICLE_ASSIGN(auto pass, entry->create(device_, resources_));
+    const auto entry = std::ranges::find(render::gpu_passes(), planned.entry->name, &render::GpuPassEntry::name);
+    if (entry == render::gpu_passes().end()) continue;
+    CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
     passes_.push_back({planned.entry->name, draws, std::move(pass)});
@@ -197,8 +228,8 @@ Result<void> Picture::record_shadows(gpu::Commands& commands) {
     if (shadows_.empty())
       commands.fill(transmittance_[k], k_one);
     else
-      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha, scene_.lights[k].to_light,
-                                      transmittance_[k]));
+      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha,
+                                      render::source_of(scene_.lights[k]), transmittance_[k]));
   }
   return {};
 }
@@ -216,7 +247,7 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
   return {};
 }
 
-Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
+Result<gpu::SubmitCost> Picture::paint_part(const PictureInput& input, Trace* trace) {
   for (;;) {
     CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(input, trace));
     CUTICLE_ASSIGN(const bool holds, settle());
@@ -224,21 +255,54 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
   }
 }
 
+Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
+  resources_.frames_since_cut = input.follows ? resources_.frames_since_cut + 1 : 1;
+  use_frame(input);
+  notes_.clear();
+  if (!in_chunks()) return paint_part(input, trace);
+  const glm::ivec2 all = input.camera.resolution, size = resources_.part_size;
+  chunks_ = make_image(all.x, all.y, {"R", "G", "B", "A"});
+  gpu::SubmitCost cost;
+  for (int y = 0; y < all.y; y += size.y)
+    for (int x = 0; x < all.x; x += size.x) {
+      resources_.part_corner = {x, y};
+      CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(input, trace));
+      CUTICLE_TRY(keep_part());
+      cost.wall_ms += more.wall_ms;
+      cost.passes.insert(cost.passes.end(), more.passes.begin(), more.passes.end());
+    }
+  return cost;
+}
+
+/// What lies in the picture of the chunk last drawn.
+Result<void> Picture::keep_part() {
+  CUTICLE_ASSIGN(const std::vector<float> pixels, device_->download(output_));
+  const glm::ivec2 corner = resources_.part_corner, size = resources_.part_size;
+  const int rows = std::min(size.y, chunks_.height - corner.y), columns = std::min(size.x, chunks_.width - corner.x);
+  for (int y = 0; y < rows; ++y)
+    std::copy_n(pixels.begin() + std::ptrdiff_t(4) * y * size.x, std::ptrdiff_t(4) * columns,
+                &chunks_.at(corner.x, corner.y + y, 0));
+  return {};
+}
+
+/// Adds each note once: chunks may say the same.
 Result<bool> Picture::settle() {
   bool holds = true;
-  notes_.clear();
   for (DrawnPass& drawn : passes_) {
     CUTICLE_ASSIGN(const render::Settled settled, drawn.pass->settle());
     holds = holds && settled.holds;
-    notes_.insert(notes_.end(), settled.notes.begin(), settled.notes.end());
+    for (const std::string& note : settled.notes)
+      if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
   return holds;
 }
 
-Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* trace) {
+void Picture::use_frame(const PictureInput& input) {
   resources_.strands.bounds = input.bounds;
   resources_.head_transform = input.head;
   resources_.camera = input.camera;
+  if (find_pass(plan_, "temporal_antialiasing"))
+    resources_.camera.pixel_shift = render::temporal_antialiasing::pixel_shift(resources_);
   resources_.camera_before = input.camera_before;
   resources_.control_positions = input.control_positions;
   resources_.control_motion = input.control_motion;
@@ -247,9 +311,15 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
   resources_.fin_positions = input.fins ? &input.fins->positions() : nullptr;
   resources_.fin_normals = input.fins ? &input.fins->normals() : nullptr;
+}
+
+/// Strands and shadows are those of the frame's first chunk.
+Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* trace) {
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(record_generate(commands, input));
-  CUTICLE_TRY(record_shadows(commands));
+  if (!in_chunks() || resources_.part_corner == glm::ivec2(0)) {
+    CUTICLE_TRY(record_generate(commands, input));
+    CUTICLE_TRY(record_shadows(commands));
+  }
   CUTICLE_TRY(record_passes(commands));
   return device_->submit(std::move(commands), trace);
 }
@@ -280,15 +350,17 @@ Result<Image> Picture::read_color() const {
     render::resolve::add_background(image, parameters_of(resources_, render::resolve::entry()).rgb("background"));
     return image;
   }
+  if (in_chunks()) return chunks_;
   Image image = make_image(output_.size().x, output_.size().y, {"R", "G", "B", "A"});
   CUTICLE_ASSIGN(image.pixels, device_->download(output_));
   return image;
 }
 
 Result<Image> Picture::read_aovs(const Image& color) const {
-  if (!resources_.aovs) return Image{};
+  const bool moves = scene_.passes.contains("velocity");
+  if (!resources_.aovs || !(scene_.outputs.aovs || moves)) return Image{};
   CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
-  if (!resources_.motion_vectors) return image;
+  if (!resources_.motion_vectors || !moves) return image;
   CUTICLE_ASSIGN(image, with_channels(image, *resources_.motion_vectors, render::velocity::k_channels));
   return with_channels(image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
 }

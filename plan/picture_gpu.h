@@ -24,6 +24,7 @@ struct PictureInput {
   bool records_character = false;        ///< its skin and hair are moved in the picture's submission
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
+  bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
 };
 
 class Picture {
@@ -31,7 +32,8 @@ class Picture {
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
-  /// Runs every planned pass after the simulation, in one submission; once more where a pass's buffers were too small.
+  /// Runs every planned pass after the simulation, in one submission, a large picture chunk by chunk; once more where a
+  /// pass's buffers were too small.
   Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
   /// What the passes left out of the picture last painted, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -48,9 +50,14 @@ class Picture {
   Result<void> make_rest();
   Result<void> make_shadows();
   Result<void> make_tables(Progress& progress);
-  Result<void> make_targets(glm::ivec2 resolution);
+  Result<void> choose_chunks();
+  Result<void> make_targets();
   Result<void> make_passes();
+  bool in_chunks() const { return resources_.part_size != glm::ivec2(0); }
+  void use_frame(const PictureInput& input);
+  Result<gpu::SubmitCost> paint_part(const PictureInput& input, Trace* trace);
   Result<gpu::SubmitCost> paint_once(const PictureInput& input, Trace* trace);
+  Result<void> keep_part();
   Result<bool> settle();
   Result<Image> read_truth() const;
   Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
@@ -72,6 +79,7 @@ class Picture {
   lut::TableSet table_set_;
   std::vector<gpu::Texture> tables_;
   gpu::Texture color_, depth_, resolved_, output_;
+  Image chunks_;  ///< the picture, of one that is drawn in chunks
   render::FrameResources resources_;
   struct DrawnPass {
     std::string_view name;

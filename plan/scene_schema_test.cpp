@@ -51,7 +51,8 @@ TEST_P(OurScene, InTheRepository_IsAcceptedBySchemaAndLoader) {
 }
 INSTANTIATE_TEST_SUITE_P(SceneSchema, OurScene,
                          testing::Values("demo.json", "demo_groom.json", "frostbite.json", "hairworks.json",
-                                         "hairworks_split.json", "head_turn.json", "nalu.json", "still.json"));
+                                         "hairworks_split.json", "head_turn.json", "loose_hair.json", "nalu.json",
+                                         "still.json"));
 
 class BadScene : public testing::TestWithParam<const char*> {};
 TEST_P(BadScene, OfAnyKind_IsRefusedBySchemaAndLoader) {
@@ -69,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"schema_version": 1, "material": {"model": {"marschner": {"etta": 1.5}}}})",
                     R"({"schema_version": 1, "material": {"layout": "nalo"}})",
                     R"({"schema_version": 1, "lights": [{"to_light": [0, 1, 0]}]})",
+                    R"({"schema_version": 1, "lamps": [{"intensity": [1, 1, 1]}]})",
                     R"({"schema_version": 1, "outputs": {"color": 1}})"));
 
 }  // namespace

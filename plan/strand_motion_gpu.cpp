@@ -95,7 +95,8 @@ sim::FrameInput StrandMotion::input_of(int frame) const {
           .head_begin = path_.at(std::max(0, frame - 1)),
           .head_end = path_.at(frame),
           .colliders = collides ? set_.colliders : std::span<const Sphere>(),
-          .boxes = collides ? set_.boxes : std::span<const RoundedBox>()};
+          .boxes = collides ? set_.boxes : std::span<const RoundedBox>(),
+          .fields = collides ? set_.fields : std::span<const sim::FieldPointer>()};
 }
 
 Result<gpu::SubmitCost> StrandMotion::simulate(int frame, Trace* trace) {

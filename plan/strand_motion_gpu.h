@@ -9,6 +9,7 @@
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
 #include <cuticle/sim/solver_gpu.h>
+#include <cuticle/strands/spline/smooth_gpu.h>
 
 namespace cuticle::plan {
 

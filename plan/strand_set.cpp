@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/core.h>
@@ -9,7 +10,7 @@
 
 #include <cuticle/plan/fins.h>
 #include <cuticle/plan/plan.h>
-#include <cuticle/sim/solver.h>
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/strands/binding/binding.h>
 #include <cuticle/strands/formats/formats.h>
 #include <cuticle/strands/growing/grow.h>
@@ -199,6 +200,26 @@ double drawn_radius(const scene::Scene& scene, const StrandSet& set) {
   return std::max(fibre, std::min(k_widest, fibre * stands_for));
 }
 
+Result<strands::Mesh> read_collider(const scene::MeshCollider& source) {
+  if (source.file.ends_with(".obj")) return strands::read_obj(source.file, source.metres_per_unit);
+  CUTICLE_ASSIGN(strands::Character character, strands::read_character(source.file));
+  return std::move(character.mesh);
+}
+
+/// Only those that something collides with.
+Result<void> bake_fields(const scene::Scene& scene, StrandSet& set) {
+  if (!scene.simulation.solver) return {};
+  for (const scene::MeshCollider& source : scene.mesh_colliders) {
+    CUTICLE_ASSIGN(const strands::Mesh mesh, read_collider(source));
+    CUTICLE_ASSIGN(sim::DistanceField field, sim::bake_distance_field(mesh, source.spacing, source.file));
+    set.notes.push_back(fmt::format("collider {}: {} x {} x {} nodes, the surface within {:.2g} mm",
+                                    std::filesystem::path(source.file).filename().string(), field.cells.x + 1,
+                                    field.cells.y + 1, field.cells.z + 1, 1000 * field.error));
+    set.fields.push_back(std::make_shared<const sim::DistanceField>(std::move(field)));
+  }
+  return {};
+}
+
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
   const double vertices = double(set.hairs.size()) * scene.strand_vertices;
   if (vertices < 4e9 / 16) return {};
@@ -241,6 +262,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   if (scene.fins) CUTICLE_TRY(read_fins(*scene.fins, set));
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
   set.boxes = scene.boxes;
+  CUTICLE_TRY(bake_fields(scene, set));
   CUTICLE_TRY(limit(scene, set));
   return set;
 }

@@ -7,6 +7,7 @@
 
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/scene/scene.h>
+#include <cuticle/sim/solver.h>
 #include <cuticle/strands/character/character.h>
 #include <cuticle/strands/groom.h>
 #include <cuticle/strands/mesh.h>
@@ -23,6 +24,7 @@ struct StrandSet {
   std::vector<strands::Root> control_roots;             ///< on the character's mesh, one per control hair
   std::vector<Sphere> colliders;                        ///< in the head's rest space
   std::vector<RoundedBox> boxes;                        ///< colliders as well, there too
+  std::vector<sim::FieldPointer> fields;                ///< the scene's mesh colliders, there too
   strands::Mesh fins;                                   ///< in the head's rest space; empty where the scene has none
   std::vector<float> fin_weights;                       ///< one per vertex: 0 rigid .. 1 simulated
   glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots

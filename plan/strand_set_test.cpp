@@ -137,6 +137,21 @@ TEST(StrandSet, GrowingOnAMesh_IsRefusedByKey) {
   EXPECT_THAT(set.error().message, HasSubstr("head.mesh"));
 }
 
+TEST(StrandSet, MeshColliders_BecomeDistanceFieldsAndOpenOnesAreRefused) {
+  scene::Scene scene = grown(30);
+  scene.simulation.solver = {"exact", {}};
+  scene.mesh_colliders = {{.file = CUTICLE_SOURCE_DIR "/scenes/shoulders/shoulders.obj", .spacing = 0.02}};
+  const auto set = build_strand_set(scene);
+  ASSERT_TRUE(set) << set.error().message;
+  EXPECT_EQ(set->fields.size(), 1u);
+  EXPECT_THAT(set->notes, testing::Contains(HasSubstr("collider shoulders.obj: 26 x 24 x 16 nodes")));
+  scene.mesh_colliders[0].file = CUTICLE_SOURCE_DIR "/scenes/fins/ear_fins.obj";
+  const auto open = build_strand_set(scene);
+  ASSERT_FALSE(open);
+  EXPECT_THAT(open.error().message, HasSubstr("ear_fins.obj: "));
+  EXPECT_THAT(open.error().message, HasSubstr(" open edges, allowed 0"));
+}
+
 /// The frame of a scene of this repository.
 registry::FrameShape published(const std::string& name, std::uint32_t* casting = nullptr) {
   const auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/" + name + ".json", catalogue());

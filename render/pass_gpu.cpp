@@ -7,6 +7,23 @@ registry::ParameterValues parameters_of(const FrameResources& resources, const P
   return found == resources.parameters.end() ? registry::default_values(pass.entry.parameters) : found->second;
 }
 
+glm::ivec2 drawn_size(const FrameResources& resources) {
+  return resources.part_size == glm::ivec2(0) ? resources.camera.resolution : resources.part_size;
+}
+
+glm::dmat4 drawn_world_to_clip(const FrameResources& resources) {
+  const glm::dmat4 whole = projection_matrix(resources.camera) * view_matrix(resources.camera);
+  if (resources.part_size == glm::ivec2(0)) return whole;
+  const glm::dvec2 all(resources.camera.resolution), part(resources.part_size), corner(resources.part_corner);
+  const glm::dvec2 scale = all / part, shift = (all - 2.0 * corner) / part - 1.0;
+  glm::dmat4 cut(1);
+  for (int axis = 0; axis < 2; ++axis) {
+    cut[axis][axis] = scale[axis];
+    cut[3][axis] = shift[axis];
+  }
+  return cut * whole;
+}
+
 gpu::GraphicsDescription target_description(const FrameResources& resources) {
   gpu::GraphicsDescription description;
   description.color_formats = {resources.color->format()};

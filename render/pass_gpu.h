@@ -2,6 +2,7 @@
 // GPU half of a render pass, and the resources that the passes of one frame share.
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <cuticle/core/view.h>
 #include <cuticle/gpu/device.h>
@@ -30,6 +31,8 @@ struct Seen {
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
 struct FrameResources {
   Camera camera;
+  /// Of a picture that is drawn in chunks, the one that the targets hold: pixels; no size: all of the picture.
+  glm::ivec2 part_corner{0}, part_size{0};
   std::vector<Light> lights;
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
   shadows::GpuStrands casters;                    ///< those of them that cast shadows
@@ -62,10 +65,12 @@ struct FrameResources {
   const gpu::Buffer* velocities = nullptr;         ///< vec4 per drawn vertex, m/s; null where nothing asks
   std::uint32_t control_vertices = 0;
   Camera camera_before;                          ///< of the frame before; the frame's own in the first
+  std::uint32_t frames_since_cut = 1;            ///< frames that follow each other, this one with them
   const gpu::Buffer* seen_velocities = nullptr;  ///< of what a pixel sees, m/s: three floats; null where nothing asks
   const gpu::Buffer* motion_vectors = nullptr;   ///< vec2 per pixel: pixels since the frame before
   /// A head that deforms: its vertices of this frame, vec4 each (position, 1 where hair grows; unit normal); else null.
   const gpu::Buffer *head_positions = nullptr, *head_normals = nullptr;
+  std::optional<Floor> floor;
   /// Fins: their mesh at rest, and its vertices of this frame, vec4 each (world place, painted weight; unit normal).
   const strands::Mesh* fins = nullptr;
   const gpu::Buffer *fin_positions = nullptr, *fin_normals = nullptr;
@@ -80,11 +85,12 @@ struct FrameResources {
   std::map<std::string, registry::ParameterValues, std::less<>> parameters;
 };
 
-/// The most lights that a frame is shaded by.
-inline constexpr std::size_t k_max_lights = 8;
-
 /// The parameters of a pass in this frame.
 registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
+/// Pixels of what is drawn at once: a chunk, else the picture.
+glm::ivec2 drawn_size(const FrameResources& resources);
+/// World to clip space of what is drawn at once.
+glm::dmat4 drawn_world_to_clip(const FrameResources& resources);
 /// A pipeline that draws into the frame's targets, nearest wins; shaders and interface are still to be set.
 gpu::GraphicsDescription target_description(const FrameResources& resources);
 /// The colour target of a rendering, as `keep_target` and `resolve_target` say.

@@ -4,17 +4,11 @@
 // `resolution` in its push constants.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
+#include "cuticle/core/shared/disc.glslh"
 #include "cuticle/gpu/groups.glsl"
 
 layout(std430, binding = 0) readonly buffer PixelDepth { float pixel_depth[]; };  // 1 / distance; 0: nothing seen
 layout(std430, binding = 1) writeonly buffer Filtered { vec4 filtered[]; };
-
-/// Point k of `count` on the unit disc, equal areas (Vogel 1979), the whole turned by `turn` radians.
-vec2 disc_point(uint k, uint count, float turn) {
-  const float golden_angle = 2.39996323;
-  const float angle = float(k) * golden_angle + turn;
-  return sqrt((float(k) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
-}
 
 /// A turn of its own for each pixel, so that few points leave grain in place of rings.
 float turn_of(uint pixel) {

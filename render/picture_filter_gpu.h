@@ -15,6 +15,9 @@ class PictureFilter {
   void record(gpu::Commands& commands, const FrameResources& resources, std::span<const std::byte> push_constants,
               std::span<const gpu::Buffer* const> own_buffers = {}) const;
 
+  /// The new picture, vec4 a pixel, until the next frame.
+  const gpu::Buffer& picture() const { return picture_; }
+
  private:
   gpu::Kernel kernel_;
   gpu::Buffer picture_;

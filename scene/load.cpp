@@ -1,5 +1,4 @@
 // Reads a checked scene file into a Scene. What `check` has refused cannot appear here.
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
@@ -10,53 +9,12 @@
 #include <glm/trigonometric.hpp>
 
 #include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/scene/environment.h>
+#include <cuticle/scene/reader.h>
 #include <cuticle/scene/specification.h>
 
 namespace cuticle::scene {
 
 namespace {
-
-/// Keys of one object; absent keys leave the default in place.
-struct Reader {
-  const Json& value;
-  const std::string& where;
-  const std::string& folder;
-
-  template <class T>
-  void get(const char* key, T& target) const {
-    if (const Json* found = value.find(key)) target = found->get<T>();
-  }
-  void get(const char* key, glm::dvec3& target) const {
-    if (const Json* found = value.find(key))
-      target = {(*found)[0].number(), (*found)[1].number(), (*found)[2].number()};
-  }
-  bool has(const char* key) const { return value.contains(key); }
-  Reader child(const char* key) const {
-    static const Json empty = Json::object();
-    const Json* found = value.find(key);
-    return {found ? *found : empty, where, folder};
-  }
-  /// A name whose leading ${VARIABLE} is replaced by the environment variable of that name.
-  Result<std::string> expanded(const std::string& name, std::string_view path) const {
-    const std::size_t end = name.find('}');
-    if (!name.starts_with("${") || end == std::string::npos) return name;
-    const std::string variable = name.substr(2, end - 2);
-    if (const char* value = std::getenv(variable.c_str())) return value + name.substr(end + 1);
-    return bad_input(fmt::format("{}: {}: the environment variable {} is not set", where, path, variable));
-  }
-  /// The absolute name of a file that exists; empty when the key is absent.
-  Result<std::string> file(const char* key, std::string_view path) const {
-    if (!has(key)) return std::string();
-    CUTICLE_ASSIGN(const std::string given, expanded(value[key].text(), path));
-    const std::filesystem::path name = std::filesystem::path(folder) / given;
-    std::error_code code;
-    if (std::filesystem::is_regular_file(name, code)) return name.lexically_normal().string();
-    return bad_input(fmt::format("{}: {}: no file '{}'", where, path, name.lexically_normal().string()),
-                     "file names are relative to the scene file");
-  }
-};
 
 const registry::Entry& entry_of(std::span<const registry::Entry* const> entries, std::string_view name) {
   return **std::ranges::find(entries, name, &registry::Entry::name);
@@ -76,13 +34,6 @@ std::map<std::string, registry::ParameterValues, std::less<>> blocks_of(std::spa
   std::map<std::string, registry::ParameterValues, std::less<>> blocks;
   for (const auto& [name, values] : json.items()) blocks[name] = values_of(entry_of(entries, name).parameters, values);
   return blocks;
-}
-
-Result<glm::dvec3> direction(const Reader& reader, const char* key, const std::string& path) {
-  glm::dvec3 vector{0};
-  reader.get(key, vector);
-  if (glm::length(vector) > 0) return glm::normalize(vector);
-  return bad_input(fmt::format("{}: {}.{} is the zero vector; allowed: any direction", reader.where, path, key));
 }
 
 Result<void> read_groom(const Reader& reader, Scene& scene) {
@@ -188,11 +139,13 @@ Result<void> read_fins(const Reader& root, Scene& scene) {
   return {};
 }
 
-std::vector<Reader> items(const Reader& reader, const char* key) {
-  std::vector<Reader> result;
-  if (reader.has(key))
-    for (const Json& item : reader.value[key]) result.push_back({item, reader.where, reader.folder});
-  return result;
+void read_floor(const Reader& root, Scene& scene) {
+  if (!root.has("floor")) return;
+  const Reader reader = root.child("floor");
+  scene.floor.emplace();
+  reader.get("height_m", scene.floor->height);
+  reader.get("size_m", scene.floor->size);
+  reader.get("albedo", scene.floor->albedo);
 }
 
 RoundedBox read_capsule(const Reader& fields) {
@@ -231,46 +184,34 @@ Result<void> read_colliders(const Reader& reader, Scene& scene) {
     CUTICLE_ASSIGN(const RoundedBox box, read_box(fields, fmt::format("colliders.boxes[{}]", count++)));
     scene.boxes.push_back(box);
   }
-  return {};
-}
-
-Result<void> read_lights(const Reader& root, Scene& scene) {
-  if (!root.has("lights")) return {};
-  for (const Json& item : root.value["lights"]) {
-    const Reader reader{item, root.where, root.folder};
-    Light light;
-    reader.get("name", light.name);
-    reader.get("irradiance", light.irradiance);
-    CUTICLE_ASSIGN(light.to_light, direction(reader, "to_light", fmt::format("lights[{}]", scene.lights.size())));
-    scene.lights.push_back(light);
+  for (const Reader& fields : items(reader, "meshes")) {
+    MeshCollider mesh;
+    CUTICLE_ASSIGN(mesh.file,
+                   fields.file("file", fmt::format("colliders.meshes[{}].file", scene.mesh_colliders.size())));
+    fields.get("spacing_m", mesh.spacing);
+    fields.get("metres_per_unit", mesh.metres_per_unit);
+    scene.mesh_colliders.push_back(std::move(mesh));
   }
   return {};
 }
 
-Result<void> read_environment(const Reader& root, Scene& scene) {
-  if (!root.has("environment")) return {};
-  const Reader reader = root.child("environment");
-  Environment environment;
-  reader.get("lights", environment.lights);
-  reader.get("turn_deg", environment.turn_degrees);
-  reader.get("scale", environment.scale);
-  if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
-    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights`; allowed are {} in all", root.where,
-                                 environment.lights, scene.lights.size(), k_most_lights));
-  CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
-  CUTICLE_ASSIGN(const Image picture, read_image(name));
-  const auto lights = environment_lights(picture, environment);
-  if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
-  scene.lights.insert(scene.lights.end(), lights->begin(), lights->end());
-  return {};
+/// Some shadow methods take distant lights alone, and say so by demanding them.
+Result<void> check_lamps(const Reader& root, const registry::Entry& method, const Scene& scene) {
+  const bool has_lamp = std::ranges::any_of(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
+  if (!has_lamp || std::ranges::find(method.demands, "distant_lights") == method.demands.end()) return {};
+  return bad_input(
+      fmt::format("{}: shadow.method: '{}' takes distant lights alone; the scene has lamps", root.where, method.name),
+      "deep_opacity or shadow_map");
 }
 
-void read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
-  if (!root.has("shadow")) return;
+Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
+  if (!root.has("shadow")) return {};
   const Reader reader = root.child("shadow");
   scene.shadow = block_of(catalogue.methods, reader.value["method"]);
+  CUTICLE_TRY(check_lamps(root, entry_of(catalogue.methods, scene.shadow->name), scene));
   reader.get("fibre_alpha", scene.fibre_alpha);
   reader.get("caster_share", scene.caster_share);
+  return {};
 }
 
 Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {
@@ -327,9 +268,9 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   read_simulation(root, catalogue, scene);
   CUTICLE_TRY(read_colliders(root.child("colliders"), scene));
   CUTICLE_TRY(read_fins(root, scene));
+  read_floor(root, scene);
   CUTICLE_TRY(read_lights(root, scene));
-  CUTICLE_TRY(read_environment(root, scene));
-  read_shadow(root, catalogue, scene);
+  CUTICLE_TRY(read_shadow(root, catalogue, scene));
   CUTICLE_TRY(read_camera(root.child("camera"), scene));
   read_counts(root, catalogue, scene);
   return scene;

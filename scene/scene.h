@@ -72,6 +72,12 @@ struct FinSource {
   std::string weights;         ///< picture, absolute path: 0 rigid .. 1 simulated, over the texture coordinates
   double metres_per_unit = 1;  ///< of the mesh
 };
+/// A closed mesh that hair may not enter, as a distance field.
+struct MeshCollider {
+  std::string file;            ///< .obj, .glb or .gltf; absolute path; the head's rest space
+  double spacing = 0;          ///< of the grid's nodes, metres
+  double metres_per_unit = 1;  ///< of an OBJ
+};
 struct CameraPath {
   Camera camera;
   double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
@@ -85,9 +91,6 @@ struct Outputs {
 /// The ways in which strands become pixels.
 inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth"};
 
-/// Lights of a scene, those of its environment with them.
-inline constexpr std::size_t k_most_lights = 8;
-
 struct Scene {
   int schema_version = 1;
   std::string name;
@@ -100,7 +103,9 @@ struct Scene {
   std::vector<Sphere> colliders;  ///< in the head's rest space; "head": true in the file adds the head's own spheres
   bool head_colliders = false;
   std::vector<RoundedBox> boxes;  ///< colliders as well: the file's capsules, then its boxes
+  std::vector<MeshCollider> mesh_colliders;
   std::optional<FinSource> fins;
+  std::optional<Floor> floor;
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   double fibre_alpha = 0.4;     ///< opacity of one crossing

@@ -31,6 +31,13 @@ Entry named(std::string_view name, registry::ParameterTable table = {}) {
   entry.parameters = table;
   return entry;
 }
+Entry distant_method() {
+  static constexpr std::string_view k_demands[] = {"distant_lights"};
+  Entry entry = named("distant");
+  entry.demands = k_demands;
+  return entry;
+}
+const Entry k_distant_method = distant_method();
 const Entry k_model = named("marschner", k_fibre), k_layout = named("nalu"), k_solver = named("classic"),
             k_gravity = named("gravity"), k_method = named("opacity_map", k_slices), k_pass = named("lines");
 
@@ -40,7 +47,7 @@ Catalogue catalogue() {
   entries.layouts = {&k_layout};
   entries.solvers = {&k_solver};
   entries.effects = {&k_gravity};
-  entries.methods = {&k_method};
+  entries.methods = {&k_method, &k_distant_method};
   entries.passes = {&k_pass};
   return entries;
 }
@@ -157,6 +164,34 @@ TEST(Scene, Environment_AddsLightsUpToEightInAll) {
   EXPECT_EQ(scene->lights.size(), 8u);
   expect_refused(key + R"(", "lights": 8})", {"environment.lights", "8 in all"});
   expect_refused(R"("environment": {"lights": 2})", {"environment.file", "missing"});
+  std::filesystem::remove(name);
+}
+
+TEST(Scene, Lamp_IsALightWithAPlaceAndASpotACone) {
+  const auto scene = parsed(R"("lamps": [{"position_m": [0, 2, 0], "intensity": [1, 2, 3]}, {"position_m": [1, 2, 0],
+    "intensity": [1, 1, 1], "spot": {"to_m": [1, 0, 0], "inner_deg": 30, "outer_deg": 45}}],
+    "lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}])");
+  ASSERT_TRUE(scene) << scene.error().message;
+  ASSERT_EQ(scene->lights.size(), 3u);
+  ASSERT_TRUE(scene->lights[1].lamp && scene->lights[2].lamp && !scene->lights[0].lamp);
+  EXPECT_EQ(scene->lights[1].lamp->intensity, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene->lights[1].lamp->outer_angle, k_all_around);
+  EXPECT_EQ(scene->lights[2].lamp->axis, glm::dvec3(0, -1, 0));
+  EXPECT_NEAR(scene->lights[2].lamp->outer_angle, 0.7853981633974483, 1e-15);
+}
+
+TEST(Scene, BadLamp_IsRefused) {
+  const std::string lamp = R"({"position_m": [0, 2, 0], "intensity": [1, 1, 1])",
+                    spot = lamp + R"(, "spot": {"to_m": )";
+  expect_refused(R"("lamps": [{"position_m": [0, 2, 0]}])", {"lamps[0].intensity", "missing"});
+  expect_refused(R"("lamps": [)" + spot + R"([0, 2, 0], "outer_deg": 20}}])", {"lamps[0].spot.to_m", "stands"});
+  expect_refused(R"("lamps": [)" + spot + R"([0, 0, 0], "outer_deg": 20, "inner_deg": 20}}])",
+                 {"lamps[0].spot.inner_deg", "20", "below"});
+  expect_refused(R"("shadow": {"method": {"distant": {}}}, "lamps": [)" + lamp + "}]", {"'distant'", "distant lights"});
+  std::string nine = lamp + "}";
+  for (int k = 1; k < 8; ++k) nine += ", " + lamp + "}";
+  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}], "lamps": [)" + nine + "]",
+                 {"lamps", "8 in all"});
 }
 
 TEST(Scene, VariableInAFileName_IsReplacedOrNamed) {
@@ -204,6 +239,13 @@ TEST(Scene, BoxesOutOfRange_AreRefused) {
                  {"colliders.boxes[0].size_m[1]", "-1"});
   expect_refused(R"("colliders": {"capsules": [{"from_m": [0, 0, 0], "radius_m": 1}]})",
                  {"colliders.capsules[0].to_m", "missing"});
+}
+
+TEST(Scene, MeshColliders_NeedAFileAndASpacing) {
+  expect_refused(R"("colliders": {"meshes": [{"file": "none.obj", "spacing_m": 0.01}]})",
+                 {"colliders.meshes[0].file", "none.obj"});
+  expect_refused(R"("colliders": {"meshes": [{"file": "none.obj", "spacing_m": 0}]})",
+                 {"colliders.meshes[0].spacing_m", "0"});
 }
 
 TEST(Scene, CameraWithoutView_IsRefused) {

@@ -128,11 +128,16 @@ Spec colliders() {
                      real("rounding_m", 0, k_metres, "what the rounded box is larger by on every side"),
                      numbers("turn_axis", 3, -1e6, 1e6, "axis through the centre about which the box is turned"),
                      real("turn_degrees", -360, 360, "by so much; needs turn_axis")});
-  return object("colliders", "what the hair may not enter (capsules and boxes: the solvers exact and rod)",
+  Spec mesh = object("", "a closed mesh, in the head's rest space",
+                     {required(file("file", "OBJ, or the mesh of a glTF character at rest")),
+                      required(real("spacing_m", 1e-6, k_metres, "of the grid on which its distance is stored")),
+                      real("metres_per_unit", 1e-6, 1000, "scale of an OBJ")});
+  return object("colliders", "what the hair may not enter (capsules, boxes and meshes: the solvers exact and rod)",
                 {boolean("head", "the head's own spheres"),
                  array("spheres", 256, "spheres that move with the head", std::move(sphere)),
                  array("capsules", 256, "capsules that move with the head", std::move(capsule)),
-                 array("boxes", 256, "boxes that move with the head", std::move(box))});
+                 array("boxes", 256, "boxes that move with the head", std::move(box)),
+                 array("meshes", 16, "meshes that move with the head", std::move(mesh))});
 }
 
 Spec lights() {
@@ -143,9 +148,23 @@ Spec lights() {
   return array("lights", k_most_lights, "lights; none: no shading by light and no shadow", std::move(light));
 }
 
+Spec lamps() {
+  Spec spot = object("spot", "shines to one side; absent: all around",
+                     {required(numbers("to_m", 3, -k_metres, k_metres, "what the middle of its cone points at")),
+                      required(real("outer_deg", 0.1, 179, "from its middle to where it ends")),
+                      real("inner_deg", 0, 179, "up to here in full, below outer_deg; 0 unless given")});
+  Spec lamp =
+      object("", "a light with a place",
+             {text("name", "for messages"), required(numbers("position_m", 3, -k_metres, k_metres, "where it stands")),
+              required(numbers("intensity", 3, 0, 1e6,
+                               "irradiance at 1 m, linear Rec.709; falls as 1 / distance^2, within 1 mm as at 1 mm")),
+              std::move(spot)});
+  return array("lamps", k_most_lights, "lights with a place, eight with `lights` and `environment`", std::move(lamp));
+}
+
 Spec environment() {
   return object(
-      "environment", "light from all around, as distant lights beside `lights`, eight in all",
+      "environment", "light from all around, as distant lights beside `lights` and `lamps`, eight in all",
       {required(file("file", "picture in latitude and longitude, linear radiance: top row up, middle at +z")),
        integer("lights", 1, 8, "at most, of like luminance; 6 unless given"),
        real("turn_deg", -360, 360, "about the vertical, +z towards +x"), real("scale", 0, 1e6, "of the radiance")});
@@ -164,7 +183,7 @@ Spec camera() {
                 {numbers("position_m", 3, -k_metres, k_metres, "eye"),
                  numbers("target_m", 3, -k_metres, k_metres, "looked at"), numbers("up", 3, -1, 1, "up"),
                  real("fov_deg", 0.6, 170, "vertical field of view"), real("near_m", 1e-5, k_metres, "near plane"),
-                 real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 16, 4096, "width, height"),
+                 real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 1, 16384, "width, height"),
                  real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
 }
 
@@ -174,6 +193,13 @@ Spec fins() {
       {required(file("mesh", "OBJ file with texture coordinates, in the head's rest space")),
        required(file("weights", "picture: the weight over the mesh's texture coordinates, its first channel")),
        real("metres_per_unit", 1e-9, 1e6, "scale of the mesh")});
+}
+
+Spec floor() {
+  return object("floor", "a level square about the vertical axis, seen and lit from above; casts no shadow itself",
+                {required(real("height_m", -k_metres, k_metres, "above the origin")),
+                 real("size_m", 1e-3, k_metres, "of a side; 2 unless given"),
+                 numbers("albedo", 3, 0, 1, "diffuse, linear Rec.709; .4 unless given")});
 }
 
 Spec outputs() {
@@ -204,7 +230,9 @@ Spec specification(const Catalogue& catalogue) {
        simulation(catalogue),
        colliders(),
        fins(),
+       floor(),
        lights(),
+       lamps(),
        environment(),
        shadow(catalogue),
        camera(),

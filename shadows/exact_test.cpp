@@ -15,7 +15,8 @@ TEST(Exact, InverseSquareRoot_IsWithinThreeUnits) {
 
 TEST(Exact, Reciprocal_IsWithinSixUnits) {
   double worst = 0;
-  for (float x = 1e-9f; x < 1e9f; x *= 1.0007f) worst = std::max(worst, std::abs(double(exact_reciprocal(x)) * double(x) - 1));
+  for (float x = 1e-9f; x < 1e9f; x *= 1.0007f)
+    worst = std::max(worst, std::abs(double(exact_reciprocal(x)) * double(x) - 1));
   EXPECT_LT(worst, 6e-7);
 }
 

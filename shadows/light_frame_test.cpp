@@ -19,8 +19,7 @@ MapPlacement<float> placement_of(std::vector<glm::vec3> points, glm::dvec3 to_li
   return map_placement(box.lower, box.upper, resolution, intervals, least_share);
 }
 glm::vec3 placed(const MapPlacement<float>& placement, glm::dvec3 to_light, glm::vec3 point) {
-  const LightAxes axes = light_axes(to_light);
-  return place_in_map(placement, light_point(axes.right, axes.up, axes.forward, point));
+  return place_in_map(placement, view_point(light_axes(to_light), point));
 }
 
 }  // namespace
@@ -81,6 +80,47 @@ TEST(LightFrame, OnePointOrNone_HasAnExtent) {
     EXPECT_TRUE(std::isfinite(placement.scale.x) && std::isfinite(placement.scale.z));
     EXPECT_GT(placement.scale.z, 0.0f);
   }
+}
+
+// Small steps to any side become steps of one length, so that a disc stays a disc.
+TEST(LightFrame, LampsView_KeepsSmallDiscsRound) {
+  const LightAxes axes = light_axes(LightSource{{}, glm::dvec3(0, 0, 2)}, {glm::vec3(-1), glm::vec3(1)}).value();
+  for (const glm::vec3 point : {glm::vec3(0), {0.7f, 0, 0.5f}, {0.3f, -1, 1.9f}, {1, 1, 2.4f}}) {
+    const glm::vec3 seen = view_point(axes, point);
+    const glm::dvec3 away = glm::normalize(glm::dvec3(point) - glm::dvec3(0, 0, 2));
+    const PlaneAxes across = plane_axes(away);
+    EXPECT_NEAR(double(seen.z), glm::length(glm::dvec3(point) - glm::dvec3(0, 0, 2)), 1e-6);
+    for (const glm::dvec3& side : {across.first, across.second, glm::normalize(across.first + across.second)}) {
+      const glm::dvec2 step = glm::dvec2(view_point(axes, point + glm::vec3(0.005 * side))) -
+                              glm::dvec2(view_point(axes, point - glm::vec3(0.005 * side)));
+      EXPECT_NEAR(glm::length(step) / 0.01, double(view_scale(seen, axes.reach)), 1e-3) << point.x << point.y;
+    }
+  }
+}
+
+TEST(LightFrame, FarLampsView_IsThatOfADistantLight) {
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(1, 2, -0.5));
+  const strands::Bounds bounds{glm::vec3(-0.1f), glm::vec3(0.1f)};
+  const LightAxes lamp = light_axes(LightSource{{}, 100.0 * to_light}, bounds).value(), distant = light_axes(to_light);
+  for (const glm::vec3 point : {glm::vec3(0), {0.1f, 0.1f, -0.1f}, {-0.1f, 0.05f, 0.1f}}) {
+    const glm::vec3 apart = view_point(lamp, point) - view_point(distant, point);
+    EXPECT_LT(glm::length(apart - glm::vec3(0, 0, 100)), 2e-4f);
+    EXPECT_NEAR(view_scale(view_point(lamp, point), lamp.reach), 1, 2e-3);
+  }
+}
+
+TEST(LightFrame, AtTheLampAndBehindIt_IsFiniteAndUnseen) {
+  const strands::Bounds bounds{glm::vec3(-1), glm::vec3(1)};
+  const LightAxes axes = light_axes(LightSource{{}, glm::dvec3(0, 0, 0.5)}, bounds).value();
+  for (const glm::vec3 point : {glm::vec3(0, 0, 0.5f), {0, 0, 1}, {0, 0.1f, 0.8f}, {0, 1e-7f, 0.5f}}) {
+    const glm::vec3 seen = view_point(axes, point);
+    EXPECT_TRUE(std::isfinite(seen.x) && std::isfinite(seen.y) && std::isfinite(seen.z));
+    EXPECT_TRUE(std::isfinite(view_scale(seen, axes.reach)));
+  }
+  EXPECT_FALSE(is_seen_by_light(view_point(axes, {0, 0, 1}), axes.reach));
+  EXPECT_TRUE(is_seen_by_light(view_point(axes, {0, 1, 0.5f}), axes.reach));
+  EXPECT_FALSE(light_axes(LightSource{{}, glm::dvec3(0, 0, 2e6)}, bounds));
+  EXPECT_TRUE(light_axes(LightSource{{}, glm::dvec3(0)}, {}));
 }
 
 TEST(LightFrame, ZeroOrNotFiniteDirection_IsRefused) {

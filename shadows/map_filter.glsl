@@ -28,11 +28,11 @@ float mean_transmittance(vec2 p, float z, float radius) {
 
 /// The transmittance at a point, metres: 1 far outside the map. Depths are limited to 0 .. deepest, in steps.
 float transmittance_at(MapPlacement placement, vec3 position, float deepest) {
-  const vec3 point = place_in_map(placement, in_light_axes(position));
-  const float radius =
-      push.filter_radius > 0.0 ? clamp(push.filter_radius * placement.scale.x, 0.5, k_widest_filter) : push.filter_texels;
+  const vec3 seen = in_light_axes(position), point = place_in_map(placement, seen);
+  const float texels = push.filter_radius * placement.scale.x * view_scale(seen, push.reach);
+  const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_widest_filter) : push.filter_texels;
   const float limit = float(max(columns, rows)) + 130.0;
-  const bool inside = abs(point.x) < limit && abs(point.y) < limit;
+  const bool inside = abs(point.x) < limit && abs(point.y) < limit && is_seen_by_light(seen, push.reach);
   const float z = clamp(lookup_depth(point.z, push.depth_offset, placement.scale.z), 0.0, deepest);
   return inside ? mean_transmittance(point.xy, z, radius) : 1.0;
 }

@@ -20,6 +20,7 @@ void main() {
   const uint first = k_vertices_each * invocation();
   for (uint v = first; v < min(first + k_vertices_each, push.count); ++v) {
     const vec3 point = in_light_axes(vertices[v].xyz);
+    if (!is_seen_by_light(point, push.reach)) continue;
     lower = min(lower, point);
     upper = max(upper, point);
   }

@@ -2,7 +2,7 @@
 #include "cuticle/shadows/light_frame.glslh"
 
 layout(push_constant) uniform Push {
-  vec4 right, up, forward;   // xyz
+  vec4 right, up, forward;   // xyz; w: what they give at the world's origin
   float intervals;           // depth steps from the near to the far plane
   float filter_texels;       // radius of the lookup's disc
   float filter_radius;       // the same in metres, used where it is not 0
@@ -15,6 +15,7 @@ layout(push_constant) uniform Push {
   float own[3];              // the method's own numbers
   float depth_offset;        // metres behind a point that fibres still count
   float caster_width;        // factor on the radii of segments
+  float reach;               // of seen_by_light: 0 for a distant light
 } push;
 const uint k_poisson = 1u;
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair
@@ -23,7 +24,10 @@ const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the
 #include "cuticle/gpu/groups.glsl"
 #endif
 
-vec3 in_light_axes(vec3 p) { return light_point(push.right.xyz, push.up.xyz, push.forward.xyz, p); }
+vec3 in_light_axes(vec3 p) {
+  const vec3 origin = vec3(push.right.w, push.up.w, push.forward.w);
+  return seen_by_light(light_point(push.right.xyz, push.up.xyz, push.forward.xyz, origin, p), push.reach);
+}
 
 /// The box is kept as least values of the ordered bits of (x, y, z, -x, -y, -z).
 vec3 lower_of(uint least[6]) {

@@ -19,6 +19,7 @@ struct MapPush {
   float own[3];
   float depth_offset;
   float caster_width;
+  float reach;
 };
 inline constexpr std::uint32_t k_poisson_flag = 1, k_square_flag = 1u << 31;
 

@@ -58,15 +58,16 @@ strands::Groom points() {
 struct Scene {
   std::string name;
   strands::Groom hair;
-  glm::dvec3 light;
+  LightSource light;
   double alpha;
   std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), hair).value();
 };
 std::span<Scene> scenes() {
-  static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {1, 1, 0.3}, 0.4},
-                        {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {-0.5, 0.3, 1}, 1},
-                        {"along the light", along_the_light(), {0, 1, 0}, 0.4},
-                        {"points", points(), {0, 0.1, -1}, 0.4}};
+  static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{1, 1, 0.3}}, 0.4},
+                        {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {{-0.5, 0.3, 1}}, 1},
+                        {"along the light", along_the_light(), {{0, 1, 0}}, 0.4},
+                        {"points", points(), {{0, 0.1, -1}}, 0.4},
+                        {"lamp", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{}, glm::dvec3(0.1, 0.11, 0.03)}, 0.4}};
   return all;
 }
 
@@ -99,7 +100,7 @@ struct Comparison {
 };
 Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values, GpuShadow& shadow, Scene& scene) {
   const Frame frame = run(shadow, scene);
-  const Casters casters{&scene.hair, scene.alpha, scene.light};
+  const Casters casters{&scene.hair, scene.alpha, scene.light.to_light, scene.light.position};
   Comparison comparison;
   const MapWords expected = gpu.cpu_map != nullptr ? gpu.cpu_map(casters, values).value() : MapWords{};
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -129,6 +130,7 @@ const std::vector<Comparison>& comparisons() {
           continue;
         }
         for (Scene& scene : scenes()) {
+          if (scene.light.position && gpu->name == "voxel") continue;
           list.push_back(compare(*gpu, values, **shadow, scene));
           list.back().what = std::string(gpu->name) + " " + set + ", " + scene.name;
         }
@@ -217,7 +219,7 @@ TEST(MapGpu, Lookup_AgreesWithTheCpu) {
     if (comparison.words > 0) {
       const auto is_of = [&](std::string_view word) { return comparison.what.find(word) != std::string::npos; };
       const double bound = is_of("power_6")         ? 0.03
-                           : is_of("deep_shadow")   ? 1.8e-4
+                           : is_of("deep_shadow")   ? 4.4e-4
                            : is_of("trigonometric") ? 6e-5
                                                     : 2e-5;
       EXPECT_LT(comparison.worst, bound) << comparison.what;
@@ -231,7 +233,7 @@ TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
       Scene& scene = scenes()[s];
       const auto values = tests::values_of("opacity_map", "slices=17,resolution=96,form=" + form).value();
       const auto settings = opacity_map::settings_from(values).value();
-      const LightAxes axes = light_axes(unit_to_light(scene.light).value());
+      const LightAxes axes = light_axes(scene.light, scene.on_device->strands.bounds).value();
       const opacity_map::Map twin = opacity_map::build_map(scene.hair, scene.alpha, axes, settings);
       const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
       run(*shadow, scene);
@@ -273,7 +275,7 @@ TEST(OpacityFragments, EitherWeights_AgreeWithTheTwin) {
       const std::string set = "resolution=96,form=graphics_8bit,weights=";
       const auto values = tests::values_of("opacity_map", set + (per_vertex ? "per_vertex" : "per_fragment")).value();
       drawn[per_vertex] = draw_fragments(values, *scene, fragments);
-      const Casters casters{&scene->hair, scene->alpha, scene->light};
+      const Casters casters{&scene->hair, scene->alpha, scene->light.to_light, scene->light.position};
       const Receivers receivers{fragments.points, {}, fragments.places};
       const auto twin = (*find_method("opacity_map"))->evaluate(casters, receivers, values).value();
       EXPECT_LT(differences(drawn[per_vertex], twin.values).most, 1e-5) << scene->name << per_vertex;
@@ -293,7 +295,7 @@ TEST(OpacityFragments, FormWithoutTargetsOrTooSmallATarget_IsRefused) {
     const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();
     gpu::Commands commands = device()->record();
     const std::uint32_t parts = form == "compute" ? 1 : 2 * k_parts;
-    EXPECT_FALSE(shadow->record_fragments(commands, scenes()[0].on_device->strands, {0, 1, 0}, {&target, parts}));
+    EXPECT_FALSE(shadow->record_fragments(commands, scenes()[0].on_device->strands, {{0, 1, 0}}, {&target, parts}));
   }
 }
 
@@ -325,9 +327,12 @@ TEST(MapGpu, BadLightOrAlpha_IsRefused) {
   for (const GpuMethod* gpu : gpu_methods()) {
     const auto shadow = gpu->create(device(), registry::default_values(method_of(*gpu).entry.parameters)).value();
     gpu::Commands commands = device()->record();
-    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {0, 0, 0}, groom.transmittance)) << gpu->name;
-    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {0, nan, 0}, groom.transmittance)) << gpu->name;
-    EXPECT_FALSE(shadow->record(commands, groom.strands, nan, {0, 1, 0}, groom.transmittance)) << gpu->name;
+    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {{0, 0, 0}}, groom.transmittance)) << gpu->name;
+    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {{0, nan, 0}}, groom.transmittance)) << gpu->name;
+    EXPECT_FALSE(shadow->record(commands, groom.strands, 0.4, {{}, glm::dvec3(nan)}, groom.transmittance)) << gpu->name;
+    EXPECT_EQ(shadow->record(commands, groom.strands, 0.4, {{}, glm::dvec3(0, 2, 0)}, groom.transmittance).ok(),
+              gpu->name != "voxel");
+    EXPECT_FALSE(shadow->record(commands, groom.strands, nan, {{0, 1, 0}}, groom.transmittance)) << gpu->name;
   }
 }
 

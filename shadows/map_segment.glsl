@@ -12,8 +12,8 @@ struct MapSegment {
   bool is_first, is_last;  // of its strand
 };
 
-vec3 place(MapPlacement placement, vec3 p) {
-  const vec3 point = place_in_map(placement, in_light_axes(p));
+vec3 place(MapPlacement placement, vec3 seen) {
+  const vec3 point = place_in_map(placement, seen);
   return vec3(snap(point.x), snap(point.y), point.z);
 }
 
@@ -22,10 +22,11 @@ MapSegment map_segment(uint s, uint count) {
   const uint v = segments[s];
   const MapPlacement placement = placement_of(least);
   precise float radius_sum = vertices[v].w + vertices[v + 1u].w;
-  precise float half_width = 0.5 * radius_sum * push.caster_width * placement.scale.x;
+  const vec3 a = in_light_axes(vertices[v].xyz), b = in_light_axes(vertices[v + 1u].xyz);
+  precise float half_width = 0.5 * radius_sum * push.caster_width * placement.scale.x * segment_scale(a, b, push.reach);
   MapSegment segment;
-  segment.a = place(placement, vertices[v].xyz);
-  segment.b = place(placement, vertices[v + 1u].xyz);
+  segment.a = place(placement, a);
+  segment.b = place(placement, b);
   segment.half_width = half_width;
   segment.is_first = s == 0u || segments[s - 1u] + 1u != v;
   segment.is_last = s + 1u == count || segments[s + 1u] != v + 1u;

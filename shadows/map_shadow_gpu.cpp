@@ -22,9 +22,9 @@ class MapShadowGpu : public GpuShadow {
   MapShadowGpu(std::shared_ptr<gpu::Device> device, MapDescription description)
       : device_(std::move(device)), description_(std::move(description)) {}
   Result<void> make();
-  Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
+  Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, const LightSource& light,
                       const gpu::Buffer& transmittance) override;
-  Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
+  Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
                                 const FragmentTarget& target) override;
   std::uint32_t dispatches_per_frame(const GpuStrands& strands) const override;
   std::size_t bytes() const override;
@@ -107,9 +107,9 @@ Result<void> MapShadowGpu::make_kernels() {
 
 MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands) const {
   const MapSettings& settings = description_.settings;
-  MapPush push{{axes.right, 0},
-               {axes.up, 0},
-               {axes.forward, 0},
+  MapPush push{{axes.right, axes.origin.x},
+               {axes.up, axes.origin.y},
+               {axes.forward, axes.origin.z},
                description_.intervals,
                float(settings.filter_texels),
                float(settings.filter_radius),
@@ -122,7 +122,8 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
                description_.pieces_per_step,
                {},
                float(settings.depth_offset),
-               strands.caster_width};
+               strands.caster_width,
+               axes.reach};
   std::copy(description_.own.begin(), description_.own.end(), push.own);
   return push;
 }
@@ -179,15 +180,16 @@ void MapShadowGpu::draw(gpu::Commands& commands, const GpuStrands& strands, MapP
   commands.end_pass();
 }
 
-Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
-                                  const gpu::Buffer& transmittance) {
+Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha,
+                                  const LightSource& light, const gpu::Buffer& transmittance) {
   if (dispatches_per_frame(strands) == 0) {  // nothing casts a shadow
     if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
     return {};
   }
-  CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
+  if (description_.in_world && light.position) return lamp_refused(description_.settings.method);
+  CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
-  const MapPush push = push_for(light_axes(direction), strands);
+  const MapPush push = push_for(axes, strands);
   clear(commands);
   run(commands, k_fit, fit_, strands, description_.in_world ? push_for({}, strands) : push, transmittance);
   if (!targets_.empty()) draw(commands, strands, push);
@@ -196,18 +198,17 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   return {};
 }
 
-Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
-                                            const FragmentTarget& target) {
-  if (description_.fragments.vertex_code.empty())
-    return GpuShadow::record_fragments(commands, strands, to_light, target);
+Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuStrands& strands,
+                                            const LightSource& light, const FragmentTarget& target) {
+  if (description_.fragments.vertex_code.empty()) return GpuShadow::record_fragments(commands, strands, light, target);
   const glm::ivec2 size = target.texture->size();
   const std::uint64_t side = std::uint64_t(size.x), per_row = side / std::max(1u, target.per_segment);
   if (size.x != size.y || target.per_segment == 0 || per_row * side < strands.segment_count)
     return usage_error(fmt::format("{}: a target of {} x {} texels does not hold {} fragments of {} segments",
                                    description_.settings.method, size.x, size.y, target.per_segment,
                                    strands.segment_count));
-  CUTICLE_ASSIGN(const glm::dvec3 direction, unit_to_light(to_light));
-  MapPush push = push_for(light_axes(direction), strands);
+  CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
+  MapPush push = push_for(axes, strands);
   push.count = strands.segment_count;
   push.own[1] = float(target.per_segment);
   push.own[2] = float(size.x);

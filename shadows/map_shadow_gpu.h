@@ -79,8 +79,8 @@ inline constexpr auto k_sums_of = [](const auto& map, const auto&) { return MapW
 template <auto settings_from, auto build, auto words_of = k_sums_of>
 Result<MapWords> words_of_map(const Casters& casters, const registry::ParameterValues& values) {
   CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
-  CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
+  CUTICLE_ASSIGN(const LightAxes axes, axes_of(casters));
+  CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, axes, settings)));
   return words_of(map, settings);
 }
 

@@ -22,10 +22,10 @@ inline MapView map_view(const LightAxes& axes, const LightBox& box, std::uint32_
   const MapPlacement<float> placement = map_placement(box.lower, box.upper, resolution, intervals, least_share);
   return {axes, placement.scale, placement.offset, placement.columns, placement.rows};
 }
-/// A world point, metres, in the map.
-inline glm::vec3 to_map(const MapView& view, const glm::vec3& p) {
-  const glm::vec3 light = light_point(view.axes.right, view.axes.up, view.axes.forward, p);
-  return place_in_map(MapPlacement<float>{view.scale, view.offset, view.columns, view.rows}, light);
+/// A point of the light's view in the map, and a world point, metres.
+inline glm::vec3 seen_to_map(const MapView& view, const glm::vec3& seen) {
+  return place_in_map(MapPlacement<float>{view.scale, view.offset, view.columns, view.rows}, seen);
 }
+inline glm::vec3 to_map(const MapView& view, const glm::vec3& p) { return seen_to_map(view, view_point(view.axes, p)); }
 
 }  // namespace cuticle::shadows

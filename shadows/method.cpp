@@ -5,8 +5,6 @@
 #include <fmt/ranges.h>
 #include <tbb/task_arena.h>
 
-#include <cuticle/shadows/light_frame.h>
-
 namespace cuticle::shadows {
 
 Result<const Method*> find_method(std::string_view name) {
@@ -20,11 +18,15 @@ Result<const Method*> find_method(std::string_view name) {
                      nearest.empty() ? "cuticle methods" : nearest);
 }
 
+Result<LightAxes> axes_of(const Casters& casters) {
+  return light_axes(casters.light(), strands::bounds(*casters.groom));
+}
+
 namespace {
 
 Result<void> check_casters(const Casters& casters) {
   CUTICLE_EXPECT(casters.groom != nullptr, "casters name a groom");
-  CUTICLE_TRY(unit_to_light(casters.to_light));
+  CUTICLE_TRY(axes_of(casters));
   if (!(casters.alpha >= 0 && casters.alpha <= 1))
     return usage_error(fmt::format("alpha: {} is outside 0 .. 1", casters.alpha));
   if (auto sound = strands::validate(*casters.groom); !sound)

@@ -10,6 +10,7 @@
 
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/result.h>
+#include <cuticle/shadows/light_frame.h>
 #include <cuticle/strands/groom.h>
 
 namespace cuticle::shadows {
@@ -17,9 +18,14 @@ namespace cuticle::shadows {
 /// What casts: strands as cylinders of their radii, each crossing taking away `alpha` of the light.
 struct Casters {
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;            ///< opacity of one fibre crossing, 0 .. 1
-  glm::dvec3 to_light{0, 1, 0};  ///< unit, from the scene to the light
+  double alpha = 0.4;                   ///< opacity of one fibre crossing, 0 .. 1
+  glm::dvec3 to_light{0, 1, 0};         ///< unit, from the scene to the light
+  std::optional<glm::dvec3> lamp = {};  ///< a light at this place, metres, instead
+
+  LightSource light() const { return {to_light, lamp}; }
 };
+/// The light's view of the casters. Errors: those of light_axes.
+Result<LightAxes> axes_of(const Casters& casters);
 
 /// The segment that a point lies on: its ends, metres, and how far from the first to the second the point lies, 0 .. 1.
 struct SegmentPlace {
@@ -55,8 +61,8 @@ std::span<const Method* const> methods();
 /// Error: usage, with the nearest known name.
 Result<const Method*> find_method(std::string_view name);
 
-/// What every method refuses: a zero or non-finite light, alpha outside 0 .. 1 (usage); a groom or points that are not
-/// sound (bad_input, naming the field or the point).
+/// What every method refuses: a zero or non-finite light, and one too far away, alpha outside 0 .. 1 (usage); a groom
+/// or points that are not sound (bad_input, naming the field or the point).
 Result<void> check(const Casters& casters, const Receivers& receivers);
 
 /// "cpu (N threads)": the threads that work in this call may use.

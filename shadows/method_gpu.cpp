@@ -4,7 +4,7 @@
 
 namespace cuticle::shadows {
 
-Result<void> GpuShadow::record_fragments(gpu::Commands&, const GpuStrands&, glm::dvec3, const FragmentTarget&) {
+Result<void> GpuShadow::record_fragments(gpu::Commands&, const GpuStrands&, const LightSource&, const FragmentTarget&) {
   return usage_error("this setting of the shadow method has no lookup between vertices",
                      "method opacity_map with form=graphics_8bit or graphics_half");
 }

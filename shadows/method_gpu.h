@@ -24,15 +24,16 @@ struct FragmentTarget {
   std::uint32_t per_segment = 1;
 };
 
-/// A method's passes, recorded into a frame. `transmittance` receives one float per vertex.
+/// A method's passes, recorded into a frame. `transmittance` receives one float per vertex. A lamp's view is fitted to
+/// the strands' bounds and what lies in them. Error: usage, for a light that light_axes or the method refuses.
 class GpuShadow {
  public:
   virtual ~GpuShadow() = default;
-  virtual Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha, glm::dvec3 to_light,
-                              const gpu::Buffer& transmittance) = 0;
+  virtual Result<void> record(gpu::Commands& commands, const GpuStrands& strands, double alpha,
+                              const LightSource& light, const gpu::Buffer& transmittance) = 0;
   /// After `record` with the same strands and light: transmittance at points between vertices, looked up in the map.
   /// Error: usage, of a method whose map is not looked up there, or where the target has no room for all segments.
-  virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, glm::dvec3 to_light,
+  virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
                                         const FragmentTarget& target);
   /// Dispatches that `record` will make: what a plan prints.
   virtual std::uint32_t dispatches_per_frame(const GpuStrands& strands) const = 0;

@@ -64,6 +64,8 @@ Result<void> check(const FrameInput& input) {
   CUTICLE_TRY(check_transform("head_begin", input.head_begin));
   CUTICLE_TRY(check_transform("head_end", input.head_end));
   CUTICLE_TRY(check_colliders(input.colliders));
+  for (std::size_t i = 0; i < input.fields.size(); ++i)
+    if (!input.fields[i]) return bad_input(fmt::format("fields[{}]: null", i));
   return check_boxes(input.boxes);
 }
 
@@ -84,15 +86,17 @@ Result<void> HeadMotion::follow(Carrier carrier) {
   return {};
 }
 
-Result<void> HeadMotion::check_boxes(const FrameInput& input) const {
-  if (meets_boxes_ || input.boxes.empty()) return {};
-  return usage_error("boxes: the solver meets spheres only", "capsules and boxes need the solver exact or rod");
+Result<void> HeadMotion::check_shapes(const FrameInput& input) const {
+  if (meets_all_ || (input.boxes.empty() && input.fields.empty())) return {};
+  return usage_error(
+      fmt::format("{}: the solver meets spheres only", input.boxes.empty() ? "fields (mesh colliders)" : "boxes"),
+      "capsules, boxes and meshes need the solver exact or rod");
 }
 
 Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::uint32_t substeps) {
   if (!input.skinned.empty())
     return usage_error("skinned: this solver follows a head only", "choose the solver 'classic'");
-  CUTICLE_TRY(check_boxes(input));
+  CUTICLE_TRY(check_shapes(input));
   CUTICLE_TRY(check(input));
   CUTICLE_TRY(follow(Carrier::head));
   return cut(input, substeps);
@@ -100,7 +104,7 @@ Result<std::vector<Substep>> HeadMotion::advance(const FrameInput& input, std::u
 
 Result<std::vector<Substep>> HeadMotion::advance_on_skin(const FrameInput& input, std::uint32_t substeps) {
   const FrameInput still{.duration = input.duration, .colliders = input.colliders};
-  CUTICLE_TRY(check_boxes(input));
+  CUTICLE_TRY(check_shapes(input));
   CUTICLE_TRY(check(still));
   CUTICLE_TRY(follow(Carrier::skin));
   const bool onto_skin = !placed_ || input.teleport || input.duration == 0;

@@ -29,11 +29,11 @@ std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most
 /// Follows the head from frame to frame.
 class HeadMotion {
  public:
-  /// `meets_boxes`: whether the solver does.
-  explicit HeadMotion(bool meets_boxes = false) : meets_boxes_(meets_boxes) {}
+  /// `meets_all`: whether the solver meets other colliders than spheres.
+  explicit HeadMotion(bool meets_all = false) : meets_all_(meets_all) {}
   /// Cuts a frame into `substeps` equal parts, and remembers where it ends. Error: bad_input naming the field when a
   /// matrix is not finite or not rigid within 1e-3, the duration is outside 0 .. 100 s, or a collider is not finite or
-  /// has a negative radius; usage where there are boxes that the solver does not meet; nothing is then remembered.
+  /// has a negative radius; usage where there are colliders that the solver does not meet; nothing is then remembered.
   Result<std::vector<Substep>> advance(const FrameInput& input, std::uint32_t substeps);
   /// The same for hair on a skin, which no head moves: FrameInput::skinned is the caller's to read. Error: also usage
   /// where one follows the other.
@@ -43,9 +43,9 @@ class HeadMotion {
   enum class Carrier { none, head, skin };
   std::vector<Substep> cut(const FrameInput& input, std::uint32_t substeps);
   Result<void> follow(Carrier carrier);
-  Result<void> check_boxes(const FrameInput& input) const;
+  Result<void> check_shapes(const FrameInput& input) const;
 
-  bool meets_boxes_ = false;
+  bool meets_all_ = false;
   Carrier carrier_ = Carrier::none;
   bool placed_ = false;
   double previous_duration_ = 0, time_ = 0;

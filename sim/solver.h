@@ -23,6 +23,9 @@ namespace cuticle::sim {
 /// effect is not simulated and none of its work is dispatched.
 using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
 
+struct DistanceField;
+using FieldPointer = std::shared_ptr<const DistanceField>;
+
 /// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space
 /// of the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is
 /// taken to stand at head_begin; the first frame starts from the rest pose there.
@@ -30,8 +33,9 @@ struct FrameInput {
   double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders = {};
-  std::span<const RoundedBox> boxes = {};  ///< colliders as well, capsules among them: exact and rod only
-  bool teleport = false;                   ///< the whole state moves rigidly with the head, velocity kept in its frame
+  std::span<const RoundedBox> boxes = {};     ///< colliders as well, capsules among them: exact and rod only
+  std::span<const FieldPointer> fields = {};  ///< the same of meshes (colliders/distance_field.h); none is null
+  bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).
   std::span<const glm::vec3> authored = {};
@@ -52,6 +56,9 @@ struct State {
   /// pressure, at roots and at carried vertices. Empty where the solver solves no tensions (classic).
   std::vector<float> tensions = {};
   std::uint32_t guards_fired = 0;  ///< strands reset in the last frame because something was not finite
+  /// Vertices that "strand_interaction" could not count in the last frame: outside its grid, or faster than 128 m/s.
+  std::uint32_t left_out = 0;
+  std::uint32_t asleep = 0;  ///< strands that "sleep" has left as they are since they came to rest
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots
@@ -80,7 +87,8 @@ struct Effect {
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
   /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
   bool fuses_effects = false;
-  /// Whether an effect acts on the result of every solver, by dispatches of its own ("control").
+  /// Whether an effect acts on what a solver found in a frame, by dispatches of its own ("control",
+  /// "strand_interaction").
   bool acts_on_result = false;
   /// Whether an effect moves the scene's fins, and does nothing to hair ("cloth").
   bool acts_on_fins = false;

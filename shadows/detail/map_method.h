@@ -24,7 +24,7 @@ inline float exponent_per_unit(const MapSettings& settings, double scale) {
 /// How lookups in the map average. Error: usage, for a filter too wide for it.
 inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& settings) {
   CUTICLE_ASSIGN(const float radius, filter_in_texels(settings, double(view.scale.x)));
-  return MapFilter{radius, float(settings.depth_offset), settings.accumulation.poisson};
+  return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson};
 }
 
 /// Transmittance at world points. at_depth(z) gives a function of a texel, the exponent of T before depth z; depths are
@@ -55,10 +55,10 @@ Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& rece
                                    const registry::ParameterValues& values) {
   CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
   CUTICLE_TRY(check(casters, receivers));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
+  CUTICLE_ASSIGN(const LightAxes axes, axes_of(casters));
   Transmittance result;
   const auto start = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, light_axes(to_light), settings)));
+  CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, axes, settings)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
   CUTICLE_ASSIGN(result.values, Result(look_up_at<look_up>(map, settings, receivers)));
@@ -75,12 +75,12 @@ std::uint32_t passes_per_light(const registry::ParameterValues&, const registry:
   return passes * shape.lights;
 }
 
-/// The registered method of the functions of evaluate_map; `entry` says what is its own.
+/// The registered method of the functions of evaluate_map; `entry` says what is its own, and may say its demands.
 template <auto settings_from, auto build, auto look_up>
 Method map_method(registry::Entry entry) {
   static constexpr std::string_view k_demands[] = {"light", "shadow_method"};
   entry.kind = registry::EntryKind::method;
-  entry.demands = k_demands;
+  if (entry.demands.empty()) entry.demands = k_demands;
   entry.stage = registry::Stage::shadow;
   return {entry, evaluate_map<settings_from, build, look_up>};
 }

@@ -56,12 +56,15 @@ void for_each_texel(const MapView& view, const Footprint<float>& footprint, cons
 /// piece(footprint) for every piece of a segment of a strand, each at most 1 / steps_to_pieces depth steps deep.
 void for_each_piece(const MapView& view, const strands::Groom& groom, std::uint32_t v, bool is_first, bool is_last,
                     float steps_to_pieces, const auto& piece) {
-  const auto place = [&](const glm::vec3& p) {
-    const glm::vec3 point = to_map(view, p);
+  const glm::vec3 seen_a = view_point(view.axes, groom.positions[v]),
+                  seen_b = view_point(view.axes, groom.positions[v + 1]);
+  const auto place = [&](const glm::vec3& seen) {
+    const glm::vec3 point = seen_to_map(view, seen);
     return glm::vec3(snap(point.x), snap(point.y), point.z);
   };
-  const glm::vec3 a = place(groom.positions[v]), b = place(groom.positions[v + 1]);
-  const float half_width = 0.5f * (groom.radii[v] + groom.radii[v + 1]) * view.scale.x;
+  const glm::vec3 a = place(seen_a), b = place(seen_b);
+  const float half_width =
+      0.5f * (groom.radii[v] + groom.radii[v + 1]) * view.scale.x * segment_scale(seen_a, seen_b, view.axes.reach);
   const float size = segment_footprint(a, b, half_width, 0.0f, 0.0f).size;
   const std::uint32_t pieces = piece_count(a.z * steps_to_pieces, b.z * steps_to_pieces, size);
   for (std::uint32_t i = 0; i < pieces; ++i)
@@ -105,6 +108,7 @@ inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const stra
 /// How a lookup averages.
 struct MapFilter {
   float radius = 1;        ///< texels; under 0.5: the one texel that holds the point
+  float metres = 0;        ///< the same where it is not 0: in a lamp's view as many texels as it is wide there
   float depth_offset = 0;  ///< metres behind the point that fibres still count
   bool poisson = false;    ///< average the optical depth; else T
 };
@@ -133,15 +137,23 @@ inline float depth_in_map(const MapView& view, const MapFilter& filter, float de
   return std::clamp(lookup_depth(z, filter.depth_offset, view.scale.z), 0.0f, deepest);
 }
 
+/// The filter at a point of the light's view.
+inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::vec3& seen) {
+  if (filter.metres > 0 && view.axes.reach > 0)
+    filter.radius = std::clamp(filter.metres * view.scale.x * view_scale(seen, view.axes.reach), 0.5f, k_widest_filter);
+  return filter;
+}
+
 /// The transmittance at a world point: 1 far outside the map. at_depth(z), z in steps and limited to 0 .. deepest,
 /// gives the exponent as a function of the texel.
 float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
                        const auto& at_depth) {
-  const glm::vec3 point = to_map(view, p);
+  const glm::vec3 seen = view_point(view.axes, p), point = seen_to_map(view, seen);
   const float limit = float(std::max(view.columns, view.rows)) + 130.0f;
-  if (!(std::abs(point.x) < limit && std::abs(point.y) < limit)) return 1.0f;
+  if (!(std::abs(point.x) < limit && std::abs(point.y) < limit) || !is_seen_by_light(seen, view.axes.reach))
+    return 1.0f;
   const float z = depth_in_map(view, filter, deepest, point.z);
-  return mean_transmittance(view, filter, point.x, point.y, at_depth(z));
+  return mean_transmittance(view, filter_there(view, filter, seen), point.x, point.y, at_depth(z));
 }
 
 }  // namespace cuticle::shadows

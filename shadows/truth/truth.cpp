@@ -1,6 +1,7 @@
 // Ray-traced truth: the mean over a disc of prod(1 - alpha) over the distinct fibre crossings of rays to the light.
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <tbb/blocked_range.h>
@@ -45,19 +46,14 @@ struct Estimate {
 
 class Tracer {
  public:
-  Tracer(const strands::RayGroom& rays, const Casters& casters, const glm::dvec3& to_light, double radius,
-         std::int64_t count)
-      : rays_(rays),
-        casters_(casters),
-        to_light_(to_light),
-        axes_(plane_axes(to_light)),
-        radius_(radius),
-        side_(std::uint32_t(std::ceil(std::sqrt(double(count))))) {}
+  Tracer(const strands::RayGroom& rays, const Casters& casters, double radius, std::int64_t count)
+      : rays_(rays), casters_(casters), radius_(radius), side_(std::uint32_t(std::ceil(std::sqrt(double(count))))) {}
 
   Estimate at(const Receivers& receivers, std::size_t i, std::vector<strands::Crossing>& scratch) const {
+    const PlaneAxes axes = plane_axes(way_from(glm::dvec3(receivers.points[i])).direction);
     double sum = 0, squares = 0;
     for (std::uint32_t ray = 0; ray < side_ * side_; ++ray) {
-      const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i)), scratch);
+      const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i), axes), scratch);
       sum += t;
       squares += t * t;
     }
@@ -67,41 +63,55 @@ class Tracer {
   }
 
  private:
+  /// From a point to the light: a unit direction, and how far.
+  struct Way {
+    glm::dvec3 direction;
+    double distance;
+  };
+  Way way_from(const glm::dvec3& point) const {
+    if (!casters_.lamp)
+      return {casters_.to_light / glm::length(casters_.to_light), std::numeric_limits<double>::infinity()};
+    const glm::dvec3 to_lamp = *casters_.lamp - point;
+    const double distance = glm::length(to_lamp);
+    return {distance > 0 ? to_lamp / distance : glm::dvec3(0, 1, 0), distance};
+  }
+
   /// Where a ray starts, relative to the point: a random place in the ray's cell of the disc, by rings and sectors of
   /// equal area.
-  glm::dvec3 start_of(std::uint32_t ray, std::uint32_t receiver) const {
+  glm::dvec3 start_of(std::uint32_t ray, std::uint32_t receiver, const PlaneAxes& axes) const {
     const PhiloxBlock words = philox(PhiloxBlock{ray, receiver, 0, 0}, 0x5eedu, 0);
     double u = 0, v = 0;
     unit_interval(words.a, u);
     unit_interval(words.b, v);
     const double r = radius_ * std::sqrt((ray / side_ + u) / side_);
     const double angle = 2 * std::numbers::pi * ((ray % side_ + v) / side_);
-    return r * (std::cos(angle) * axes_.first + std::sin(angle) * axes_.second);
+    return r * (std::cos(angle) * axes.first + std::sin(angle) * axes.second);
   }
 
   double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start,
                        std::vector<strands::Crossing>& crossings) const {
-    rays_.all_crossings(glm::dvec3(receivers.points[i]) + start, to_light_, crossings);
+    const glm::dvec3 from = glm::dvec3(receivers.points[i]) + start;
+    const Way way = way_from(from);
+    rays_.all_crossings(from, way.direction, crossings);
     int count = 0;
-    for (const strands::Crossing& crossing : crossings)
-      count += receivers.strands.empty() || !is_own(receivers, i, start, crossing) ? 1 : 0;
+    for (const strands::Crossing& crossing : crossings) {
+      const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
+      const bool own = !receivers.strands.empty() && is_own(receivers, i, start + middle * way.direction, crossing);
+      count += middle < way.distance && !own ? 1 : 0;
+    }
     return std::pow(1 - casters_.alpha, count);
   }
 
   /// A crossing of the point's own strand, its middle within two radii of the point: the fibre does not shadow its own
   /// surface.
-  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& start,
+  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& from_point,
               const strands::Crossing& crossing) const {
-    if (crossing.strand != receivers.strands[i]) return false;
-    const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
-    return glm::length(start + middle * to_light_) <= 2 * double(radius_of(crossing.strand));
+    return crossing.strand == receivers.strands[i] && glm::length(from_point) <= 2 * double(radius_of(crossing.strand));
   }
   float radius_of(std::uint32_t strand) const { return casters_.groom->radii[casters_.groom->offsets[strand]]; }
 
   const strands::RayGroom& rays_;
   const Casters& casters_;
-  glm::dvec3 to_light_;
-  PlaneAxes axes_;
   double radius_;
   std::uint32_t side_;
 };
@@ -124,7 +134,6 @@ void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& 
 Result<Transmittance> evaluate(const Casters& casters, const Receivers& receivers,
                                const registry::ParameterValues& values) {
   CUTICLE_TRY(check(casters, receivers));
-  CUTICLE_ASSIGN(const glm::dvec3 to_light, unit_to_light(casters.to_light));
   Transmittance result;
   result.values.assign(receivers.points.size(), 1.0f);
   result.standard_error.assign(receivers.points.size(), 0.0f);
@@ -136,7 +145,7 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
   const double radius = given > 0 ? given : default_footprint_radius(*casters.groom);
-  trace_all(Tracer(*rays, casters, to_light, radius, values.integer("rays")), receivers, result);
+  trace_all(Tracer(*rays, casters, radius, values.integer("rays")), receivers, result);
   result.cost.lookup_ms = milliseconds_since(built);
   return result;
 }

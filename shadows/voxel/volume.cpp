@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <cuticle/shadows/detail/map_walk.h>
+#include <cuticle/core/shared/disc.glslh>
 
 namespace cuticle::shadows::voxel {
 namespace {
@@ -77,15 +78,14 @@ float optical_depth(const Volume& volume, const glm::vec3& p, const glm::vec3& d
   return sum * k_step / float(k_units);
 }
 
-/// Starts of the rays of a lookup, relative to its point, spread over the disc by the golden angle.
+/// Starts of the rays of a lookup, relative to its point, spread over the disc.
 std::vector<glm::vec3> ray_starts(const Volume& volume, double radius) {
   const int count = ray_count(float(radius) * volume.placement.per_metre);
   if (count == 1) return {glm::vec3(0)};
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<glm::vec3> starts;
   for (int i = 0; i < count; ++i) {
-    const double r = radius * std::sqrt((i + 0.5) / count), angle = golden_angle * i;
-    starts.push_back(float(r * std::cos(angle)) * volume.axes.right + float(r * std::sin(angle)) * volume.axes.up);
+    const glm::dvec2 place = radius * disc_point(std::uint32_t(i), std::uint32_t(count), 0.0);
+    starts.push_back(float(place.x) * volume.axes.right + float(place.y) * volume.axes.up);
   }
   return starts;
 }
@@ -106,7 +106,9 @@ float crossing_met_at_random(double alpha, const Settings& settings) {
   return settings.map.accumulation.poisson ? float(alpha) : 0;
 }
 
-Volume build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
+Result<Volume> build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes,
+                            const Settings& settings) {
+  if (axes.reach > 0) return lamp_refused("voxel");
   const strands::Bounds box = strands::bounds(groom);
   Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution), axes, {}};
   const glm::vec3& size = volume.placement.size;

@@ -23,7 +23,8 @@ Result<Settings> settings_from(const registry::ParameterValues& values);
 
 /// k_units times what a crossing counts as; an opaque one as an optical depth of 16 ln 2.
 float units_per_crossing(double alpha, const Settings& settings);
-/// The opacity of a crossing that only some rays through a cell make (`crossing_gain`); 0 with accumulate=optical_depth.
+/// The opacity of a crossing that only some rays through a cell make (`crossing_gain`); 0 with
+/// accumulate=optical_depth.
 float crossing_met_at_random(double alpha, const Settings& settings);
 
 /// The optical depth across each cell is sums / k_units, x fastest.
@@ -36,7 +37,8 @@ struct Volume {
 
 /// Counts each piece of hair, at most half a cell long, in the cell of its middle; the same integers at any thread
 /// count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
-Volume build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
+/// Error: usage, for a lamp's view.
+Result<Volume> build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Mean transmittance over the rays from each point.
 std::vector<float> look_up(const Volume& volume, const Settings& settings, std::span<const glm::vec3> points);

@@ -22,6 +22,7 @@ constexpr registry::Parameter k_parameters[] = {
      {},
      "radius of the disc that rays to the light start from; up to half a cell a single ray"},
 };
+constexpr std::string_view k_demands[] = {"light", "shadow_method", "distant_lights"};
 constexpr registry::StudyCase k_cases[] = {{"isotropic", "form=isotropic"}, {"anisotropic", "form=anisotropic"}};
 
 }  // namespace
@@ -33,6 +34,7 @@ const Method& entry() {
        .summary = "hair as a volume of optical depth, marched towards the light",
        .source = "Petrovic, Henne and Anderson 2005, Volumetric Methods for Simulation and Rendering of Hair",
        .parameters = k_parameters,
+       .demands = k_demands,
        .study_cases = k_cases,
        .dispatches = passes_per_light<3>});
   return method;

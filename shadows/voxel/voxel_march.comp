@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the rays from its disc of T through the volume.
 layout(local_size_x = 64) in;
+#include "cuticle/core/shared/disc.glslh"
 #include "cuticle/shadows/map_geometry.glsl"
 #include "cuticle/shadows/voxel/volume.glslh"
 
@@ -10,7 +11,6 @@ layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
 layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
 
-const float k_golden_angle = 2.39996323;
 const float k_step = 0.5;
 
 VolumePlacement placement;
@@ -60,9 +60,8 @@ void main() {
   const int count = ray_count(cells);
   float sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    const float r = count == 1 ? 0.0 : push.filter_radius * sqrt((float(i) + 0.5) / float(count));
-    const float angle = k_golden_angle * float(i);
-    const vec3 start = r * (cos(angle) * push.right.xyz + sin(angle) * push.up.xyz);
+    const vec2 place = count == 1 ? vec2(0.0) : push.filter_radius * disc_point(uint(i), uint(count), 0.0);
+    const vec3 start = place.x * push.right.xyz + place.y * push.up.xyz;
     sum += transmittance_from(vertices[v].xyz + start, -push.forward.xyz);
   }
   transmittance[v] = sum / float(count);

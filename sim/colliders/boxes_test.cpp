@@ -30,15 +30,8 @@ RoundedBox moved(const RoundedBox& box, const glm::dmat4& head) {
   return {glm::dvec3(head * glm::dvec4(box.center, 1)), glm::dmat3(head) * box.axes, box.half_size, box.radius};
 }
 
-/// The deepest place of any segment past the first link, metres, looked for at 16 places of each.
 double deepest(const strands::Groom& groom, const State& state, const RoundedBox& box) {
-  double most = -1;
-  for (std::size_t s = 0; s < groom.strand_count(); ++s)
-    for (std::size_t i = groom.offsets[s] + 2; i < groom.offsets[s + 1]; ++i)
-      for (int k = 0; k <= 16; ++k)
-        most = std::max(most, depth_in(box, glm::mix(glm::dvec3(state.positions[i - 1]), glm::dvec3(state.positions[i]),
-                                                     k / 16.0)));
-  return most;
+  return deepest_segment(groom, state, [&](const glm::dvec3& place) { return depth_in(box, place); });
 }
 
 State run_beside(Solver& solver, int frames, double duration, std::span<const RoundedBox> boxes) {

@@ -25,7 +25,8 @@ const Effect& entry() {
   static const Effect effect = {
       .entry = {.kind = registry::EntryKind::effect,
                 .name = "colliders",
-                .summary = "spheres, capsules and boxes push strands out (classic: spheres, with pearls on particles)",
+                .summary = "spheres, capsules, boxes and meshes push strands out (classic: spheres, with pearls on "
+                           "particles)",
                 .source = "Nalu, GPU Gems 2, chapter 23, collision",
                 .parameters = k_parameters,
                 .demands = k_demands,

@@ -1,6 +1,8 @@
 // The kernels of the solvers of rigid links against the CPU, against themselves, and their cost against what the
 // registry says.
 #include <cuticle/sim/classic/test_gpu.h>
+#include <cuticle/sim/colliders/distance_field.h>
+#include <cuticle/sim/colliders/test_meshes.h>
 
 namespace cuticle::sim::chain_gpu_test {
 namespace {
@@ -46,25 +48,43 @@ TEST(ChainGpuVariants, Each_StaysNearTheCpu) {
     }
 }
 
-TEST_P(ChainGpu, CapsuleAndBox_StayNearTheCpuInOneDispatch) {
+/// Of the CPU's vertices from the kernel's after three frames of a turning head beside these colliders.
+double apart_beside(const char* solver, const FrameInput& colliders) {
   const strands::Groom groom = ring(20);
+  const std::string settings = solver == std::string("rod") ? k_slack : "";
+  auto cpu = make_solver(solver, groom, settings, gravity_and_colliders());
+  auto kernel = make_gpu(solver, groom, settings, gravity_and_colliders());
+  for (int k = 0; k < 3; ++k) {
+    FrameInput input = colliders;
+    const FrameInput head = frame_of(k);
+    input.duration = head.duration;
+    input.head_begin = head.head_begin;
+    input.head_end = head.head_end;
+    EXPECT_TRUE(cpu->advance(input).ok());
+    EXPECT_TRUE(kernel->advance(input).ok());
+    EXPECT_EQ(kernel->dispatches(input).at(solver), 1u);
+  }
+  return worst_distance(cpu->state()->positions, kernel->state()->positions);
+}
+
+TEST_P(ChainGpu, CapsuleAndBox_StayNearTheCpuInOneDispatch) {
   const RoundedBox boxes[] = {make_capsule({0.3, 0, -0.1}, {0.3, 0, 0.1}, 0.1),
                               {{0, -0.03, 0}, glm::dmat3(1), {1, 0.018, 1}, 0.002}};
-  const std::string settings = GetParam() == std::string("rod") ? k_slack : "";
-  auto cpu = make_solver(GetParam(), groom, settings, gravity_and_colliders());
-  auto kernel = make_gpu(GetParam(), groom, settings, gravity_and_colliders());
-  for (int k = 0; k < 3; ++k) {
-    FrameInput input = frame_of(k);
-    input.colliders = {&k_head, 1};
-    input.boxes = boxes;
-    ASSERT_TRUE(cpu->advance(input).ok());
-    ASSERT_TRUE(kernel->advance(input).ok());
-    EXPECT_EQ(kernel->dispatches(input).at(GetParam()), 1u);
-  }
-  const double apart = worst_distance(cpu->state()->positions, kernel->state()->positions);
+  const double apart = apart_beside(GetParam(), {.colliders = {&k_head, 1}, .boxes = boxes});
   std::printf("%s beside a sphere, a capsule and a box: CPU and kernel %.1e m apart after 3 frames\n", GetParam(),
               apart);
   EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);  // a rod in contact trembles
+}
+
+TEST_P(ChainGpu, Meshes_StayNearTheCpuInOneDispatch) {
+  const auto field = [](const strands::Mesh& mesh, const glm::dvec3& place) {
+    return std::make_shared<const DistanceField>(
+        *bake_distance_field(strands::transformed(mesh, glm::translate(glm::dmat4(1), place)), 0.02, "mesh"));
+  };
+  const FieldPointer fields[] = {field(ball_mesh(0.1, 24), {0.35, 0, 0}), field(box_mesh({1, 0.02, 1}), {0, -0.03, 0})};
+  const double apart = apart_beside(GetParam(), {.colliders = {&k_head, 1}, .fields = fields});
+  std::printf("%s beside a sphere and two meshes: CPU and kernel %.1e m apart after 3 frames\n", GetParam(), apart);
+  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);
 }
 
 TEST_P(ChainGpu, TwoRuns_AreBitIdentical) { expect_bit_identical_runs(GetParam(), mixed()); }

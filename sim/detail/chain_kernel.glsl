@@ -1,6 +1,6 @@
 // Storage, contact and follow-the-leader of the solvers of rigid links: chain_lanes.h without its lanes, one thread per
 // strand, all substeps of a frame. A solver includes this with k_scratch_rows defined and TOUCHES 0, 1 (spheres) or 2
-// (and boxes), and defines `substep`.
+// (all colliders; fields only where specialised), and defines `substep`.
 #include "cuticle/sim/detail/box_contact.glslh"
 #include "cuticle/sim/finite.glsl"
 layout(local_size_x = 64) in;
@@ -25,16 +25,27 @@ layout(binding = 11) writeonly buffer World { vec4 world[]; };
 layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
 layout(binding = 13) writeonly buffer Resets { uint resets[]; };
 layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
+#if TOUCHES == 2
+layout(constant_id = 1) const bool k_meets_fields = false;
 layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
-layout(push_constant) uniform Constants { uint strand_count, step_count, sphere_count, box_count, carries; };
+layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
+#include "cuticle/sim/detail/field_contact.glslh"
+layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
+#endif
+layout(push_constant) uniform Constants {
+  uint strand_count, step_count, sphere_count, box_count, field_count, carries;
+  uint still;                                // whether nothing acts that did not in the frame before
+  float sleep_speed, sleep_time, frame_time;  // of k_sleeps: m/s, s, s
+};
+layout(constant_id = 0) const bool k_sleeps = false;
 
-const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 4u;
+const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 5u;
 const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3u, k_mass_ratio = 4u, k_reach = 5u,
            k_pull = 6u, k_target = 7u;
 const uint k_here = 0u, k_before = 3u, k_velocity = 6u, k_velocity_before = 9u, k_tension = 12u;
 const uint k_place = 0u, k_direction = 3u, k_weight = 6u, k_coupling = 7u, k_value = 8u, k_follows = 9u, k_normal = 10u,
            k_begin_pushed = 13u;
-const uint k_guarded = 3u;
+const uint k_guarded = 3u, k_quiet = 4u;
 
 uint first_vertex, lane, strand_base;
 
@@ -61,7 +72,58 @@ LinkSphere sphere_at(ChainStep s, uint k) {
   return link_sphere(s, spheres[k].centre, spheres[k].radius, anchor_place(), rest[rest_at(1u, k_length)]);
 }
 
+#if TOUCHES == 2
 LinkBox box_at(ChainStep s, uint k) { return link_box(s, boxes[k], anchor_place(), rest[rest_at(1u, k_length)]); }
+LinkField field_at(ChainStep s, uint k, uint values) {
+  return link_field(s, fields[k], values, anchor_place(), rest[rest_at(1u, k_length)]);
+}
+uint value_count(uint k) {
+  uvec3 nodes = uvec3(fields[k].cells) + 1u;
+  return nodes.x * nodes.y * nodes.z;
+}
+
+void push_from_boxes(ChainStep s, vec3 carried, inout Touch touch) {
+  for (uint k = 0u; k < box_count; ++k) {
+    LinkBox box = box_at(s, k);
+    LinkSphere around = sphere_around(box);
+    if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
+      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, s.friction);
+  }
+}
+
+void push_from_fields(ChainStep s, vec3 carried, inout Touch touch) {
+  for (uint k = 0u, values = 0u; k < field_count; values += value_count(k), ++k) {
+    LinkField field = field_at(s, k, values);
+    LinkSphere around = sphere_around(field.grid);
+    if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
+      touch = pushed_from(touch, inside_field(field, values, touch.place), inside_field(field, values, carried),
+                          carried, s.friction);
+  }
+}
+
+vec3 turn_beside_boxes(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length) {
+  for (uint k = 0u; k < box_count; ++k) {
+    LinkBox box = box_at(s, k);
+    if (!is_within(sphere_around(box), from, rest_length)) continue;
+    Turned out_of = turned_out_of_box(from, turned, rest_length, box, s.end_x, s.end_y);
+    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
+    turned = out_of.direction;
+  }
+  return turned;
+}
+
+vec3 turn_beside_fields(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length) {
+  for (uint k = 0u, values = 0u; k < field_count; values += value_count(k), ++k) {
+    LinkField field = field_at(s, k, values);
+    if (!is_within(sphere_around(field.grid), from, rest_length)) continue;
+    if (!may_enter(field, values, from, turned * rest_length, rest_length)) continue;
+    Turned out_of = turned_out_of_field(from, turned, rest_length, field, values, s.end_x, s.end_y);
+    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
+    turned = out_of.direction;
+  }
+  return turned;
+}
+#endif
 
 void push_out(uint i, ChainStep s) {
   vec3 here = state_vector(i, k_here), carried = carried_by_head(s, here), fallback = direction_or(here, 0, s.end_y);
@@ -72,12 +134,8 @@ void push_out(uint i, ChainStep s) {
                         carried, s.friction);
   }
 #if TOUCHES == 2
-  for (uint k = 0u; k < box_count; ++k) {
-    LinkBox box = box_at(s, k);
-    LinkSphere around = sphere_around(box);
-    if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
-      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, s.friction);
-  }
+  push_from_boxes(s, carried, touch);
+  if (k_meets_fields) push_from_fields(s, carried, touch);
 #endif
   put_scratch(i, k_place, touch.place);
   put_scratch(i, k_normal, touch.normal);
@@ -108,13 +166,8 @@ vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length) 
     turned = out_of;
   }
 #if TOUCHES == 2
-  for (uint k = 0u; k < box_count; ++k) {
-    LinkBox box = box_at(s, k);
-    if (!is_within(sphere_around(box), from, rest_length)) continue;
-    Turned out_of = turned_out_of_box(from, turned, rest_length, box, s.end_x, s.end_y);
-    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
-    turned = out_of.direction;
-  }
+  turned = turn_beside_boxes(i, s, from, turned, rest_length);
+  if (k_meets_fields) turned = turn_beside_fields(i, s, from, turned, rest_length);
 #endif
   return turned;
 }
@@ -201,6 +254,29 @@ void reset(uint links) {
   strands[strand_base + k_guarded * k_lanes] = 2;
 }
 
+// detail/sleepers.h for one strand.
+bool sleeps_on() {
+  if (still == 0u) strands[strand_base + k_quiet * k_lanes] = 0;
+  return strands[strand_base + k_quiet * k_lanes] >= sleep_time;
+}
+
+void bring_to_rest(uint links) {
+  for (uint i = 1u; i <= links; ++i) {
+    put_state(i, k_before, state_vector(i, k_here));
+    put_state(i, k_velocity, vec3(0));
+    put_state(i, k_velocity_before, vec3(0));
+  }
+}
+
+void fall_asleep(uint links) {
+  float fastest = 0;
+  for (uint i = 1u; i <= links; ++i)
+    fastest = max(fastest, inner(state_vector(i, k_velocity), state_vector(i, k_velocity)));
+  float quiet = fastest < sleep_speed * sleep_speed ? strands[strand_base + k_quiet * k_lanes] + frame_time : 0;
+  strands[strand_base + k_quiet * k_lanes] = quiet;
+  if (quiet >= sleep_time) bring_to_rest(links);
+}
+
 void show(uint strand, uint anchor) {
   for (uint i = offsets[strand]; i < offsets[strand + 1u]; ++i) {
     uint link = vertices[i].w, fixed_at = min(i, offsets[strand] + anchor);
@@ -221,12 +297,14 @@ void main() {
     first_vertex = blocks[place.x].y;
     lane = place.y;
     strand_base = place.x * k_strand_rows * k_lanes + lane;
+    if (k_sleeps && sleeps_on()) return;
     if (carries != 0u) carry_state(links);
     for (uint k = 0u; k < step_count; ++k) substep(links, steps[k]);
     if (!all_finite(links)) {
       reset(links);
       resets[strand] = 1u;
     }
+    if (k_sleeps && still != 0u) fall_asleep(links);
   }
   show(strand, place.z);
 }

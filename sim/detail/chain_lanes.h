@@ -114,7 +114,7 @@ template <class Real>
   put<Real>(rows + 3 * S, radius);
 }
 
-/// Spheres, and of boxes what differs from strand to strand.
+/// Spheres, and of boxes and fields what differs from strand to strand.
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline void place_colliders(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
                                                    const ChainFrame<Scalar>& frame) {
@@ -129,12 +129,31 @@ template <class Real, class Scalar>
     const LinkBox<Real> placed = link_box(step, spread<Real>(frame.boxes[k]), anchor, first_link);
     put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
   }
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkBox<Real> placed =
+        link_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid;
+    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + frame.box_count + k), placed.centre, placed.radius);
+  }
 }
 
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline LinkSphere<Real> placed_at(const ChainFrame<Scalar>& frame, int k) {
   return sphere_at<Real>(frame.collider_rows + 4 * S * k);
 }
+/// One lane after the other: their cells lie apart.
+template <class Number, int N>
+[[gnu::noinline]] FieldSample<Pack<Number, N>> trilinear(const float* values, const Vector<Pack<Number, N>>& place,
+                                                         const Vector<Pack<Number, N>>& cells) {
+  FieldSample<Pack<Number, N>> samples;
+  for (int k = 0; k < N; ++k) {
+    const FieldSample<Number> one = sim::trilinear<Number>(values, {place.x.all[k], place.y.all[k], place.z.all[k]},
+                                                           {cells.x.all[k], cells.y.all[k], cells.z.all[k]});
+    for (int c = 0; c < 3; ++c) samples.slope[c].all[k] = one.slope[c];
+    samples.distance.all[k] = one.distance;
+  }
+  return samples;
+}
+
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline LinkBox<Real> box_at(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
                                                    int k) {
@@ -153,6 +172,26 @@ template <class Real, class Scalar>
   }
 }
 
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkField<Real> field_at(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                       int k) {
+  return turned_field(step, spread<Real>(frame.fields[k]),
+                      placed_at<Real>(frame, frame.sphere_count + frame.box_count + k));
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                        const Vector<Real>& carried, Touch<Real>& touch) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkField<Real> field = field_at(frame, step, k);
+    const LinkSphere<Real> around = sphere_around(field.grid);
+    if (!any(is_within(around, touch.place, Real(0)) || is_within(around, carried, Real(0)))) continue;
+    const float* const values = frame.field_values[k];
+    touch = pushed_from(touch, inside_field(field, values, touch.place), inside_field(field, values, carried), carried,
+                        step.friction);
+  }
+}
+
 /// The predicted vertex, pushed out of all colliders.
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline Touch<Real> pushed_from_all(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
@@ -167,6 +206,7 @@ template <class Real, class Scalar>
                         carried, step.friction);
   }
   if (frame.box_count) push_from_boxes(frame, step, carried, touch);
+  if (frame.field_count) push_from_fields(frame, step, carried, touch);
   return touch;
 }
 
@@ -215,6 +255,22 @@ template <class Real, class Scalar>
   }
 }
 
+template <class Real, class Scalar>
+[[gnu::noinline]] void turn_out_of_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                          const Vector<Real>& from, Real length, Vector<Real>& turned,
+                                          Vector<Real>& normal) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkField<Real> field = field_at(frame, step, k);
+    const float* const values = frame.field_values[k];
+    if (!any(is_within(sphere_around(field.grid), from, length)) ||
+        !any(may_enter(field, values, from, turned * length, length)))
+      continue;
+    const Turned<Real> out = turned_out_of_field(from, turned, length, field, values, step.end_x, step.end_y);
+    normal = either(inner(out.normal, out.normal) > Real(0), out.normal, normal);
+    turned = out.direction;
+  }
+}
+
 /// The link turned out of all colliders; `normal` becomes that of the last.
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline Vector<Real> turned_out_of_all(const ChainFrame<Scalar>& frame,
@@ -231,6 +287,7 @@ template <class Real, class Scalar>
     turned = out;
   }
   if (frame.box_count) turn_out_of_boxes(frame, step, from, length, turned, normal);
+  if (frame.field_count) turn_out_of_fields(frame, step, from, length, turned, normal);
   return turned;
 }
 

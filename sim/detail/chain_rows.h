@@ -1,7 +1,7 @@
 #pragma once
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
-#include <cuticle/sim/detail/box_contact.glslh>
+#include <cuticle/sim/detail/field_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -21,13 +21,13 @@ constexpr int place = 0, direction = 3, inverse_mass = 6, coupling = 7, value = 
 }
 /// Rows of a strand.
 namespace strand_row {
-constexpr int anchor = 0, guarded = 3, count = 4;
+constexpr int anchor = 0, guarded = 3, quiet = 4, count = 5;
 }
 
 /// rest_row: lengths (m), their inverses, masses over the mean, their inverses, mass over the parent's (0 next to the
 /// anchor), arc from the anchor (m), pull to the rest pose (1/s), rest place relative to the anchor's in rest space
 /// (m). state_row: ChainVertex, and tension over mean mass and length (1/s^2). strand_row: anchor in rest space (m); 1
-/// where the next substep must be of first order.
+/// where the next substep must be of first order; how long the strand has been at rest (s).
 template <class Real>
 struct ChainBlock {
   int links;
@@ -48,6 +48,9 @@ struct ChainFrame {
   const LinkBox<Real>* boxes;
   int box_count;
   Real* collider_rows;
+  const LinkField<Real>* fields = nullptr;
+  int field_count = 0;
+  const float* const* field_values = nullptr;  ///< of each field
 };
 
 template <class Real>

@@ -1,5 +1,6 @@
 #include <cuticle/sim/detail/chain_settings.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/placing.h>
 
 namespace cuticle::sim::detail {
@@ -77,7 +78,16 @@ ChainSettings make_chain_settings(const registry::ParameterValues& solver, const
   }
   if (auto contact = effects.find("colliders"); contact != effects.end())
     settings.contact = colliders::make_contact_settings(contact->second);
+  if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
+    settings.interaction = strand_interaction::make_settings(interaction->second);
+  if (auto sleep = effects.find("sleep"); sleep != effects.end()) settings.sleep = sleep::make_settings(sleep->second);
   return settings;
+}
+
+Result<void> check(const ChainSettings& settings) {
+  if (!settings.sleep || !settings.interaction) return {};
+  return usage_error("the effects 'sleep' and 'strand_interaction' exclude each other",
+                     "leave one of them out: strands that push each other are not at rest one by one");
 }
 
 template <class Real>
@@ -109,6 +119,15 @@ template std::vector<ChainStep<float>> ChainClock::steps<float>(const ChainSetti
 template std::vector<ChainStep<double>> ChainClock::steps<double>(const ChainSettings&, std::span<const Substep>);
 
 template <class Real>
+std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps) {
+  std::vector<sleep::Push> pushes;
+  for (const ChainStep<Real>& step : steps) pushes.push_back({glm::dvec3(step.acceleration), double(step.drag)});
+  return pushes;
+}
+template std::vector<sleep::Push> pushes_of<float>(std::span<const ChainStep<float>>);
+template std::vector<sleep::Push> pushes_of<double>(std::span<const ChainStep<double>>);
+
+template <class Real>
 std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres) {
   std::vector<LinkSphere<Real>> result;
   if (!settings.contact) return result;
@@ -130,5 +149,22 @@ std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<c
 }
 template std::vector<LinkBox<float>> link_boxes<float>(const ChainSettings&, std::span<const RoundedBox>);
 template std::vector<LinkBox<double>> link_boxes<double>(const ChainSettings&, std::span<const RoundedBox>);
+
+template <class Real>
+std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields) {
+  using Vector = glm::vec<3, Real>;
+  std::vector<LinkField<Real>> result;
+  if (!settings.contact) return result;
+  for (const FieldPointer& field : fields) {
+    const glm::dvec3 half = glm::dvec3(field->cells) * (field->spacing / 2);
+    result.push_back({{Vector(field->centre), Real(0), Vector(1, 0, 0), Real(half.x), Vector(0, 1, 0), Real(half.y),
+                       Vector(0, 0, 1), Real(half.z)},
+                      Vector(field->cells),
+                      Real(1 / field->spacing)});
+  }
+  return result;
+}
+template std::vector<LinkField<float>> link_fields<float>(const ChainSettings&, std::span<const FieldPointer>);
+template std::vector<LinkField<double>> link_fields<double>(const ChainSettings&, std::span<const FieldPointer>);
 
 }  // namespace cuticle::sim::detail

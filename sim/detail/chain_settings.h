@@ -7,9 +7,11 @@
 
 #include <cuticle/sim/colliders/contact.h>
 #include <cuticle/sim/head_motion.h>
+#include <cuticle/sim/sleep/sleep.h>
+#include <cuticle/sim/strand_interaction/settings.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
-#include <cuticle/sim/detail/box_contact.glslh>
+#include <cuticle/sim/detail/field_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -19,14 +21,19 @@ struct ChainSettings {
   std::uint32_t max_substeps = 1, clamped_vertices = 1;
   double damping = 0, shape_stiffness = 0, shape_tip = 0;
   bool sag_free = false, double_precision = false;
-  glm::dvec3 gravity{0};                              ///< m/s^2, less buoyancy; zero without the effect
-  std::optional<wind::Wind> wind;                     ///< present with the effect
-  std::optional<water::Water> water;                  ///< present with the effect
-  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+  glm::dvec3 gravity{0};                                    ///< m/s^2, less buoyancy; zero without the effect
+  std::optional<wind::Wind> wind;                           ///< present with the effect
+  std::optional<water::Water> water;                        ///< present with the effect
+  std::optional<colliders::ContactSettings> contact;        ///< present with the effect
+  std::optional<strand_interaction::Settings> interaction;  ///< present with the effect
+  std::optional<sleep::Settings> sleep;                     ///< present with the effect
 };
 /// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
 /// effects.
 ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+
+/// Error: usage where effects exclude each other.
+Result<void> check(const ChainSettings& settings);
 
 std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
 std::uint32_t substeps(const ChainSettings& settings, double duration);
@@ -42,10 +49,16 @@ class ChainClock {
   double time_ = 0, previous_duration_ = 0;
 };
 
+/// What sleep::Watch compares.
+template <class Real>
+std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps);
+
 /// In rest space; none without the effect.
 template <class Real>
 std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres);
 template <class Real>
 std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes);
+template <class Real>
+std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields);
 
 }  // namespace cuticle::sim::detail

@@ -3,32 +3,61 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/guard.h>
+#include <cuticle/sim/detail/sleepers.h>
+#include <cuticle/sim/strand_interaction/strand_interaction.h>
 
 namespace cuticle::sim::detail {
 namespace {
+
+/// Of a frame, or those of them within reach.
+template <class Real>
+struct Colliders {
+  std::vector<LinkSphere<Real>> spheres = {};
+  std::vector<LinkBox<Real>> boxes = {};
+  std::vector<LinkField<Real>> fields = {};
+  std::vector<const float*> field_values = {};
+  std::size_t count() const { return spheres.size() + boxes.size() + fields.size(); }
+};
+
+template <class Real>
+Colliders<Real> colliders_of(const ChainSettings& settings, const FrameInput& input) {
+  Colliders<Real> colliders{link_spheres<Real>(settings, input.colliders), link_boxes<Real>(settings, input.boxes),
+                            link_fields<Real>(settings, input.fields)};
+  for (const FieldPointer& field : input.fields) colliders.field_values.push_back(field->values.data());
+  return colliders;
+}
 
 template <class Real>
 class ChainSolver final : public Solver {
  public:
   ChainSolver(const strands::Groom& rest, const ChainSettings& settings, Chains<Real> chains,
-              ChainProgram<Real> program)
+              ChainProgram<Real> program, std::unique_ptr<strand_interaction::StrandInteraction> interaction)
       : settings_(settings),
         rest_(rest),
         chains_(std::move(chains)),
         program_(std::move(program)),
-        resets_(rest.strand_count(), 0) {}
+        interaction_(std::move(interaction)),
+        resets_(rest.strand_count(), 0) {
+    if (settings.sleep) sleepers_.emplace(*settings.sleep);
+  }
 
   Result<void> advance(const FrameInput& input) override {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
-    const std::vector<LinkSphere<Real>> spheres = link_spheres<Real>(settings_, input.colliders);
-    const std::vector<LinkBox<Real>> boxes = link_boxes<Real>(settings_, input.boxes);
+    const Colliders<Real> colliders = colliders_of<Real>(settings_, input);
     std::fill(resets_.begin(), resets_.end(), 0);
-    tbb::parallel_for(std::size_t(0), chains_.blocks.size(),
-                      [&](std::size_t b) { advance_block(b, steps, spheres, boxes, parts[0].carry); });
-    if (!steps.empty()) count_resets();
+    const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
+    tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
+      if (sleepers_ && !sleepers_->begin(chains_, b, still, own_rows(b))) return;
+      advance_block(b, steps, colliders, parts[0].carry);
+      if (sleepers_) sleepers_->end(chains_, b, input.duration, own_rows(b));
+    });
+    if (steps.empty()) return {};
+    count_resets();
+    if (interaction_) interact(input.duration);
     return {};
   }
 
@@ -39,32 +68,53 @@ class ChainSolver final : public Solver {
     state.tensions = tensions_of<Real>(chains_, rest_, chains_.state);
     for (std::size_t s = 0; s < rest_.strand_count(); ++s) append_strand(state, s);
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
+    if (interaction_) state.left_out = interaction_->left_out();
+    if (sleepers_) state.asleep = sleepers_->count(chains_);
     return state;
   }
 
  private:
-  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps,
-                     const std::vector<LinkSphere<Real>>& spheres, const std::vector<LinkBox<Real>>& boxes,
+  void find_near(std::size_t b, const Colliders<Real>& all, Colliders<Real>& near) const {
+    const auto reached = [&](const LinkSphere<Real>& around) {
+      return chains_.within_reach(b, around, settings_.contact->pearl_radius);
+    };
+    near.spheres.clear();
+    near.boxes.clear();
+    near.fields.clear();
+    near.field_values.clear();
+    for (const LinkSphere<Real>& sphere : all.spheres)
+      if (reached(sphere)) near.spheres.push_back(sphere);
+    for (const LinkBox<Real>& box : all.boxes)
+      if (reached(sphere_around(box))) near.boxes.push_back(box);
+    for (std::size_t k = 0; k < all.fields.size(); ++k) {
+      if (!reached(sphere_around(all.fields[k].grid))) continue;
+      near.fields.push_back(all.fields[k]);
+      near.field_values.push_back(all.field_values[k]);
+    }
+  }
+
+  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps, const Colliders<Real>& colliders,
                      const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
-    room.near.clear();
-    for (const LinkSphere<Real>& sphere : spheres)
-      if (chains_.within_reach(b, sphere, settings_.contact->pearl_radius)) room.near.push_back(sphere);
-    room.near_boxes.clear();
-    for (const LinkBox<Real>& box : boxes)
-      if (chains_.within_reach(b, sphere_around(box), settings_.contact->pearl_radius)) room.near_boxes.push_back(box);
+    const Colliders<Real>& near = room.near;
+    find_near(b, colliders, room.near);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
-    room.numbers.resize(scratch + 4 * (room.near.size() + room.near_boxes.size()) * k_lanes);
+    room.numbers.resize(scratch + 4 * near.count() * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
-    if (!program_.own.empty())
-      block.own = program_.own.data() + chains_.blocks[b].first_vertex * std::size_t(program_.own_rows) * k_lanes;
-    const bool touches = !room.near.empty() || !room.near_boxes.empty();
-    const Advance<Real> advance = touches ? program_.touching : program_.free;
-    advance(block, {steps.data(), int(steps.size()), room.near.data(), int(room.near.size()), room.near_boxes.data(),
-                    int(room.near_boxes.size()), room.numbers.data() + scratch});
+    if (!program_.own.empty()) block.own = own_rows(b).data();
+    const Advance<Real> advance = near.count() > 0 ? program_.touching : program_.free;
+    advance(block, {steps.data(), int(steps.size()), near.spheres.data(), int(near.spheres.size()), near.boxes.data(),
+                    int(near.boxes.size()), room.numbers.data() + scratch, near.fields.data(), int(near.fields.size()),
+                    near.field_values.data()});
     reset_broken_lanes(chains_, b, placing_);
+  }
+
+  /// The rows that the program adds to a block's vertices.
+  std::span<Real> own_rows(std::size_t b) {
+    const std::size_t row = std::size_t(program_.own_rows) * k_lanes;
+    return std::span(program_.own).subspan(chains_.blocks[b].first_vertex * row, (chains_.blocks[b].links + 2) * row);
   }
 
   /// The whole state turned with the head.
@@ -86,38 +136,80 @@ class ChainSolver final : public Solver {
     }
   }
 
+  /// Where vertex i of a strand stands: a rest place that the head carries, and the chain's vertex, from there (0:
+  /// none).
+  struct Stand {
+    std::size_t rest;
+    std::uint32_t link;
+  };
+  Stand stand_of(std::size_t strand, std::size_t i) const {
+    const ChainPlace& place = chains_.places[strand];
+    const std::size_t anchor = rest_.offsets[strand] + place.anchor;
+    // What is welded to the anchor goes with it.
+    if (i < anchor || !place.has_links || chains_.links_of_vertex[i] == 0) return {std::min(i, anchor), 0};
+    return {anchor, chains_.links_of_vertex[i]};
+  }
+
   void append_strand(State& state, std::size_t s) {
-    const ChainPlace& place = chains_.places[s];
     for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
-      const std::uint32_t link = chains_.links_of_vertex[i];
-      const bool carried = i < rest_.offsets[s] + place.anchor || !place.has_links || link == 0;
-      // What is welded to the anchor goes with it.
-      const std::size_t rest =
-          carried ? std::min<std::size_t>(i, rest_.offsets[s] + place.anchor) : rest_.offsets[s] + place.anchor;
-      glm::dvec3 at = placing_.world(glm::dvec3(rest_.positions[rest])),
-                 velocity = placing_.velocity(glm::dvec3(rest_.positions[rest]));
-      if (!carried) {
-        at += vector_at(chains_.state_at(place.block, link, state_row::here), place.lane);
-        velocity = vector_at(chains_.state_at(place.block, link, state_row::velocity), place.lane);
-      }
+      const Stand stand = stand_of(s, i);
+      const glm::dvec3 rest(rest_.positions[stand.rest]);
+      glm::dvec3 at = placing_.world(rest);
+      if (stand.link) at += state_of(s, stand, state_row::here);
       state.positions.emplace_back(at);
-      state.velocities.emplace_back(velocity);
+      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest));
+    }
+  }
+
+  glm::dvec3 state_of(std::size_t strand, const Stand& stand, std::size_t row) {
+    const ChainPlace& place = chains_.places[strand];
+    return vector_at(chains_.state_at(place.block, stand.link, row), place.lane);
+  }
+
+  void interact(double duration) {
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { show_to_interaction(s); });
+    const std::span<const glm::vec3> changes = interaction_->changes(placing_.rotation(), duration);
+    tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { push(s, changes); });
+  }
+
+  void show_to_interaction(std::size_t s) {
+    for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+      const Stand stand = stand_of(s, i);
+      const glm::dvec3 rest(rest_.positions[stand.rest]);
+      interaction_->places()[i] = stand.link ? rest + state_of(s, stand, state_row::here) * placing_.rotation() : rest;
+      interaction_->velocities()[i] = stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest);
+    }
+  }
+
+  /// Velocities of both substeps: what BDF2 takes for a change between them would go on by itself.
+  void push(std::size_t s, std::span<const glm::vec3> changes) {
+    const ChainPlace& place = chains_.places[s];
+    std::uint32_t above = 0;
+    for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+      const Stand stand = stand_of(s, i);
+      if (stand.link == above) continue;  // carried, or welded
+      above = stand.link;
+      for (const std::size_t row : {state_row::velocity, state_row::velocity_before})
+        put_vector(chains_.state_at(place.block, stand.link, row), place.lane,
+                   state_of(s, stand, row) + glm::dvec3(changes[i]));
     }
   }
 
   /// What a thread needs for a block.
   struct Room {
     Rows<Real> numbers;
-    std::vector<LinkSphere<Real>> near;
-    std::vector<LinkBox<Real>> near_boxes;
+    Colliders<Real> near;
   };
   ChainSettings settings_;
   strands::Groom rest_;
   Chains<Real> chains_;
   ChainProgram<Real> program_;
+  std::unique_ptr<strand_interaction::StrandInteraction> interaction_;  ///< null without the effect
+  std::optional<Sleepers<Real>> sleepers_;                              ///< none without the effect
+  sleep::Watch watch_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
-  HeadMotion motion_{true};  // meets boxes
+  HeadMotion motion_{true};  // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };
@@ -125,13 +217,19 @@ class ChainSolver final : public Solver {
 }  // namespace
 
 template <class Real>
-std::unique_ptr<Solver> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
-                                          Chains<Real> chains, ChainProgram<Real> program) {
-  return std::make_unique<ChainSolver<Real>>(rest, settings, std::move(chains), std::move(program));
+Result<std::unique_ptr<Solver>> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
+                                                  Chains<Real> chains, ChainProgram<Real> program) {
+  CUTICLE_TRY(check(settings));
+  std::unique_ptr<strand_interaction::StrandInteraction> interaction;
+  if (settings.interaction) {
+    CUTICLE_ASSIGN(interaction, strand_interaction::StrandInteraction::create(rest, *settings.interaction));
+  }
+  return std::unique_ptr<Solver>(std::make_unique<ChainSolver<Real>>(rest, settings, std::move(chains),
+                                                                     std::move(program), std::move(interaction)));
 }
-template std::unique_ptr<Solver> make_chain_solver<float>(const strands::Groom&, const ChainSettings&, Chains<float>,
-                                                          ChainProgram<float>);
-template std::unique_ptr<Solver> make_chain_solver<double>(const strands::Groom&, const ChainSettings&, Chains<double>,
-                                                           ChainProgram<double>);
+template Result<std::unique_ptr<Solver>> make_chain_solver<float>(const strands::Groom&, const ChainSettings&,
+                                                                  Chains<float>, ChainProgram<float>);
+template Result<std::unique_ptr<Solver>> make_chain_solver<double>(const strands::Groom&, const ChainSettings&,
+                                                                   Chains<double>, ChainProgram<double>);
 
 }  // namespace cuticle::sim::detail

@@ -17,8 +17,9 @@ struct ChainProgram {
 /// Runs blocks in parallel; the result is bit-identical at any number of threads, and a strand's does not depend on
 /// those beside it, but for rounding beside spheres: a block meets the spheres that any of its 16 strands can reach,
 /// and without one it runs the program without spheres.
+/// Error: that of StrandInteraction::create.
 template <class Real>
-std::unique_ptr<Solver> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
-                                          Chains<Real> chains, ChainProgram<Real> program);
+Result<std::unique_ptr<Solver>> make_chain_solver(const strands::Groom& rest, const ChainSettings& settings,
+                                                  Chains<Real> chains, ChainProgram<Real> program);
 
 }  // namespace cuticle::sim::detail

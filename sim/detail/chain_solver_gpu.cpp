@@ -1,19 +1,25 @@
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <optional>
 
 #include <fmt/core.h>
 
+#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/detail/placing.h>
+#include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 16;
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 18;
+static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 
 /// The kernel's push constants.
 struct Constants {
-  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, carries = 0;
+  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, field_count = 0, carries = 0,
+                still = 0;
+  float sleep_speed = 0, sleep_time = 0, frame_time = 0;
 };
 
 /// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
@@ -32,7 +38,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes;
+      velocities, resets, own, boxes, fields, field_values;
 };
 
 template <class T>
@@ -55,9 +61,13 @@ class ChainGpuSolver final : public GpuSolver {
 
   Result<void> make() {
     CUTICLE_TRY(make_buffers());
-    CUTICLE_ASSIGN(free_, kernel_of(program_.free));
+    CUTICLE_ASSIGN(free_, kernel_of(program_.free, k_buffers));
+    if (settings_.interaction) {
+      CUTICLE_ASSIGN(interaction_, strand_interaction::StrandInteractionGpu::create(
+                                       *device_, rest_, *settings_.interaction, velocity_layout()));
+    }
     if (!settings_.contact) return {};
-    CUTICLE_ASSIGN(touching_, kernel_of(program_.touching));
+    CUTICLE_ASSIGN(touching_, kernel_of(program_.touching, k_buffers));
     return {};
   }
 
@@ -67,20 +77,26 @@ class ChainGpuSolver final : public GpuSolver {
     std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
     std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
     std::vector<LinkBox<float>> boxes = link_boxes<float>(settings_, input.boxes);
-    const Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
-                              std::uint32_t(spheres.size()), std::uint32_t(boxes.size()), parts[0].carry.w != 1.f};
+    std::vector<LinkField<float>> fields = link_fields<float>(settings_, input.fields);
+    Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
+                        std::uint32_t(spheres.size()),       std::uint32_t(boxes.size()),
+                        std::uint32_t(fields.size()),        parts[0].carry.w != 1.f};
+    if (settings_.sleep) set_sleep(constants, input, steps);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
-    if (!boxes.empty()) {
-      CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
-      if (!beside_boxes_) {
-        CUTICLE_ASSIGN(beside_boxes_, kernel_of(program_.beside_boxes));
-      }
+    if (!boxes.empty()) CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
+    if (!fields.empty()) {
+      CUTICLE_TRY(refill(*device_, buffers_.fields, fields));
+      CUTICLE_TRY(upload_values(input.fields));
     }
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
+    CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
-    dispatch(commands, !boxes.empty() ? *beside_boxes_ : !spheres.empty() ? touching_ : free_, constants);
+    dispatch(commands, *kernel, constants);
     commands.end_pass();
+    if (interaction_ && !steps.empty())
+      interaction_->record(commands, {&buffers_.world, &buffers_.velocities, &buffers_.state}, placing_.rotation(),
+                           placing_.world(glm::dvec3(0)), input.duration);
     return {};
   }
 
@@ -96,23 +112,89 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<float> numbers,
                    gpu::read_buffer<float>(*device_, buffers_.state, buffers_.state.size() / sizeof(float)));
     State state;
+    if (settings_.sleep) CUTICLE_TRY(count_sleepers(state));
     state.tensions = tensions_of<float>(chains_, rest_, numbers);
     state.positions.assign(world.begin(), world.end());
     state.velocities.assign(velocities.begin(), velocities.end());
     for (std::uint32_t fired : resets) state.guards_fired += fired;
+    if (interaction_) {
+      CUTICLE_ASSIGN(state.left_out, interaction_->left_out(*device_));
+    }
     return state;
   }
 
   const gpu::Buffer& positions() const override { return buffers_.world; }
   const gpu::Buffer& velocities() const override { return buffers_.velocities; }
 
-  std::map<std::string, std::uint32_t> dispatches(const FrameInput&) const override {
-    return {{std::string(program_.name), 1}};
+  std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
+    std::map<std::string, std::uint32_t> result{{std::string(program_.name), 1}};
+    if (interaction_ && input.duration > 0) result["strand_interaction"] = 2;
+    return result;
   }
 
  private:
-  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code) {
-    return device_->make_kernel(code, {.storage_buffers = k_buffers, .push_constant_bytes = sizeof(Constants)});
+  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false) {
+    return device_->make_kernel(code, {.storage_buffers = buffers,
+                                       .push_constant_bytes = sizeof(Constants),
+                                       .specialization = {settings_.sleep.has_value(), meets_fields}});
+  }
+
+  /// The one for such colliders, made when they are first met.
+  Result<const gpu::Kernel*> kernel_for(const Constants& constants) {
+    if (constants.box_count + constants.field_count == 0) return constants.sphere_count > 0 ? &touching_ : &free_;
+    gpu::Kernel& kernel = beside_all_[constants.field_count > 0];
+    if (!kernel) {
+      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0));
+    }
+    return &kernel;
+  }
+
+  /// Only when they are others than the last.
+  Result<void> upload_values(std::span<const FieldPointer> fields) {
+    if (std::ranges::equal(fields, fields_)) return {};
+    std::vector<float> values;
+    for (const FieldPointer& field : fields) values.insert(values.end(), field->values.begin(), field->values.end());
+    CUTICLE_TRY(refill(*device_, buffers_.field_values, values));
+    fields_.assign(fields.begin(), fields.end());
+    return {};
+  }
+
+  void set_sleep(Constants& constants, const FrameInput& input, std::span<const ChainStep<float>> steps) {
+    constants.still = watch_.is_still(input, pushes_of<float>(steps));
+    constants.sleep_speed = settings_.sleep->speed;
+    constants.sleep_time = settings_.sleep->time;
+    constants.frame_time = float(input.duration);
+  }
+
+  Result<void> count_sleepers(State& state) {
+    CUTICLE_ASSIGN(const std::vector<float> rows,
+                   gpu::read_buffer<float>(*device_, buffers_.strands, chains_.strand.size()));
+    for (const ChainPlace& place : chains_.places) {
+      const std::size_t row = place.block * std::size_t(strand_row::count) + strand_row::quiet;
+      state.asleep += place.has_links && rows[row * k_lanes + place.lane] >= settings_.sleep->time;
+    }
+    return {};
+  }
+
+  std::uint32_t velocity_at(const ChainPlace& place, std::uint32_t link) const {
+    const std::uint32_t row = (chains_.blocks[place.block].first_vertex + link) * std::uint32_t(state_row::count);
+    return (row + std::uint32_t(state_row::velocity)) * std::uint32_t(k_lanes) + place.lane;
+  }
+
+  strand_interaction::VelocityLayout velocity_layout() const {
+    strand_interaction::VelocityLayout layout{
+        {}, std::uint32_t(k_lanes), std::uint32_t((state_row::velocity_before - state_row::velocity) * k_lanes)};
+    for (std::size_t s = 0; s < rest_.strand_count(); ++s) {
+      const ChainPlace& place = chains_.places[s];
+      std::uint32_t above = 0;
+      for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
+        // What is carried has none, and what is welded is pushed once.
+        const std::uint32_t link = place.has_links ? chains_.links_of_vertex[i] : 0;
+        layout.places.push_back(link == above ? layout.k_carried : velocity_at(place, link));
+        above = link;
+      }
+    }
+    return layout;
   }
 
   Result<void> make_buffers() {
@@ -154,15 +236,19 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.own, or_one(program_.own)));
     CUTICLE_TRY(refill(*device_, buffers_.steps, std::vector<ChainStep<float>>(1)));
     CUTICLE_TRY(refill(*device_, buffers_.boxes, std::vector<LinkBox<float>>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.fields, std::vector<LinkField<float>>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.field_values, std::vector<float>(1)));
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
   void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants) const {
     const Buffers& b = buffers_;
-    commands.dispatch(kernel,
-                      {&b.places, &b.blocks, &b.offsets, &b.vertices, &b.rest, &b.state, &b.strands, &b.scratch,
-                       &b.steps, &b.spheres, &b.frame, &b.world, &b.velocities, &b.resets, &b.own, &b.boxes},
-                      {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
+    std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
+                                          &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
+                                          &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
+    if (constants.box_count + constants.field_count > 0)
+      bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values});
+    commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
   std::shared_ptr<gpu::Device> device_;
@@ -172,8 +258,11 @@ class ChainGpuSolver final : public GpuSolver {
   ChainGpuProgram program_;
   Buffers buffers_;
   gpu::Kernel free_, touching_;
-  std::optional<gpu::Kernel> beside_boxes_;  ///< made with the first box
-  HeadMotion motion_{true};                  // meets boxes
+  std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
+  std::vector<FieldPointer> fields_;       ///< whose values are on the device
+  std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
+  sleep::Watch watch_;
+  HeadMotion motion_{true};  // meets all colliders
   Placing placing_;
   ChainClock clock_;
 };
@@ -191,6 +280,7 @@ Result<std::unique_ptr<GpuSolver>> make_chain_solver_gpu(std::shared_ptr<gpu::De
 
 Result<void> check_for_gpu(const strands::Groom& rest, const ChainSettings& settings) {
   CUTICLE_TRY(strands::validate(rest));
+  CUTICLE_TRY(check(settings));
   if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
   if (settings.double_precision)
     return usage_error("double_precision: the kernel computes in float", "leave it out on a GPU");

@@ -8,8 +8,8 @@ namespace cuticle::sim::detail {
 /// What differs between such solvers. `name`: of the solver, and of its pass after "simulate.".
 struct ChainGpuProgram {
   std::string_view name;
-  /// SPIR-V without colliders, with spheres, with boxes and spheres; interface of chain_kernel.glsl.
-  std::span<const std::uint32_t> free, touching, beside_boxes;
+  /// SPIR-V without colliders, with spheres, with all colliders; interface of chain_kernel.glsl.
+  std::span<const std::uint32_t> free, touching, beside_all;
   int scratch_rows = scratch_row::count;
   Rows<float> own;  ///< the rows that the solver adds to a vertex of the chains, see ChainProgram
 };

@@ -15,6 +15,7 @@ class Placing {
  public:
   /// The substeps of a frame, at least one.
   void advance(std::span<const Substep> parts);
+  const glm::dmat3& rotation() const { return rotation_; }
   glm::dvec3 turned(const glm::dvec3& rest) const { return rotation_ * rest; }
   glm::dvec3 world(const glm::dvec3& rest) const { return translation_ + rotation_ * rest; }
   /// Of a place that the head carries, over the last substep in which time passed, m/s.

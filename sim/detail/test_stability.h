@@ -125,6 +125,19 @@ inline void expect_lengths(std::string_view name, const std::vector<std::string>
     }
 }
 
+/// The deepest place of any segment past the first link, metres, looked for at 16 places of each; `depth_at`: of a
+/// place.
+template <class DepthAt>
+double deepest_segment(const strands::Groom& groom, const State& state, const DepthAt& depth_at) {
+  double most = -1;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (std::size_t i = groom.offsets[s] + 2; i < groom.offsets[s + 1]; ++i)
+      for (int k = 0; k <= 16; ++k)
+        most = std::max(
+            most, depth_at(glm::mix(glm::dvec3(state.positions[i - 1]), glm::dvec3(state.positions[i]), k / 16.0)));
+  return most;
+}
+
 // Spheres.
 
 inline double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {

@@ -1,10 +1,10 @@
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/exact/exact.h>
 
-#include <exact_beside_boxes.spv.h>
+#include <exact_beside_all.spv.h>
 #include <exact_free.spv.h>
 #include <exact_pulled.spv.h>
-#include <exact_pulled_beside_boxes.spv.h>
+#include <exact_pulled_beside_all.spv.h>
 #include <exact_pulled_touching.spv.h>
 #include <exact_touching.spv.h>
 
@@ -16,11 +16,11 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
   const detail::ChainSettings settings = make_settings(solver, effects);
   CUTICLE_TRY(detail::check_for_gpu(rest, settings));
   detail::ChainGpuProgram program{
-      .name = "exact", .free = exact_free, .touching = exact_touching, .beside_boxes = exact_beside_boxes, .own = {}};
+      .name = "exact", .free = exact_free, .touching = exact_touching, .beside_all = exact_beside_all, .own = {}};
   if (settings.shape_stiffness > 0) {
     program.free = exact_pulled;
     program.touching = exact_pulled_touching;
-    program.beside_boxes = exact_pulled_beside_boxes;
+    program.beside_all = exact_pulled_beside_all;
   }
   return detail::make_chain_solver_gpu(std::move(device), rest, settings, detail::make_chains<float>(rest, settings),
                                        std::move(program));

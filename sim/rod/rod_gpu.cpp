@@ -2,7 +2,7 @@
 #include <cuticle/sim/rod/kernel.h>
 #include <cuticle/sim/rod/rod.h>
 
-#include <rod_beside_boxes.spv.h>
+#include <rod_beside_all.spv.h>
 #include <rod_free.spv.h>
 #include <rod_touching.spv.h>
 
@@ -19,7 +19,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
                                        {.name = "rod",
                                         .free = rod_free,
                                         .touching = rod_touching,
-                                        .beside_boxes = rod_beside_boxes,
+                                        .beside_all = rod_beside_all,
                                         .scratch_rows = rod_row::count,
                                         .own = std::move(hinges)});
 }

@@ -25,7 +25,7 @@ Result<DeviceCost> time_shadow(gpu::Device& device, shadows::GpuShadow& shadow, 
   DeviceCost best;
   for (int i = 0; i <= k_submissions; ++i) {
     gpu::Commands commands = device.record();
-    CUTICLE_TRY(shadow.record(commands, groom.strands, casters.alpha, casters.to_light, groom.transmittance));
+    CUTICLE_TRY(shadow.record(commands, groom.strands, casters.alpha, casters.light(), groom.transmittance));
     CUTICLE_ASSIGN(const gpu::SubmitCost submitted, device.submit(std::move(commands)));
     if (i == 1 || (i > 1 && submitted.wall_ms < best.wall_ms)) best = cost_of(submitted, device.info().name);
   }

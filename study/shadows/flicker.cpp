@@ -35,7 +35,7 @@ strands::Groom moved(const strands::Groom& groom, const glm::dvec3& to_light, do
   for (std::size_t s = 0; s < groom.strand_count(); ++s) {
     bool spans = false;
     for (const glm::vec3& position : groom.strand(s)) {
-      const glm::vec3 p = shadows::light_point(axes.right, axes.up, axes.forward, position);
+      const glm::vec3 p = shadows::view_point(axes, position);
       for (int axis = 0; axis < 3; ++axis) spans |= p[axis] <= box.lower[axis] || p[axis] >= box.upper[axis];
     }
     for (std::uint32_t v = groom.offsets[s]; !spans && v < groom.offsets[s + 1]; ++v) result.positions[v] += move;

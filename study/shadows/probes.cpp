@@ -36,9 +36,7 @@ struct Picture {
   std::size_t side = 1;
   std::vector<Seen> seen;
 
-  glm::vec3 view(const glm::vec3& p) const {
-    return shadows::light_point(axes.right, axes.up, axes.forward, p) - box.lower;
-  }
+  glm::vec3 view(const glm::vec3& p) const { return shadows::view_point(axes, p) - box.lower; }
   std::size_t index(const glm::vec3& p) const {
     const auto along = [&](float x) { return std::min(side - 1, std::size_t(std::max(0.0f, x / pixel))); };
     return along(p.y) * side + along(p.x);

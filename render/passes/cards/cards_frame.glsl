@@ -1,4 +1,5 @@
 // What a frame tells the shaders of cards (CardFrame of cards_gpu.cpp, word for word).
+#include "cuticle/render/lights.glsl"
 #include "cuticle/render/passes/cards/card_rows.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Placed { PlacedRow placed[]; };
@@ -12,8 +13,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 primary;    // w: exponent
   vec4 secondary;  // w: exponent
   vec4 shifts;     // primary, secondary
-  vec4 to_light[8];
-  vec4 irradiance[8];
+  LightRow lights[k_most_lights];
 };
 layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
 layout(set = 0, binding = 5) uniform sampler2D atlas_texture;  // base, shift, mask, alpha

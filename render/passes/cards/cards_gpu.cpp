@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/passes/cards/cards.h>
 #include <cuticle/render/passes/cards/placement_gpu.h>
 #include <cuticle/render/passes/cards/sorting_gpu.h>
@@ -19,9 +20,9 @@ namespace {
 struct CardFrame {
   glm::mat4 world_to_clip;
   glm::vec4 eye, atlas, diffuse, primary, secondary, shifts;
-  std::array<glm::vec4, k_max_lights> to_light, irradiance;
+  LightRows lights;
 };
-static_assert(sizeof(CardFrame) == 64 + 16 * 6 + 16 * 2 * k_max_lights);
+static_assert(sizeof(CardFrame) == 64 + 16 * 6 + 16 * 3 * k_most_lights);
 
 void set_material(CardFrame& frame, const registry::ParameterValues& values) {
   const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
@@ -41,10 +42,7 @@ void set_view(CardFrame& frame, const FrameResources& resources) {
   frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
   frame.eye = glm::vec4(resources.camera.position, 1);
   frame.diffuse.w = float(resources.lights.size());
-  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
-    frame.to_light[k] = glm::vec4(resources.lights[k].to_light, 0);
-    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
-  }
+  frame.lights = light_rows(resources.lights);
 }
 
 constexpr std::size_t k_most_steps = 4;

@@ -13,14 +13,14 @@ layout(location = 3) in vec3 uv_open;
 layout(location = 0) out vec4 color;
 
 // L + V by its components along the tangent, the normal, and across both.
-HalfVector half_vector_on_card(vec3 t, vec3 n, vec3 to_light_, vec3 to_eye) {
-  const vec3 sum = to_light_ + to_eye;
+HalfVector half_vector_on_card(vec3 t, vec3 n, vec3 to_light, vec3 to_eye) {
+  const vec3 sum = to_light + to_eye;
   HalfVector v;
   v.along = dot(sum, t);
   v.toward = dot(sum, n);
   v.across = dot(sum, cross(t, n));
   v.length_squared = dot(sum, sum);
-  v.cos_normal = dot(to_light_, n);
+  v.cos_normal = dot(to_light, n);
   return v;
 }
 
@@ -33,7 +33,9 @@ vec4 shaded(vec4 texel) {
   m.primary = highlight_moved(primary.rgb, primary.w, shifts.x + shift);
   m.secondary = highlight_moved(secondary.rgb * texel.b, secondary.w, shifts.y + shift);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < uint(diffuse.w); ++k)
-    sum += scattering_at(m, half_vector_on_card(t, n, to_light[k].xyz, to_eye)) * irradiance[k].rgb;
+  for (uint k = 0u; k < uint(diffuse.w); ++k) {
+    const Arriving light = arriving_at(world, lights[k]);
+    sum += scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * light.irradiance;
+  }
   return vec4(sum * texel.r * open, is_opaque ? 1.0 : texel.a);
 }

@@ -10,7 +10,7 @@ using registry::Parameter;
 using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device", "depth_of_field"};
-constexpr std::string_view k_after[] = {"ambient_occlusion"};
+constexpr std::string_view k_after[] = {"ambient_occlusion", "temporal_antialiasing"};
 constexpr Parameter k_parameters[] = {
     {.name = "lens_radius",
      .type = ParameterType::real,

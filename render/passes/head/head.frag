@@ -1,18 +1,20 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Diffuse with wrapped light: (wrap + N.L) / (1 + wrap). Light directions come in the mesh's rest frame. THIN: a sheet
-// that is seen from both sides, and that lets a share of the light through.
-const uint k_max_lights = 8;
+// that is seen from both sides, and that lets a share of the light through. UNDER_SURFACES: what surfaces cast falls on it
+// too; it is none of them.
+#include "cuticle/render/lights.glsl"
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 albedo_0, albedo_1;  // w of the first: wrap; of the second: number of lights
-  vec4 ambient;             // radiance factor, rgb; w: share of the light that comes through
-  vec4 to_light[k_max_lights];
-  vec4 irradiance[k_max_lights];
-  mat4 rest_to_map[k_max_lights];  // of surface_shadow
+  LightRow lights[k_most_lights];
+  mat4 rest_to_map[k_most_lights];  // of surface_shadow
+  float ambient;                    // share of the lights' sum that arrives from everywhere
+  float through;                    // share of the light that comes through
   uint map_resolution, map_columns;  // 0: no hair casts
   float map_filter;
 };
 layout(set = 0, binding = 4) uniform sampler2D hair_map;
+layout(set = 0, binding = 5) uniform sampler2D surface_map;
 #include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
 
 layout(location = 0) in vec3 rest_normal;
@@ -22,8 +24,12 @@ layout(location = 0) out vec4 color;
 
 float reached(uint light) {
   if (map_resolution == 0u) return 1.0;
-  vec3 at = (rest_to_map[light] * vec4(rest_position, 1.0)).xyz;
-  return unshadowed(hair_map, at, light, map_resolution, map_columns, map_filter);
+  vec3 at = place_in_light_map(rest_to_map[light] * vec4(rest_position, 1.0), 0.0);
+  float past_hair = unshadowed(hair_map, at, light, map_resolution, map_columns, map_filter);
+#ifdef UNDER_SURFACES
+  past_hair *= unshadowed(surface_map, at, light, map_resolution, map_columns, map_filter);
+#endif
+  return past_hair;
 }
 
 float wrapped(float cosine) { return max((albedo_0.w + cosine) / (1.0 + albedo_0.w), 0.0); }
@@ -33,13 +39,14 @@ void main() {
 #ifdef THIN
   if (!gl_FrontFacing) normal = -normal;
 #endif
-  vec3 received = ambient.rgb;
+  vec3 received = vec3(0.0);
   for (uint k = 0u; k < uint(albedo_1.w); ++k) {
-    float cosine = dot(normal, to_light[k].xyz), share = wrapped(cosine);
+    Arriving light = arriving_at(rest_position, lights[k]);
+    float cosine = dot(normal, light.to_light), share = wrapped(cosine);
 #ifdef THIN
-    share = mix(share, wrapped(-cosine), ambient.w);
+    share = mix(share, wrapped(-cosine), through);
 #endif
-    if (share > 0.0) received += share * reached(k) * irradiance[k].rgb;
+    received += (ambient + (share > 0.0 ? share * reached(k) : 0.0)) * light.irradiance;
   }
   color = vec4(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989, 1.0);
 }

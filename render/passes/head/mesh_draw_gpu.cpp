@@ -4,6 +4,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 
 #include <head_vert.spv.h>
@@ -13,13 +14,14 @@ namespace {
 
 /// As head.frag reads it.
 struct DiffuseFrame {
-  glm::vec4 albedo_0, albedo_1, ambient;
-  std::array<glm::vec4, k_max_lights> to_light, irradiance;
-  std::array<glm::mat4, k_max_lights> rest_to_map;
+  glm::vec4 albedo_0, albedo_1;
+  LightRows lights;
+  std::array<glm::mat4, k_most_lights> rest_to_map;
+  float ambient, through;
   std::uint32_t map_resolution, map_columns;
-  float map_filter, unused;
+  float map_filter, unused[3];
 };
-static_assert(sizeof(DiffuseFrame) == 16 * (3 + 2 * k_max_lights) + 64 * k_max_lights + 16);
+static_assert(sizeof(DiffuseFrame) == 16 * (2 + 3 * k_most_lights) + 64 * k_most_lights + 32);
 
 void set_maps(DiffuseFrame& frame, const FrameResources& resources, const glm::dmat4& to_world) {
   const surface_shadow::Maps& maps = *resources.surface_shadow;
@@ -34,13 +36,9 @@ DiffuseFrame frame_of(const FrameResources& resources, const glm::dmat4& to_worl
   DiffuseFrame frame{};
   frame.albedo_0 = glm::vec4(diffuse.albedo_0, diffuse.wrap);
   frame.albedo_1 = glm::vec4(diffuse.albedo_1, double(resources.lights.size()));
-  const glm::dmat3 to_rest(glm::inverse(to_world));
-  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
-    frame.to_light[k] = glm::vec4(to_rest * resources.lights[k].to_light, 0);
-    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
-    frame.ambient += float(diffuse.ambient) * frame.irradiance[k];
-  }
-  frame.ambient.w = float(diffuse.through);
+  frame.lights = light_rows(resources.lights, glm::inverse(to_world));
+  frame.ambient = float(diffuse.ambient);
+  frame.through = float(diffuse.through);
   if (resources.surface_shadow) set_maps(frame, resources, to_world);
   return frame;
 }
@@ -55,7 +53,7 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& res
   description.vertex_spirv = head_vert;
   description.fragment_spirv = fragment;
   description.interface.storage_buffers = 4;
-  description.interface.textures = 1;
+  description.interface.textures = 2;
   description.interface.push_constant_bytes = sizeof(glm::mat4);
   CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
   CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
@@ -70,10 +68,11 @@ Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, cons
                               const gpu::Buffer& positions, const gpu::Buffer& normals, const glm::dmat4& to_world,
                               const Diffuse& diffuse) {
   CUTICLE_TRY(device.upload(frame_, gpu::bytes_of(frame_of(resources, to_world, diffuse))));
-  const glm::mat4 to_clip(projection_matrix(resources.camera) * view_matrix(resources.camera) * to_world);
+  const glm::mat4 to_clip(drawn_world_to_clip(resources) * to_world);
+  const surface_shadow::Maps* const maps = resources.surface_shadow;
   begin_target(commands, resources);
   commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_},
-                {resources.surface_shadow ? &resources.surface_shadow->hair : &no_map_}, gpu::bytes_of(to_clip),
+                {maps ? &maps->hair : &no_map_, maps ? &maps->surfaces : &no_map_}, gpu::bytes_of(to_clip),
                 index_count_);
   commands.end_rendering();
   return {};

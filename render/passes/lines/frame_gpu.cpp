@@ -89,10 +89,7 @@ void set_view(Frame& frame, const FrameResources& resources) {
   frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
   frame.eye = glm::vec4(resources.camera.position, 1);
   frame.light_count = std::uint32_t(resources.lights.size());
-  for (std::size_t k = 0; k < resources.lights.size(); ++k) {
-    frame.to_light[k] = glm::vec4(resources.lights[k].to_light, 0);
-    frame.irradiance[k] = glm::vec4(resources.lights[k].irradiance, 0);
-  }
+  frame.lights = light_rows(resources.lights);
 }
 
 DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters) {

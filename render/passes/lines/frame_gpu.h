@@ -1,7 +1,6 @@
 #pragma once
 // What a frame tells the line shaders (lines_frame.glsl).
-#include <array>
-
+#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/pass_gpu.h>
 
 namespace cuticle::render::lines {
@@ -15,9 +14,9 @@ struct Frame {
   std::uint32_t light_count, vertex_count, vertices_per_strand;
   float variation, tip_variation;
   std::uint32_t drawn_segments, packed_vertices, unused;
-  std::array<glm::vec4, k_max_lights> to_light, irradiance;
+  LightRows lights;
 };
-static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 2 * k_max_lights);
+static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
 /// Error: bad_input when the tables are not those of a three-texture Nalu layout.

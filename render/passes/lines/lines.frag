@@ -20,7 +20,7 @@ void main() {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
     float through = clamp(reached[k >> 2][k & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
-    sum += shade(k, through, t, to_eye);
+    sum += shade(arriving_at(position, lights[k]), through, t, to_eye);
   }
   color = vec4(sum * brightness, 1.0);
 }

@@ -1,4 +1,6 @@
 // What a frame tells the line shaders; frame_gpu.h holds the same fields in the same order.
+#include "cuticle/render/lights.glsl"
+
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
   mat4 world_to_clip;
   vec4 eye;
@@ -9,8 +11,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   float variation, tip_variation;
   uint drawn_segments;                    // of a strand
   uint packed_vertices;                   // 1: strands/packing
-  vec4 to_light[8];
-  vec4 irradiance[8];
+  LightRow lights[k_most_lights];
 };
 
 #include "cuticle/render/passes/lines/segment_ends.glsl"

@@ -17,19 +17,18 @@ struct Angles {
   float sin_i, sin_o, cos_phi;
 };
 
-Angles angles_of(uint light, vec3 t, vec3 to_eye) {
-  vec3 l = to_light[light].xyz;
+Angles angles_of(vec3 l, vec3 t, vec3 to_eye) {
   float sin_i = dot(l, t), sin_o = dot(to_eye, t);
   vec3 across_i = l - sin_i * t, across_o = to_eye - sin_o * t;
   float cos_phi = dot(across_i, across_o) * inversesqrt(max(dot(across_i, across_i) * dot(across_o, across_o), k_tiny));
   return Angles(sin_i, sin_o, cos_phi);
 }
 
-// Radiance by one light of which the share `through` arrives.
-vec3 shade(uint light, float through, vec3 t, vec3 to_eye) {
-  Angles angles = angles_of(light, t, to_eye);
+// Radiance by a light of which the share `through` arrives.
+vec3 shade(Arriving light, float through, vec3 t, vec3 to_eye) {
+  Angles angles = angles_of(light.to_light, t, to_eye);
   float cos_i = sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0));
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
   vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
-  return (once + often) * irradiance[light].rgb;
+  return (once + often) * light.irradiance;
 }

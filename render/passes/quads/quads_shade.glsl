@@ -24,11 +24,12 @@ vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
   float share = share_at(world_to_clip, middle, size, vertices[first].xyz, vertices[last].xyz);
   vec3 t = normalize(mix(tangents[first].xyz, tangents[last].xyz, share) + tilt_of(strand, variation));
-  vec3 to_eye = normalize(eye.xyz - mix(vertices[first].xyz, vertices[last].xyz, share));
+  vec3 place = mix(vertices[first].xyz, vertices[last].xyz, share), to_eye = normalize(eye.xyz - place);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k)
-    sum += shade(k, mix(transmittance[k * vertex_count + first], transmittance[k * vertex_count + last], share), t,
-                 to_eye);
+  for (uint k = 0u; k < light_count; ++k) {
+    float through = mix(transmittance[k * vertex_count + first], transmittance[k * vertex_count + last], share);
+    sum += shade(arriving_at(place, lights[k]), through, t, to_eye);
+  }
   return sum * brightness_of(strand, variation);
 }
 

@@ -31,12 +31,13 @@ const float k_largest_half = 65504.0;
 // What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
 vec3 lit(uint light, uint vertex, vec3 t, vec3 to_eye) {
   float through = transmittance[light * vertex_count + vertex];
-  if (k_dual == 0u) return shade(light, through, t, to_eye);
+  Arriving arriving = arriving_at(vertices[vertex].xyz, lights[light]);
+  if (k_dual == 0u) return shade(arriving, through, t, to_eye);
   float past = k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
   if (past <= 0.0) return vec3(0.0);
-  Angles angles = angles_of(light, t, to_eye);
+  Angles angles = angles_of(arriving.to_light, t, to_eye);
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
-  return (once + past * dual_scattering(angles, min(through / past, 1.0))) * irradiance[light].rgb;
+  return (once + past * dual_scattering(angles, min(through / past, 1.0))) * arriving.irradiance;
 }
 
 void main() {

@@ -22,7 +22,8 @@ void main() {
   const vec4 begin = vertices[first], end = vertices[first + 1u], here = k_end[corner] == 0u ? begin : end;
   light = uint(gl_InstanceIndex);
   strand = first / vertices_per_strand;
-  const vec3 across = cross(end.xyz - begin.xyz, map_forward[light].xyz);
+  const vec3 sight = map_sight[light].xyz + map_sight[light].w * begin.xyz;
+  const vec3 across = cross(end.xyz - begin.xyz, sight);
   const float size = length(across);
   const bool drawn = is_finite(begin) && is_finite(end) && size > 0.0;
   gl_Position = drawn ? map_clip(light, here.xyz + across * (k_side[corner] * here.w * width / size))

@@ -1,14 +1,16 @@
 // The lights' maps side by side; surface_shadow_gpu.h holds the same fields. Before this: MAPS_BINDING.
+#include "cuticle/render/lights.glsl"
 layout(std430, set = 0, binding = MAPS_BINDING) readonly buffer Maps {
-  mat4 world_to_map[8];
-  vec4 map_forward[8];  // w: depth of the bias
+  mat4 world_to_map[k_most_lights];
+  vec4 map_sight[k_most_lights];  // xyz + w * point: away from the light, of any length
+  float map_bias[k_most_lights];  // of depth at distance 1
   vec2 map_texture_size;
   uint map_resolution, map_columns;
 };
 
 vec4 map_clip(uint light, vec3 world) {
-  vec3 at = (world_to_map[light] * vec4(world, 1.0)).xyz;
-  return vec4(2.0 * at.xy / map_texture_size - 1.0, at.z, 1.0);
+  vec4 at = world_to_map[light] * vec4(world, 1.0);
+  return vec4(2.0 * at.xy / map_texture_size - at.w, at.z, at.w);
 }
 
 // Whether a fragment lies in the map of its light.

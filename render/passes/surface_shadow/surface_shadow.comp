@@ -21,8 +21,7 @@ void main() {
   if (vertex >= vertex_count) return;
   float lit = 1.0;
   if (is_finite(vertices[vertex])) {
-    vec3 at = (world_to_map[light] * vec4(vertices[vertex].xyz, 1.0)).xyz;
-    at.z -= map_forward[light].w;
+    vec3 at = place_in_light_map(world_to_map[light] * vec4(vertices[vertex].xyz, 1.0), map_bias[light]);
     lit = unshadowed(map, at, light, map_resolution, map_columns, half_side);
   }
   visibility[light * vertex_count + vertex] = lit;

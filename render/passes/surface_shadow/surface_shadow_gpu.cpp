@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <cuticle/gpu/groups.h>
 #include <cuticle/render/passes/surface_shadow/surface_shadow.h>
@@ -64,30 +65,93 @@ std::vector<glm::dvec3> points_in_view(const FrameResources& resources, const Su
   std::vector<glm::dvec3> points;
   for (const glm::dvec3& corner : corners(resources.strands.bounds)) points.push_back(corner);
   for (const glm::dvec3& corner : corners(surface.bounds))
-    points.emplace_back(resources.head_transform * glm::dvec4(corner, 1));
+    if (surface.index_count > 0) points.emplace_back(resources.head_transform * glm::dvec4(corner, 1));
   return points;
 }
 
-/// World to the texels and depth of light `index`: an orthographic view that holds the points.
-glm::dmat4 world_to_map(const std::array<glm::dvec3, 3>& axes, std::span<const glm::dvec3> points,
-                        const Settings& settings, int index) {
-  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(-lower);
-  for (const glm::dvec3& point : points) {
-    const glm::dvec3 seen(glm::dot(axes[0], point), glm::dot(axes[1], point), glm::dot(axes[2], point));
+/// What a light's view shows: right, up and away from the light from `origin`, and what lies in it.
+struct View {
+  std::array<glm::dvec3, 3> axes;
+  glm::dvec3 origin{0}, lower{std::numeric_limits<double>::max()}, upper{-lower};
+
+  View(const glm::dvec3& forward, const glm::dvec3& from) : origin(from) {
+    const shadows::PlaneAxes plane = shadows::plane_axes(forward);
+    axes = {plane.first, plane.second, forward};
+  }
+  glm::dvec3 seen(const glm::dvec3& point) const {
+    const glm::dvec3 away = point - origin;
+    return {glm::dot(axes[0], away), glm::dot(axes[1], away), glm::dot(axes[2], away)};
+  }
+  void hold(const glm::dvec3& seen) {
     lower = glm::min(lower, seen);
     upper = glm::max(upper, seen);
   }
-  const glm::dvec3 extent = glm::max(upper - lower, glm::dvec3(1e-6));
-  const double texels = settings.resolution - 2 * k_margin;
-  const glm::dvec3 scale(texels / extent.x, texels / extent.y, 1 / extent.z);
-  const glm::dvec2 first(settings.resolution * (index % settings.columns()),
-                         settings.resolution * (index / settings.columns()));
-  glm::dmat4 matrix(1);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) matrix[column][row] = scale[row] * axes[std::size_t(row)][column];
-    matrix[3][row] = -scale[row] * lower[row] + (row < 2 ? first[row] + k_margin : 0);
+  /// A point's coordinate along an axis, as a row of a matrix.
+  glm::dvec4 row(int axis) const { return {axes[std::size_t(axis)], -glm::dot(axes[std::size_t(axis)], origin)}; }
+};
+
+/// From what a view shows across to the texels of a light's map: factor and offset.
+struct Texels {
+  glm::dvec2 scale, first;
+  Texels(const View& view, const Settings& settings, int index) {
+    const glm::dvec2 extent = glm::max(glm::dvec2(view.upper - view.lower), glm::dvec2(1e-6));
+    scale = (settings.resolution - 2 * k_margin) / extent;
+    first = double(settings.resolution) * glm::dvec2(index % settings.columns(), index / settings.columns()) +
+            k_margin - scale * glm::dvec2(view.lower);
   }
-  return matrix;
+};
+
+/// A light's view: world to the texels of the texture, depth and w.
+struct LightMap {
+  glm::dmat4 world_to_map;
+  glm::dvec4 sight;
+  double depth_of_metre;  ///< over w^2
+};
+
+LightMap distant_map(const glm::dvec3& to_light, std::span<const glm::dvec3> points, const Settings& settings,
+                     int index) {
+  View view(-to_light, glm::dvec3(0));
+  for (const glm::dvec3& point : points) view.hold(view.seen(point));
+  const Texels texels(view, settings, index);
+  const double per_metre = 1 / std::max(view.upper.z - view.lower.z, 1e-6);
+  const glm::dvec4 one(0, 0, 0, 1);
+  const glm::dmat4 rows(texels.scale.x * view.row(0) + texels.first.x * one,
+                        texels.scale.y * view.row(1) + texels.first.y * one,
+                        per_metre * (view.row(2) - view.lower.z * one), one);
+  return {glm::transpose(rows), glm::dvec4(-to_light, 0), per_metre};
+}
+
+/// A perspective view towards the middle of the points, up to 75 degrees to each side; what lies beyond is beside the
+/// map.
+LightMap lamp_map(const glm::dvec3& lamp, std::span<const glm::dvec3> points, const Settings& settings, int index) {
+  constexpr double k_widest = 3.7, k_least_near = 1e-3;
+  glm::dvec3 middle(0);
+  for (const glm::dvec3& point : points) middle += point / double(points.size());
+  const double distance = glm::length(middle - lamp);
+  View view(distance > 1e-9 ? (middle - lamp) / distance : glm::dvec3(0, -1, 0), lamp);
+  double nearest = std::numeric_limits<double>::max(), far = 1e-3;
+  for (const glm::dvec3& point : points) {
+    nearest = std::min(nearest, view.seen(point).z);
+    far = std::max(far, 1.001 * view.seen(point).z);
+  }
+  const double near = std::max(0.999 * nearest, k_least_near * far), depth = far / (far - near);
+  for (const glm::dvec3& point : points)
+    for (const double side : {-1.0, 1.0}) {
+      const glm::dvec3 seen = view.seen(point), slope = seen.z > near ? seen / seen.z : glm::dvec3(side * k_widest);
+      view.hold(glm::clamp(slope, -k_widest, k_widest));
+    }
+  const Texels texels(view, settings, index);
+  const glm::dmat4 rows(texels.scale.x * view.row(0) + texels.first.x * view.row(2),
+                        texels.scale.y * view.row(1) + texels.first.y * view.row(2),
+                        depth * (view.row(2) - glm::dvec4(0, 0, 0, near)), view.row(2));
+  return {glm::transpose(rows), glm::dvec4(-lamp, 1), depth * near};
+}
+
+Result<LightMap> light_map(const Light& light, std::span<const glm::dvec3> points, const Settings& settings,
+                           int index) {
+  if (light.lamp) return lamp_map(light.lamp->position, points, settings, index);
+  CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(light.to_light));
+  return distant_map(to_light, points, settings, index);
 }
 
 class SurfaceShadow : public GpuPass {
@@ -127,12 +191,10 @@ class SurfaceShadow : public GpuPass {
     const std::vector<glm::dvec3> points = points_in_view(resources, surface_);
     for (int light = 0; light < settings_.lights; ++light) {
       const auto index = std::size_t(light);
-      CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(resources.lights[index].to_light));
-      const shadows::PlaneAxes plane = shadows::plane_axes(-to_light);
-      const glm::dmat4 matrix = world_to_map({plane.first, plane.second, -to_light}, points, settings_, light);
-      const double depth_per_metre = glm::length(glm::dvec3(matrix[0][2], matrix[1][2], matrix[2][2]));
-      frame.world_to_map[index] = glm::mat4(matrix);
-      frame.forward[index] = glm::vec4(-to_light, settings_.bias * depth_per_metre);
+      CUTICLE_ASSIGN(const LightMap map, light_map(resources.lights[index], points, settings_, light));
+      frame.world_to_map[index] = glm::mat4(map.world_to_map);
+      frame.sight[index] = glm::vec4(map.sight);
+      frame.bias[index] = float(settings_.bias * map.depth_of_metre);
     }
     return {};
   }
@@ -140,10 +202,11 @@ class SurfaceShadow : public GpuPass {
   void draw_surfaces(gpu::Commands& commands, const FrameResources& resources) const {
     const glm::mat4 rest_to_world(resources.head_transform);
     commands.begin_rendering({}, &maps_.surfaces);
-    commands.draw(
-        kernels_.surfaces,
-        {&frame_, resources.head_positions ? resources.head_positions : &surface_.positions, &surface_.indices}, {},
-        gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
+    if (surface_.index_count > 0)
+      commands.draw(
+          kernels_.surfaces,
+          {&frame_, resources.head_positions ? resources.head_positions : &surface_.positions, &surface_.indices}, {},
+          gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
     commands.end_rendering();
   }
 
@@ -211,13 +274,15 @@ Result<Surface> upload(gpu::Device& device, const strands::Mesh& mesh) {
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.head && !resources.head->triangles.empty(), "planned without a surface");
   CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size(), "a transmittance per light");
   const registry::ParameterValues values = parameters_of(resources, entry());
   const Settings settings{int(values.integer("resolution")), int(resources.lights.size()),
                           1e-3 * values.real("bias_mm"), float(values.real("strand_filter"))};
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
-  CUTICLE_ASSIGN(Surface surface, upload(*device, *resources.head));
+  Surface surface;
+  if (resources.head) {
+    CUTICLE_ASSIGN(surface, upload(*device, *resources.head));
+  }
   auto pass = std::make_unique<SurfaceShadow>(std::move(device), settings, std::move(kernels), std::move(surface));
   CUTICLE_TRY(pass->make_maps(resources, float(values.real("surface_filter"))));
   return std::unique_ptr<GpuPass>(std::move(pass));

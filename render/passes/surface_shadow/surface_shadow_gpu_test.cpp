@@ -49,6 +49,11 @@ strands::Groom bundle(std::uint32_t count, float lower, float upper, float radiu
 
 Light light(const glm::dvec3& to_light) { return {"", glm::normalize(to_light), glm::dvec3(std::numbers::pi)}; }
 
+Light lamp(const glm::dvec3& position) { return {.name = "", .lamp = Lamp{.position = position}}; }
+glm::dvec3 to_light_from(const glm::dvec3& point, const Light& light) {
+  return light.lamp ? glm::normalize(light.lamp->position - point) : light.to_light;
+}
+
 /// The plate, strands and lights in a frame, with what the pass makes of them.
 class Frame {
  public:
@@ -144,17 +149,18 @@ Place place_of(const glm::dvec3& point, const glm::dvec3& to_light) {
   return {way, k_half_side - std::max(std::abs(hit.x), std::abs(hit.z))};
 }
 
-// Five lights: two rows of maps.
+// Five distant lights and two lamps: two rows of maps.
 TEST(SurfaceShadow, PlateOverStrands_TakesEachLightOfWhatLiesBehindIt) {
   const strands::Groom groom = bundle(200, -0.1f, 0.1f, 1e-4f);
-  const std::vector<Light> lights = {light({0, 1, 0.01}), light({0.5, 1, 0}), light({-0.4, 1, 0.6}),
-                                     light({0, 0.7, -1}), light({1, 0.8, 0.3})};
+  const std::vector<Light> lights = {light({0, 1, 0.01}),     light({0.5, 1, 0}),   light({-0.4, 1, 0.6}),
+                                     light({0, 0.7, -1}),     light({1, 0.8, 0.3}), lamp({0.1, 0.5, 0.05}),
+                                     lamp({-0.05, 0.25, 0.1})};
   constexpr double k_edge = 1.5e-3;  // texels are up to 0.4 mm wide, seen at up to 60 degrees
   const std::vector<std::vector<float>> reached = Frame(groom, lights, 0.4).transmittance();
   for (std::size_t k = 0; k < lights.size(); ++k) {
     std::size_t dark = 0, bright = 0;
     for (std::size_t v = 0; v < groom.vertex_count(); ++v) {
-      const Place place = place_of(groom.positions[v], lights[k].to_light);
+      const Place place = place_of(groom.positions[v], to_light_from(groom.positions[v], lights[k]));
       if (std::min(std::abs(place.inside), std::abs(place.behind - k_bias)) < k_edge) continue;
       const bool is_dark = place.behind > k_bias && place.inside > 0;
       (is_dark ? dark : bright) += 1;

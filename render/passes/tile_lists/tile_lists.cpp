@@ -7,7 +7,7 @@ namespace cuticle::render::tile_lists {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
-constexpr std::string_view k_after[] = {"head", "fins"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor"};
 constexpr std::string_view k_systems[] = {"F4"};
 constexpr registry::Parameter k_parameters[] = {
     {.name = "budget_mib",

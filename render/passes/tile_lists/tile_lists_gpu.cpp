@@ -110,7 +110,7 @@ Result<Kernels> make_kernels(gpu::Device& device) {
 }
 
 Result<TileLists> make_lists(gpu::Device& device, const FrameResources& resources) {
-  const glm::uvec2 resolution(resources.camera.resolution);
+  const glm::uvec2 resolution(drawn_size(resources));
   TileLists lists;
   lists.grid = (resolution + k_tile - 1u) / k_tile;
   const std::size_t tiles = std::size_t(lists.grid.x) * lists.grid.y, word = sizeof(std::uint32_t);
@@ -147,7 +147,8 @@ TilePush push_of(const FrameResources& resources, const TileLists& lists) {
   TilePush push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.resolution = glm::uvec2(camera.resolution);
-  push.grid = lists.grid;
+  push.part = glm::uvec2(drawn_size(resources));
+  push.corner = std::uint32_t(resources.part_corner.x) / k_tile | std::uint32_t(resources.part_corner.y) / k_tile << 16;
   const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, entry()));
   push.segment_count = resources.strands.segment_count;
   if (part.width > 1) push.segment_count = part.strands * (resources.vertices_per_strand - 1);

@@ -22,12 +22,12 @@ struct TileLists {
 /// Push constants of the tile kernels; tile_push.glsl holds the same fields.
 struct TilePush {
   glm::mat4 world_to_clip;
-  glm::uvec2 resolution, grid;
+  glm::uvec2 resolution, part;
   std::uint32_t segment_count, vertices_per_strand, capacity, supersampling;
   float pixel_scale, inverse_near, inverse_far, tip_variation, kept_share, opacity;
-  std::uint32_t slices;
+  std::uint32_t slices, corner;
 };
-static_assert(sizeof(TilePush) == 124);
+static_assert(sizeof(TilePush) == 128);
 
 TilePush push_of(const FrameResources& resources, const TileLists& lists);
 

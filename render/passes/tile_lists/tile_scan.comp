@@ -11,7 +11,7 @@ layout(std430, binding = 2) buffer Statistics { uint wanted, not_finite; };
 shared uint sums[256];
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, tiles = push.grid.x * push.grid.y, run = (tiles + 255u) / 256u;
+  uint lane = gl_LocalInvocationID.x, tiles = tile_grid().x * tile_grid().y, run = (tiles + 255u) / 256u;
   uint begin = min(lane * run, tiles), end = min(begin + run, tiles), sum = 0u;
   for (uint tile = begin; tile < end; ++tile) sum += counts[tile];
   sums[lane] = sum;

@@ -21,14 +21,15 @@ float farthest_in_pixel(uvec2 pixel) {
 
 void main() {
   uint tile = invocation();
-  if (tile >= push.grid.x * push.grid.y) return;
-  uvec2 first = uvec2(tile % push.grid.x, tile / push.grid.x) * uint(k_tile);
-  uvec2 end = min(first + uint(k_tile), push.resolution);
+  uvec2 grid = tile_grid();
+  if (tile >= grid.x * grid.y) return;
+  uvec2 first = uvec2(tile % grid.x, tile / grid.x) * uint(k_tile);
+  uvec2 end = min(first + uint(k_tile), push.part);
   float farthest = push.inverse_near;
   for (uint y = first.y; y < end.y; ++y)
     for (uint x = first.x; x < end.x; ++x) {
       float depth = farthest_in_pixel(uvec2(x, y));
-      scene_depth[y * push.resolution.x + x] = depth;
+      scene_depth[y * push.part.x + x] = depth;
       farthest = min(farthest, depth);
     }
   tile_depth[tile] = farthest;

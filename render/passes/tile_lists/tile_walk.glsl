@@ -27,8 +27,9 @@ uint walk(uint vertex, Projected p) {
   float beyond = k_half_tile * (along.x + along.y) + 0.5;
   float widest = p.half_width + abs(p.width_slope) * p.half_length;
   vec2 reach = along * (p.half_length + 0.5) + across * (widest + 0.5);
-  ivec2 least = max(ivec2(floor((p.middle - reach) / float(k_tile))), ivec2(0));
-  ivec2 most = min(ivec2(floor((p.middle + reach) / float(k_tile))), ivec2(push.grid) - 1);
+  ivec2 begin = ivec2(first_tile()), grid = ivec2(tile_grid());
+  ivec2 least = max(ivec2(floor((p.middle - reach) / float(k_tile))), begin);
+  ivec2 most = min(ivec2(floor((p.middle + reach) / float(k_tile))), begin + grid - 1);
   uint visits = 0u;
   for (int y = least.y; y <= most.y; ++y)
     for (int x = least.x; x <= most.x; ++x) {
@@ -37,7 +38,7 @@ uint walk(uint vertex, Projected p) {
       float at = clamp(s, -p.half_length, p.half_length), inverse_depth = p.inverse_depth + p.depth_slope * at;
       float nearest = inverse_depth + abs(p.depth_slope) * beyond;
       float half_width = p.half_width + p.width_slope * at;  // the fine rasteriser's for this tile
-      uint tile = uint(y) * push.grid.x + uint(x);
+      uint tile = uint((y - begin.y) * grid.x + x - begin.x);
       if (abs(d) <= half_width + beyond && abs(s) <= p.half_length + beyond && nearest >= tile_depth[tile]) {
         visit(tile, vertex, inverse_depth);
         ++visits;

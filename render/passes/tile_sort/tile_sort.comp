@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One workgroup of eight per tile: entries counted into bins of depth, then each bin sorted by (depth, vertex), which
-// no two entries share: the order does not depend on that in which they arrived. Shell's sort, so that many entries at
-// one depth stay affordable. With slices, these are the bins, and within each the order is that of the vertices: near
-// segments come early, so that few are looked at where they hide the others.
+// One workgroup of eight per tile: entries counted into bins of depth, about as many as there are entries, then each
+// bin sorted by (depth, vertex), which no two entries share: the order does not depend on that in which they arrived.
+// Shell's sort, so that many entries at one depth stay affordable. With slices, these are the bins, and within each the
+// order is that of the vertices: near segments come early, so that few are looked at where they hide the others.
 layout(local_size_x = 8) in;
 #include "cuticle/render/passes/tile_lists/tile_push.glsl"
 
@@ -12,8 +12,8 @@ layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
 layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
-const uint k_lanes = 8u, k_bins = 256u, k_bins_of_lane = k_bins / k_lanes;
-shared uint bins[k_bins];
+const uint k_lanes = 8u, k_most_bins = 512u;
+shared uint bins[k_most_bins];
 shared float nearest_of[k_lanes], farthest_of[k_lanes];
 shared uint sum_of[k_lanes];
 
@@ -37,14 +37,14 @@ vec2 depth_range(uint lane, uint begin, uint end) {
 }
 
 // Counts become the places where the bins begin.
-void add_up(uint lane, uint begin) {
-  uint first = lane * k_bins_of_lane, sum = 0u;
-  for (uint k = 0u; k < k_bins_of_lane; ++k) sum += bins[first + k];
+void add_up(uint lane, uint begin, uint bins_of_lane) {
+  uint first = lane * bins_of_lane, sum = 0u;
+  for (uint k = 0u; k < bins_of_lane; ++k) sum += bins[first + k];
   sum_of[lane] = sum;
   barrier();
   uint next = begin;
   for (uint k = 0u; k < lane; ++k) next += sum_of[k];
-  for (uint k = 0u; k < k_bins_of_lane; ++k) {
+  for (uint k = 0u; k < bins_of_lane; ++k) {
     uint own = bins[first + k];
     bins[first + k] = next;
     next += own;
@@ -72,24 +72,25 @@ void sort(uint begin, uint end) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * push.grid.x + gl_WorkGroupID.x;
+  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * tile_grid().x + gl_WorkGroupID.x;
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);
   if (lane == 0u) depth_ranges[tile] = range;
-  float used = float(push.slices > 0u ? push.slices : k_bins);
-  float scale = range.x > range.y ? used * 0.99999 / (range.x - range.y) : 0.0;
-  for (uint k = lane; k < k_bins; k += k_lanes) bins[k] = 0u;
+  uint bins_of_lane = min(((push.slices > 0u ? push.slices : end - begin) + 7u) / 8u, k_most_bins / k_lanes);
+  uint count = k_lanes * bins_of_lane, used = push.slices > 0u ? push.slices : count;
+  float scale = range.x > range.y ? float(used) * 0.99999 / (range.x - range.y) : 0.0;
+  for (uint k = lane; k < count; k += k_lanes) bins[k] = 0u;
   barrier();
   for (uint k = begin + lane; k < end; k += k_lanes)
-    atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), k_bins - 1u)], 1u);
+    atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), used - 1u)], 1u);
   barrier();
-  add_up(lane, begin);
+  add_up(lane, begin, bins_of_lane);
   for (uint k = begin + lane; k < end; k += k_lanes) {
-    uint place = atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), k_bins - 1u)], 1u);
+    uint place = atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), used - 1u)], 1u);
     ordered[place] = entries[k];
   }
   memoryBarrierBuffer();
   barrier();
-  for (uint k = lane; k < k_bins; k += k_lanes) sort(k == 0u ? begin : bins[k - 1u], bins[k]);  // now a bin's end
+  for (uint k = lane; k < count; k += k_lanes) sort(k == 0u ? begin : bins[k - 1u], bins[k]);  // now a bin's end
 }

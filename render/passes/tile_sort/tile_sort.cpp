@@ -23,7 +23,7 @@ constexpr registry::Parameter k_parameters[] = {
 const Pass& entry() {
   static const Pass pass = shading({.name = "tile_sort",
                                     .summary = "each tile's segments from near to far, in one definite order",
-                                    .source = "counting sort over 256 depths, then Shell's sort of each depth",
+                                    .source = "counting sort over up to 512 depths, then Shell's sort of each depth",
                                     .parameters = k_parameters,
                                     .demands = k_demands,
                                     .dispatches = always<1>,

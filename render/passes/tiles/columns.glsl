@@ -63,20 +63,21 @@ void set_up(uint lane, uint entry, bool used, vec2 tile_middle) {
 
 uint spread(uint group, uint count) { return count % k_stride == 0u ? group : uint((group * k_stride) % count); }
 
-// The workgroup's tile.
+// The workgroup's tile, and its first pixel of the part that is drawn.
 uint tile_of_group() {
-  return spread(gl_WorkGroupID.y * push.grid.x + gl_WorkGroupID.x, push.grid.x * push.grid.y);
+  uvec2 grid = tile_grid();
+  return spread(gl_WorkGroupID.y * grid.x + gl_WorkGroupID.x, grid.x * grid.y);
 }
-uvec2 corner_of(uint tile) { return uvec2(tile % push.grid.x, tile / push.grid.x) * uint(k_tile); }
+uvec2 corner_of(uint tile) { return uvec2(tile % tile_grid().x, tile / tile_grid().x) * uint(k_tile); }
 
 void begin_column(uint lane, uvec2 corner) {
-  uint column = min(corner.x + lane, push.resolution.x - 1u);
+  uint column = min(corner.x + lane, push.part.x - 1u);
   looked_at = 0u;
   [[unroll]] for (int row = 0; row < k_tile; ++row) {
-    uint y = min(corner.y + uint(row), push.resolution.y - 1u);
+    uint y = min(corner.y + uint(row), push.part.y - 1u);
     through[row] = 1.0;
     depth[row] = most_seen[row] = 0.0;
-    scene[row] = scene_depth[y * push.resolution.x + column];
+    scene[row] = scene_depth[y * push.part.x + column];
     light[row] = vec3(0.0);
     seen_vertex[row] = samples[row] = 0u;
   }
@@ -84,8 +85,8 @@ void begin_column(uint lane, uvec2 corner) {
 
 // The tile's segments first .. first + 7, those below `end`.
 void draw_eight(uint lane, uint first, uint end, uvec2 corner) {
-  vec2 top = vec2(corner.x + lane, corner.y) + 0.5;
-  set_up(lane, min(first + lane, end - 1u), first + lane < end, vec2(corner) + 0.5 * float(k_tile));
+  vec2 in_picture = vec2(corner + first_pixel()), top = in_picture + vec2(lane, 0.0) + 0.5;
+  set_up(lane, min(first + lane, end - 1u), first + lane < end, in_picture + 0.5 * float(k_tile));
   barrier();
   [[unroll]] for (uint k = 0u; k < k_lanes; ++k) {
     vec4 line = axis[k], size = extent[k], middle = shade[k], change = slope[k];
@@ -117,8 +118,8 @@ void end_column(uint lane, uvec2 corner) {
   uint column = corner.x + lane;
   [[unroll]] for (int row = 0; row < k_tile; ++row) {
     uint y = corner.y + uint(row);
-    if (column < push.resolution.x && y < push.resolution.y) {
-      uint pixel = y * push.resolution.x + column;
+    if (column < push.part.x && y < push.part.y) {
+      uint pixel = y * push.part.x + column;
       float alpha = 1.0 - through[row];
       picture[pixel] = uvec2(packHalf2x16(light[row].rg), packHalf2x16(vec2(light[row].b, alpha)));
       mean_depth[pixel] = alpha > 0.0 ? depth[row] / alpha : 0.0;

@@ -7,7 +7,7 @@ namespace cuticle::render::tiles {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
-constexpr std::string_view k_after[] = {"head", "fins", "shade_strands", "tile_sort"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor", "shade_strands", "tile_sort"};
 constexpr std::string_view k_systems[] = {"F6", "F7", "F9"};
 constexpr registry::Parameter k_parameters[] = {
     {.name = "opacity",
@@ -15,6 +15,14 @@ constexpr registry::Parameter k_parameters[] = {
      .maximum = 1,
      .default_text = "1",
      .summary = "of a drawn strand where it covers a pixel whole; 'truth' draws with the same"},
+    {.name = "chunk_px",
+     .type = registry::ParameterType::integer,
+     .unit = "px",
+     .minimum = 0,
+     .maximum = 4096,
+     .default_text = "0",
+     .summary = "side of the squares, rounded up to whole tiles, that the picture is drawn in one after the other; 0: "
+                "all at once up to 4096 pixels each way, larger pictures by 1024"},
 };
 
 }  // namespace

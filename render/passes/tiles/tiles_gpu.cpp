@@ -40,7 +40,7 @@ class Tiles : public GpuPass {
                                                &seen_};
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
     commands.dispatch(fine_, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
-    const MergePush merge{push.resolution.x, std::uint32_t(resources.supersampling), push.inverse_near,
+    const MergePush merge{push.part.x, std::uint32_t(resources.supersampling), push.inverse_near,
                           push.inverse_far};
     begin_target(commands, resources);
     commands.draw(merge_, {&picture_, &depth_}, {}, gpu::bytes_of(merge), 3);
@@ -64,7 +64,7 @@ Result<gpu::Kernel> make_fine(gpu::Device& device, const FrameResources& resourc
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const std::size_t pixels = std::size_t(resources.camera.resolution.x) * std::size_t(resources.camera.resolution.y);
+  const std::size_t pixels = std::size_t(drawn_size(resources).x) * std::size_t(drawn_size(resources).y);
   gpu::GraphicsDescription description = target_description(resources);
   description.vertex_spirv = resolve_vert;
   description.fragment_spirv = tiles_frag;

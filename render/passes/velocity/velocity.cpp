@@ -7,7 +7,7 @@ namespace cuticle::render::velocity {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments"};
-constexpr std::string_view k_after[] = {"aovs"};
+constexpr std::string_view k_after[] = {"pixel_depth"};
 constexpr std::string_view k_systems[] = {"F8"};
 constexpr registry::Parameter k_parameters[] = {
     {.name = "nodes",
@@ -21,15 +21,17 @@ constexpr registry::Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass = shading({.name = "velocity",
-                                    .summary = "motion vectors of the hair: pixels to the world by their depth, moved "
-                                               "back by a coarse grid of the control hairs' displacements",
-                                    .source = "Frostbite, Every Strand Counts (2023): hair velocity",
-                                    .parameters = k_parameters,
-                                    .demands = k_demands,
-                                    .systems = k_systems,
-                                    .dispatches = always<8>,  // largest, splat, mean, four fills, pixels
-                                    .after = k_after});
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "velocity",
+                          .summary = "motion vectors of the hair: pixels to the world by their depth, moved "
+                                     "back by a coarse grid of the control hairs' displacements",
+                          .source = "Frostbite, Every Strand Counts (2023): hair velocity",
+                          .parameters = k_parameters,
+                          .demands = k_demands,
+                          .stage = registry::Stage::resolve,
+                          .systems = k_systems,
+                          .dispatches = always<8>,  // largest, splat, mean, four fills, pixels
+                          .after = k_after}};
   return pass;
 }
 

@@ -13,6 +13,8 @@ layout(std430, binding = 0) readonly buffer Frame {
   uint vertex_count;
   uvec2 resolution;
   float frame_duration;  // what velocities are multiplied by; 0: control vertices come with where they were before
+  uint has_scene;        // 1: what is no hair moves too
+  vec2 pixel_shift;      // of the picture, to the right and down
 };
 
 vec3 moved(vec4 now, vec4 motion) { return frame_duration > 0.0 ? frame_duration * motion.xyz : now.xyz - motion.xyz; }

@@ -25,7 +25,9 @@ struct GridFrame {
   glm::vec4 eye, right, up, forward, lower, nodes_per_metre;
   std::uint32_t nodes, vertex_count;
   glm::uvec2 resolution;
-  float frame_duration, unused;
+  float frame_duration;
+  std::uint32_t has_scene;
+  glm::vec2 pixel_shift;
 };
 
 struct Kernels {
@@ -53,7 +55,8 @@ GridFrame frame_of(const FrameResources& resources, std::uint32_t nodes) {
           .vertex_count = resources.control_vertices,
           .resolution = glm::uvec2(camera.resolution),
           .frame_duration = resources.control_motion.since > 0 ? 0 : float(resources.frame_duration),
-          .unused = 0};
+          .has_scene = resources.pixel_depth ? 1u : 0u,
+          .pixel_shift = glm::vec2(camera.pixel_shift)};
 }
 
 class Velocity : public GpuPass {
@@ -69,8 +72,10 @@ class Velocity : public GpuPass {
     record_grid(commands, resources);
     const auto channels = std::uint32_t(std::size(aovs::k_channels));
     const gpu::Groups groups = gpu::groups_for(std::size_t(frame.resolution.x) * frame.resolution.y);
-    commands.dispatch(kernels_.pixels, {&buffers_.frame, &buffers_.grid, resources.aovs, &buffers_.vectors}, {},
-                      gpu::bytes_of(channels), groups.x, groups.y);
+    commands.dispatch(kernels_.pixels,
+                      {&buffers_.frame, &buffers_.grid, resources.aovs, &buffers_.vectors,
+                       resources.pixel_depth ? resources.pixel_depth : &buffers_.grid},
+                      {}, gpu::bytes_of(channels), groups.x, groups.y);
     return {};
   }
 
@@ -104,7 +109,7 @@ Result<Kernels> make_kernels(gpu::Device& device) {
   CUTICLE_ASSIGN(kernels.splat, device.make_kernel(velocity_splat_comp, {5, 0, 0}));
   CUTICLE_ASSIGN(kernels.mean, device.make_kernel(velocity_mean_comp, {4, 0, 0}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(velocity_fill_comp, {3, 0, 0}));
-  CUTICLE_ASSIGN(kernels.pixels, device.make_kernel(velocity_comp, {4, 0, sizeof(std::uint32_t)}));
+  CUTICLE_ASSIGN(kernels.pixels, device.make_kernel(velocity_comp, {5, 0, sizeof(std::uint32_t)}));
   return kernels;
 }
 

@@ -1,0 +1,91 @@
+// Lamps in whole pictures, by every way of drawing.
+#include <cuticle/plan/frame_runner_gpu.h>
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+namespace cuticle::plan::lamp_gpu_test {
+namespace {
+
+std::shared_ptr<gpu::Device> device() {
+  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+  return opened ? *opened : nullptr;
+}
+
+Image picture(const std::string& method, const std::string& light) {
+  const std::string text = fmt::format(
+      R"({{"schema_version": 1, "strand_count": 1200, "strand_vertices": 12, "material": {{"lut_size": 16}}, {},
+      "shadow": {{"method": {{"deep_opacity": {{"resolution": 128}}}}}}, "passes": {{"surface_shadow": {{"resolution": 256}}}},
+      "render": {{"method": "{}"}}, "camera": {{"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 26,
+      "resolution_px": [96, 96]}}}})",
+      light, method);
+  const auto scene = scene::parse_scene(text, CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  const auto runner = FrameRunner::create(device(), *scene, silent_progress());
+  EXPECT_TRUE(runner) << (runner ? "" : runner.error().message);
+  const auto result = (*runner)->run(0);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result->color;
+}
+
+double mean(const Image& image) {
+  double sum = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) sum += p % 4 == 3 ? 0 : double(image.pixels[p]);
+  return sum / double(image.pixels.size());
+}
+double difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t p = 0; p < a.pixels.size(); ++p) sum += std::abs(double(a.pixels[p] - b.pixels[p]));
+  return sum / double(a.pixels.size());
+}
+
+class Lamps : public testing::TestWithParam<const char*> {};
+
+TEST_P(Lamps, FarAway_LightAsADistantLight) {
+  constexpr double k_distance = 200;
+  const glm::dvec3 place = k_distance * glm::normalize(glm::dvec3(0.3, 0.6, 1));
+  const Image distant = picture(GetParam(), R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])");
+  const Image lamp =
+      picture(GetParam(), fmt::format(R"("lamps": [{{"position_m": [{0}, {1}, {2}], "intensity": [{3}, {3},
+      {3}]}}])",
+                                      place.x, place.y, place.z, 6 * k_distance * k_distance));
+  const double share = difference(distant, lamp) / mean(distant);
+  std::printf("%s: %.5f of the mean\n", GetParam(), share);
+  EXPECT_LT(share, 0.004);
+}
+INSTANTIATE_TEST_SUITE_P(Methods, Lamps, testing::Values("lines", "quads", "tiles", "cards", "truth"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+// A lamp beside the head: what tiles make of it is as near the truth as by a distant light.
+TEST(Lamp, BesideTheHair_TilesAgreeWithTheTruth) {
+  const std::string near = R"("lamps": [{"position_m": [0.25, 0.4, 0.3], "intensity": [1.5, 1.5, 1.5]}])",
+                    far = R"("lights": [{"to_light": [0.25, 0.3, 0.3], "irradiance": [6, 6, 6]}])";
+  double share[2];
+  for (const bool is_near : {false, true}) {
+    const Image truth = picture("truth", is_near ? near : far);
+    share[is_near] = difference(picture("tiles", is_near ? near : far), truth) / mean(truth);
+  }
+  std::printf("tiles against the truth: %.4f of the mean by a distant light, %.4f by a lamp\n", share[0], share[1]);
+  EXPECT_LT(share[1], 1.3 * share[0]);
+}
+
+// In the middle of the head's hair, at no distance from some of it.
+TEST(Lamp, InsideTheHair_GivesAFinitePicture) {
+  const Image image = picture("tiles", R"("lamps": [{"position_m": [0, 0.1, 0.02], "intensity": [1, 1, 1]}])");
+  for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_GT(mean(image), 0);
+}
+
+TEST(Lamp, SpotThatPointsAway_LightsNothing) {
+  const std::string lamp =
+      R"("lamps": [{"position_m": [0, 1, 1], "intensity": [1, 1, 1], "spot": {"outer_deg": 40, "to_m": )";
+  EXPECT_EQ(mean(picture("quads", lamp + "[0, 2, 2]}}]")), 0);
+  EXPECT_GT(mean(picture("quads", lamp + "[0, 0, 0]}}]")), 0.002);
+}
+
+}  // namespace
+}  // namespace cuticle::plan::lamp_gpu_test

@@ -1,0 +1,11 @@
+#pragma once
+// Where inside a pixel the camera of a frame looks.
+#include <cuticle/render/pass_gpu.h>
+
+namespace cuticle::render::temporal_antialiasing {
+
+/// Camera::pixel_shift of the frame, -.5 .. .5 pixels: one after another of the pass's `frames` points of Halton's
+/// sequence in bases 2 and 3 (1960), beginning anew after a cut.
+glm::dvec2 pixel_shift(const FrameResources& resources);
+
+}  // namespace cuticle::render::temporal_antialiasing

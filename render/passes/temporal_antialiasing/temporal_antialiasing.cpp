@@ -1,0 +1,43 @@
+#include <cuticle/render/passes/temporal_antialiasing/temporal_antialiasing.h>
+
+#include <cuticle/render/shading.h>
+
+namespace cuticle::render::temporal_antialiasing {
+
+namespace {
+
+constexpr std::string_view k_demands[] = {"output_color", "drawn_by_quads", "temporal_antialiasing"};
+constexpr std::string_view k_after[] = {"ambient_occlusion"};
+constexpr registry::Parameter k_parameters[] = {
+    {.name = "frames",
+     .type = registry::ParameterType::integer,
+     .minimum = 1,
+     .maximum = 256,
+     .default_text = "16",
+     .summary = "whose mean a still picture becomes; also the places inside a "
+                "pixel that cameras take in turn"},
+    {.name = "spread",
+     .minimum = 0,
+     .maximum = 100,
+     .default_text = "1.5",
+     .summary = "standard deviations of the pixels around by which what is "
+                "remembered may leave their mean"},
+};
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass{{.kind = registry::EntryKind::pass,
+                          .name = "temporal_antialiasing",
+                          .summary = "the mean of the frames before, shifted inside a pixel, "
+                                     "moved to where things are now",
+                          .source = "Karis 2014, High Quality Temporal Supersampling; clamp: Salvi 2016",
+                          .parameters = k_parameters,
+                          .demands = k_demands,
+                          .stage = registry::Stage::output,
+                          .dispatches = always<1>,
+                          .after = k_after}};
+  return pass;
+}
+
+}  // namespace cuticle::render::temporal_antialiasing

@@ -1,0 +1,71 @@
+#include <algorithm>
+
+#include <cuticle/render/passes/temporal_antialiasing/pixel_shift_gpu.h>
+#include <cuticle/render/passes/temporal_antialiasing/temporal_antialiasing.h>
+#include <cuticle/render/picture_filter_gpu.h>
+
+#include <temporal_antialiasing_comp.spv.h>
+
+namespace cuticle::render::temporal_antialiasing {
+
+namespace {
+
+struct Push {
+  glm::uvec2 resolution;
+  float share, spread;
+};
+
+class TemporalAntialiasing : public GpuPass {
+ public:
+  TemporalAntialiasing(PictureFilter filter, gpu::Buffer history)
+      : filter_(std::move(filter)), history_(std::move(history)) {}
+
+  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+    // A frame that is drawn once more, because a buffer was too small, has the
+    // same number and the same past.
+    if (resources.frames_since_cut > 1 && resources.frames_since_cut != recorded_)
+      commands.copy(filter_.picture(), history_, history_.size());
+    recorded_ = resources.frames_since_cut;
+    const registry::ParameterValues values = parameters_of(resources, entry());
+    const auto frames = std::uint32_t(values.integer("frames"));
+    const Push push{glm::uvec2(resources.camera.resolution), 1.0f / float(std::clamp(recorded_, 1u, frames)),
+                    float(values.real("spread"))};
+    const gpu::Buffer* const own[] = {resources.motion_vectors, &history_};
+    filter_.record(commands, resources, gpu::bytes_of(push), own);
+    return {};
+  }
+
+ private:
+  PictureFilter filter_;
+  gpu::Buffer history_;
+  std::uint32_t recorded_ = 0;
+};
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+  CUTICLE_ASSIGN(PictureFilter filter, PictureFilter::create(*device, temporal_antialiasing_comp,
+                                                             resources.camera.resolution, sizeof(Push), 2));
+  CUTICLE_ASSIGN(gpu::Buffer history, device->make_buffer(filter.picture().size()));
+  return std::unique_ptr<GpuPass>(std::make_unique<TemporalAntialiasing>(std::move(filter), std::move(history)));
+}
+
+/// Digits of the index mirrored at the point: 0 .. 1.
+double radical_inverse(std::uint32_t index, std::uint32_t base) {
+  double value = 0, digit = 1;
+  for (; index > 0; index /= base) value += (digit /= base) * (index % base);
+  return value;
+}
+
+}  // namespace
+
+glm::dvec2 pixel_shift(const FrameResources& resources) {
+  const auto frames = std::uint32_t(parameters_of(resources, entry()).integer("frames"));
+  const std::uint32_t index = 1 + (resources.frames_since_cut - 1) % frames;
+  return glm::dvec2(radical_inverse(index, 2), radical_inverse(index, 3)) - 0.5;
+}
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"temporal_antialiasing", create};
+  return table;
+}
+
+}  // namespace cuticle::render::temporal_antialiasing

@@ -1,0 +1,90 @@
+#include <glm/trigonometric.hpp>
+
+#include <cuticle/scene/environment.h>
+#include <cuticle/scene/reader.h>
+
+namespace cuticle::scene {
+
+namespace {
+
+/// The cone of a spot, from its lamp.
+Result<void> read_spot(const Reader& light, const std::string& path, Lamp& lamp) {
+  if (!light.has("spot")) return {};
+  const Reader reader = light.child("spot");
+  glm::dvec3 to(0);
+  double inner = 0, outer = 0;
+  reader.get("to_m", to);
+  reader.get("inner_deg", inner);
+  reader.get("outer_deg", outer);
+  if (inner >= outer)
+    return bad_input(
+        fmt::format("{}: {}.spot.inner_deg = {} is not below outer_deg = {}", light.where, path, inner, outer));
+  if (!(glm::length(to - lamp.position) > 0))
+    return bad_input(fmt::format("{}: {}.spot.to_m is where the lamp stands", light.where, path));
+  lamp.axis = glm::normalize(to - lamp.position);
+  lamp.inner_angle = glm::radians(inner);
+  lamp.outer_angle = glm::radians(outer);
+  return {};
+}
+
+Result<Lamp> read_lamp(const Reader& reader, const std::string& path) {
+  Lamp lamp;
+  reader.get("position_m", lamp.position);
+  reader.get("intensity", lamp.intensity);
+  CUTICLE_TRY(read_spot(reader, path, lamp));
+  return lamp;
+}
+
+Result<void> read_distant_lights(const Reader& root, Scene& scene) {
+  if (!root.has("lights")) return {};
+  for (const Json& item : root.value["lights"]) {
+    const Reader reader{item, root.where, root.folder};
+    Light light;
+    reader.get("name", light.name);
+    reader.get("irradiance", light.irradiance);
+    CUTICLE_ASSIGN(light.to_light, direction(reader, "to_light", fmt::format("lights[{}]", scene.lights.size())));
+    scene.lights.push_back(light);
+  }
+  return {};
+}
+
+Result<void> read_lamps(const Reader& root, Scene& scene) {
+  std::size_t count = 0;
+  for (const Reader& reader : items(root, "lamps")) {
+    Light light;
+    reader.get("name", light.name);
+    CUTICLE_ASSIGN(light.lamp, read_lamp(reader, fmt::format("lamps[{}]", count++)));
+    scene.lights.push_back(light);
+  }
+  if (scene.lights.size() <= k_most_lights) return {};
+  return bad_input(fmt::format("{}: lamps: {} beside {} of `lights`; allowed are {} in all", root.where, count,
+                               scene.lights.size() - count, k_most_lights));
+}
+
+Result<void> read_environment(const Reader& root, Scene& scene) {
+  if (!root.has("environment")) return {};
+  const Reader reader = root.child("environment");
+  Environment environment;
+  reader.get("lights", environment.lights);
+  reader.get("turn_deg", environment.turn_degrees);
+  reader.get("scale", environment.scale);
+  if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
+    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
+                                 root.where, environment.lights, scene.lights.size(), k_most_lights));
+  CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
+  CUTICLE_ASSIGN(const Image picture, read_image(name));
+  const auto lights = environment_lights(picture, environment);
+  if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
+  scene.lights.insert(scene.lights.end(), lights->begin(), lights->end());
+  return {};
+}
+
+}  // namespace
+
+Result<void> read_lights(const Reader& root, Scene& scene) {
+  CUTICLE_TRY(read_distant_lights(root, scene));
+  CUTICLE_TRY(read_lamps(root, scene));
+  return read_environment(root, scene);
+}
+
+}  // namespace cuticle::scene

@@ -1,0 +1,43 @@
+#include <cuticle/sim/sleep/sleep.h>
+
+#include <algorithm>
+
+namespace cuticle::sim::sleep {
+namespace {
+
+bool same(const Sphere& a, const Sphere& b) { return a.center == b.center && a.radius == b.radius; }
+bool same(const RoundedBox& a, const RoundedBox& b) {
+  return a.center == b.center && a.axes == b.axes && a.half_size == b.half_size && a.radius == b.radius;
+}
+bool same(const FieldPointer& a, const FieldPointer& b) { return a == b; }
+
+/// Whether they are those kept, which they become.
+template <class Collider>
+bool kept(std::vector<Collider>& before, std::span<const Collider> now) {
+  const bool equal = std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                                [](const Collider& a, const Collider& b) { return same(a, b); });
+  if (!equal) before.assign(now.begin(), now.end());
+  return equal;
+}
+
+}  // namespace
+
+Settings make_settings(const registry::ParameterValues& values) {
+  return {float(values.real("speed")), float(values.real("time"))};
+}
+
+bool Watch::is_still(const FrameInput& input, const std::vector<Push>& pushes) {
+  bool still = started_ && !input.teleport && !pushes.empty() && input.head_begin == head_ && input.head_end == head_;
+  still &= kept(colliders_, input.colliders);
+  still &= kept(boxes_, input.boxes);
+  still &= kept(fields_, input.fields);
+  for (const Push& push : pushes) {
+    still &= push == push_;
+    push_ = push;
+  }
+  head_ = input.head_end;
+  started_ = true;
+  return still;
+}
+
+}  // namespace cuticle::sim::sleep

@@ -1,0 +1,39 @@
+#pragma once
+// When strands sleep, and what wakes them.
+#include <vector>
+
+#include <cuticle/sim/solver.h>
+
+namespace cuticle::sim::sleep {
+
+/// See entry.cpp for ranges and defaults.
+struct Settings {
+  float speed = 0;  ///< m/s, of a strand's fastest vertex
+  float time = 0;   ///< seconds
+};
+Settings make_settings(const registry::ParameterValues& values);
+
+/// What acts on all strands alike in a substep: m/s^2 and 1/s.
+struct Push {
+  glm::dvec3 acceleration{0};
+  double drag = 0;
+  bool operator==(const Push&) const = default;
+};
+
+/// Follows from frame to frame what acts on strands.
+class Watch {
+ public:
+  /// Whether nothing in this frame differs from the frame before: the head stands where it stood, colliders and pushes
+  /// are bit for bit what they were, time passes, and it is no teleport. False for the first frame.
+  bool is_still(const FrameInput& input, const std::vector<Push>& pushes);
+
+ private:
+  bool started_ = false;
+  glm::dmat4 head_{1};
+  std::vector<Sphere> colliders_;
+  std::vector<RoundedBox> boxes_;
+  std::vector<FieldPointer> fields_;
+  Push push_;
+};
+
+}  // namespace cuticle::sim::sleep

@@ -1,0 +1,29 @@
+// What both kernels share: the frame's constants and where a vertex is in the grid. One thread a vertex.
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/sim/strand_interaction/strand_grid.glslh"
+layout(local_size_x = 64) in;
+
+layout(push_constant) uniform Constants {
+  GridFrame grid;
+  uvec3 nodes;
+  uint vertex_count, component_stride, before_offset;  // of the state's velocities, see strand_interaction_gpu.h
+};
+const uint k_words = 8u;  // of a node: three momenta and the mass, low word first
+
+struct Spot {
+  uvec3 cell, fine;
+  bool inside;
+};
+Spot spot_of(vec3 world_place) {
+  vec3 place = fine_place(grid, head_place(grid, world_place));
+  bool inside = all(greaterThanEqual(place, vec3(0))) && all(lessThan(place, vec3((nodes - 1u) * 32u)));
+  uvec3 whole = uvec3(inside ? place : vec3(0));
+  return Spot(whole / 32u, whole % 32u, inside);
+}
+uint node_at(Spot spot, uint k) {
+  uvec3 at = spot.cell + uvec3(k & 1u, k >> 1 & 1u, k >> 2 & 1u);
+  return (at.y * nodes.z + at.z) * nodes.x + at.x;
+}
+ivec3 counted(vec3 velocity) {
+  return ivec3(counted_speed(velocity.x), counted_speed(velocity.y), counted_speed(velocity.z));
+}
