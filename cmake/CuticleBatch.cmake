@@ -16,7 +16,7 @@ function(cuticle_batch_unit MODULE UNIT SOURCE SET)
   target_include_directories(${UNIT} PRIVATE ${CUTICLE_INCLUDE_DIR})
   target_compile_definitions(${UNIT} PRIVATE CUTICLE_BATCH CUTICLE_BATCH_SET=${SET})
   target_compile_options(${UNIT} PRIVATE -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast
-    "${CUTICLE_BATCH_SCHEDULE}" ${CUTICLE_BATCH_OPTIONS_${SET}} -Wall -Wextra -Wdouble-promotion)
+    "${CUTICLE_BATCH_SCHEDULE}" ${CUTICLE_BATCH_OPTIONS_${SET}} ${CUTICLE_WARNINGS})
   target_sources(cuticle_${MODULE} PRIVATE $<TARGET_OBJECTS:${UNIT}>)
   set_property(GLOBAL APPEND PROPERTY CUTICLE_BATCH_UNITS_${MODULE} $<TARGET_OBJECTS:${UNIT}>)
 endfunction()
