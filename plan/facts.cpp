@@ -87,6 +87,12 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   facts["shaded_from_tables"] = {scene.render_method != "cards", why};
 }
 
+/// Whether a pass runs with these facts, all that it demands among them.
+bool runs(std::string_view name, const registry::Facts& facts) {
+  const auto pass = std::ranges::find(catalogue().passes, name, &registry::Entry::name);
+  return pass != catalogue().passes.end() && registry::judge(**pass, facts).demanded;
+}
+
 /// Passes over the finished picture run where the scene names them; they read how far away each pixel is.
 void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
   registry::Fact depth{false, "no pass reads the depth of the pixels"};
@@ -94,7 +100,7 @@ void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
     if (pass->stage != registry::Stage::output) continue;
     const std::string name(pass->name);
     facts[name] = asked(scene.passes.contains(name), name);
-    if (facts[name].holds) depth = {true, fmt::format("'{}' reads the depth of the pixels", name)};
+    if (runs(name, facts)) depth = {true, fmt::format("'{}' reads the depth of the pixels", name)};
   }
   facts["pixel_depth"] = depth;
 }
@@ -102,7 +108,7 @@ void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
 void add_layers(const scene::Scene& scene, registry::Facts& facts) {
   // Tiles leave the depth of hair in the layers alone.
   const bool hair_depth = facts["pixel_depth"].holds && scene.render_method == "tiles";
-  const bool blurs = facts["motion_blur"].holds || facts["temporal_antialiasing"].holds;
+  const bool blurs = runs("motion_blur", facts) || runs("temporal_antialiasing", facts);
   const bool moves = scene.passes.contains("velocity") || blurs;
   const bool layers = scene.outputs.aovs || moves || hair_depth;
   facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};

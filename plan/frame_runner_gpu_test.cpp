@@ -48,23 +48,33 @@ double mean(const std::vector<float>& values) {
   return sum / double(values.size());
 }
 
+constexpr std::string_view k_bald = R"("head": {"present": false})";
+constexpr std::string_view k_interaction =
+    R"("simulation": {"solver": {"exact": {}}, "effects": {"gravity": {}, "strand_interaction": {}}})";
+constexpr std::string_view k_floor = R"("floor": {"height_m": -0.2})";
+
 TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
-  const std::vector<std::vector<std::string_view>> parts = {{},
-                                                            {k_light},
-                                                            {k_light, k_shadow, k_motion},
-                                                            {k_simulation, k_colliders},
-                                                            {k_light, k_shadow, k_simulation, k_colliders, k_motion},
-                                                            {k_tiles},
-                                                            {k_light, k_shadow, k_tiles},
-                                                            {k_light, k_shadow, k_quads},
-                                                            {k_light, k_quads, R"("outputs": {"aovs": true})"},
-                                                            {k_tiles, R"("outputs": {"aovs": true})"},
-                                                            {k_tiles, k_motion, k_velocity},
-                                                            {k_tiles, k_simulation, k_velocity},
-                                                            {k_light, k_tiles, k_points},
-                                                            {k_light, k_shadow, k_surfaces, k_motion, k_quads},
-                                                            {k_light, k_surfaces, k_tiles},
-                                                            {k_light, k_truth}};
+  const std::vector<std::vector<std::string_view>> parts = {
+      {},
+      {k_light},
+      {k_light, k_shadow, k_motion},
+      {k_simulation, k_colliders},
+      {k_light, k_shadow, k_simulation, k_colliders, k_motion},
+      {k_tiles},
+      {k_light, k_shadow, k_tiles},
+      {k_light, k_shadow, k_quads},
+      {k_light, k_quads, R"("outputs": {"aovs": true})"},
+      {k_tiles, R"("outputs": {"aovs": true})"},
+      {k_tiles, k_motion, k_velocity},
+      {k_tiles, k_simulation, k_velocity},
+      {k_light, k_tiles, k_points},
+      {k_light, k_shadow, k_surfaces, k_motion, k_quads},
+      {k_light, k_surfaces, k_tiles},
+      {k_interaction},
+      {k_light, k_tiles, k_bald, k_floor, k_surfaces},
+      {k_light, k_tiles, R"("passes": {"motion_blur": {}})"},
+      {k_light, k_quads, R"("passes": {"temporal_antialiasing": {}})"},
+      {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
     for (std::string_view piece : part) text += ", " + std::string(piece);
@@ -90,13 +100,18 @@ TEST(FrameRunner, TwoRunsByTiles_AreBitIdentical) {
   EXPECT_EQ(runs[0], runs[1]);
 }
 
-constexpr std::string_view k_bald = R"("head": {"present": false})";
 constexpr std::string_view k_chunks = R"("passes": {"tiles": {"chunk_px": 20}})";  // 24: whole tiles; the last have 16
 
 TEST(FrameRunner, HairInChunks_IsThatDrawnAtOnceBitByBit) {
   const Image whole = frame_of(*runner({k_light, k_shadow, k_bald, k_tiles}), 0).color;
   const auto chunked = runner({k_light, k_shadow, k_bald, k_tiles, k_chunks});
-  for (int repeat = 0; repeat < 2; ++repeat) EXPECT_EQ(frame_of(*chunked, repeat).color.pixels, whole.pixels);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const FrameResult frame = frame_of(*chunked, repeat);
+    EXPECT_EQ(frame.color.pixels, whole.pixels);
+    const auto counts = counted(frame.cost);
+    EXPECT_EQ(counts.at("tile_sort").first, 9u);  // once a chunk
+    EXPECT_EQ(counts.at("interpolate_strands"), planned(chunked->plan()).at("interpolate_strands"));
+  }
   EXPECT_GT(whole.at(32, 32, 3), 0);
 }
 
@@ -106,12 +121,17 @@ double mean_difference(const Image& a, const Image& b) {
   return sum / double(a.pixels.size());
 }
 
-// Its corners are rounded to fractions of a pixel chunk by chunk.
-TEST(FrameRunner, AHeadInChunks_IsNearlyThatDrawnAtOnce) {
-  const Image whole = frame_of(*runner({k_light, k_tiles}), 0).color;
-  const double error = mean_difference(frame_of(*runner({k_light, k_tiles, k_chunks}), 0).color, whole);
-  std::printf("mean difference %.2g\n", error);
-  EXPECT_LT(error, 1e-8);  // measured: 6.1e-9
+// Corners are rounded to fractions of a pixel chunk by chunk.
+TEST(FrameRunner, SurfacesInChunks_AreNearlyThoseDrawnAtOnce) {
+  constexpr std::string_view k_both = R"("passes": {"tiles": {"chunk_px": 20}, "surface_shadow": {"resolution": 128}})";
+  const Image head = frame_of(*runner({k_light, k_tiles}), 0).color,
+              shadowed = frame_of(*runner({k_light, k_shadow, k_tiles, k_surfaces, k_floor}), 0).color;
+  const double alone = mean_difference(frame_of(*runner({k_light, k_tiles, k_chunks}), 0).color, head),
+               with_shadows =
+                   mean_difference(frame_of(*runner({k_light, k_shadow, k_tiles, k_both, k_floor}), 0).color, shadowed);
+  std::printf("mean difference %.2g, with shadows and a floor %.2g\n", alone, with_shadows);
+  EXPECT_LT(alone, 1e-8);  // measured: 6.1e-9
+  EXPECT_LT(with_shadows, 4e-8);  // measured: 2.5e-8
 }
 
 TEST(FrameRunner, PictureOf16384Pixels_IsDrawnByTilesAndRefusedByTheOthers) {

@@ -2,6 +2,7 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <cmath>
+#include <tuple>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -57,6 +58,13 @@ TEST_P(Lamps, FarAway_LightAsADistantLight) {
   std::printf("%s: %.5f of the mean\n", GetParam(), share);
   EXPECT_LT(share, 0.004);
 }
+
+// In the middle of the head's hair, at no distance from some of it, and brighter than halves hold.
+TEST_P(Lamps, InsideTheHair_GiveAFinitePicture) {
+  const Image image = picture(GetParam(), R"("lamps": [{"position_m": [0, 0.1, 0.1], "intensity": [1e5, 1e5, 1e5]}])");
+  for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_GT(mean(image), 0);
+}
 INSTANTIATE_TEST_SUITE_P(Methods, Lamps, testing::Values("lines", "quads", "tiles", "cards", "truth"),
                          [](const auto& tested) { return std::string(tested.param); });
 
@@ -73,18 +81,21 @@ TEST(Lamp, BesideTheHair_TilesAgreeWithTheTruth) {
   EXPECT_LT(share[1], 1.3 * share[0]);
 }
 
-// In the middle of the head's hair, at no distance from some of it.
-TEST(Lamp, InsideTheHair_GivesAFinitePicture) {
-  const Image image = picture("tiles", R"("lamps": [{"position_m": [0, 0.1, 0.02], "intensity": [1, 1, 1]}])");
-  for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
-  EXPECT_GT(mean(image), 0);
-}
-
 TEST(Lamp, SpotThatPointsAway_LightsNothing) {
   const std::string lamp =
       R"("lamps": [{"position_m": [0, 1, 1], "intensity": [1, 1, 1], "spot": {"outer_deg": 40, "to_m": )";
   EXPECT_EQ(mean(picture("quads", lamp + "[0, 2, 2]}}]")), 0);
   EXPECT_GT(mean(picture("quads", lamp + "[0, 0, 0]}}]")), 0.002);
+}
+
+// Above the camera, and below it.
+TEST(Floor, FromAboveAlone_IsSeen) {
+  const std::string light = R"("lights": [{"to_light": [0.25, 0.3, 0.3], "irradiance": [6, 6, 6]}])";
+  for (const auto& [height, row, is_seen] : {std::tuple("0.3", 2, false), {"-0.3", 93, true}}) {
+    const Image with = picture("tiles", light + fmt::format(R"(, "floor": {{"height_m": {}, "size_m": 4}})", height));
+    EXPECT_EQ(difference(with, picture("tiles", light)) > 0.01, is_seen);
+    EXPECT_EQ(with.at(2, row, 3) > 0.5f, is_seen);
+  }
 }
 
 }  // namespace

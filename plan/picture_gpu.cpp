@@ -189,7 +189,7 @@ Result<void> Picture::make_passes() {
     CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
-    passes_.push_back({planned.entry->name, draws, std::move(pass)});
+    passes_.push_back({planned.entry->name, planned.entry->stage, draws, std::move(pass)});
   }
   return {};
 }
@@ -238,6 +238,7 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
   auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
   resources_.keep_target = false;
   for (DrawnPass& drawn : passes_) {
+    if (drawn.stage <= registry::Stage::shadow && !begins_frame()) continue;
     if (drawn.draws) resources_.resolve_target = --left == 0;
     commands.begin_pass(drawn.name);
     CUTICLE_TRY(drawn.pass->record(commands, resources_));
@@ -316,7 +317,7 @@ void Picture::use_frame(const PictureInput& input) {
 /// Strands and shadows are those of the frame's first chunk.
 Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* trace) {
   gpu::Commands commands = device_->record();
-  if (!in_chunks() || resources_.part_corner == glm::ivec2(0)) {
+  if (begins_frame()) {
     CUTICLE_TRY(record_generate(commands, input));
     CUTICLE_TRY(record_shadows(commands));
   }

@@ -54,6 +54,7 @@ class Picture {
   Result<void> make_targets();
   Result<void> make_passes();
   bool in_chunks() const { return resources_.part_size != glm::ivec2(0); }
+  bool begins_frame() const { return !in_chunks() || resources_.part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
   Result<gpu::SubmitCost> paint_part(const PictureInput& input, Trace* trace);
   Result<gpu::SubmitCost> paint_once(const PictureInput& input, Trace* trace);
@@ -83,6 +84,7 @@ class Picture {
   render::FrameResources resources_;
   struct DrawnPass {
     std::string_view name;
+    registry::Stage stage;
     bool draws;  ///< into the targets
     std::unique_ptr<render::GpuPass> pass;
   };

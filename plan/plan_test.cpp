@@ -52,6 +52,16 @@ TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
 }
 
+TEST(Plan, PassOverThePictureThatCannotRun_DemandsNoDepthAndNoLayers) {
+  const auto with = [](std::string_view method, std::string_view pass) {
+    return names(planned(fmt::format(R"("render": {{"method": "{}"}}, "passes": {{"{}": {{}}}})", method, pass)));
+  };
+  for (const auto& [method, pass] : {std::pair("tiles", "temporal_antialiasing"), {"lines", "motion_blur"}})
+    EXPECT_EQ(with(method, pass), names(planned(fmt::format(R"("render": {{"method": "{}"}})", method)))) << pass;
+  EXPECT_THAT(with("quads", "temporal_antialiasing"),
+              testing::IsSupersetOf({"aovs", "pixel_depth", "velocity", "temporal_antialiasing"}));
+}
+
 TEST(Plan, NoLight_HasNoShadowAndNoTables) {
   const Plan plan = planned(R"("shadow": {"method": {"opacity_map": {}}})");
   EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);

@@ -24,4 +24,7 @@ Arriving arriving_at(vec3 point, LightRow light) {
   const float share = clamp(light.cone.w - dot(light.cone.xyz, to_light), 0.0, 1.0);
   return Arriving(to_light, light.power.rgb * (share * share / max(square, k_least_distance * k_least_distance)));
 }
+
+// Radiance as the targets' halves hold it: beside a lamp it passes the largest.
+vec3 held_by_halves(vec3 radiance) { return min(radiance, vec3(65504.0)); }
 #endif

@@ -248,6 +248,9 @@ Result<DistanceField> bake_distance_field(const strands::Mesh& mesh, double spac
   field.cells = grid.nodes - 1;
   field.centre = grid.lower + glm::dvec3(field.cells) * (spacing / 2);
   field.values = signed_distances(mesh, nearest, grid);
+  if (std::ranges::none_of(field.values, [](float value) { return value < 0; }))
+    return bad_input(fmt::format("{}: spacing {} m: no node of the grid lies inside the mesh", where, spacing),
+                     "choose a finer spacing; a mesh without thickness has no inside");
   field.error = error_at_middles(mesh, nearest, grid, field.values);
   return field;
 }

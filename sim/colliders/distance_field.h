@@ -28,7 +28,8 @@ inline constexpr std::size_t k_most_field_nodes = std::size_t(1) << 24;
 /// through the nodes, so that closed surfaces may overlap (their union) and may be turned inside out. mesh: metres,
 /// closed: at every edge as many triangles run one way as the other, places that are equal being one vertex. `where`:
 /// names the mesh in errors. Error: bad_input for a spacing outside 0 .. 1000 m, more than 2^24 nodes, a place that is
-/// not finite, an index out of range, no triangle with area, or open edges (their number, and where the first lies).
+/// not finite, an index out of range, no triangle with area, open edges (their number, and where the first lies), or no
+/// node inside.
 Result<DistanceField> bake_distance_field(const strands::Mesh& mesh, double spacing, const std::string& where);
 
 }  // namespace cuticle::sim

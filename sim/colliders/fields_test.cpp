@@ -153,6 +153,10 @@ TEST(DistanceFields, WhatHasNoInside_IsRefused) {
   expect_refused(empty, 0.01, "no triangle with area");
   expect_refused(box, 0, "spacing 0 m, allowed above 0 .. 1000");
   expect_refused(box, std::nan(""), "spacing nan m");
+  expect_refused(box, 1, "spacing 1 m: no node of the grid lies inside");
+  strands::Mesh sheet = box;
+  sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
+  expect_refused(sheet, 0.01, "spacing 0.01 m: no node of the grid lies inside");
   expect_refused(box, 1e-4, "spacing 0.0001 m makes 2006 x 2006 x 2006 nodes, allowed 16777216");
 }
 

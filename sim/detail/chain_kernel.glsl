@@ -272,7 +272,8 @@ void fall_asleep(uint links) {
   float fastest = 0;
   for (uint i = 1u; i <= links; ++i)
     fastest = max(fastest, inner(state_vector(i, k_velocity), state_vector(i, k_velocity)));
-  float quiet = fastest < sleep_speed * sleep_speed ? strands[strand_base + k_quiet * k_lanes] + frame_time : 0;
+  bool rests = fastest < sleep_speed * sleep_speed && strands[strand_base + k_guarded * k_lanes] < 2;
+  float quiet = rests ? strands[strand_base + k_quiet * k_lanes] + frame_time : 0;
   strands[strand_base + k_quiet * k_lanes] = quiet;
   if (quiet >= sleep_time) bring_to_rest(links);
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include <cuticle/sim/detail/guard.h>
+
 namespace cuticle::sim::detail {
 namespace {
 
@@ -86,9 +88,12 @@ void Sleepers<Real>::end(Chains<Real>& chains, std::size_t block, double duratio
   if (!kept.still) return;
   const std::array<Real, k_lanes> speeds = fastest(chains, block);
   Real* const quiet = chains.strand_at(block, strand_row::quiet);
+  const Real* const guarded = chains.strand_at(block, strand_row::guarded);
   for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane) {
     if (kept.asleep >> lane & 1) continue;
-    quiet[lane] = speeds[lane] < Real(settings_.speed) * Real(settings_.speed) ? quiet[lane] + Real(duration) : Real(0);
+    const bool rests =
+        speeds[lane] < Real(settings_.speed) * Real(settings_.speed) && guarded[lane] != Real(k_was_reset);
+    quiet[lane] = rests ? quiet[lane] + Real(duration) : Real(0);
     if (quiet[lane] >= Real(settings_.time)) bring_to_rest(chains, block, lane);
   }
 }

@@ -13,7 +13,8 @@ class Sleepers {
   explicit Sleepers(const sleep::Settings& settings) : settings_(settings) {}
   /// Before a frame of a block: whether it must be walked. `own`: the rows that a solver adds, own_rows to a vertex.
   bool begin(Chains<Real>& chains, std::size_t block, bool still, std::span<const Real> own);
-  /// After it: sleeping strands as they were; those at rest for long enough fall asleep, without velocity.
+  /// After it: sleeping strands as they were; those at rest for long enough, and not reset in it, fall asleep, without
+  /// velocity.
   void end(Chains<Real>& chains, std::size_t block, double duration, std::span<Real> own);
   std::uint32_t count(const Chains<Real>& chains) const;
 

@@ -2,6 +2,11 @@
 #include <functional>
 
 #include <cuticle/sim/classic/test_strands.h>
+#include <cuticle/sim/colliders/distance_field.h>
+#include <cuticle/sim/colliders/test_meshes.h>
+#include <cuticle/sim/detail/guard.h>
+#include <cuticle/sim/detail/sleepers.h>
+#include <cuticle/sim/exact/exact.h>
 
 namespace cuticle::sim::sleep_test {
 namespace {
@@ -39,6 +44,8 @@ TEST_P(Sleep, StrandsAtRest_SleepAfterTheTimeAndStayBitForBit) {
 TEST_P(Sleep, AnyChange_WakesWithItsFrame) {
   const Sphere ball{{5, 0, 0}, 0.1}, moved{{5, 1e-6, 0}, 0.1};
   const RoundedBox box{{5, 0, 0}, glm::dmat3(1), {1, 1, 1}, 0};
+  const strands::Mesh far = strands::transformed(box_mesh(glm::dvec3(1)), glm::translate(glm::dmat4(1), {5, 0, 0}));
+  const FieldPointer field = std::make_shared<const DistanceField>(bake_distance_field(far, 0.5, "far").value());
   const std::function<void(FrameInput&)> changes[] = {
       [](FrameInput& f) { f.head_end = glm::translate(glm::dmat4(1), glm::dvec3(1e-6, 0, 0)); },
       [](FrameInput& f) { f.head_begin = f.head_end = glm::translate(glm::dmat4(1), glm::dvec3(1, 0, 0)); },
@@ -50,6 +57,9 @@ TEST_P(Sleep, AnyChange_WakesWithItsFrame) {
       },
       [&](FrameInput& f) {
         f.boxes = {&box, 1};
+      },
+      [&](FrameInput& f) {
+        f.fields = {&field, 1};
       },
   };
   for (const auto& change : changes) {
@@ -105,6 +115,17 @@ TEST_P(Sleep, StrandThatSwingsAmongSleepers_MovesAsIfNobodySlept) {
     else
       EXPECT_EQ(after.positions[i], before.positions[i]);
   EXPECT_GT(worst_distance(after.positions, before.positions), 0.01);
+}
+
+TEST(SleepingStrands, ResetInAFrame_StayAwakeInIt) {
+  const detail::ChainSettings settings = exact::make_settings(settings_of("exact"), with_sleep(gravity(), "time=0.5"));
+  detail::Chains<float> chains = detail::make_chains<float>(ring(16), settings);
+  chains.strand_at(0, detail::strand_row::guarded)[3] = float(detail::k_was_reset);
+  detail::Sleepers<float> sleepers(*settings.sleep);
+  EXPECT_TRUE(sleepers.begin(chains, 0, true, {}));
+  sleepers.end(chains, 0, 1, {});
+  EXPECT_EQ(sleepers.count(chains), 15u);
+  EXPECT_EQ(chains.strand_at(0, detail::strand_row::quiet)[3], 0.f);
 }
 
 TEST(SleepingStrands, ThatInteract_AreRefusedByName) {

@@ -37,5 +37,5 @@ vec4 shaded(vec4 texel) {
     const Arriving light = arriving_at(world, lights[k]);
     sum += scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * light.irradiance;
   }
-  return vec4(sum * texel.r * open, is_opaque ? 1.0 : texel.a);
+  return vec4(held_by_halves(sum * texel.r * open), is_opaque ? 1.0 : texel.a);
 }

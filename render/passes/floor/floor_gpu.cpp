@@ -7,7 +7,7 @@ namespace cuticle::render::floor {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 3> k_triangles[] = {{0, 1, 2}, {2, 1, 3}};
+constexpr std::array<std::uint32_t, 3> k_triangles[] = {{0, 2, 1}, {1, 2, 3}};
 
 class FloorPass : public GpuPass {
  public:
@@ -37,7 +37,7 @@ class FloorPass : public GpuPass {
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   CUTICLE_EXPECT(resources.floor.has_value(), "the floor's pass was planned without a floor");
-  CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, k_triangles, floor_frag));
+  CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, k_triangles, floor_frag, true));
   const head::Diffuse diffuse{resources.floor->albedo, resources.floor->albedo, 0,
                               parameters_of(resources, entry()).real("ambient")};
   auto pass = std::make_unique<FloorPass>(std::move(device), std::move(draw), diffuse);

@@ -48,5 +48,5 @@ void main() {
 #endif
     received += (ambient + (share > 0.0 ? share * reached(k) : 0.0)) * light.irradiance;
   }
-  color = vec4(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989, 1.0);
+  color = vec4(held_by_halves(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989), 1.0);
 }

@@ -47,11 +47,12 @@ DiffuseFrame frame_of(const FrameResources& resources, const glm::dmat4& to_worl
 
 Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& resources,
                                   std::span<const std::array<std::uint32_t, 3>> triangles,
-                                  std::span<const std::uint32_t> fragment) {
+                                  std::span<const std::uint32_t> fragment, bool one_sided) {
   MeshDraw draw;
   gpu::GraphicsDescription description = target_description(resources);
   description.vertex_spirv = head_vert;
   description.fragment_spirv = fragment;
+  description.cull_back_faces = one_sided;
   description.interface.storage_buffers = 4;
   description.interface.textures = 2;
   description.interface.push_constant_bytes = sizeof(glm::mat4);

@@ -22,5 +22,5 @@ void main() {
     float through = clamp(reached[k >> 2][k & 3u], 0.0, 1.0);  // a sample beside the line extrapolates
     sum += shade(arriving_at(position, lights[k]), through, t, to_eye);
   }
-  color = vec4(sum * brightness, 1.0);
+  color = vec4(held_by_halves(sum * brightness), 1.0);
 }

@@ -54,6 +54,6 @@ void shade_pixel(ivec2 pixel, vec2 size) {
     hair += count;
   }
   if (hair == 0) discard;
-  color = vec4(sum / float(hair), 1.0);
+  color = vec4(held_by_halves(sum / float(hair)), 1.0);
   gl_SampleMask[0] = mask;
 }

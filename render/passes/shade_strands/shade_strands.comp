@@ -26,8 +26,6 @@ layout(push_constant) uniform Push {
 layout(constant_id = 0) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
 layout(constant_id = 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
 
-const float k_largest_half = 65504.0;
-
 // What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
 vec3 lit(uint light, uint vertex, vec3 t, vec3 to_eye) {
   float through = transmittance[light * vertex_count + vertex];
@@ -50,7 +48,7 @@ void main() {
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) sum += lit(k, vertex, t, to_eye);
-  vec3 radiance = min(sum * brightness_of(strand, variation), k_largest_half);
+  vec3 radiance = held_by_halves(sum * brightness_of(strand, variation));
   float kept = tangents[vertex].w <= kept_length(strand, tip_variation) ? 1.0 : 0.0;
   colors[vertex] = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, kept)));
 }

@@ -9,8 +9,10 @@ vec3 place_in_light_map(vec4 at, float bias) {
 // How much of a square of a light's map lies no nearer to the light than a point. `at`: x, y in texels of the texture,
 // z depth; the square's half side in texels is at least 1/2, so that the mean is continuous in the point's place.
 float unshadowed(sampler2D map, vec3 at, uint light, uint resolution, uint columns, float half_side) {
+  // Both ends stay in the map: beside a lamp's plane a place lies farther off than whole numbers reach.
   vec2 first_texel = vec2(light % columns, light / columns) * float(resolution);
-  vec2 low = max(at.xy - half_side, first_texel), high = min(at.xy + half_side, first_texel + float(resolution));
+  vec2 last_texel = first_texel + float(resolution);
+  vec2 low = clamp(at.xy - half_side, first_texel, last_texel), high = clamp(at.xy + half_side, first_texel, last_texel);
   ivec2 from = ivec2(floor(low)), to = ivec2(ceil(high));
   float sum = 0.0, area = 0.0, depth = min(at.z, 1.0);  // beyond all that casts: as deep as an empty texel
   for (int y = from.y; y < to.y; ++y)

@@ -199,14 +199,14 @@ class SurfaceShadow : public GpuPass {
     return {};
   }
 
+  /// Without a head it draws nothing, in the one draw that a plan counts.
   void draw_surfaces(gpu::Commands& commands, const FrameResources& resources) const {
     const glm::mat4 rest_to_world(resources.head_transform);
+    const bool any = surface_.index_count > 0;
+    const gpu::Buffer* const places = resources.head_positions ? resources.head_positions : &surface_.positions;
     commands.begin_rendering({}, &maps_.surfaces);
-    if (surface_.index_count > 0)
-      commands.draw(
-          kernels_.surfaces,
-          {&frame_, resources.head_positions ? resources.head_positions : &surface_.positions, &surface_.indices}, {},
-          gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
+    commands.draw(kernels_.surfaces, {&frame_, any ? places : &frame_, any ? &surface_.indices : &frame_}, {},
+                  gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
     commands.end_rendering();
   }
 
