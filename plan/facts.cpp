@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/plan/plan.h>
+#include <cuticle/shadows/channels.h>
 
 namespace cuticle::plan {
 
@@ -46,10 +47,23 @@ registry::Fact head_fact(const scene::Scene& scene) {
   return {true, scene.character ? "the character is drawn" : "the scene has a head"};
 }
 
+/// Whether channels are shadowed apart, by a method that the catalogue has.
+registry::Fact opacities_fact(const scene::Scene& scene) {
+  const glm::dvec3& alpha = scene.fibre_alpha;
+  const shadows::Channels channels = shadows::different_channels(alpha);
+  if (channels.count == 1) return {false, "one opacity for all channels"};
+  const auto method = shadows::find_method(scene.shadow->name);
+  const bool by_powers = method && shadows::root_opacity(**method, scene.shadow->values, channels);
+  return {true, fmt::format("{} a light: opacity {}, {}, {} of red, green, blue",
+                            by_powers ? "once, by powers," : fmt::format("{} times", channels.count), alpha.x, alpha.y,
+                            alpha.z)};
+}
+
 registry::Fact shadow_fact(const scene::Scene& scene) {
   if (!scene.shadow) return {false, "the scene names no shadow method"};
   if (scene.render_method == "cards") return {false, "cards are shadowed by the occlusion of their vertices"};
-  return {true, fmt::format("shadows by '{}'", scene.shadow->name)};
+  const registry::Fact apart = opacities_fact(scene);
+  return {true, fmt::format("shadows by '{}'{}", scene.shadow->name, apart.holds ? ", " + apart.why : "")};
 }
 
 registry::Fact character_fact(const scene::Scene& scene) {
@@ -127,6 +141,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   const auto lamps = std::ranges::count_if(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
   facts["distant_lights"] = {lamps == 0, lamps == 0 ? "all lights are far away" : counted(std::size_t(lamps), "lamp")};
   facts["shadow_method"] = shadow_fact(scene);
+  facts["coloured_shadow"] = facts["shadow_method"].holds ? opacities_fact(scene) : facts["shadow_method"];
   facts["motion"] = motion_fact(scene);
   facts["simulation"] = {scene.simulation.solver.has_value(),
                          scene.simulation.solver

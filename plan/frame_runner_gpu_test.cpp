@@ -53,6 +53,11 @@ constexpr std::string_view k_interaction =
     R"("simulation": {"solver": {"exact": {}}, "effects": {"gravity": {}, "strand_interaction": {}}})";
 constexpr std::string_view k_floor = R"("floor": {"height_m": -0.2})";
 
+constexpr std::string_view
+    k_coloured = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "fibre_alpha": [0.1, 0.4, 0.4]})",
+    k_powers = R"("shadow": {"method": {"opacity_map": {"resolution": 64,
+                               "accumulate": "poisson"}}, "fibre_alpha": [0.1, 0.4, 0.2]})";
+
 TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
   const std::vector<std::vector<std::string_view>> parts = {
       {},
@@ -74,6 +79,9 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
       {k_light, k_tiles, k_bald, k_floor, k_surfaces},
       {k_light, k_tiles, R"("passes": {"motion_blur": {}})"},
       {k_light, k_quads, R"("passes": {"temporal_antialiasing": {}})"},
+      {k_light, k_coloured, k_lines},
+      {k_light, k_coloured, k_surfaces, k_tiles},
+      {k_light, k_powers, k_quads},
       {k_light, k_truth}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cuticle/plan/plan.h>
+#include <cuticle/shadows/channels.h>
 #include <cuticle/sim/solver.h>
 
 namespace cuticle::plan {
@@ -17,7 +18,8 @@ struct Candidate {
   const Entry* entry;
   ParameterValues values;
   std::string not_chosen;
-  bool fused = false;  ///< its work is in the solver's dispatches
+  bool fused = false;                  ///< its work is in the solver's dispatches
+  std::uint32_t runs = 1, powers = 0;  ///< of a shadow method, and of what it left of one opacity, for each light
 };
 
 ParameterValues values_in(const std::map<std::string, ParameterValues, std::less<>>& blocks, const Entry& entry) {
@@ -41,14 +43,30 @@ bool is_fused(const scene::Scene& scene, const Entry& entry) {
   return solver && effect && (*solver)->fuses_effects && !(*effect)->acts_on_result;
 }
 
+void count_opacities(const scene::Scene& scene, Candidate& method) {
+  const shadows::Channels channels = shadows::different_channels(scene.fibre_alpha);
+  const bool by_powers =
+      bool(shadows::root_opacity(**shadows::find_method(method.entry->name), method.values, channels));
+  (by_powers ? method.powers : method.runs) = by_powers ? channels.count - 1 : channels.count;
+}
+
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> all;
   for (const Entry* entry : catalogue().solvers) all.push_back(one_of(*entry, scene.simulation.solver, "solver"));
   for (const Entry* entry : catalogue().effects)
     all.push_back({entry, values_in(scene.simulation.effects, *entry), "", is_fused(scene, *entry)});
-  for (const Entry* entry : catalogue().methods) all.push_back(one_of(*entry, scene.shadow, "shadow method"));
+  for (const Entry* entry : catalogue().methods) {
+    all.push_back(one_of(*entry, scene.shadow, "shadow method"));
+    if (all.back().not_chosen.empty()) count_opacities(scene, all.back());
+  }
   for (const Entry* entry : catalogue().passes) all.push_back({entry, values_in(scene.passes, *entry), ""});
   return all;
+}
+
+std::uint32_t dispatches_of(const Candidate& candidate, const registry::FrameShape& shape) {
+  const auto count = candidate.entry->dispatches;
+  return count && !candidate.fused ? candidate.runs * count(candidate.values, shape) + candidate.powers * shape.lights
+                                   : 0;
 }
 
 bool before(const PlannedPass& a, const PlannedPass& b) {
@@ -86,9 +104,7 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     if (!refused.empty())
       plan.left_out.push_back({&entry, refused});
     else
-      plan.passes.push_back({&entry, verdict.reason,
-                             entry.dispatches && !candidate.fused ? entry.dispatches(candidate.values, shape) : 0,
-                             entry.draws});
+      plan.passes.push_back({&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
   }
   sort(plan.passes);
   return plan;

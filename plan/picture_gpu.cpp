@@ -7,7 +7,6 @@
 #include <glm/gtc/packing.hpp>
 
 #include <cuticle/lut/bake_gpu.h>
-#include <cuticle/render/lights_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
@@ -65,7 +64,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   CUTICLE_TRY(picture->choose_chunks());
   CUTICLE_TRY(picture->make_strands());
   CUTICLE_TRY(picture->make_rest());
-  CUTICLE_TRY(picture->make_shadows());
+  CUTICLE_TRY(picture->shadows_.make(picture->device_, scene, plan, picture->resources_));
   CUTICLE_TRY(picture->make_tables(progress));
   CUTICLE_TRY(picture->make_targets());
   CUTICLE_TRY(picture->make_passes());
@@ -110,7 +109,7 @@ Result<void> Picture::make_strands() {
   resources_.floor = scene_.floor;
   resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
-  resources_.fibre_alpha = float(scene_.fibre_alpha);
+  resources_.fibre_alpha = scene_.fibre_alpha;
   return {};
 }
 
@@ -128,21 +127,6 @@ Result<void> Picture::make_rest() {
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(rest_, read_strands());
   resources_.rest = &rest_;
-  return {};
-}
-
-Result<void> Picture::make_shadows() {
-  const bool by_hair = scene_.shadow && scene_.shadow->name != "none" && find_pass(plan_, scene_.shadow->name);
-  if (!by_hair && !find_pass(plan_, "surface_shadow")) return {};
-  for (std::size_t k = 0; k < scene_.lights.size(); ++k) {
-    CUTICLE_ASSIGN(gpu::Buffer reached, device_->make_buffer(generator_->vertex_count() * sizeof(float)));
-    transmittance_.push_back(std::move(reached));
-    if (!by_hair) continue;
-    CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(scene_.shadow->name));
-    CUTICLE_ASSIGN(auto shadow, method->create(device_, scene_.shadow->values));
-    shadows_.push_back(std::move(shadow));
-  }
-  for (const gpu::Buffer& buffer : transmittance_) resources_.transmittance.push_back(&buffer);
   return {};
 }
 
@@ -219,19 +203,6 @@ shadows::GpuStrands Picture::casters() const {
   strands.segment_count = casting * segments;
   strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
   return strands;
-}
-
-Result<void> Picture::record_shadows(gpu::Commands& commands) {
-  resources_.casters = casters();
-  constexpr std::uint32_t k_one = 0x3F800000;  // 1.0f
-  for (std::size_t k = 0; k < transmittance_.size(); ++k) {
-    if (shadows_.empty())
-      commands.fill(transmittance_[k], k_one);
-    else
-      CUTICLE_TRY(shadows_[k]->record(commands, resources_.casters, scene_.fibre_alpha,
-                                      render::source_of(scene_.lights[k]), transmittance_[k]));
-  }
-  return {};
 }
 
 Result<void> Picture::record_passes(gpu::Commands& commands) {
@@ -319,7 +290,8 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   gpu::Commands commands = device_->record();
   if (begins_frame()) {
     CUTICLE_TRY(record_generate(commands, input));
-    CUTICLE_TRY(record_shadows(commands));
+    resources_.casters = casters();
+    CUTICLE_TRY(shadows_.record(commands, resources_));
   }
   CUTICLE_TRY(record_passes(commands));
   return device_->submit(std::move(commands), trace);

@@ -9,6 +9,7 @@
 #include <cuticle/plan/fin_motion_gpu.h>
 #include <cuticle/plan/plan.h>
 #include <cuticle/plan/strand_set.h>
+#include <cuticle/plan/strand_shadows_gpu.h>
 #include <cuticle/render/pass_gpu.h>
 #include <cuticle/strands/spline/smooth_gpu.h>
 
@@ -48,7 +49,6 @@ class Picture {
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
   Result<void> make_strands();
   Result<void> make_rest();
-  Result<void> make_shadows();
   Result<void> make_tables(Progress& progress);
   Result<void> choose_chunks();
   Result<void> make_targets();
@@ -66,7 +66,6 @@ class Picture {
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
-  Result<void> record_shadows(gpu::Commands& commands);
   Result<void> record_passes(gpu::Commands& commands);
 
   std::shared_ptr<gpu::Device> device_;
@@ -74,9 +73,8 @@ class Picture {
   const StrandSet& set_;
   const Plan& plan_;
   std::unique_ptr<strands::StrandGenerator> generator_;
-  strands::Groom rest_;                                       ///< empty where no pass asks for it
-  std::vector<std::unique_ptr<shadows::GpuShadow>> shadows_;  ///< one per light
-  std::vector<gpu::Buffer> transmittance_;
+  strands::Groom rest_;  ///< empty where no pass asks for it
+  StrandShadows shadows_;
   lut::TableSet table_set_;
   std::vector<gpu::Texture> tables_;
   gpu::Texture color_, depth_, resolved_, output_;

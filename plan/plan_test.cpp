@@ -122,6 +122,34 @@ TEST(Plan, Dispatches_GrowWithLightsAndSubsteps) {
   EXPECT_GT(find_pass(plan, "classic")->dispatches, 0u);
 }
 
+TEST(Plan, ChannelsOfOtherOpacities_AreShadowedApart) {
+  const auto with = [](std::string_view alpha) {
+    return planned(fmt::format(R"("lights": [{{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}}],
+        "shadow": {{"method": {{"opacity_map": {{}}}}, "fibre_alpha": {}}})",
+                               alpha));
+  };
+  const Plan one = with("0.4"), equal = with("[0.4, 0.4, 0.4]"), two = with("[0.2, 0.4, 0.4]"),
+             three = with("[0.2, 0.4, 0.6]");
+  const auto dispatches = [](const Plan& plan) { return find_pass(plan, "opacity_map")->dispatches; };
+  EXPECT_EQ(to_json(one), to_json(equal));
+  EXPECT_EQ(dispatches(two), 2 * dispatches(one));
+  EXPECT_EQ(dispatches(three), 3 * dispatches(one));
+  EXPECT_FALSE(one.facts.at("coloured_shadow").holds);
+  EXPECT_TRUE(two.facts.at("coloured_shadow").holds);
+  EXPECT_THAT(find_pass(three, "opacity_map")->reason, HasSubstr("3 times a light: opacity 0.2, 0.4, 0.6"));
+}
+
+TEST(Plan, ProportionalChannels_AreShadowedOnceAndRaisedToPowers) {
+  const auto dispatches = [](std::string_view alpha) {
+    const Plan plan = planned(fmt::format(R"("lights": [{{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}}],
+        "shadow": {{"method": {{"opacity_map": {{"accumulate": "poisson"}}}}, "fibre_alpha": {}}})",
+                                          alpha));
+    return find_pass(plan, "opacity_map")->dispatches;
+  };
+  EXPECT_EQ(dispatches("[0.2, 0.4, 0.6]"), dispatches("0.4") + 2);
+  EXPECT_EQ(dispatches("[0.001, 0.4, 0.6]"), 3 * dispatches("0.4"));
+}
+
 TEST(Plan, EveryEntry_IsPlannedOrLeftOutOnce) {
   const Plan plan = planned(k_full);
   const scene::Catalogue& all = catalogue();

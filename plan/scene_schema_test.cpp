@@ -52,7 +52,7 @@ TEST_P(OurScene, InTheRepository_IsAcceptedBySchemaAndLoader) {
 INSTANTIATE_TEST_SUITE_P(SceneSchema, OurScene,
                          testing::Values("demo.json", "demo_groom.json", "frostbite.json", "hairworks.json",
                                          "hairworks_split.json", "head_turn.json", "loose_hair.json", "nalu.json",
-                                         "still.json"));
+                                         "red_hair.json", "still.json"));
 
 class BadScene : public testing::TestWithParam<const char*> {};
 TEST_P(BadScene, OfAnyKind_IsRefusedBySchemaAndLoader) {
@@ -66,6 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"schema_version": 1, "camera": {"position_m": [0, 0]}})",
                     R"({"schema_version": 1, "shadow": {"method": {}}})",
                     R"({"schema_version": 1, "shadow": {"method": {"opacity_map": {"slices": 1}}}})",
+                    R"({"schema_version": 1, "shadow": {"method": {"none": {}}, "fibre_alpha": 1.2}})",
+                    R"({"schema_version": 1, "shadow": {"method": {"none": {}}, "fibre_alpha": [0.1, 1.2, 0.1]}})",
+                    R"({"schema_version": 1, "shadow": {"method": {"none": {}}, "fibre_alpha": [0.1, 0.2]}})",
                     R"({"schema_version": 1, "material": {"model": {"marschner": {"eta": 9}}}})",
                     R"({"schema_version": 1, "material": {"model": {"marschner": {"etta": 1.5}}}})",
                     R"({"schema_version": 1, "material": {"layout": "nalo"}})",

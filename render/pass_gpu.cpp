@@ -42,6 +42,12 @@ Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resourc
   return device.make_buffer(std::size_t(size.x) * std::size_t(size.y) * sizeof(Seen));
 }
 
+std::vector<std::uint32_t> with_channels(std::vector<std::uint32_t> before, const shadows::Channels& channels) {
+  before.push_back(channels.count);
+  before.insert(before.end(), channels.of.begin(), channels.of.end());
+  return before;
+}
+
 void begin_target(gpu::Commands& commands, const FrameResources& resources) {
   const gpu::Commands::Target target = color_target(resources);
   commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);

@@ -8,6 +8,7 @@
 #include <cuticle/gpu/device.h>
 #include <cuticle/lut/table_set.h>
 #include <cuticle/render/pass.h>
+#include <cuticle/shadows/channels.h>
 #include <cuticle/shadows/method_gpu.h>
 #include <cuticle/strands/mesh.h>
 #include <cuticle/strands/spline/smooth_gpu.h>
@@ -37,12 +38,13 @@ struct FrameResources {
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
   shadows::GpuStrands casters;                    ///< those of them that cast shadows
   const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
-  std::vector<const gpu::Buffer*> transmittance;  ///< per light: one float per vertex
+  shadows::Channels channels;                     ///< whose transmittance differs
+  std::vector<const gpu::Buffer*> transmittance;  ///< per light, for each of `channels.alpha`: one float per vertex
   const surface_shadow::Maps* surface_shadow = nullptr;  ///< what surfaces and hair cast on each other
   std::vector<const gpu::Texture*> tables;               ///< in the layout's order
   const lut::TableSet* table_set = nullptr;
   const gpu::Buffer* dual_scattering = nullptr;  ///< DualTerms of its glsl; null: not asked for
-  float fibre_alpha = 0.4f;                      ///< opacity of one crossing, as shadows have it
+  glm::dvec3 fibre_alpha{0.4};                   ///< opacity of one crossing per channel, as shadows have it
   const bsdf::Model* model = nullptr;            ///< the material's, with its parameters
   const registry::ParameterValues* model_values = nullptr;
   const strands::Groom* rest = nullptr;               ///< drawn strands at rest, where a pass makes something of them
@@ -97,6 +99,8 @@ gpu::GraphicsDescription target_description(const FrameResources& resources);
 gpu::Commands::Target color_target(const FrameResources& resources);
 /// The buffer that a pass fills where `says_seen`; else one that takes its place.
 Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resources);
+/// The constants of channels.glsl, behind those that a shader has before them.
+std::vector<std::uint32_t> with_channels(std::vector<std::uint32_t> before, const shadows::Channels& channels);
 /// Begins rendering into the frame's targets, as `keep_target` and `resolve_target` say.
 void begin_target(gpu::Commands& commands, const FrameResources& resources);
 

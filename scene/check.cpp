@@ -52,6 +52,12 @@ Result<void> check_numbers(const Spec& spec, const Json& value, const Place& pla
   return {};
 }
 
+Result<void> check_rgb(const Spec& spec, const Json& value, const Place& place) {
+  if (value.is_number()) return check_number(spec, value, place);
+  if (!value.is_list()) return wrong_type(place, "a number or [r, g, b]", value);
+  return check_numbers(spec, value, place);
+}
+
 Result<void> check_text(const Spec& spec, const Json& value, const Place& place) {
   if (!value.is_text()) return wrong_type(place, "a text", value);
   const auto text = value.text();
@@ -127,6 +133,8 @@ Result<void> check_value(const Spec& spec, const Json& value, const Place& place
       return check_number(spec, value, place);
     case SpecKind::numbers:
       return check_numbers(spec, value, place);
+    case SpecKind::rgb:
+      return check_rgb(spec, value, place);
     case SpecKind::boolean:
       break;
   }

@@ -27,6 +27,14 @@ struct Reader {
     if (const Json* found = value.find(key))
       target = {(*found)[0].number(), (*found)[1].number(), (*found)[2].number()};
   }
+  /// A number, or three.
+  void get_rgb(const char* key, glm::dvec3& target) const {
+    const Json* found = value.find(key);
+    if (found && found->is_number())
+      target = glm::dvec3(found->number());
+    else
+      get(key, target);
+  }
   bool has(const char* key) const { return value.contains(key); }
   Reader child(const char* key) const {
     static const Json empty = Json::object();

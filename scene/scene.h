@@ -108,7 +108,7 @@ struct Scene {
   std::optional<Floor> floor;
   std::vector<Light> lights;
   std::optional<Block> shadow;  ///< shadow method with its parameters
-  double fibre_alpha = 0.4;     ///< opacity of one crossing
+  glm::dvec3 fibre_alpha{0.4};  ///< opacity of one crossing, of red, green and blue light
   double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;

@@ -101,6 +101,28 @@ TEST(Scene, Blocks_CarryTheirParametersAndDefaults) {
   EXPECT_TRUE(scene->simulation.effects.contains("gravity"));
 }
 
+TEST(Scene, OpacityOfACrossing_IsOneNumberOrOneAChannel) {
+  const auto alpha_of = [](std::string_view alpha) {
+    const auto scene =
+        parsed(fmt::format(R"("shadow": {{"method": {{"opacity_map": {{}}}}, "fibre_alpha": {}}})", alpha));
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+    return scene ? scene->fibre_alpha : glm::dvec3(-1);
+  };
+  EXPECT_EQ(parsed("")->fibre_alpha, glm::dvec3(0.4));
+  EXPECT_EQ(alpha_of("0.3"), glm::dvec3(0.3));
+  EXPECT_EQ(alpha_of("[0, 0.5, 1]"), glm::dvec3(0, 0.5, 1));
+}
+
+TEST(Scene, OpacityOfACrossingOutOfRange_NamesChannelValueAndRange) {
+  const auto refused = [](const char* alpha, std::initializer_list<const char*> words) {
+    expect_refused(fmt::format(R"("shadow": {{"method": {{"opacity_map": {{}}}}, "fibre_alpha": {}}})", alpha), words);
+  };
+  refused("1.25", {"shadow.fibre_alpha = 1.25", "0 .. 1"});
+  refused("[0.1, -0.5, 0.2]", {"shadow.fibre_alpha[1] = -0.5", "0 .. 1"});
+  refused("[0.1, 0.5]", {"shadow.fibre_alpha", "3 numbers", "0 .. 1"});
+  refused(R"("dark")", {"shadow.fibre_alpha", "a number or [r, g, b]", "string"});
+}
+
 TEST(Scene, UnknownKey_NamesItTheNearestAndAllAllowed) {
   expect_refused(R"("lihgts": [])", {"lihgts", "write 'lights'", "camera"});
   expect_refused(R"("camera": {"fov": 20})", {"camera", "'fov'", "fov_deg"});

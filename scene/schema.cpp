@@ -71,6 +71,8 @@ Json bare_schema(const Spec& spec) {
       return number_schema(spec);
     case SpecKind::numbers:
       return array_schema(number_schema(spec), spec.count, spec.count);
+    case SpecKind::rgb:
+      return {{"oneOf", Json::list({number_schema(spec), array_schema(number_schema(spec), spec.count, spec.count)})}};
     case SpecKind::boolean:
       break;
   }

@@ -41,6 +41,11 @@ Spec numbers(std::string key, int count, double minimum, double maximum, std::st
           .maximum = maximum,
           .count = count};
 }
+Spec rgb(std::string key, double minimum, double maximum, std::string summary) {
+  Spec spec = numbers(std::move(key), 3, minimum, maximum, std::move(summary));
+  spec.kind = SpecKind::rgb;
+  return spec;
+}
 Spec object(std::string key, std::string summary, std::vector<Spec> children) {
   return {
       .key = std::move(key), .kind = SpecKind::object, .summary = std::move(summary), .children = std::move(children)};
@@ -174,7 +179,7 @@ Spec shadow(const Catalogue& catalogue) {
   return object(
       "shadow", "self-shadowing; absent: none",
       {required(block("method", "shadow method and its parameters", catalogue.methods)),
-       real("fibre_alpha", 0, 1, "opacity of one fibre crossing"),
+       rgb("fibre_alpha", 0, 1, "opacity of one fibre crossing; as [r, g, b], hair casts coloured shadows"),
        real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all")});
 }
 

@@ -8,8 +8,9 @@
 namespace cuticle::scene {
 
 /// What a key holds. `block`: an object with one registered name as its only key; `blocks`: any number of them;
-/// `parameters`: an object checked against a parameter table; `file`: the name of a file that must exist.
-enum class SpecKind { object, array, block, blocks, parameters, text, file, real, integer, boolean, numbers };
+/// `parameters`: an object checked against a parameter table; `file`: the name of a file that must exist; `rgb`: a
+/// number, or one each for red, green and blue.
+enum class SpecKind { object, array, block, blocks, parameters, text, file, real, integer, boolean, numbers, rgb };
 
 /// One key of the file (or one item of an array).
 struct Spec {
@@ -17,7 +18,7 @@ struct Spec {
   SpecKind kind = SpecKind::object;
   std::string summary = {};
   double minimum = 0, maximum = 0;  ///< of numbers; of the item count of an array
-  int count = 0;                    ///< of `numbers`: how many
+  int count = 0;                    ///< of `numbers` and `rgb`: how many
   bool required = false;
   std::vector<std::string> choices = {};             ///< of a text; empty: any
   std::vector<Spec> children = {};                   ///< fields of an object; the item of an array

@@ -48,6 +48,9 @@ inline constexpr registry::Parameter k_accumulate{
     k_accumulations,
     "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma"};
 
+/// Method::is_proportional of a method whose sums are looked up as they are.
+inline bool is_poisson(const registry::ParameterValues& values) { return values.choice("accumulate") == "poisson"; }
+
 inline constexpr registry::Parameter k_depth_offset{"depth_offset_mm",
                                                     registry::ParameterType::real,
                                                     "mm",

@@ -56,6 +56,9 @@ struct Transmittance {
 struct Method {
   registry::Entry entry;
   Result<Transmittance> (*evaluate)(const Casters&, const Receivers&, const registry::ParameterValues&);
+  /// Whether T = exp(-alpha tau) with a tau that no alpha changes, but for the rounding of sums, within 6e-4 of T
+  /// (methods_test: OfAProportionalMethod); null: no.
+  bool (*is_proportional)(const registry::ParameterValues&) = nullptr;
 };
 std::span<const Method* const> methods();
 /// Error: usage, with the nearest known name.

@@ -268,4 +268,52 @@ TEST(Channels, EachOpacity_IsEvaluatedOnItsOwn) {
                                  small_values(method)));
 }
 
+// Sums are whole numbers, rounded apart for each opacity.
+TEST(Channels, OfAProportionalMethod_ArePowersOfOne) {
+  const strands::Groom groom = tests::coat(1500, 8, 0.03, 1e-4f, 5);
+  const glm::dvec3 alpha(0.9, 0.02, 0.4), light = glm::normalize(glm::dvec3(1, 1, 0.3));
+  int proportional = 0;
+  for (const Method* method : methods()) {
+    auto values = small_values(*method);
+    if (!values.all().contains("accumulate")) continue;
+    EXPECT_FALSE(root_opacity(*method, values, different_channels(alpha))) << method->entry.name;
+    values.set("accumulate", "poisson");
+    if (!root_opacity(*method, values, different_channels(alpha))) continue;
+    ++proportional;
+    const auto coloured = evaluate_channels(*method, {&groom, 0.4, light}, alpha, {groom.positions}, values).value();
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+      const auto own = method->evaluate({&groom, alpha[c], light}, {groom.positions}, values).value().values;
+      for (std::size_t i = 0; i < own.size(); ++i)
+        worst = std::max(worst, std::abs(double(own[i]) - double(coloured.values[i][c])));
+    }
+    std::printf("%s: at most %.2g apart\n", std::string(method->entry.name).c_str(), worst);
+    EXPECT_LT(worst, 6e-4) << method->entry.name;  // measured: 3.8e-4
+  }
+  EXPECT_EQ(proportional, 4);
+}
+
+TEST(Channels, OfOpacitiesTooSmallForOneMap_AreEvaluatedEach) {
+  const Method& method = **find_method("opacity_map");
+  auto values = small_values(method);
+  values.set("accumulate", "poisson");
+  const auto root = [&](const glm::dvec3& alpha) { return root_opacity(method, values, different_channels(alpha)); };
+  EXPECT_EQ(root({0.5, 0, 0.2}), 2u);
+  EXPECT_FALSE(root({0.5, 0.009, 0.2}));
+  EXPECT_FALSE(root({0.5, 0.5, 0.5}));
+}
+
+TEST(Channels, OfTheSameOpacity_AreOne) {
+  const auto different = [](const glm::dvec3& alpha) {
+    const Channels channels = different_channels(alpha);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(channels.alpha[channels.of[std::size_t(c)]], alpha[c]);
+    return channels.count;
+  };
+  EXPECT_EQ(different({0.4, 0.4, 0.4}), 1u);
+  EXPECT_EQ(different({0.4, 0.4, 0.2}), 2u);
+  EXPECT_EQ(different({0.4, 0.2, 0.4}), 2u);
+  EXPECT_EQ(different({0.2, 0.4, 0.4}), 2u);
+  EXPECT_EQ(different({0, 0.4, 1}), 3u);
+}
+
 }  // namespace cuticle::shadows::methods_test

@@ -53,6 +53,11 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
   return (7 + tiles + (values.choice("storage") == "bytes" ? 1 : 0)) * shape.lights;
 }
 
+/// Bytes hold T.
+bool is_proportional(const registry::ParameterValues& values) {
+  return is_poisson(values) && values.choice("storage") != "bytes";
+}
+
 }  // namespace
 
 const Method& entry() {
@@ -63,7 +68,8 @@ const Method& entry() {
        .parameters = k_parameters,
        .systems = k_systems,
        .study_cases = k_cases,
-       .dispatches = dispatches});
+       .dispatches = dispatches},
+      is_proportional);
   return method;
 }
 

@@ -77,12 +77,12 @@ std::uint32_t passes_per_light(const registry::ParameterValues&, const registry:
 
 /// The registered method of the functions of evaluate_map; `entry` says what is its own, and may say its demands.
 template <auto settings_from, auto build, auto look_up>
-Method map_method(registry::Entry entry) {
+Method map_method(registry::Entry entry, decltype(Method::is_proportional) is_proportional = nullptr) {
   static constexpr std::string_view k_demands[] = {"light", "shadow_method"};
   entry.kind = registry::EntryKind::method;
   if (entry.demands.empty()) entry.demands = k_demands;
   entry.stage = registry::Stage::shadow;
-  return {entry, evaluate_map<settings_from, build, look_up>};
+  return {entry, evaluate_map<settings_from, build, look_up>, is_proportional};
 }
 
 }  // namespace cuticle::shadows

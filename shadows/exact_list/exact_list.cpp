@@ -41,7 +41,8 @@ const Method& entry() {
        .source = "the sorted list of Lokovic and Veach 2000, section 3.1, kept whole",
        .parameters = k_parameters,
        .study_cases = k_cases,
-       .dispatches = passes_per_light<8>});
+       .dispatches = passes_per_light<8>},
+      is_poisson);
   return method;
 }
 

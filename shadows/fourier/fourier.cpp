@@ -44,7 +44,8 @@ const Method& entry() {
        .source = "Jansen and Bavoil 2010, Fourier Opacity Mapping",
        .parameters = k_parameters,
        .study_cases = k_cases,
-       .dispatches = passes_per_light<3>});
+       .dispatches = passes_per_light<3>},
+      is_poisson);
   return method;
 }
 

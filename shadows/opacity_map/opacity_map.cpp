@@ -41,6 +41,11 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
   return (values.choice("form") == "compute" ? 4 : 2) * shape.lights;
 }
 
+/// Drawn targets are cut off or rounded, more or less by alpha.
+bool is_proportional(const registry::ParameterValues& values) {
+  return is_poisson(values) && values.choice("form") == "compute";
+}
+
 }  // namespace
 
 const Method& entry() {
@@ -51,7 +56,8 @@ const Method& entry() {
        .parameters = k_parameters,
        .systems = k_systems,
        .study_cases = k_cases,
-       .dispatches = dispatches});
+       .dispatches = dispatches},
+      is_proportional);
   return method;
 }
 

@@ -11,6 +11,8 @@ layout(std430, binding = 2) readonly buffer Transmittance { float transmittance[
 layout(std430, binding = 3) writeonly buffer Aovs { float aovs[]; };  // k_channels of aovs.h
 layout(std430, binding = 4) readonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = 5) writeonly buffer SeenVelocities { float seen_velocities[]; };  // three a pixel
+layout(std430, binding = 6) readonly buffer OfSecond { float of_second[]; };  // transmittance of other opacities
+layout(std430, binding = 7) readonly buffer OfThird { float of_third[]; };
 layout(push_constant) uniform Push {
   mat4 world_to_clip;
   uvec2 resolution;
@@ -22,8 +24,18 @@ layout(push_constant) uniform Push {
 
 const uint k_channels = 9u;
 
-/// What the shader that includes this finds out; its source stands at binding 6.
+#define CHANNEL_CONSTANT 1
+#include "cuticle/render/channels.glsl"
+
+/// What the shader that includes this finds out; its source stands at binding 8.
 Seen seen_in(uint pixel);
+
+/// Of white light; of Rec. 709 by its luminance.
+float transmitted(uint vertex) {
+  if (k_different == 1u) return transmittance[vertex];
+  const float of[3] = float[](transmittance[vertex], of_second[vertex], of_third[vertex]);
+  return dot(vec3(of[k_of_red], of[k_of_green], of[k_of_blue]), vec3(0.2126, 0.7152, 0.0722));
+}
 
 void write_aovs(uint pixel) {
   if (pixel >= resolution.x * resolution.y) return;
@@ -35,7 +47,7 @@ void write_aovs(uint pixel) {
     vec2 middle = vec2(pixel % resolution.x, pixel / resolution.x) + 0.5;
     float share = share_at(world_to_clip, middle, vec2(resolution), from, to);
     vec3 tangent = normalize(mix(tangents[own.first].xyz, tangents[own.last].xyz, share));
-    float reached = shadowed == 0u ? 1.0 : mix(transmittance[own.first], transmittance[own.last], share);
+    float reached = shadowed == 0u ? 1.0 : mix(transmitted(own.first), transmitted(own.last), share);
     if (moves != 0u) velocity = mix(velocities[own.first].xyz, velocities[own.last].xyz, share);
     values = float[]((world_to_clip * vec4(mix(from, to, share), 1.0)).w, tangent.x, tangent.y, tangent.z,
                      float(own.first / vertices_per_strand + 1u), own.coverage, reached, float(own.samples),

@@ -39,20 +39,34 @@ class Aovs : public GpuPass {
                     shadowed ? 1u : 0u,
                     velocities_ ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(std::size_t(push.resolution.x) * push.resolution.y);
-    const gpu::Buffer *vertices = resources.strands.vertices, *tangents = resources.tangents,
-                      *reached = shadowed ? resources.transmittance[0] : tangents,
-                      *moving = velocities_ ? resources.velocities : tangents,
-                      *seen_velocities = velocities_ ? &velocities_ : &values_;
+    std::vector<const gpu::Buffer*> buffers = read_buffers(resources);
+    std::vector<const gpu::Texture*> textures;
     if (resources.seen_samples)
-      commands.dispatch(kernel_, {vertices, tangents, reached, &values_, moving, seen_velocities},
-                        {resources.seen_samples}, gpu::bytes_of(push), groups.x, groups.y);
+      textures.push_back(resources.seen_samples);
     else
-      commands.dispatch(kernel_, {vertices, tangents, reached, &values_, moving, seen_velocities, resources.seen}, {},
-                        gpu::bytes_of(push), groups.x, groups.y);
+      buffers.push_back(resources.seen);
+    commands.dispatch(kernel_, buffers, textures, gpu::bytes_of(push), groups.x, groups.y);
     return {};
   }
 
  private:
+  /// Bindings 0 .. 7 of aovs.glsl; what is not there has another in its place.
+  std::vector<const gpu::Buffer*> read_buffers(const FrameResources& resources) const {
+    const gpu::Buffer* const tangents = resources.tangents;
+    const auto reached = [&](std::size_t k) {
+      const bool is_there = k < resources.channels.count && !resources.transmittance.empty();
+      return is_there ? resources.transmittance[k] : tangents;
+    };
+    return {resources.strands.vertices,
+            tangents,
+            reached(0),
+            &values_,
+            velocities_ ? resources.velocities : tangents,
+            velocities_ ? &velocities_ : &values_,
+            reached(1),
+            reached(2)};
+  }
+
   gpu::Kernel kernel_;
   gpu::Buffer values_;
   gpu::Buffer velocities_;  ///< empty where nothing asks
@@ -60,11 +74,10 @@ class Aovs : public GpuPass {
 
 /// By what the strands' pass leaves: samples of a visibility buffer, or what each pixel sees.
 Result<gpu::Kernel> make_kernel(gpu::Device& device, const FrameResources& resources) {
-  if (!resources.seen_samples) return device.make_kernel(aovs_comp, {7, 0, sizeof(Push)});
-  const int samples = resources.seen_samples->samples();
-  const gpu::ShaderInterface interface {
-    6, 1, sizeof(Push), { std::uint32_t(samples) }
-  };
+  const int samples = resources.seen_samples ? resources.seen_samples->samples() : 1;
+  const std::vector<std::uint32_t> constants = with_channels({std::uint32_t(samples)}, resources.channels);
+  if (!resources.seen_samples) return device.make_kernel(aovs_comp, {9, 0, sizeof(Push), constants});
+  const gpu::ShaderInterface interface { 8, 1, sizeof(Push), constants };
   return samples > 1 ? device.make_kernel(aovs_many_comp, interface) : device.make_kernel(aovs_one_comp, interface);
 }
 

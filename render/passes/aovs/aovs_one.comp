@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/render/passes/aovs/aovs_samples.glsl"
-layout(binding = 6) uniform usampler2D seen;
+layout(binding = 8) uniform usampler2D seen;
 
 uint segment_at(ivec2 pixel, int sample_index) { return texelFetch(seen, pixel, 0).r; }
 

@@ -18,8 +18,8 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resour
   const lut::TableSet& set = *resources.table_set;
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table, bsdf::dual_scattering_terms(*set.model, set.values, k_rows));
   const registry::ParameterValues values = parameters_of(resources, entry());
-  std::vector<glm::vec4> terms = {
-      {resources.fibre_alpha, values.real("forward_density"), values.real("backward_density"), 0}};
+  std::vector<glm::vec4> terms = {glm::vec4(resources.fibre_alpha, 0),
+                                  {values.real("forward_density"), values.real("backward_density"), 0, 0}};
   for (const bsdf::DualScatteringRow& row : table.rows) {
     append(row.average.forward, terms);
     append(row.average.backward, terms);

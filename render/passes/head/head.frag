@@ -16,16 +16,29 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
 layout(set = 0, binding = 4) uniform sampler2D hair_map;
 layout(set = 0, binding = 5) uniform sampler2D surface_map;
 #include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
+#define CHANNEL_CONSTANT 0
+#include "cuticle/render/channels.glsl"
 
 layout(location = 0) in vec3 rest_normal;
 layout(location = 1) in float mixed;
 layout(location = 2) in vec3 rest_position;
 layout(location = 0) out vec4 color;
 
-float reached(uint light) {
-  if (map_resolution == 0u) return 1.0;
+// `which`: of the opacities, whose maps lie one below the other.
+float past_hair_of(vec3 at, uint light, uint which) {
+  const uint rows = uint(textureSize(hair_map, 0).y) / (map_resolution * k_different);
+  at.y += float(which * rows * map_resolution);
+  return unshadowed(hair_map, at, light + which * rows * map_columns, map_resolution, map_columns, map_filter);
+}
+
+vec3 reached(uint light) {
+  if (map_resolution == 0u) return vec3(1.0);
   vec3 at = place_in_light_map(rest_to_map[light] * vec4(rest_position, 1.0), 0.0);
-  float past_hair = unshadowed(hair_map, at, light, map_resolution, map_columns, map_filter);
+  vec3 past_hair = vec3(past_hair_of(at, light, 0u));
+  if (k_different > 1u) {
+    float of[3] = float[](past_hair.x, past_hair_of(at, light, 1u), past_hair_of(at, light, k_different - 1u));
+    past_hair = vec3(of[k_of_red], of[k_of_green], of[k_of_blue]);
+  }
 #ifdef UNDER_SURFACES
   past_hair *= unshadowed(surface_map, at, light, map_resolution, map_columns, map_filter);
 #endif
@@ -46,7 +59,7 @@ void main() {
 #ifdef THIN
     share = mix(share, wrapped(-cosine), through);
 #endif
-    received += (ambient + (share > 0.0 ? share * reached(k) : 0.0)) * light.irradiance;
+    received += (ambient + (share > 0.0 ? share * reached(k) : vec3(0.0))) * light.irradiance;
   }
   color = vec4(held_by_halves(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989), 1.0);
 }

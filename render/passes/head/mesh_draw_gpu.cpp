@@ -53,9 +53,8 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& res
   description.vertex_spirv = head_vert;
   description.fragment_spirv = fragment;
   description.cull_back_faces = one_sided;
-  description.interface.storage_buffers = 4;
-  description.interface.textures = 2;
-  description.interface.push_constant_bytes = sizeof(glm::mat4);
+  description.interface = {4, 2, sizeof(glm::mat4),
+                           with_channels({}, shadows::different_channels(resources.fibre_alpha))};
   CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
   CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
   CUTICLE_ASSIGN(draw.frame_, device.make_buffer(sizeof(DiffuseFrame)));

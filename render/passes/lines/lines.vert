@@ -1,47 +1,4 @@
 #version 460
-// Strands as lines: two vertices a segment, pulled from the drawn strands' buffers, in full or packed. Transmittance
-// comes per strand vertex.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/strands/packing/packing.glslh"
-#include "lines_frame.glsl"
-#include "strand_chance.glsl"
-
-layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
-layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
-layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
-
-layout(location = 0) out vec3 position;
-layout(location = 1) out vec3 tangent;
-layout(location = 2) out vec4 reached[2];
-layout(location = 4) flat out float brightness;
-
-vec3 position_of(uint vertex) {
-  if (packed_vertices == 0u) return vertices[vertex].xyz;
-  const uint unit = vertex / vertices_per_strand * 5u, xy = words[3u * vertex], z = words[3u * vertex + 1u];
-  const float extent = strand_units[unit + 3u];
-  return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent),
-              unpacked_length(xy >> 16, strand_units[unit + 1u], extent),
-              unpacked_length(z & 0xffffu, strand_units[unit + 2u], extent));
-}
-vec3 tangent_of(uint vertex) {
-  return packed_vertices == 0u ? tangents[vertex].xyz : unpacked_tangent(words[3u * vertex + 2u]);
-}
-// Of the strand's length; packed strands hold none, and count their vertices.
-float fraction_of(uint vertex) {
-  return packed_vertices == 0u ? tangents[vertex].w
-                               : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
-}
-void main() {
-  const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
-  const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
-  position = position_of(vertex);
-  tangent = tangent_of(vertex) + tilt_of(strand, variation);
-  brightness = brightness_of(strand, variation);
-  for (uint k = 0u; k < 8u; ++k)
-    reached[k >> 2][k & 3u] = k < light_count ? transmittance[k * vertex_count + vertex] : 0.0;
-  // A strand that chance cuts short ends in a segment of no length, outside the view.
-  bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation);
-  gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
-}
+#define CHANNELS 1u
+#include "cuticle/render/passes/lines/lines_vertex.glsl"

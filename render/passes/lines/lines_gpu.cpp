@@ -5,12 +5,25 @@
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/strands/packing/packing_gpu.h>
 
+#include <lines_coloured_frag.spv.h>
+#include <lines_coloured_vert.spv.h>
 #include <lines_frag.spv.h>
 #include <lines_vert.spv.h>
 
 namespace cuticle::render::lines {
 
 namespace {
+
+void set_shaders(gpu::GraphicsDescription& description, const shadows::Channels& channels) {
+  const bool coloured = channels.count > 1;
+  description.vertex_spirv = lines_vert;
+  description.fragment_spirv = lines_frag;
+  if (coloured) {
+    description.vertex_spirv = lines_coloured_vert;
+    description.fragment_spirv = lines_coloured_frag;
+  }
+  description.interface = {4, 3, 0, with_channels({}, channels)};
+}
 
 class Lines : public GpuPass {
  public:
@@ -21,10 +34,7 @@ class Lines : public GpuPass {
   Result<const gpu::GraphicsPipeline*> pipeline_of(const FrameResources& resources, float width) {
     if (const auto made = pipelines_.find(width); made != pipelines_.end()) return &made->second;
     gpu::GraphicsDescription description = target_description(resources);
-    description.vertex_spirv = lines_vert;
-    description.fragment_spirv = lines_frag;
-    description.interface.storage_buffers = 4;
-    description.interface.textures = 3;
+    set_shaders(description, resources.channels);
     description.topology = gpu::Topology::lines;
     description.line_width = width;
     CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device_->make_graphics(description));

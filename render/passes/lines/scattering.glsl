@@ -24,8 +24,8 @@ Angles angles_of(vec3 l, vec3 t, vec3 to_eye) {
   return Angles(sin_i, sin_o, cos_phi);
 }
 
-// Radiance by a light of which the share `through` arrives.
-vec3 shade(Arriving light, float through, vec3 t, vec3 to_eye) {
+// Radiance by a light of which the share `through` of each channel arrives.
+vec3 shade(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
   Angles angles = angles_of(light.to_light, t, to_eye);
   float cos_i = sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0));
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;

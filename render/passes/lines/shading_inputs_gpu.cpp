@@ -10,7 +10,8 @@ Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, c
   ShadingInputs inputs;
   const std::size_t lights = std::max<std::size_t>(1, resources.lights.size());
   CUTICLE_ASSIGN(inputs.frame_buffer_, device->make_buffer(sizeof(Frame)));
-  CUTICLE_ASSIGN(inputs.transmittance_, device->make_buffer(lights * resources.strands.vertex_count * sizeof(float)));
+  const std::size_t values = lights * resources.channels.count * resources.strands.vertex_count;
+  CUTICLE_ASSIGN(inputs.transmittance_, device->make_buffer(values * sizeof(float)));
   CUTICLE_ASSIGN(inputs.no_table_, device->make_texture({}));
   inputs.device_ = std::move(device);
   CUTICLE_TRY(inputs.take_tables(resources));

@@ -74,7 +74,9 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    description.interface = {.storage_buffers = 4, .textures = 4, .specialization = {std::uint32_t(samples)}};
+    description.interface = {.storage_buffers = 4,
+                             .textures = 4,
+                             .specialization = with_channels({std::uint32_t(samples)}, resources.channels)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }

@@ -12,6 +12,8 @@ layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float trans
 layout(set = 0, binding = 4) uniform sampler2D table_m;
 layout(set = 0, binding = 5) uniform sampler2D table_n_tt_r;
 layout(set = 0, binding = 6) uniform sampler2D table_n_trt;
+#define CHANNEL_CONSTANT 1
+#include "cuticle/render/passes/lines/transmittance.glsl"
 #include "cuticle/render/passes/lines/scattering.glsl"
 
 layout(location = 0) out vec4 color;
@@ -27,7 +29,7 @@ vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   vec3 place = mix(vertices[first].xyz, vertices[last].xyz, share), to_eye = normalize(eye.xyz - place);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
-    float through = mix(transmittance[k * vertex_count + first], transmittance[k * vertex_count + last], share);
+    vec3 through = mix(transmitted(k, first), transmitted(k, last), share);
     sum += shade(arriving_at(place, lights[k]), through, t, to_eye);
   }
   return sum * brightness_of(strand, variation);

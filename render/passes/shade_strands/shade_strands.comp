@@ -21,6 +21,8 @@ layout(push_constant) uniform Push {
   uint only_visible;
   uint listed;  // 1: the vertices of the list `shaded`
 };
+#define CHANNEL_CONSTANT 2
+#include "cuticle/render/passes/lines/transmittance.glsl"
 #include "cuticle/render/passes/lines/scattering.glsl"
 #include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
 layout(constant_id = 0) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
@@ -28,14 +30,14 @@ layout(constant_id = 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
 
 // What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
 vec3 lit(uint light, uint vertex, vec3 t, vec3 to_eye) {
-  float through = transmittance[light * vertex_count + vertex];
+  vec3 through = transmitted(light, vertex);
   Arriving arriving = arriving_at(vertices[vertex].xyz, lights[light]);
   if (k_dual == 0u) return shade(arriving, through, t, to_eye);
   float past = k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
   if (past <= 0.0) return vec3(0.0);
   Angles angles = angles_of(arriving.to_light, t, to_eye);
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
-  return (once + past * dual_scattering(angles, min(through / past, 1.0))) * arriving.irradiance;
+  return (once + past * dual_scattering(angles, min(through / past, vec3(1.0)))) * arriving.irradiance;
 }
 
 void main() {

@@ -105,7 +105,8 @@ Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resource
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
   const std::vector<std::uint32_t> has = {resources.dual_scattering ? 1u : 0u, resources.surface_shadow ? 1u : 0u};
-  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {9, 3, sizeof(ShadePush), has}));
+  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp,
+                                                   {9, 3, sizeof(ShadePush), with_channels(has, resources.channels)}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
 }

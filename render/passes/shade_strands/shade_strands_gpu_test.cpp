@@ -85,7 +85,7 @@ class Field {
                         .far_plane = 1000,
                         .resolution = {k_size, k_size}};
     resources.lights.push_back({"", k_to_light, glm::dvec3(k_irradiance)});
-    resources.fibre_alpha = float(k_fibre_alpha);
+    resources.fibre_alpha = glm::dvec3(k_fibre_alpha);
     resources.transmittance = {&reached};
     if (settings.past < 1) resources.surface_shadow = &maps;
     resources.strands = {&vertices, &segments, std::uint32_t(points_.size()), std::uint32_t(segments_.size()), {}};

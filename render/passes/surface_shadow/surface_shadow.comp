@@ -10,7 +10,11 @@ layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 2) writeonly buffer Visibility { float visibility[]; };
 layout(std430, set = 0, binding = 3) buffer Transmittance { float transmittance[]; };
-layout(set = 0, binding = 4) uniform sampler2D map;
+layout(std430, set = 0, binding = 4) buffer OfSecond { float of_second[]; };  // transmittance of other opacities
+layout(std430, set = 0, binding = 5) buffer OfThird { float of_third[]; };
+layout(set = 0, binding = 6) uniform sampler2D map;
+#define CHANNEL_CONSTANT 0
+#include "cuticle/render/channels.glsl"
 layout(push_constant) uniform Push {
   uint vertex_count, light;
   float half_side;
@@ -26,4 +30,6 @@ void main() {
   }
   visibility[light * vertex_count + vertex] = lit;
   transmittance[vertex] *= lit;
+  if (k_different > 1u) of_second[vertex] *= lit;
+  if (k_different > 2u) of_third[vertex] *= lit;
 }

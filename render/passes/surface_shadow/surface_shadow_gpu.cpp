@@ -28,7 +28,9 @@ constexpr double k_margin = 2;  // texels between what casts and the border of a
 /// As the shaders read them.
 struct HairPush {
   std::uint32_t vertices_per_strand;
-  float width, alpha;
+  float width;
+  std::uint32_t light_count;
+  float alpha[3];
 };
 struct LookupPush {
   std::uint32_t vertex_count, light;
@@ -154,6 +156,11 @@ Result<LightMap> light_map(const Light& light, std::span<const glm::dvec3> point
   return distant_map(to_light, points, settings, index);
 }
 
+/// Of what hair casts on surfaces, whatever shadows hair itself.
+shadows::Channels hair_channels(const FrameResources& resources) {
+  return shadows::different_channels(resources.fibre_alpha);
+}
+
 class SurfaceShadow : public GpuPass {
  public:
   SurfaceShadow(std::shared_ptr<gpu::Device> device, const Settings& settings, Kernels kernels, Surface surface)
@@ -162,8 +169,10 @@ class SurfaceShadow : public GpuPass {
   Result<void> make_maps(const FrameResources& resources, float surface_filter) {
     const gpu::TextureDescription map{settings_.texture_size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1,
                                       true};
+    gpu::TextureDescription hair = map;
+    hair.size.y *= int(hair_channels(resources).count);
     CUTICLE_ASSIGN(maps_.surfaces, device_->make_texture(map));
-    CUTICLE_ASSIGN(maps_.hair, device_->make_texture(map));
+    CUTICLE_ASSIGN(maps_.hair, device_->make_texture(hair));
     CUTICLE_ASSIGN(maps_.visibility, device_->make_buffer(std::size_t(settings_.lights) *
                                                           resources.strands.vertex_count * sizeof(float)));
     CUTICLE_ASSIGN(frame_, device_->make_buffer(sizeof(MapsFrame)));
@@ -212,10 +221,15 @@ class SurfaceShadow : public GpuPass {
 
   void draw_hair(gpu::Commands& commands, const FrameResources& resources) const {
     const shadows::GpuStrands& casters = resources.casters;
-    const HairPush push{resources.vertices_per_strand, casters.caster_width, resources.fibre_alpha};
+    const shadows::Channels channels = hair_channels(resources);
+    const glm::vec3 alpha(channels.alpha[0], channels.alpha[1], channels.alpha[2]);
+    const HairPush push{resources.vertices_per_strand,
+                        casters.caster_width,
+                        std::uint32_t(settings_.lights),
+                        {alpha.x, alpha.y, alpha.z}};
     commands.begin_rendering({}, &maps_.hair);
     commands.draw(kernels_.hair, {&frame_, casters.vertices, casters.segments}, {}, gpu::bytes_of(push),
-                  6 * casters.segment_count, std::uint32_t(settings_.lights));
+                  6 * casters.segment_count, std::uint32_t(settings_.lights) * channels.count);
     commands.end_rendering();
   }
 
@@ -223,10 +237,13 @@ class SurfaceShadow : public GpuPass {
     const std::uint32_t vertices = resources.strands.vertex_count;
     const LookupPush push{vertices, std::uint32_t(light), settings_.strand_filter};
     const gpu::Groups groups = gpu::groups_for(vertices);
-    commands.dispatch(
-        kernels_.lookup,
-        {&frame_, resources.strands.vertices, &maps_.visibility, resources.transmittance[std::size_t(light)]},
-        {&maps_.surfaces}, gpu::bytes_of(push), groups.x, groups.y);
+    const std::uint32_t count = resources.channels.count;
+    const auto reached = [&](std::uint32_t k) {
+      return resources.transmittance[std::size_t(light) * count + std::min(k, count - 1)];
+    };
+    commands.dispatch(kernels_.lookup,
+                      {&frame_, resources.strands.vertices, &maps_.visibility, reached(0), reached(1), reached(2)},
+                      {&maps_.surfaces}, gpu::bytes_of(push), groups.x, groups.y);
   }
 
   std::shared_ptr<gpu::Device> device_;
@@ -238,22 +255,24 @@ class SurfaceShadow : public GpuPass {
 };
 
 Result<gpu::GraphicsPipeline> make_depth_pipeline(gpu::Device& device, std::span<const std::uint32_t> vertex,
-                                                  std::span<const std::uint32_t> fragment, std::uint32_t push_bytes) {
+                                                  std::span<const std::uint32_t> fragment,
+                                                  const gpu::ShaderInterface& interface) {
   gpu::GraphicsDescription description;
   description.vertex_spirv = vertex;
   description.fragment_spirv = fragment;
-  description.interface.storage_buffers = 3;
-  description.interface.push_constant_bytes = push_bytes;
+  description.interface = interface;
   description.depth_test = description.depth_write = true;
   return device.make_graphics(description);
 }
 
-Result<Kernels> make_kernels(gpu::Device& device) {
+Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
   Kernels kernels;
-  CUTICLE_ASSIGN(kernels.surfaces,
-                 make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, sizeof(glm::mat4)));
-  CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, sizeof(HairPush)));
-  CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, {4, 1, sizeof(LookupPush)}));
+  const gpu::ShaderInterface surfaces{3, 0, sizeof(glm::mat4)};
+  const gpu::ShaderInterface hair{3, 0, sizeof(HairPush), with_channels({}, hair_channels(resources))};
+  const gpu::ShaderInterface lookup{6, 1, sizeof(LookupPush), with_channels({}, resources.channels)};
+  CUTICLE_ASSIGN(kernels.surfaces, make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, surfaces));
+  CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, hair));
+  CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, lookup));
   return kernels;
 }
 
@@ -274,11 +293,12 @@ Result<Surface> upload(gpu::Device& device, const strands::Mesh& mesh) {
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size(), "a transmittance per light");
+  CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size() * resources.channels.count,
+                 "a transmittance per light and opacity");
   const registry::ParameterValues values = parameters_of(resources, entry());
   const Settings settings{int(values.integer("resolution")), int(resources.lights.size()),
                           1e-3 * values.real("bias_mm"), float(values.real("strand_filter"))};
-  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   Surface surface;
   if (resources.head) {
     CUTICLE_ASSIGN(surface, upload(*device, *resources.head));

@@ -18,7 +18,7 @@ struct MapsFrame {
 /// What other passes read of the maps.
 struct Maps {
   MapsFrame frame{};
-  gpu::Texture surfaces, hair;  ///< depth32f
+  gpu::Texture surfaces, hair;  ///< depth32f; of hair one below the other for each opacity of different_channels
   gpu::Buffer visibility;       ///< of each light past the surfaces: one float per vertex, light by light
   float surface_filter = 3;     ///< texels
 };

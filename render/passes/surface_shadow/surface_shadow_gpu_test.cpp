@@ -60,7 +60,7 @@ class Frame {
   Frame(const strands::Groom& groom, const std::vector<Light>& lights, double fibre_alpha)
       : plate_(plate()), vertices_(upload(packed(groom))), segments_(upload(firsts(groom))) {
     resources_.lights = lights;
-    resources_.fibre_alpha = float(fibre_alpha);
+    resources_.fibre_alpha = glm::dvec3(fibre_alpha);
     resources_.head = &plate_;
     resources_.strands = {&vertices_, &segments_, std::uint32_t(groom.vertex_count()),
                           std::uint32_t(segments_.size() / 4), strands::bounds(groom)};

@@ -1,0 +1,33 @@
+#pragma once
+// The lights' transmittance at the vertices of drawn strands: by the scene's shadow method, once for each opacity that
+// the channels do not share, or once for all where one's powers are the others'.
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <cuticle/plan/plan.h>
+#include <cuticle/render/pass_gpu.h>
+#include <cuticle/shadows/channels_gpu.h>
+
+namespace cuticle::plan {
+
+class StrandShadows {
+ public:
+  /// What the plan has of shadows, and its buffers in `resources`, whose lights, strands and opacity are there. Nothing
+  /// where nothing shadows strands. Errors: of the device, and of the method.
+  Result<void> make(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, const Plan& plan,
+                    render::FrameResources& resources);
+  /// By the `casters` of `resources`. Errors: the method's.
+  Result<void> record(gpu::Commands& commands, const render::FrameResources& resources);
+
+ private:
+  Result<void> make_methods(const std::shared_ptr<gpu::Device>& device, const scene::Block& block,
+                            const render::FrameResources& resources);
+
+  std::vector<std::unique_ptr<shadows::GpuShadow>> methods_;  ///< one per buffer, or per light by the root, or none
+  std::vector<gpu::Buffer> transmittance_;                    ///< FrameResources::transmittance
+  std::optional<std::uint32_t> root_;                         ///< shadows::root_opacity
+  shadows::ChannelPowers powers_;                             ///< made where there is a root
+};
+
+}  // namespace cuticle::plan
