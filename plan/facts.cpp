@@ -61,7 +61,6 @@ registry::Fact opacities_fact(const scene::Scene& scene) {
 
 registry::Fact shadow_fact(const scene::Scene& scene) {
   if (!scene.shadow) return {false, "the scene names no shadow method"};
-  if (scene.render_method == "cards") return {false, "cards are shadowed by the occlusion of their vertices"};
   const registry::Fact apart = opacities_fact(scene);
   return {true, fmt::format("shadows by '{}'{}", scene.shadow->name, apart.holds ? ", " + apart.why : "")};
 }

@@ -13,7 +13,9 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 primary;    // w: exponent
   vec4 secondary;  // w: exponent
   vec4 shifts;     // primary, secondary
+  uint vertex_count;  // of what transmittance.glsl calls vertices: here the rows of all cards
   LightRow lights[k_most_lights];
 };
 layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
-layout(set = 0, binding = 5) uniform sampler2D atlas_texture;  // base, shift, mask, alpha
+layout(std430, set = 0, binding = 5) readonly buffer Transmittance { float transmittance[]; };
+layout(set = 0, binding = 6) uniform sampler2D atlas_texture;  // base, shift, mask, alpha

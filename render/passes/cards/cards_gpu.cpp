@@ -20,9 +20,10 @@ namespace {
 struct CardFrame {
   glm::mat4 world_to_clip;
   glm::vec4 eye, atlas, diffuse, primary, secondary, shifts;
+  std::uint32_t vertex_count, unused[3];
   LightRows lights;
 };
-static_assert(sizeof(CardFrame) == 64 + 16 * 6 + 16 * 3 * k_most_lights);
+static_assert(sizeof(CardFrame) == 64 + 16 * 7 + 16 * 3 * k_most_lights);
 
 void set_material(CardFrame& frame, const registry::ParameterValues& values) {
   const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
@@ -62,7 +63,8 @@ class Cards : public GpuPass {
     const registry::ParameterValues parameters = parameters_of(resources, entry());
     CUTICLE_ASSIGN(const strands::HairCards cards,
                    strands::make_hair_cards(*resources.rest, resources.head, parameters));
-    CUTICLE_ASSIGN(placement_, Placement::make(*device_, *resources.rest, cards));
+    CUTICLE_ASSIGN(placement_, Placement::make(*device_, resources, cards));
+    frame_.vertex_count = placement_.row_count();
     CUTICLE_ASSIGN(sorting_, Sorting::make(*device_, cards.mesh, order_of(parameters.choice("order"))));
     CUTICLE_ASSIGN(texture_,
                    device_->make_texture({.size = {cards.textures.atlas.width, cards.textures.atlas.height}}));
@@ -117,9 +119,11 @@ class Cards : public GpuPass {
     description.vertex_spirv = cards_vert;
     description.fragment_spirv = settings.fragment;
     description.interface = {
-        .storage_buffers = 5,
+        .storage_buffers = 6,
         .textures = 1,
-        .specialization = {settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u}};
+        .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
+                                         resources.transmittance.empty() ? 0u : 1u},
+                                        resources.channels)};
     if (depth_alone) description.color_formats.clear();
     description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
     description.depth_write = settings.writes_depth;
@@ -162,7 +166,8 @@ class Cards : public GpuPass {
     if (counts_) commands.begin_count(step.name);
     commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.depth, !begins_depth);
     commands.draw(step.pipeline,
-                  {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_},
+                  {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_,
+                   &placement_.reached()},
                   {&texture_}, {}, sorting_.index_count());
     commands.end_rendering();
     if (counts_) commands.end_count();

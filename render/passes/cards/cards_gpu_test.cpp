@@ -26,6 +26,7 @@ using Settings = std::vector<std::pair<const char*, registry::Value>>;
 struct Scene {
   strands::Groom groom;               ///< at rest, k_vertices a strand
   std::vector<glm::vec3> moved = {};  ///< positions of the frame; empty: at rest
+  std::vector<float> reached = {};    ///< transmittance per vertex; empty: nothing shadows
   glm::dmat4 motion{1};               ///< of the head
   Camera camera = {.position = {0, -0.1, 1}, .target = {0, -0.1, 0}, .vertical_field_of_view = 0.4};
   std::vector<Light> lights = {
@@ -109,6 +110,8 @@ Result<Drawn> try_draw(const Scene& scene) {
   resources.camera = scene.camera;
   resources.camera.resolution = size;
   resources.lights = scene.lights;
+  const gpu::Buffer reached = upload(scene.reached.empty() ? std::vector<float>{1} : scene.reached);
+  if (!scene.reached.empty()) resources.transmittance = {&reached};
   resources.strands.vertices = &vertices;
   resources.strands.vertex_count = std::uint32_t(positions.size());
   resources.vertices_per_strand = k_vertices;
@@ -208,6 +211,34 @@ TEST(Cards, PixelOfACard_EqualsTheModelWithTexelAndOcclusion) {
     }
   std::printf("pixel beside the model: %.4f\n", worst);
   EXPECT_LT(worst, 0.015);
+}
+
+/// A lock of which the share v arrives at v: the card's pixels get dimmer toward the root as its strands do, and all of it
+/// arriving is more light than occlusion leaves.
+TEST(Cards, ShadowOfTheirStrands_DimsRowsInPlaceOfOcclusion) {
+  Scene scene;
+  add_lock(scene.groom, 0.1f, 5);
+  scene.settings = {{"cards", std::int64_t(1)}, {"layers", std::int64_t(1)}};
+  const Image occluded = draw(scene).image;
+  scene.reached.assign(scene.groom.vertex_count(), 1);
+  const Image open = draw(scene).image;
+  for (std::size_t v = 0; v < scene.reached.size(); ++v)
+    scene.reached[v] = float(v % k_vertices) / float(k_vertices - 1);
+  const Image graded = draw(scene).image;
+  double worst = 0;
+  int seen = 0;
+  for (int y = 0; y < k_size; ++y)
+    for (int x = 0; x < k_size; ++x) {
+      if (open.at(x, y, 3) < 0.9f) continue;
+      ++seen;
+      // One metre away, looking at y = -0.1 with 0.4 rad over the picture; the lock lies at 0.1 m, from y = 0 to -0.2.
+      const double down = (double(y) + 0.5) / k_size * 2 - 1, place = -0.1 - down * std::tan(0.2) * 0.9;
+      worst = std::max(worst, std::abs(double(graded.at(x, y, 0)) / double(open.at(x, y, 0)) - place / -0.2));
+      EXPECT_LE(occluded.at(x, y, 0), open.at(x, y, 0) * 1.0001f);
+    }
+  std::printf("shadowed rows: %d pixels, share off by %.4f\n", seen, worst);
+  EXPECT_GT(seen, 100);
+  EXPECT_LT(worst, 0.05);
 }
 
 TEST(Cards, ThreeAndFourPasses_DrawTheSamePictureUnderEqualDepthRules) {

@@ -10,21 +10,45 @@ layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[];
 layout(std430, set = 0, binding = 1) readonly buffer Rests { CardRest rests[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Followers { uint followers[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Placed { PlacedRow placed[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };  // per drawn vertex
+layout(std430, set = 0, binding = 5) writeonly buffer Reached { float reached[]; };             // per row
 layout(push_constant) uniform Push {
   mat4 head;  // rest to world
-  uint row_count, vertices_per_strand;
+  uint row_count, vertices_per_strand, vertex_count;
+  uint shadows;  // lights times different channels; 0: nothing shadows
 };
 
 const float k_step = 0.02;  // of v, for tangents; placement_gpu.cpp has the same
 
-// The followers' mean at v, their vertices taken for even steps.
-vec3 mean_of_followers(uvec2 list, float v) {
+// Of a strand: the vertex before v, its vertices taken for even steps, and the share of the way to the next.
+struct Step {
+  uint begin;
+  float share;
+};
+Step step_at(float v) {
   const float place = clamp(v, 0.0, 1.0) * float(vertices_per_strand - 1u);
   const uint begin = min(uint(place), vertices_per_strand - 2u);
+  return Step(begin, place - float(begin));
+}
+
+// The followers' mean at v.
+vec3 mean_of_followers(uvec2 list, float v) {
+  const Step at = step_at(v);
   vec3 sum = vec3(0.0);
   for (uint k = list.x; k < list.y; ++k) {
-    const uint vertex = followers[k] * vertices_per_strand + begin;
-    sum += mix(vertices[vertex].xyz, vertices[vertex + 1u].xyz, place - float(begin));
+    const uint vertex = followers[k] * vertices_per_strand + at.begin;
+    sum += mix(vertices[vertex].xyz, vertices[vertex + 1u].xyz, at.share);
+  }
+  return sum / float(list.y - list.x);
+}
+
+// What arrives at them there, in the mean.
+float mean_transmittance(uvec2 list, float v, uint shadow) {
+  const Step at = step_at(v);
+  float sum = 0.0;
+  for (uint k = list.x; k < list.y; ++k) {
+    const uint vertex = shadow * vertex_count + followers[k] * vertices_per_strand + at.begin;
+    sum += mix(transmittance[vertex], transmittance[vertex + 1u], at.share);
   }
   return sum / float(list.y - list.x);
 }
@@ -46,4 +70,5 @@ void main() {
   placed[row].right = vec4(middle + rest.across.w * across, rest.follower_tangent.w);
   placed[row].normal = vec4(cross(tangent, across), 0.0);
   placed[row].tangent = vec4(tangent, 0.0);
+  for (uint k = 0u; k < shadows; ++k) reached[k * row_count + row] = mean_transmittance(rest.followers.xy, v, k);
 }

@@ -1,15 +1,19 @@
 // Scheuermann's shading of a card's pixel: two highlights with tangents shifted along the card's normal, a lerp diffuse
-// term, textures, ambient occlusion.
+// term, textures, ambient occlusion, and what the scene's shadow method lets through to the strands of the card.
 #include "cuticle/bsdf/scheuermann/scheuermann.glslh"
 #include "cuticle/render/passes/cards/cards_frame.glsl"
 
 layout(constant_id = 0) const bool is_opaque = false;
 layout(constant_id = 1) const uint step_number = 0u;
 layout(constant_id = 2) const bool counts = false;
+layout(constant_id = 3) const bool is_shadowed = false;
+#define CHANNEL_CONSTANT 4
+#include "cuticle/render/passes/lines/transmittance.glsl"
 layout(location = 0) in vec3 world;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 tangent;
 layout(location = 3) in vec3 uv_open;
+layout(location = 4) in float row_at;
 layout(location = 0) out vec4 color;
 
 // L + V by its components along the tangent, the normal, and across both.
@@ -24,6 +28,14 @@ HalfVector half_vector_on_card(vec3 t, vec3 n, vec3 to_light, vec3 to_eye) {
   return v;
 }
 
+// Between the two rows that the pixel lies between; a sample beside the card extrapolates.
+vec3 through_of(uint light) {
+  if (!is_shadowed) return vec3(1.0);
+  const float at = clamp(row_at, 0.0, float(vertex_count - 1u));
+  const uint row = uint(at), next = min(row + 1u, vertex_count - 1u);
+  return mix(transmitted(light, row), transmitted(light, next), at - float(row));
+}
+
 vec4 shaded(vec4 texel) {
   if (counts) atomicAdd(shaded_count[step_number], 1u);
   const vec3 t = normalize(tangent), n = normalize(normal - t * dot(normal, t)), to_eye = normalize(eye.xyz - world);
@@ -35,7 +47,7 @@ vec4 shaded(vec4 texel) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < uint(diffuse.w); ++k) {
     const Arriving light = arriving_at(world, lights[k]);
-    sum += scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * light.irradiance;
+    sum += scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * light.irradiance * through_of(k);
   }
-  return vec4(held_by_halves(sum * texel.r * open), is_opaque ? 1.0 : texel.a);
+  return vec4(held_by_halves(sum * texel.r * (is_shadowed ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
 }

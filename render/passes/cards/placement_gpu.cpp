@@ -17,7 +17,7 @@ constexpr float k_step = 0.02f;  // of v, as in cards_place.comp
 
 struct Push {
   glm::mat4 head;
-  std::uint32_t row_count, vertices_per_strand;
+  std::uint32_t row_count, vertices_per_strand, vertex_count, shadows;
 };
 
 /// The mean of strands at v, their vertices taken for even steps, as cards_place.comp takes it.
@@ -71,23 +71,34 @@ class Rests {
 
 }  // namespace
 
-Result<Placement> Placement::make(gpu::Device& device, const strands::Groom& rest, const strands::HairCards& cards) {
-  const Rests rests(rest, cards);
+Result<Placement> Placement::make(gpu::Device& device, const FrameResources& resources,
+                                  const strands::HairCards& cards) {
+  const Rests rests(*resources.rest, cards);
   Placement placement;
   placement.rows_ = std::uint32_t(rests.rows.size());
   CUTICLE_ASSIGN(placement.rests_, gpu::make_buffer_from<CardRest>(device, rests.rows));
   CUTICLE_ASSIGN(placement.followers_, gpu::make_buffer_from<std::uint32_t>(device, rests.followers));
   CUTICLE_ASSIGN(placement.placed_, device.make_buffer(rests.rows.size() * 4 * sizeof(glm::vec4)));
+  const std::size_t shadows = resources.transmittance.size();
+  CUTICLE_ASSIGN(placement.reached_,
+                 device.make_buffer(std::max<std::size_t>(1, shadows * rests.rows.size()) * sizeof(float)));
+  if (shadows > 0) {
+    CUTICLE_ASSIGN(placement.transmittance_, GatheredTransmittance::make(device, resources));
+  }
   CUTICLE_ASSIGN(placement.kernel_,
-                 device.make_kernel(cards_place_comp, {.storage_buffers = 4, .push_constant_bytes = sizeof(Push)}));
+                 device.make_kernel(cards_place_comp, {.storage_buffers = 6, .push_constant_bytes = sizeof(Push)}));
   return placement;
 }
 
 void Placement::record(gpu::Commands& commands, const FrameResources& resources) const {
-  const Push push{glm::mat4(resources.head_transform), rows_, resources.vertices_per_strand};
+  const Push push{glm::mat4(resources.head_transform), rows_, resources.vertices_per_strand,
+                  resources.strands.vertex_count, std::uint32_t(resources.transmittance.size())};
+  if (transmittance_) transmittance_->record(commands, resources);
   const gpu::Groups groups = gpu::groups_for(rows_);
-  commands.dispatch(kernel_, {resources.strands.vertices, &rests_, &followers_, &placed_}, {}, gpu::bytes_of(push),
-                    groups.x, groups.y);
+  commands.dispatch(kernel_,
+                    {resources.strands.vertices, &rests_, &followers_, &placed_,
+                     transmittance_ ? &transmittance_->buffer() : &rests_, &reached_},
+                    {}, gpu::bytes_of(push), groups.x, groups.y);
 }
 
 }  // namespace cuticle::render::cards

@@ -1,8 +1,10 @@
 #pragma once
 // Cards on the device, carried by their strands.
+#include <optional>
+
 #include <glm/vec4.hpp>
 
-#include <cuticle/render/pass_gpu.h>
+#include <cuticle/render/gathered_transmittance_gpu.h>
 #include <cuticle/strands/cards/hair_cards.h>
 
 namespace cuticle::render::cards {
@@ -19,16 +21,20 @@ inline constexpr std::size_t k_most_followers = 8;
 
 class Placement {
  public:
-  /// `rest`: the drawn strands at rest, all of as many vertices.
-  static Result<Placement> make(gpu::Device& device, const strands::Groom& rest, const strands::HairCards& cards);
-  /// One dispatch: the rows where this frame's strands are.
+  /// Of the drawn strands at rest, all of as many vertices.
+  static Result<Placement> make(gpu::Device& device, const FrameResources& resources, const strands::HairCards& cards);
+  /// One dispatch: the rows where this frame's strands are, and what of each light arrives there.
   void record(gpu::Commands& commands, const FrameResources& resources) const;
 
   const gpu::Buffer& rests() const { return rests_; }
   const gpu::Buffer& placed() const { return placed_; }
+  /// Light by light and channel by channel a float per row; one float where nothing shadows.
+  const gpu::Buffer& reached() const { return reached_; }
+  std::uint32_t row_count() const { return rows_; }
 
  private:
-  gpu::Buffer rests_, followers_, placed_;
+  gpu::Buffer rests_, followers_, placed_, reached_;
+  std::optional<GatheredTransmittance> transmittance_;  ///< of the strands, where a method shadows
   gpu::Kernel kernel_;
   std::uint32_t rows_ = 0;
 };

@@ -6,7 +6,7 @@ namespace cuticle::render::dual_scattering {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"light", "output_color", "strand_colors", "dual_scattering"};
+constexpr std::string_view k_demands[] = {"light", "output_color", "shaded_from_tables", "dual_scattering"};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
 constexpr registry::Parameter k_parameters[] = {
@@ -26,8 +26,8 @@ constexpr registry::Parameter k_parameters[] = {
 
 const Pass& entry() {
   static const Pass pass = shading({.name = "dual_scattering",
-                                    .summary = "averages of the fibre, from which 'shade_strands' adds light that was "
-                                               "scattered many times, in place of lines.ambient",
+                                    .summary = "averages of the fibre, from which light that was scattered many times is "
+                                               "added, in place of lines.ambient",
                                     .source = "Zinke, Yuksel, Weber and Keyser 2008, Dual scattering approximation",
                                     .parameters = k_parameters,
                                     .demands = k_demands,

@@ -1,7 +1,7 @@
 // Dual scattering (Zinke, Yuksel, Weber and Keyser 2008) from the averages of the fibre, per colour: what other fibres
-// have sent on to a point, and what comes back out of those around it. Before this stands
-// passes/lines/scattering.glsl and transmittance.glsl.
-layout(std430, set = 0, binding = 7) readonly buffer DualTerms {
+// have sent on to a point, and what comes back out of those around it. Before this stand
+// passes/lines/angles.glsl, passes/lines/transmittance.glsl and DUAL_BINDING.
+layout(std430, set = 0, binding = DUAL_BINDING) readonly buffer DualTerms {
   vec4 crossing_alphas;    // opacity of one crossing, per channel
   float forward_density;   // the paper's d_f
   float backward_density;  // its d_b

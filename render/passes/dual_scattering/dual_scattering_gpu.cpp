@@ -1,6 +1,7 @@
 #include <cuticle/bsdf/dual_scattering/dual_scattering.h>
-#include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering.h>
+#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 
 namespace cuticle::render::dual_scattering {
 
@@ -44,6 +45,17 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> with_dual_scattering(std::vector<std::uint32_t> before, const FrameResources& resources) {
+  before.push_back(resources.dual_scattering ? 1 : 0);
+  before.push_back(resources.surface_shadow ? 1 : 0);
+  return before;
+}
+
+Inputs inputs_of(const FrameResources& resources, const gpu::Buffer& unused) {
+  return {resources.dual_scattering ? resources.dual_scattering : &unused,
+          resources.surface_shadow ? &resources.surface_shadow->visibility : &unused};
+}
 
 const GpuPassEntry& gpu_entry() {
   static const GpuPassEntry table{"dual_scattering", create};

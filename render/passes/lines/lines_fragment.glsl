@@ -2,15 +2,17 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/render/passes/lines/lines_frame.glsl"
 
-layout(set = 0, binding = 4) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
-layout(set = 0, binding = 5) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
-layout(set = 0, binding = 6) uniform sampler2D table_n_trt;   // N_TRT rgb
+layout(set = 0, binding = 6) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
+layout(set = 0, binding = 7) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
+layout(set = 0, binding = 8) uniform sampler2D table_n_trt;   // N_TRT rgb
 #include "cuticle/render/passes/lines/scattering.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;
 layout(location = 2) flat in float brightness;
 layout(location = 3) in vec4 reached[2 * CHANNELS];
+layout(location = 3 + 2 * CHANNELS) in vec3 often;
+layout(constant_id = 4) const uint k_dual = 0u;  // 1: `often` in place of the frame's `multiple`
 layout(location = 0) out vec4 color;
 
 vec3 share_of(uint light) {
@@ -28,7 +30,8 @@ void main() {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
     vec3 through = clamp(share_of(k), 0.0, 1.0);  // a sample beside the line extrapolates
-    sum += shade(arriving_at(position, lights[k]), through, t, to_eye);
+    const Arriving arriving = arriving_at(position, lights[k]);
+    sum += k_dual == 0u ? shade(arriving, through, t, to_eye) : shade_once(arriving, through, t, to_eye);
   }
-  color = vec4(held_by_halves(sum * brightness), 1.0);
+  color = vec4(held_by_halves((sum + max(often, 0.0)) * brightness), 1.0);
 }

@@ -1,6 +1,7 @@
 #include <map>
 #include <optional>
 
+#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/strands/packing/packing_gpu.h>
@@ -14,15 +15,16 @@ namespace cuticle::render::lines {
 
 namespace {
 
-void set_shaders(gpu::GraphicsDescription& description, const shadows::Channels& channels) {
-  const bool coloured = channels.count > 1;
+void set_shaders(gpu::GraphicsDescription& description, const FrameResources& resources) {
+  const bool coloured = resources.channels.count > 1;
   description.vertex_spirv = lines_vert;
   description.fragment_spirv = lines_frag;
   if (coloured) {
     description.vertex_spirv = lines_coloured_vert;
     description.fragment_spirv = lines_coloured_frag;
   }
-  description.interface = {4, 3, 0, with_channels({}, channels)};
+  description.interface = {
+      6, 3, 0, dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources)};
 }
 
 class Lines : public GpuPass {
@@ -34,7 +36,7 @@ class Lines : public GpuPass {
   Result<const gpu::GraphicsPipeline*> pipeline_of(const FrameResources& resources, float width) {
     if (const auto made = pipelines_.find(width); made != pipelines_.end()) return &made->second;
     gpu::GraphicsDescription description = target_description(resources);
-    set_shaders(description, resources.channels);
+    set_shaders(description, resources);
     description.topology = gpu::Topology::lines;
     description.line_width = width;
     CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device_->make_graphics(description));
@@ -50,7 +52,10 @@ class Lines : public GpuPass {
     CUTICLE_TRY(inputs_.record(commands, resources));
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, widened(line_width_, part.width)));
     begin_target(commands, resources);
-    commands.draw(*pipeline, {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame()},
+    const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
+    commands.draw(*pipeline,
+                  {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
+                   dual.visibility},
                   {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
                   2 * part.strands * part.segments);
     commands.end_rendering();

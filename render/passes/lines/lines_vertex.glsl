@@ -12,11 +12,16 @@ layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float stran
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 #define CHANNEL_CONSTANT 0
 #include "cuticle/render/passes/lines/transmittance.glsl"
+#include "cuticle/render/passes/lines/angles.glsl"
+#define DUAL_CONSTANT 4
+#define DUAL_BINDING 4
+#include "cuticle/render/passes/dual_scattering/scattered_often.glsl"
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
 layout(location = 3) out vec4 reached[2 * CHANNELS];
+layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering
 
 vec3 position_of(uint vertex) {
   if (packed_vertices == 0u) return vertices[vertex].xyz;
@@ -34,6 +39,15 @@ float fraction_of(uint vertex) {
   return packed_vertices == 0u ? tangents[vertex].w
                                : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
 }
+
+vec3 light_scattered_often(uint vertex) {
+  const vec3 t = normalize(tangent), to_eye = normalize(eye.xyz - position);
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < light_count; ++k)
+    sum += scattered_often(arriving_at(position, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
+  return sum;
+}
+
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
@@ -44,6 +58,7 @@ void main() {
     const vec3 share = k < light_count ? transmitted(k, vertex) : vec3(0.0);
     for (uint c = 0u, n = CHANNELS * k; c < CHANNELS; ++c, ++n) reached[n >> 2][n & 3u] = share[c];
   }
+  often = k_dual == 0u ? vec3(0.0) : light_scattered_often(vertex);
   // A strand that chance cuts short ends in a segment of no length, outside the view.
   bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);

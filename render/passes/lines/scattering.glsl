@@ -3,7 +3,7 @@
 // Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M
 // (docs/conventions.md). Before this stand lines_frame.glsl and the samplers table_m (M_R, M_TT, M_TRT, cos theta_d),
 // table_n_tt_r (N_TT rgb, N_R) and table_n_trt (N_TRT rgb).
-const float k_tiny = 1e-12;  // keeps the cosine of an undefined azimuth (light or eye along the fibre) at 0
+#include "cuticle/render/passes/lines/angles.glsl"
 
 vec3 scattering(float sin_i, float sin_o, float cos_phi) {
   vec4 m = texture(table_m, vec2(sin_i, sin_o) * m_scale_bias.xy + m_scale_bias.zw) * m_scale;
@@ -13,17 +13,6 @@ vec3 scattering(float sin_i, float sin_o, float cos_phi) {
   return m.r * n_tt_r.aaa + m.g * n_tt_r.rgb + m.b * n_trt;
 }
 
-struct Angles {
-  float sin_i, sin_o, cos_phi;
-};
-
-Angles angles_of(vec3 l, vec3 t, vec3 to_eye) {
-  float sin_i = dot(l, t), sin_o = dot(to_eye, t);
-  vec3 across_i = l - sin_i * t, across_o = to_eye - sin_o * t;
-  float cos_phi = dot(across_i, across_o) * inversesqrt(max(dot(across_i, across_i) * dot(across_o, across_o), k_tiny));
-  return Angles(sin_i, sin_o, cos_phi);
-}
-
 // Radiance by a light of which the share `through` of each channel arrives.
 vec3 shade(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
   Angles angles = angles_of(light.to_light, t, to_eye);
@@ -31,4 +20,10 @@ vec3 shade(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
   vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
   vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
   return (once + often) * light.irradiance;
+}
+
+// The same of light that this fibre alone has scattered.
+vec3 shade_once(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
+  Angles angles = angles_of(light.to_light, t, to_eye);
+  return scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through * light.irradiance;
 }

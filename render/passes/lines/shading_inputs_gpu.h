@@ -1,6 +1,7 @@
 #pragma once
 // What the shaders that shade strands read in a frame: constants, the transmittance of all lights in one buffer,
 // tables.
+#include <cuticle/render/gathered_transmittance_gpu.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
 
 namespace cuticle::render::lines {
@@ -15,15 +16,15 @@ class ShadingInputs {
   Result<void> record(gpu::Commands& commands, const FrameResources& resources);
 
   const gpu::Buffer& frame() const { return frame_buffer_; }
-  const gpu::Buffer& transmittance() const { return transmittance_; }
+  const gpu::Buffer& transmittance() const { return transmittance_.buffer(); }
   const gpu::Texture* table(const FrameResources& resources, std::size_t index) const;
 
  private:
   Result<void> take_tables(const FrameResources& resources);
-  void gather_transmittance(gpu::Commands& commands, const FrameResources& resources);
 
   std::shared_ptr<gpu::Device> device_;
-  gpu::Buffer frame_buffer_, transmittance_;
+  gpu::Buffer frame_buffer_;
+  GatheredTransmittance transmittance_;
   gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
   registry::ParameterValues values_;  ///< of the tables that frame_ was made for
   Frame frame_{};

@@ -1,5 +1,5 @@
 // What of a light arrives at a vertex, per channel: light by light `transmittance` holds a float per vertex for each
-// different opacity. Before this stand that buffer, lines_frame.glsl and CHANNEL_CONSTANT.
+// different opacity. Before this stand that buffer, vertex_count and CHANNEL_CONSTANT.
 #include "cuticle/render/channels.glsl"
 
 vec3 transmitted(uint light, uint vertex) {

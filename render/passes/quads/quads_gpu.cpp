@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/render/passes/quads/quads.h>
 
@@ -41,7 +42,10 @@ class Quads : public GpuPass {
     see(commands, resources, part);
     const gpu::Commands::Target target = color_target(resources);
     commands.begin_rendering({&target, 1}, nullptr);
-    commands.draw(shade_, {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame()},
+    const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
+    commands.draw(shade_,
+                  {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame(),
+                   dual.terms, dual.visibility},
                   {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2), &seen_}, {},
                   3);
     commands.end_rendering();
@@ -74,9 +78,11 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    description.interface = {.storage_buffers = 4,
-                             .textures = 4,
-                             .specialization = with_channels({std::uint32_t(samples)}, resources.channels)};
+    description.interface = {
+        .storage_buffers = 6,
+        .textures = 4,
+        .specialization = dual_scattering::with_dual_scattering(
+            with_channels({std::uint32_t(samples)}, resources.channels), resources)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }

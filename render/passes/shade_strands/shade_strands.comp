@@ -13,7 +13,6 @@ layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; }
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
 layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
-layout(std430, set = 0, binding = 8) readonly buffer Visibility { float visibility[]; };  // past surfaces
 layout(set = 0, binding = 9) uniform sampler2D table_m;
 layout(set = 0, binding = 10) uniform sampler2D table_n_tt_r;
 layout(set = 0, binding = 11) uniform sampler2D table_n_trt;
@@ -24,21 +23,9 @@ layout(push_constant) uniform Push {
 #define CHANNEL_CONSTANT 2
 #include "cuticle/render/passes/lines/transmittance.glsl"
 #include "cuticle/render/passes/lines/scattering.glsl"
-#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
-layout(constant_id = 0) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
-layout(constant_id = 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
-
-// What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
-vec3 lit(uint light, uint vertex, vec3 t, vec3 to_eye) {
-  vec3 through = transmitted(light, vertex);
-  Arriving arriving = arriving_at(vertices[vertex].xyz, lights[light]);
-  if (k_dual == 0u) return shade(arriving, through, t, to_eye);
-  float past = k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
-  if (past <= 0.0) return vec3(0.0);
-  Angles angles = angles_of(arriving.to_light, t, to_eye);
-  vec3 once = scattering(angles.sin_i, angles.sin_o, angles.cos_phi) * through;
-  return (once + past * dual_scattering(angles, min(through / past, vec3(1.0)))) * arriving.irradiance;
-}
+#define DUAL_CONSTANT 0
+#define DUAL_BINDING 7
+#include "cuticle/render/passes/dual_scattering/lit.glsl"
 
 void main() {
   uint vertex = invocation();
@@ -49,7 +36,8 @@ void main() {
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(strand, variation));
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k) sum += lit(k, vertex, t, to_eye);
+  for (uint k = 0u; k < light_count; ++k)
+    sum += lit(arriving_at(vertices[vertex].xyz, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
   vec3 radiance = held_by_halves(sum * brightness_of(strand, variation));
   float kept = tangents[vertex].w <= kept_length(strand, tip_variation) ? 1.0 : 0.0;
   colors[vertex] = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, kept)));

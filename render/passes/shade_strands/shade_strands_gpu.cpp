@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/render/passes/shade_strands/shade_strands.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 
 #include <shade_choose_comp.spv.h>
@@ -78,11 +78,11 @@ class ShadeStrands : public GpuPass {
   void record_shade(gpu::Commands& commands, const FrameResources& resources) const {
     const ShadePush push{only_visible(resources), point_px_ > 0 ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
+    const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     commands.dispatch(kernels_.shade,
                       {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(),
                        &inputs_.transmittance(), &visible(resources), &buffers_.shaded,
-                       resources.dual_scattering ? resources.dual_scattering : &inputs_.frame(),
-                       resources.surface_shadow ? &resources.surface_shadow->visibility : &inputs_.frame()},
+                       dual.terms, dual.visibility},
                       {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
                       gpu::bytes_of(push), groups.x, groups.y);
   }
@@ -104,9 +104,9 @@ class ShadeStrands : public GpuPass {
 Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
-  const std::vector<std::uint32_t> has = {resources.dual_scattering ? 1u : 0u, resources.surface_shadow ? 1u : 0u};
-  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp,
-                                                   {9, 3, sizeof(ShadePush), with_channels(has, resources.channels)}));
+  const std::vector<std::uint32_t> constants =
+      with_channels(dual_scattering::with_dual_scattering({}, resources), resources.channels);
+  CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {9, 3, sizeof(ShadePush), constants}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
 }

@@ -1,0 +1,16 @@
+#pragma once
+// What shaders that include lit.glsl are given.
+#include <cuticle/render/pass_gpu.h>
+
+namespace cuticle::render::dual_scattering {
+
+/// The two specialisation constants, after those of `before`.
+std::vector<std::uint32_t> with_dual_scattering(std::vector<std::uint32_t> before, const FrameResources& resources);
+
+/// The two buffers; `unused` takes the place of what the scene does not ask for.
+struct Inputs {
+  const gpu::Buffer *terms, *visibility;
+};
+Inputs inputs_of(const FrameResources& resources, const gpu::Buffer& unused);
+
+}  // namespace cuticle::render::dual_scattering

@@ -1,0 +1,19 @@
+// Light that other fibres have scattered, for any shader that lights strands. Before this stand
+// passes/lines/transmittance.glsl, passes/lines/angles.glsl, DUAL_CONSTANT, the number of the first of two specialisation
+// constants, and DUAL_BINDING, that of the first of two buffers (dual_scattering_gpu.h).
+layout(constant_id = DUAL_CONSTANT) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
+layout(constant_id = DUAL_CONSTANT + 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
+layout(std430, set = 0, binding = DUAL_BINDING + 1) readonly buffer Visibility { float visibility[]; };
+#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
+
+// What of a light passes the surfaces to a vertex.
+float past_surfaces(uint light, uint vertex) {
+  return k_dual == 0u || k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
+}
+
+// What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
+vec3 scattered_often(Arriving arriving, vec3 through, float past, vec3 t, vec3 to_eye) {
+  if (past <= 0.0) return vec3(0.0);
+  const Angles angles = angles_of(arriving.to_light, t, to_eye);
+  return past * dual_scattering(angles, min(through / past, vec3(1.0))) * arriving.irradiance;
+}
