@@ -135,6 +135,28 @@ TEST(DistanceFields, NodesOnFacesEdgesAndCorners_AreCountedOnce) {
       }
 }
 
+TEST(DistanceFields, LinesInByAnEdgeAndOutByAFace_LeaveNoInsideBehind) {
+  // Every line through nodes along a pyramid's diagonals comes in at an edge; half of them leave within a triangle.
+  strands::Mesh pyramid;
+  pyramid.positions = {
+      {-0.25f, 0, 0}, {0.25f, -0.25f, -0.25f}, {0.25f, 0.25f, -0.25f}, {0.25f, -0.25f, 0.25f}, {0.25f, 0.25f, 0.25f}};
+  pyramid.triangles = {{0, 2, 1}, {0, 4, 2}, {0, 3, 4}, {0, 1, 3}, {1, 2, 4}, {1, 4, 3}};
+  strands::compute_normals(pyramid);
+  const DistanceField field = baked(pyramid, 0.125);
+  int inside = 0;
+  for (std::size_t k = 0; k < field.values.size(); ++k) {
+    const glm::ivec3 nodes = field.cells + 1,
+                     node(int(k) % nodes.x, int(k) / nodes.x % nodes.y, int(k) / nodes.x / nodes.y);
+    const glm::dvec3 place = field.centre + field.spacing * (glm::dvec3(node) - glm::dvec3(field.cells) / 2.0);
+    const double room = std::min(0.25 - place.x, (place.x + 0.25) / 2 - std::max(std::abs(place.y), std::abs(place.z)));
+    inside += room > 1e-6;
+    if (std::abs(room) > 1e-6) {
+      EXPECT_EQ(field.values[k]<0, room> 0) << place.x << " " << place.y << " " << place.z;
+    }
+  }
+  EXPECT_EQ(inside, 11);
+}
+
 void expect_refused(const strands::Mesh& mesh, double spacing, std::string_view why) {
   const auto field = bake_distance_field(mesh, spacing, "m.obj");
   ASSERT_FALSE(field) << why;
