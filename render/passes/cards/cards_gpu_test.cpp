@@ -238,7 +238,7 @@ TEST(Cards, ShadowOfTheirStrands_DimsRowsInPlaceOfOcclusion) {
     }
   std::printf("shadowed rows: %d pixels, share off by %.4f\n", seen, worst);
   EXPECT_GT(seen, 100);
-  EXPECT_LT(worst, 0.05);
+  EXPECT_LT(worst, 0.004);
 }
 
 TEST(Cards, ThreeAndFourPasses_DrawTheSamePictureUnderEqualDepthRules) {
