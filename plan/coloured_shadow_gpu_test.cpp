@@ -98,7 +98,6 @@ TEST_P(ColouredShadow, OfChannelsThatHairTakesLessOf_IsBrighter) {
 INSTANTIATE_TEST_SUITE_P(Ways, ColouredShadow,
                          testing::Values(Way{"lines", k_lines, k_bare}, Way{"quads", k_quads, k_bare},
                                          Way{"tiles", k_tiles, k_bare}, Way{"dual_scattering", k_tiles, k_dual},
-                                         Way{"truth", k_truth, k_bare},
                                          Way{"on_surfaces", k_tiles, k_on_surfaces, 0.005, 2}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
