@@ -98,7 +98,8 @@ TEST_P(ColouredShadow, OfChannelsThatHairTakesLessOf_IsBrighter) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, ColouredShadow,
                          testing::Values(Way{"lines", k_lines, k_bare}, Way{"quads", k_quads, k_bare},
-                                         Way{"tiles", k_tiles, k_bare}, Way{"dual_scattering", k_tiles, k_dual},
+                                         Way{"tiles", k_tiles, k_bare}, Way{"cards", k_cards, k_bare},
+                                         Way{"dual_scattering", k_tiles, k_dual},
                                          Way{"on_surfaces", k_tiles, k_on_surfaces, 0.005, 2}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
@@ -122,15 +123,6 @@ TEST(ColouredShadow, InTheLayers_IsItsLuminance) {
 TEST(ColouredShadow, OfClearAndOpaqueChannels_IsFinite) {
   for (const std::string_view passes : {k_on_surfaces, k_dual})
     for (const float value : drawn(k_tiles, passes, "[0, 0.4, 1]").color.pixels) ASSERT_TRUE(std::isfinite(value));
-}
-
-// No shadow method runs: hair is shadowed by the occlusion of its cards.
-TEST(ColouredShadow, OfCards_IsNone) {
-  const auto picture = [](std::string_view alpha) {
-    const scene::Scene scene = scene_of({k_two_lights, k_cards, shadow_of("opacity_map", alpha)});
-    return frame_of(**FrameRunner::create(software_device(), scene, silent_progress()), 0).color.pixels;
-  };
-  EXPECT_EQ(picture("0.4"), picture("[0.1, 0.3, 0.8]"));
 }
 
 /// Transmittance per channel of a groom's vertices by every method that has a half on the device, and by its twin.
