@@ -73,6 +73,7 @@ TEST_P(ColouredShadow, OfEqualChannels_IsThatOfOneNumberBitByBit) {
   EXPECT_EQ(one.color.pixels, three.color.pixels);
   EXPECT_EQ(one.aovs.pixels, three.aovs.pixels);
   EXPECT_EQ(one.bytes, three.bytes);
+  EXPECT_LT(one.bytes, drawn(GetParam().render, GetParam().passes, "[0.1, 0.3, 0.8]").bytes);
 }
 
 TEST_P(ColouredShadow, OfEachChannel_IsThatOfItsOwnOpacityBitByBit) {
