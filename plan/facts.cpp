@@ -28,6 +28,7 @@ registry::Fact colliders_fact(const scene::Scene& scene) {
   add(scene.colliders.size(), "sphere collider");
   add(scene.boxes.size(), "capsule or box collider");
   add(scene.mesh_colliders.size(), "mesh collider");
+  add(scene.moving_colliders.size(), "moving collider");
   if (what.empty()) return {own, own ? "the head collides" : "the scene has no colliders"};
   return {true, what + (own ? " and the head's" : "")};
 }

@@ -29,6 +29,10 @@ Result<void> FinMotion::advance(const sim::FrameInput& input) {
   sim::FrameInput spheres_only = input;
   spheres_only.boxes = {};
   spheres_only.fields = {};
+  std::vector<sim::MovingCollider> moving;
+  for (const sim::MovingCollider& collider : input.moving)
+    if (std::holds_alternative<Sphere>(collider.shape)) moving.push_back(collider);
+  spheres_only.moving = moving;
   CUTICLE_TRY(cloth_->advance(spheres_only));
   CUTICLE_ASSIGN(sim::State state, cloth_->state());
   moved_.positions = std::move(state.positions);

@@ -81,6 +81,12 @@ TEST(Plan, NoColliders_HasNoCollision) {
   EXPECT_EQ(why_left_out(plan, "colliders"), "the scene has no colliders");
 }
 
+TEST(Plan, ColliderThatMovesByItself_IsMet) {
+  const Plan plan = planned(R"("simulation": {"solver": {"classic": {}}, "effects": {"colliders": {}}}, "colliders": {
+    "spheres": [{"center_m": [0, 0, 0], "radius_m": 0.1, "motion": {"keys": [{"time_s": 0}]}}]})");
+  EXPECT_NE(find_pass(plan, "colliders"), nullptr);
+}
+
 TEST(Plan, NoSimulation_SimulatesNothing) {
   const Plan plan = planned(R"("colliders": {"head": true})");
   for (const PlannedPass& pass : plan.passes)

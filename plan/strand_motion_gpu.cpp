@@ -96,7 +96,10 @@ sim::FrameInput StrandMotion::input_of(int frame) const {
           .head_end = path_.at(frame),
           .colliders = collides ? set_.colliders : std::span<const Sphere>(),
           .boxes = collides ? set_.boxes : std::span<const RoundedBox>(),
-          .fields = collides ? set_.fields : std::span<const sim::FieldPointer>()};
+          .fields = collides ? set_.fields : std::span<const sim::FieldPointer>(),
+          .moving = collides ? set_.moving : std::span<const sim::MovingCollider>(),
+          .clock_begin = std::max(0, frame - 1) / scene_.frames_per_second,
+          .clock_end = frame / scene_.frames_per_second};
 }
 
 Result<gpu::SubmitCost> StrandMotion::simulate(int frame, Trace* trace) {

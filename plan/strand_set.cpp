@@ -206,16 +206,29 @@ Result<strands::Mesh> read_collider(const scene::MeshCollider& source) {
   return std::move(character.mesh);
 }
 
+Result<sim::FieldPointer> bake(const scene::MeshCollider& source, std::vector<std::string>& notes) {
+  CUTICLE_ASSIGN(const strands::Mesh mesh, read_collider(source));
+  CUTICLE_ASSIGN(sim::DistanceField field, sim::bake_distance_field(mesh, source.spacing, source.file));
+  notes.push_back(fmt::format("collider {}: {} x {} x {} nodes, the surface within {:.2g} mm",
+                              std::filesystem::path(source.file).filename().string(), field.cells.x + 1,
+                              field.cells.y + 1, field.cells.z + 1, 1000 * field.error));
+  return sim::FieldPointer(std::make_shared<const sim::DistanceField>(std::move(field)));
+}
+
 /// Only those that something collides with.
-Result<void> bake_fields(const scene::Scene& scene, StrandSet& set) {
+Result<void> add_baked_and_moving(const scene::Scene& scene, StrandSet& set) {
   if (!scene.simulation.solver) return {};
   for (const scene::MeshCollider& source : scene.mesh_colliders) {
-    CUTICLE_ASSIGN(const strands::Mesh mesh, read_collider(source));
-    CUTICLE_ASSIGN(sim::DistanceField field, sim::bake_distance_field(mesh, source.spacing, source.file));
-    set.notes.push_back(fmt::format("collider {}: {} x {} x {} nodes, the surface within {:.2g} mm",
-                                    std::filesystem::path(source.file).filename().string(), field.cells.x + 1,
-                                    field.cells.y + 1, field.cells.z + 1, 1000 * field.error));
-    set.fields.push_back(std::make_shared<const sim::DistanceField>(std::move(field)));
+    CUTICLE_ASSIGN(set.fields.emplace_back(), bake(source, set.notes));
+  }
+  for (const scene::MovingShape& moving : scene.moving_colliders) {
+    sim::MovingCollider& collider = set.moving.emplace_back(
+        sim::MovingCollider{.shape = Sphere{}, .motion = moving.motion, .on_head = moving.on_head});
+    if (const auto* sphere = std::get_if<Sphere>(&moving.shape)) collider.shape = *sphere;
+    if (const auto* box = std::get_if<RoundedBox>(&moving.shape)) collider.shape = *box;
+    if (const auto* mesh = std::get_if<scene::MeshCollider>(&moving.shape)) {
+      CUTICLE_ASSIGN(collider.shape, bake(*mesh, set.notes));
+    }
   }
   return {};
 }
@@ -262,7 +275,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   if (scene.fins) CUTICLE_TRY(read_fins(*scene.fins, set));
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
   set.boxes = scene.boxes;
-  CUTICLE_TRY(bake_fields(scene, set));
+  CUTICLE_TRY(add_baked_and_moving(scene, set));
   CUTICLE_TRY(limit(scene, set));
   return set;
 }

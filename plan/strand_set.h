@@ -25,6 +25,7 @@ struct StrandSet {
   std::vector<Sphere> colliders;                        ///< in the head's rest space
   std::vector<RoundedBox> boxes;                        ///< colliders as well, there too
   std::vector<sim::FieldPointer> fields;                ///< the scene's mesh colliders, there too
+  std::vector<sim::MovingCollider> moving;              ///< colliders that move by themselves
   strands::Mesh fins;                                   ///< in the head's rest space; empty where the scene has none
   std::vector<float> fin_weights;                       ///< one per vertex: 0 rigid .. 1 simulated
   glm::dvec3 pivot{0};             ///< about which the head turns: the neck, or the middle of the roots

@@ -4,9 +4,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <cuticle/core/file.h>
 #include <cuticle/scene/reader.h>
@@ -146,53 +144,6 @@ void read_floor(const Reader& root, Scene& scene) {
   reader.get("height_m", scene.floor->height);
   reader.get("size_m", scene.floor->size);
   reader.get("albedo", scene.floor->albedo);
-}
-
-RoundedBox read_capsule(const Reader& fields) {
-  glm::dvec3 from(0), to(0);
-  double radius = 0;
-  fields.get("from_m", from);
-  fields.get("to_m", to);
-  fields.get("radius_m", radius);
-  return make_capsule(from, to, radius);
-}
-
-Result<RoundedBox> read_box(const Reader& fields, const std::string& path) {
-  RoundedBox box;
-  double degrees = 0;
-  fields.get("center_m", box.center);
-  fields.get("size_m", box.half_size);
-  box.half_size /= 2;
-  fields.get("rounding_m", box.radius);
-  fields.get("turn_degrees", degrees);
-  if (degrees == 0) return box;
-  CUTICLE_ASSIGN(const glm::dvec3 axis, direction(fields, "turn_axis", path));
-  box.axes = glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), axis));
-  return box;
-}
-
-Result<void> read_colliders(const Reader& reader, Scene& scene) {
-  reader.get("head", scene.head_colliders);
-  for (const Reader& fields : items(reader, "spheres")) {
-    Sphere& sphere = scene.colliders.emplace_back();
-    fields.get("center_m", sphere.center);
-    fields.get("radius_m", sphere.radius);
-  }
-  for (const Reader& fields : items(reader, "capsules")) scene.boxes.push_back(read_capsule(fields));
-  std::size_t count = 0;
-  for (const Reader& fields : items(reader, "boxes")) {
-    CUTICLE_ASSIGN(const RoundedBox box, read_box(fields, fmt::format("colliders.boxes[{}]", count++)));
-    scene.boxes.push_back(box);
-  }
-  for (const Reader& fields : items(reader, "meshes")) {
-    MeshCollider mesh;
-    CUTICLE_ASSIGN(mesh.file,
-                   fields.file("file", fmt::format("colliders.meshes[{}].file", scene.mesh_colliders.size())));
-    fields.get("spacing_m", mesh.spacing);
-    fields.get("metres_per_unit", mesh.metres_per_unit);
-    scene.mesh_colliders.push_back(std::move(mesh));
-  }
-  return {};
 }
 
 /// Some shadow methods take distant lights alone, and say so by demanding them.

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include <cuticle/core/keyed_motion.h>
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/rounded_box.h>
 #include <cuticle/core/view.h>
@@ -78,6 +80,12 @@ struct MeshCollider {
   double spacing = 0;          ///< of the grid's nodes, metres
   double metres_per_unit = 1;  ///< of an OBJ
 };
+/// A collider that moves by itself: its shape is given in a frame that the keys place in the world, or on the head.
+struct MovingShape {
+  std::variant<Sphere, RoundedBox, MeshCollider> shape;
+  KeyedMotion motion;    ///< times in seconds from frame 0
+  bool on_head = false;  ///< keys are in the head's rest space, and the head moves the whole
+};
 struct CameraPath {
   Camera camera;
   double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
@@ -104,6 +112,7 @@ struct Scene {
   bool head_colliders = false;
   std::vector<RoundedBox> boxes;  ///< colliders as well: the file's capsules, then its boxes
   std::vector<MeshCollider> mesh_colliders;
+  std::vector<MovingShape> moving_colliders;  ///< of all kinds, those that have a motion of their own
   std::optional<FinSource> fins;
   std::optional<Floor> floor;
   std::vector<Light> lights;

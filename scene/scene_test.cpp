@@ -263,6 +263,39 @@ TEST(Scene, BoxesOutOfRange_AreRefused) {
                  {"colliders.capsules[0].to_m", "missing"});
 }
 
+TEST(Scene, CollidersWithAMotion_MoveByThemselves) {
+  const Scene scene = parsed(R"("colliders": {
+    "spheres": [{"center_m": [0, 0, 1], "radius_m": 0.1},
+                {"center_m": [0, 0, 0], "radius_m": 0.2, "motion": {"keys": [{"time_s": 2, "position_m": [1, 2, 3]}]}}],
+    "boxes": [{"center_m": [0, 0, 0], "size_m": [2, 4, 6], "motion": {"on_head": true, "keys": [
+               {"time_s": 0}, {"time_s": 0.5, "turn_axis": [0, 0, 2], "turn_degrees": 90}]}}]
+  })")
+                          .value();
+  ASSERT_EQ(scene.colliders.size(), 1u);
+  ASSERT_EQ(scene.boxes.size(), 0u);
+  ASSERT_EQ(scene.moving_colliders.size(), 2u);
+  const MovingShape &sphere = scene.moving_colliders[0], &box = scene.moving_colliders[1];
+  EXPECT_EQ(std::get<Sphere>(sphere.shape).radius, 0.2);
+  EXPECT_EQ(sphere.motion.at(0), (Placement{{1, 0, 0, 0}, {1, 2, 3}}));
+  EXPECT_FALSE(sphere.on_head);
+  EXPECT_EQ(std::get<RoundedBox>(box.shape).half_size, glm::dvec3(1, 2, 3));
+  EXPECT_TRUE(box.on_head);
+  const double half = std::sqrt(0.5);
+  EXPECT_LT(glm::distance(box.motion.at(0.25).of({1, 0, 0}), glm::dvec3(half, half, 0)), 1e-15);
+}
+
+TEST(Scene, MotionsOutOfRange_AreRefused) {
+  const auto refused = [](const std::string& motion, std::initializer_list<const char*> words) {
+    expect_refused(R"("colliders": {"spheres": [{"center_m": [0, 0, 0], "radius_m": 1, "motion": )" + motion + "}]}",
+                   words);
+  };
+  refused(R"({})", {"colliders.spheres[0].motion.keys", "missing"});
+  refused(R"({"keys": []})", {"colliders.spheres[0].motion.keys", "empty"});
+  refused(R"({"keys": [{"position_m": [0, 0, 0]}]})", {"motion.keys[0].time_s", "missing"});
+  refused(R"({"keys": [{"time_s": 1}, {"time_s": 0.5}]})", {"motion.keys[1]", "0.5", "order"});
+  refused(R"({"keys": [{"time_s": 1, "turn_degrees": 5}]})", {"motion.keys[0].turn_axis", "zero"});
+}
+
 TEST(Scene, MeshColliders_NeedAFileAndASpacing) {
   expect_refused(R"("colliders": {"meshes": [{"file": "none.obj", "spacing_m": 0.01}]})",
                  {"colliders.meshes[0].file", "none.obj"});

@@ -119,30 +119,42 @@ Spec simulation(const Catalogue& catalogue) {
                  real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest")});
 }
 
+Spec collider_motion() {
+  Spec key = object("", "where the frame in which the collider is given stands at a time",
+                    {required(real("time_s", -1e6, 1e6, "from frame 0; not before that of the key above")),
+                     numbers("position_m", 3, -k_metres, k_metres, "of its origin; 0 unless given"),
+                     numbers("turn_axis", 3, -1e6, 1e6, "axis through the origin about which it is turned"),
+                     real("turn_degrees", -360, 360, "by so much; needs turn_axis")});
+  return object(
+      "motion", "moves by itself; straight, and turning the short way, between keys; two at one time: a jump",
+      {required(array("keys", 4096, "held before the first and after the last", std::move(key))),
+       boolean("on_head", "keys are in the head's rest space and the head moves the whole; else in the world")});
+}
+
 Spec colliders() {
   Spec sphere = object("", "one sphere, in the head's rest space",
                        {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
-                        required(real("radius_m", 1e-6, k_metres, "radius"))});
+                        required(real("radius_m", 1e-6, k_metres, "radius")), collider_motion()});
   Spec capsule = object("", "all that is no farther than a radius from a straight line, in the head's rest space",
                         {required(numbers("from_m", 3, -k_metres, k_metres, "one end of the line")),
                          required(numbers("to_m", 3, -k_metres, k_metres, "its other end")),
-                         required(real("radius_m", 1e-6, k_metres, "radius"))});
+                         required(real("radius_m", 1e-6, k_metres, "radius")), collider_motion()});
   Spec box = object("", "one box, in the head's rest space",
                     {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
                      required(numbers("size_m", 3, 0, k_metres, "whole edges, without the rounding")),
                      real("rounding_m", 0, k_metres, "what the rounded box is larger by on every side"),
                      numbers("turn_axis", 3, -1e6, 1e6, "axis through the centre about which the box is turned"),
-                     real("turn_degrees", -360, 360, "by so much; needs turn_axis")});
+                     real("turn_degrees", -360, 360, "by so much; needs turn_axis"), collider_motion()});
   Spec mesh = object("", "a closed mesh, in the head's rest space",
                      {required(file("file", "OBJ, or the mesh of a glTF character at rest")),
                       required(real("spacing_m", 1e-6, k_metres, "of the grid on which its distance is stored")),
-                      real("metres_per_unit", 1e-6, 1000, "scale of an OBJ")});
+                      real("metres_per_unit", 1e-6, 1000, "scale of an OBJ"), collider_motion()});
   return object("colliders", "what the hair may not enter (capsules, boxes and meshes: the solvers exact and rod)",
                 {boolean("head", "the head's own spheres"),
-                 array("spheres", 256, "spheres that move with the head", std::move(sphere)),
-                 array("capsules", 256, "capsules that move with the head", std::move(capsule)),
-                 array("boxes", 256, "boxes that move with the head", std::move(box)),
-                 array("meshes", 16, "meshes that move with the head", std::move(mesh))});
+                 array("spheres", 256, "spheres that move with the head, or by themselves", std::move(sphere)),
+                 array("capsules", 256, "capsules that move with the head, or by themselves", std::move(capsule)),
+                 array("boxes", 256, "boxes that move with the head, or by themselves", std::move(box)),
+                 array("meshes", 16, "meshes that move with the head, or by themselves", std::move(mesh))});
 }
 
 Spec lights() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -22,6 +23,28 @@ struct Substep {
   double time = 0;                ///< seconds at its end since the first frame began
   bool onto_skin = false;         ///< on a skin: the state is put there, at rest, before the step
 };
+
+/// Where the head stands between a frame's begin and end; of a jump, at its end all along.
+struct HeadWay {
+  explicit HeadWay(const FrameInput& input);
+  glm::dquat turn(double share) const { return glm::slerp(begin, end, share); }
+  Placement at(double share) const { return {turn(share), glm::mix(from, to, share)}; }
+  bool jump = false;
+  glm::dquat before{1, 0, 0, 0}, begin{1, 0, 0, 0}, end{1, 0, 0, 0};  ///< `before`: at the begin, of a jump also
+  glm::dvec3 from{0}, to{0};
+};
+
+/// Where a collider's own frame stands at a substep's begin and end: to the world's axes, its origin relative to the
+/// head's translation then. A jump of its keys is no motion: it begins where it jumps to.
+struct MovingPart {
+  Placement begin, end;
+};
+/// Of collider i in substep k: [k * colliders.size() + i].
+std::vector<MovingPart> moving_parts(const FrameInput& input, std::span<const MovingCollider* const> colliders,
+                                     std::size_t substeps);
+
+/// The same frame for hair on a skin: no head moves.
+FrameInput without_head(const FrameInput& input);
 
 /// ceil(duration / inner_step), between 1 and `most`: past that the step stretches.
 std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most);

@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
+#include <cuticle/core/keyed_motion.h>
 #include <cuticle/core/registry/entry.h>
 #include <cuticle/core/result.h>
 #include <cuticle/core/rounded_box.h>
@@ -26,6 +28,14 @@ using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<
 struct DistanceField;
 using FieldPointer = std::shared_ptr<const DistanceField>;
 
+/// A collider that moves by itself: its shape, in a frame that the keys place in world space or, `on_head`, in the
+/// head's rest space, which the head then carries. A jump of the keys takes it along without velocity.
+struct MovingCollider {
+  std::variant<Sphere, RoundedBox, FieldPointer> shape;  ///< classic: spheres only
+  KeyedMotion motion;
+  bool on_head = false;
+};
+
 /// What moves between two frames. Transforms are rest -> world of the head and rigid; colliders are given in rest space
 /// of the head and move with it. Between begin and end every substep interpolates (rotation by slerp). The state is
 /// taken to stand at head_begin; the first frame starts from the rest pose there.
@@ -33,8 +43,10 @@ struct FrameInput {
   double duration = 1.0 / 60;  ///< seconds, 0 .. 100; 0: a motion acts as a teleport
   glm::dmat4 head_begin{1}, head_end{1};
   std::span<const Sphere> colliders = {};
-  std::span<const RoundedBox> boxes = {};     ///< colliders as well, capsules among them: exact and rod only
-  std::span<const FieldPointer> fields = {};  ///< the same of meshes (colliders/distance_field.h); none is null
+  std::span<const RoundedBox> boxes = {};       ///< colliders as well, capsules among them: exact and rod only
+  std::span<const FieldPointer> fields = {};    ///< the same of meshes (colliders/distance_field.h); none is null
+  std::span<const MovingCollider> moving = {};  ///< colliders as well
+  double clock_begin = 0, clock_end = 0;        ///< their keys' time at the frame's begin and end, seconds
   bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).

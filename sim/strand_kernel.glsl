@@ -17,7 +17,7 @@ layout(binding = 4) buffer Starts { vec4 starts[]; };               // the same 
 layout(binding = 5) buffer Velocities { vec4 velocities[]; };
 layout(binding = 6) buffer Resets { uint resets[]; };               // per strand: whether the guard fired in this frame
 layout(binding = 7) writeonly buffer World { vec4 world[]; };
-layout(binding = 8) readonly buffer Spheres { vec4 spheres[]; };    // centre in rest space, radius
+layout(binding = 8) readonly buffer Spheres { vec4 spheres[]; };    // centre in rest space, radius: SubstepSpheres
 
 layout(push_constant) uniform Constants {
   vec4 carry, rotation_begin, rotation_end;
@@ -34,7 +34,7 @@ layout(push_constant) uniform Constants {
   uint part;           // substep, low 16 bits, of how many in the frame
   uint ends_substep;
   float pearl_radius;
-  uint contacts;       // number of spheres; the highest bit: pearls are fitted
+  uint contacts;       // number of spheres; the highest bit: pearls are fitted; the next: some move by themselves
 };
 
 uint part_index() { return part & 0xffffu; }

@@ -14,7 +14,7 @@ namespace {
 
 /// A frame's colliders and how strands meet them.
 struct Contacts {
-  std::vector<glm::vec4> spheres;
+  colliders::SubstepSpheres spheres;
   colliders::ContactSettings settings;
 };
 
@@ -66,17 +66,17 @@ void constrain(const Particles& strand, const StepConstants& step, const Setting
 
 /// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so
 /// that leaving an overlap gives no velocity.
-void meet_spheres(const Particles& strand, const StepConstants& step, const Contacts& contacts,
+void meet_spheres(const Particles& strand, const StepConstants& step, std::size_t substep, const Contacts& contacts,
                   const Settings& settings) {
   const std::size_t anchor = anchor_of(strand, step);
   const glm::vec3 outward =
       direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
-  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward}, contacts.spheres,
-                      contacts.settings);
+  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward},
+                      contacts.spheres.at_begin(substep), contacts.settings);
   for (std::uint32_t k = 0; k < settings.iterations; ++k) {
     sweep_lengths(strand, step, settings.sweep);
-    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward}, contacts.spheres,
-                        contacts.settings);
+    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward},
+                        contacts.spheres.at_end(substep), contacts.settings);
   }
 }
 
@@ -116,7 +116,9 @@ class ClassicSolver final : public Solver {
     for (const Substep& part : parts)
       steps.push_back(make_step(settings_, part, static_cast<std::uint32_t>(rest_.strand_count())));
     Contacts contacts;
-    if (settings_.contact) contacts = {colliders::packed(input.colliders), *settings_.contact};
+    if (settings_.contact)
+      contacts = {colliders::packed(input.skinned.empty() ? input : without_head(input), parts.size()),
+                  *settings_.contact};
     tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { run_strand(s, steps, contacts); });
     return {};
   }
@@ -138,7 +140,7 @@ class ClassicSolver final : public Solver {
       if (!skin_.end.empty()) move_places(index, float(k) / float(steps.size()), float(k + 1) / float(steps.size()));
       integrate(strand, step);
       constrain(strand, step, settings_);
-      if (!contacts.spheres.empty()) meet_spheres(strand, step, contacts, settings_);
+      if (contacts.spheres.count > 0) meet_spheres(strand, step, k, contacts, settings_);
       if (finish(strand, step)) resets_[index] = 1;
     }
   }

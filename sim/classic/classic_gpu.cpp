@@ -96,7 +96,7 @@ class ClassicGpuSolver final : public GpuSolver {
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     const std::uint32_t count = substeps(settings_, input.duration);
     std::map<std::string, std::uint32_t> result{{"classic", 2 * count}};
-    if (settings_.contact && !input.colliders.empty()) result["colliders"] = count;
+    if (settings_.contact && !(input.colliders.empty() && input.moving.empty())) result["colliders"] = count;
     return result;
   }
 
@@ -116,23 +116,26 @@ class ClassicGpuSolver final : public GpuSolver {
   /// `skinned`: null where a head carries the rest pose.
   Result<void> record_parts(gpu::Commands& commands, const FrameInput& input, std::span<const Substep> parts,
                             const gpu::Buffer* skinned) {
-    const bool touches = settings_.contact && !input.colliders.empty();
-    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, colliders::packed(input.colliders)));
+    colliders::SubstepSpheres spheres;
+    if (settings_.contact) spheres = colliders::packed(skinned ? without_head(input) : input, parts.size());
+    const bool touches = spheres.count > 0;
+    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, spheres.spheres));
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      KernelConstants part = constants(parts[k], input);
+      KernelConstants part = constants(parts[k], spheres);
       part.part = std::uint32_t(k) | std::uint32_t(parts.size()) << 16;
       record_substep(commands, part, touches, skinned);
     }
     return {};
   }
 
-  KernelConstants constants(const Substep& part, const FrameInput& input) const {
+  KernelConstants constants(const Substep& part, const colliders::SubstepSpheres& spheres) const {
     KernelConstants constants{.step = make_step(settings_, part, static_cast<std::uint32_t>(pose_.strand_count()))};
     constants.translation = part.translation;
     constants.iterations = settings_.iterations;
     if (settings_.contact) {
       constants.pearl_radius = settings_.contact->pearl_radius;
-      constants.contacts = std::uint32_t(input.colliders.size()) | (settings_.contact->fit_pearls ? 0x80000000u : 0u);
+      constants.contacts = std::uint32_t(spheres.count) | (spheres.move ? 0x40000000u : 0u) |
+                           (settings_.contact->fit_pearls ? 0x80000000u : 0u);
     }
     return constants;
   }

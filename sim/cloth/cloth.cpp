@@ -74,12 +74,14 @@ class Sheet final : public Solver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     translation_ = parts.back().translation;
     const std::vector<glm::vec4> next = skinned_places(input);
+    colliders::SubstepSpheres spheres;
+    if (settings_.contact) spheres = colliders::packed(input, parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const float share = float(k + 1) / float(parts.size());
       begin_places_ = places_;
       for (std::size_t i = 0; i < places_.size(); ++i)
         places_[i] = last_places_[i] + (next[i] - last_places_[i]) * share;
-      run(classic::make_step(settings_, parts[k], 1), input.colliders);
+      run(classic::make_step(settings_, parts[k], 1), spheres.at_end(k));
     }
     last_places_ = next;
     return {};
@@ -118,7 +120,7 @@ class Sheet final : public Solver {
     return places;
   }
 
-  void run(const classic::StepConstants& step, std::span<const Sphere> spheres) {
+  void run(const classic::StepConstants& step, std::span<const glm::vec4> spheres) {
     const classic::Particles particles{places_, traits_, positions_, starts_, velocities_, begin_places_};
     integrate(particles, step);
     for (std::uint32_t sweep = 0; sweep < settings_.iterations; ++sweep) {
@@ -128,8 +130,8 @@ class Sheet final : public Solver {
     guard_fired_ = finish(particles, step);
   }
 
-  void push_out(const classic::StepConstants& step, std::span<const Sphere> spheres) {
-    for (const glm::vec4& sphere : colliders::packed(spheres)) {
+  void push_out(const classic::StepConstants& step, std::span<const glm::vec4> spheres) {
+    for (const glm::vec4& sphere : spheres) {
       const glm::vec3 centre = turned(glm::vec3(sphere), glm::vec3(step.rotation_end), step.rotation_end.w);
       for (std::size_t i = 0; i < positions_.size(); ++i) {
         if (traits_[i].x == 0) continue;

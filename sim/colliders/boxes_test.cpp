@@ -48,6 +48,7 @@ struct BoxCase {
   const char* name;
   RoundedBox box;
   double resting;  ///< m/s of the tip of `exact`; over what is narrower than a link a strand keeps trembling
+  int first = 0;   ///< frame in which it is outside: an overlap is left at 0.25 m/s
 };
 const BoxCase k_boxes[] = {
     {"capsule across", make_capsule({0.02, -0.06, -0.2}, {0.02, -0.06, 0.2}, 0.05), 1.7e-2},
@@ -59,7 +60,7 @@ const BoxCase k_boxes[] = {
     {"box, rounded and aslant",
      {{0.04, -0.09, 0}, turned_about(glm::normalize(glm::dvec3(1, 2, 3)), 0.9), {0.05, 0.02, 0.1}, 0.02},
      1e-2},
-    {"starts inside", {{0.07, -0.01, 0}, glm::dmat3(1), {0.04, 0.03, 0.05}, 0.005}, 1e-3}};
+    {"starts inside", {{0.07, -0.01, 0}, glm::dmat3(1), {0.04, 0.03, 0.05}, 0.005}, 1e-3, 8}};
 
 TEST(BoxContact, StrandsAcrossThem_KeepLengthAndStayOutside) {
   for (const char* solver : {"exact", "rod"})
@@ -70,7 +71,7 @@ TEST(BoxContact, StrandsAcrossThem_KeepLengthAndStayOutside) {
       for (int k = 0; k < 360; ++k) {
         const State state = run_beside(*made, 1, 1.0 / 60, {&c.box, 1});
         stretch = std::max(stretch, worst_over_bound(groom, state));
-        if (k % 4 == 0) depth = std::max(depth, deepest(groom, state, c.box));
+        if (k % 4 == 0 && k >= c.first) depth = std::max(depth, deepest(groom, state, c.box));
         if (k < 300) continue;
         squares += std::pow(double(glm::length(state.velocities.back())), 2) / 60;
       }

@@ -25,14 +25,16 @@ void push_positions(uint sphere, uint anchor, uint last, vec3 fallback) {
 void main() {
   uint strand = gl_GlobalInvocationID.x;
   if (strand >= strand_count) return;
-  uint first = offsets[strand], last = offsets[strand + 1u], sphere_count = contacts & 0x7fffffffu;
+  uint first = offsets[strand], last = offsets[strand + 1u], sphere_count = contacts & 0x3fffffffu;
   if (first == last) return;
   uint anchor = anchor_of(first, last);
+  bool move = (contacts & 0x40000000u) != 0u;
+  uint begin = move ? 2u * part_index() * sphere_count : 0u, end = move ? begin + sphere_count : 0u;
   vec3 outward = direction_of(target_of(last - 1u, rotation_end) - target_of(first, rotation_end));
-  for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_starts(sphere, anchor, last, outward);
+  for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_starts(begin + sphere, anchor, last, outward);
   for (uint sweep = 0u; sweep < iterations; ++sweep) {
     sweep_lengths(anchor, last);
-    for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_positions(sphere, anchor, last, outward);
+    for (uint sphere = 0u; sphere < sphere_count; ++sphere) push_positions(end + sphere, anchor, last, outward);
   }
   finish(strand, first, last);
 }

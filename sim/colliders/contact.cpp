@@ -1,5 +1,6 @@
 #include <cuticle/sim/colliders/contact.h>
 
+#include <cuticle/sim/head_motion.h>
 #include <cuticle/sim/colliders/contact.glslh>
 #include <cuticle/sim/turn.glslh>
 
@@ -17,6 +18,16 @@ void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactS
   }
 }
 
+void append(std::vector<glm::vec4>& packed, std::span<const Sphere> still,
+            std::span<const MovingCollider* const> moving, std::span<const MovingPart> parts,
+            Placement MovingPart::*end, const glm::dquat& head) {
+  for (const Sphere& sphere : still) packed.emplace_back(glm::vec3(sphere.center), float(sphere.radius));
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const Sphere& sphere = std::get<Sphere>(moving[i]->shape);
+    packed.emplace_back(glm::vec3(glm::conjugate(head) * (parts[i].*end).of(sphere.center)), float(sphere.radius));
+  }
+}
+
 }  // namespace
 
 ContactSettings make_contact_settings(const registry::ParameterValues& values) {
@@ -27,6 +38,24 @@ ContactSettings make_contact_settings(const registry::ParameterValues& values) {
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres) {
   std::vector<glm::vec4> result;
   for (const Sphere& sphere : spheres) result.emplace_back(glm::vec3(sphere.center), static_cast<float>(sphere.radius));
+  return result;
+}
+
+SubstepSpheres packed(const FrameInput& input, std::size_t substeps) {
+  std::vector<const MovingCollider*> moving;
+  for (const MovingCollider& collider : input.moving)
+    if (std::holds_alternative<Sphere>(collider.shape)) moving.push_back(&collider);
+  SubstepSpheres result{packed(input.colliders), input.colliders.size() + moving.size(), !moving.empty()};
+  if (!result.move) return result;
+  result.spheres.clear();
+  const std::vector<MovingPart> parts = moving_parts(input, moving, substeps);
+  const HeadWay way(input);
+  for (std::size_t k = 0; k < substeps; ++k) {
+    const std::span own = std::span(parts).subspan(k * moving.size(), moving.size());
+    const double n = double(substeps);
+    append(result.spheres, input.colliders, moving, own, &MovingPart::begin, way.turn(double(k) / n));
+    append(result.spheres, input.colliders, moving, own, &MovingPart::end, way.turn(double(k + 1) / n));
+  }
   return result;
 }
 

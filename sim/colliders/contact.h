@@ -20,6 +20,23 @@ ContactSettings make_contact_settings(const registry::ParameterValues& values);
 /// xyz: centre in the head's rest space; w: radius; metres.
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres);
 
+/// Spheres of a frame. Where none moves by itself, the same in every substep; otherwise first those at a substep's
+/// begin, then those at its end, of one substep after the other: all in the rest space of the head as it stands then.
+struct SubstepSpheres {
+  std::vector<glm::vec4> spheres;  ///< as packed
+  std::size_t count = 0;           ///< at a time
+  bool move = false;
+  std::span<const glm::vec4> at_begin(std::size_t substep) const { return at(2 * substep); }
+  std::span<const glm::vec4> at_end(std::size_t substep) const { return at(2 * substep + 1); }
+
+ private:
+  std::span<const glm::vec4> at(std::size_t time) const {
+    return std::span(spheres).subspan(move ? time * count : 0, count);
+  }
+};
+/// Of FrameInput::moving the spheres, after FrameInput::colliders.
+SubstepSpheres packed(const FrameInput& input, std::size_t substeps);
+
 /// One strand at one end of a substep. Spans hold one entry per vertex.
 struct Contact {
   std::span<const glm::vec4> traits;  ///< RestPose::traits

@@ -27,10 +27,14 @@ layout(binding = 13) writeonly buffer Resets { uint resets[]; };
 layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
 #if TOUCHES == 2
 layout(constant_id = 1) const bool k_meets_fields = false;
+layout(constant_id = 2) const bool k_some_move = false;  // colliders by themselves: ChainFrame::carries
 layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
 layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
-#include "cuticle/sim/detail/field_contact.glslh"
+#include "cuticle/sim/detail/moving_contact.glslh"
 layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
+layout(binding = 18) readonly buffer Carries { ColliderCarry collider_carries[]; };
+#else
+const bool k_some_move = false;
 #endif
 layout(push_constant) uniform Constants {
   uint strand_count, step_count, sphere_count, box_count, field_count, carries;
@@ -44,10 +48,10 @@ const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3
            k_pull = 6u, k_target = 7u;
 const uint k_here = 0u, k_before = 3u, k_velocity = 6u, k_velocity_before = 9u, k_tension = 12u;
 const uint k_place = 0u, k_direction = 3u, k_weight = 6u, k_coupling = 7u, k_value = 8u, k_follows = 9u, k_normal = 10u,
-           k_begin_pushed = 13u;
+           k_begin_pushed = 13u, k_touched = k_follows;
 const uint k_guarded = 3u, k_quiet = 4u;
 
-uint first_vertex, lane, strand_base;
+uint first_vertex, lane, strand_base, part;  // of the frame's substeps
 
 uint rest_at(uint i, uint row) { return ((first_vertex + i) * k_rest_rows + row) * k_lanes + lane; }
 uint state_at(uint i, uint row) { return ((first_vertex + i) * k_state_rows + row) * k_lanes + lane; }
@@ -72,14 +76,58 @@ LinkSphere sphere_at(ChainStep s, uint k) {
   return link_sphere(s, spheres[k].centre, spheres[k].radius, anchor_place(), rest[rest_at(1u, k_length)]);
 }
 
+// Where a link was turned, and by which collider that moves by itself (0: none); the zero vector: nowhere.
+void take_normal(uint i, vec3 normal, uint number) {
+  if (inner(normal, normal) == 0) return;
+  put_scratch(i, k_normal, normal);
+  if (k_some_move) scratch[scratch_at(i, k_touched)] = float(number);
+}
+
 #if TOUCHES == 2
-LinkBox box_at(ChainStep s, uint k) { return link_box(s, boxes[k], anchor_place(), rest[rest_at(1u, k_length)]); }
+LinkBox box_at(ChainStep s, uint k) {
+  float first_link = rest[rest_at(1u, k_length)];
+  if (k_some_move) return moved_box(s, boxes[part * box_count + k], anchor_place(), first_link);
+  return link_box(s, boxes[k], anchor_place(), first_link);
+}
 LinkField field_at(ChainStep s, uint k, uint values) {
-  return link_field(s, fields[k], values, anchor_place(), rest[rest_at(1u, k_length)]);
+  float first_link = rest[rest_at(1u, k_length)];
+  if (k_some_move) return moved_field(s, fields[part * field_count + k], values, anchor_place(), first_link);
+  return link_field(s, fields[k], values, anchor_place(), first_link);
+}
+// Of a box or field (in this order) that moves by itself.
+ColliderCarry carry_at(uint k) { return collider_carries[part * (box_count + field_count) + k]; }
+vec3 carried_by(ChainStep s, uint k, vec3 here) {
+  return turned_along(carry_at(k), here) + carry_offset(s, carry_at(k), anchor_place());
 }
 uint value_count(uint k) {
   uvec3 nodes = uvec3(fields[k].cells) + 1u;
   return nodes.x * nodes.y * nodes.z;
+}
+
+void push_from_moving_box(ChainStep s, uint k, vec3 here, inout Touch touch) {
+  LinkBox box = box_at(s, k);
+  vec3 carried = carried_by(s, k, here);
+  float way = length(touch.place - carried);
+  if (!is_within(sphere_around(box), touch.place, way)) return;
+  Surface met = outruns(way, thickness_of(box)) ? met_on_box(box, carried, touch.place) : inside_box(box, touch.place);
+  touch = pushed_from(touch, met, inside_box(box, carried), carried, s, float(k + 1u));
+}
+
+void push_from_moving_field(ChainStep s, uint k, uint values, vec3 here, inout Touch touch) {
+  LinkField field = field_at(s, k, values);
+  vec3 carried = carried_by(s, box_count + k, here);
+  float way = length(touch.place - carried);
+  if (!is_within(sphere_around(field.grid), touch.place, way)) return;
+  Surface met = outruns(way, thickness_of(field)) ? met_on_field(field, values, carried, touch.place)
+                                                  : inside_field(field, values, touch.place);
+  touch = pushed_from(touch, met, inside_field(field, values, carried), carried, s, float(box_count + k + 1u));
+}
+
+void push_from_moving(ChainStep s, vec3 here, inout Touch touch) {
+  for (uint k = 0u; k < box_count; ++k) push_from_moving_box(s, k, here, touch);
+  if (!k_meets_fields) return;
+  for (uint k = 0u, values = 0u; k < field_count; values += value_count(k), ++k)
+    push_from_moving_field(s, k, values, here, touch);
 }
 
 void push_from_boxes(ChainStep s, vec3 carried, inout Touch touch) {
@@ -87,7 +135,7 @@ void push_from_boxes(ChainStep s, vec3 carried, inout Touch touch) {
     LinkBox box = box_at(s, k);
     LinkSphere around = sphere_around(box);
     if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
-      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, s.friction);
+      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, s, 0);
   }
 }
 
@@ -97,45 +145,61 @@ void push_from_fields(ChainStep s, vec3 carried, inout Touch touch) {
     LinkSphere around = sphere_around(field.grid);
     if (is_within(around, touch.place, 0.0) || is_within(around, carried, 0.0))
       touch = pushed_from(touch, inside_field(field, values, touch.place), inside_field(field, values, carried),
-                          carried, s.friction);
+                          carried, s, 0);
   }
 }
 
-vec3 turn_beside_boxes(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length) {
+vec3 turn_beside_boxes(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length, float kept) {
   for (uint k = 0u; k < box_count; ++k) {
     LinkBox box = box_at(s, k);
     if (!is_within(sphere_around(box), from, rest_length)) continue;
+    box.radius -= kept;
     Turned out_of = turned_out_of_box(from, turned, rest_length, box, s.end_x, s.end_y);
-    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
+    take_normal(i, out_of.normal, k + 1u);
     turned = out_of.direction;
   }
   return turned;
 }
 
-vec3 turn_beside_fields(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length) {
+vec3 turn_beside_fields(uint i, ChainStep s, vec3 from, vec3 turned, float rest_length, float kept) {
   for (uint k = 0u, values = 0u; k < field_count; values += value_count(k), ++k) {
     LinkField field = field_at(s, k, values);
     if (!is_within(sphere_around(field.grid), from, rest_length)) continue;
     if (!may_enter(field, values, from, turned * rest_length, rest_length)) continue;
+    field.grid.radius -= kept;
     Turned out_of = turned_out_of_field(from, turned, rest_length, field, values, s.end_x, s.end_y);
-    if (inner(out_of.normal, out_of.normal) > 0) put_scratch(i, k_normal, out_of.normal);
+    take_normal(i, out_of.normal, box_count + k + 1u);
     turned = out_of.direction;
   }
   return turned;
 }
 #endif
 
+// Of collider `number` that moves by itself; 0: of one that the head takes along.
+vec3 carried_by_what_touches(ChainStep s, uint i, vec3 here) {
+#if TOUCHES == 2
+  float touched = k_some_move ? scratch[scratch_at(i, k_touched)] : 0;
+  if (touched > 0) return carried_by(s, uint(touched) - 1u, here);
+#endif
+  return carried_by_head(s, here);
+}
+
 void push_out(uint i, ChainStep s) {
   vec3 here = state_vector(i, k_here), carried = carried_by_head(s, here), fallback = direction_or(here, 0, s.end_y);
-  Touch touch = Touch(scratch_vector(i, k_place), vec3(0), vec3(0));
+  Touch touch = Touch(scratch_vector(i, k_place), vec3(0), vec3(0), 0);
   for (uint k = 0u; k < sphere_count; ++k) {
     LinkSphere sphere = sphere_at(s, k);
     touch = pushed_from(touch, inside_sphere(sphere, touch.place, fallback), inside_sphere(sphere, carried, fallback),
-                        carried, s.friction);
+                        carried, s, 0);
   }
 #if TOUCHES == 2
-  push_from_boxes(s, carried, touch);
-  if (k_meets_fields) push_from_fields(s, carried, touch);
+  if (k_some_move) {
+    push_from_moving(s, here, touch);
+    scratch[scratch_at(i, k_touched)] = touch.collider;
+  } else {
+    push_from_boxes(s, carried, touch);
+    if (k_meets_fields) push_from_fields(s, carried, touch);
+  }
 #endif
   put_scratch(i, k_place, touch.place);
   put_scratch(i, k_normal, touch.normal);
@@ -153,21 +217,21 @@ vec3 normal_of(uint i) {
 // What the way down carries from parent to child.
 struct Following {
   vec3 newton, pushed;
-  float free_parent, excess;
+  float free_parent, excess, kept;
 };
 
-vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length) {
+vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length, float kept) {
   vec3 turned = aimed;
   for (uint k = 0u; k < sphere_count; ++k) {
     LinkSphere met = sphere_at(s, k);
+    met.radius -= kept;
     vec3 out_of = turned_out(from, turned, rest_length, met, s.end_x, s.end_y), moved = out_of - turned;
-    if (inner(moved, moved) > 0)
-      put_scratch(i, k_normal, direction_or(from + out_of * rest_length - met.centre, 0, out_of));
+    if (inner(moved, moved) > 0) take_normal(i, direction_or(from + out_of * rest_length - met.centre, 0, out_of), 0u);
     turned = out_of;
   }
 #if TOUCHES == 2
-  turned = turn_beside_boxes(i, s, from, turned, rest_length);
-  if (k_meets_fields) turned = turn_beside_fields(i, s, from, turned, rest_length);
+  turned = turn_beside_boxes(i, s, from, turned, rest_length, kept);
+  if (k_meets_fields) turned = turn_beside_fields(i, s, from, turned, rest_length, kept);
 #endif
   return turned;
 }
@@ -175,19 +239,22 @@ vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length) 
 void follow_beside(uint i, ChainStep s, StrandStep strand, vec3 newton, vec3 aim, float rest_length,
                    inout Following f) {
   vec3 from = state_vector(i - 1u, k_here);
-  vec3 aimed = from + aim * rest_length, place = from + turn_beside(i, s, from, aim, rest_length) * rest_length,
+  Leaving leave = leaving_of(scratch_vector(i, k_begin_pushed), leaving(s));
+  vec3 aimed = from + aim * rest_length,
+       place = from + turn_beside(i, s, from, aim, rest_length, max(f.kept, leave.kept)) * rest_length,
        turn = place - aimed;
   vec3 pushed = pushed_along(f.pushed, aim);
   vec3 pull = cleanup_pull(aimed - newton - pushed, rest_length, rest[rest_at(i, k_mass_ratio)], strand.inverse_time);
   put_state(i - 1u, k_velocity, state_vector(i - 1u, k_velocity) - pull * f.free_parent);
-  Touch touch = Touch(place, scratch_vector(i, k_normal), scratch_vector(i, k_begin_pushed));
+  Touch touch = Touch(place, scratch_vector(i, k_normal), leave.moved, 0);
   bool touches = inner(touch.normal, touch.normal) > 0;
   vec3 begin = state_vector(i, k_before);
-  vec3 beside = touching_velocity(place, begin, carried_by_head(s, begin + strand.root_step), touch,
+  vec3 beside = touching_velocity(place, begin, carried_by_what_touches(s, i, begin + strand.root_step), touch,
                                   sqrt(inner(turn, turn)), s.friction, s.per_second);
   put_state(i, k_velocity, either(touches, beside, (place - state_vector(i, k_velocity)) * strand.inverse_time));
   put_state(i, k_here, place);
   f.pushed = pushed + turn;
+  f.kept = leave.kept;
   f.free_parent = touches ? 0 : 1;
   f.excess = touches ? 1 : f.excess;
 }
@@ -300,7 +367,7 @@ void main() {
     strand_base = place.x * k_strand_rows * k_lanes + lane;
     if (k_sleeps && sleeps_on()) return;
     if (carries != 0u) carry_state(links);
-    for (uint k = 0u; k < step_count; ++k) substep(links, steps[k]);
+    for (part = 0u; part < step_count; ++part) substep(links, steps[part]);
     if (!all_finite(links)) {
       reset(links);
       resets[strand] = 1u;

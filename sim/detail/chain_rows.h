@@ -1,7 +1,7 @@
 #pragma once
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
-#include <cuticle/sim/detail/field_contact.glslh>
+#include <cuticle/sim/detail/moving_contact.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -17,7 +17,7 @@ constexpr int here = 0, before = 3, velocity = 6, velocity_before = 9, tension =
 }
 namespace scratch_row {  // a solver may add rows of its own after these
 constexpr int place = 0, direction = 3, inverse_mass = 6, coupling = 7, value = 8, follows = 9, normal = 10,
-              begin_pushed = 13, count = 16;
+              begin_pushed = 13, count = 16, touched = follows;
 }
 /// Rows of a strand.
 namespace strand_row {
@@ -38,7 +38,10 @@ struct ChainBlock {
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };
 
-/// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: 4 * k_lanes for each.
+/// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: 4 * k_lanes for each. With
+/// `carries`, for boxes and fields that move by themselves: boxes and fields of one substep after the other, at its
+/// end, in the world's axes, relative to the head's translation, and what a substep's boxes, then its fields carry
+/// along; 3 * k_lanes more rows for each of these.
 template <class Real>
 struct ChainFrame {
   const ChainStep<Real>* steps;
@@ -51,6 +54,7 @@ struct ChainFrame {
   const LinkField<Real>* fields = nullptr;
   int field_count = 0;
   const float* const* field_values = nullptr;  ///< of each field
+  const ColliderCarry<Real>* carries = nullptr;
 };
 
 template <class Real>

@@ -1,6 +1,5 @@
 #include <cuticle/sim/detail/chain_settings.h>
 
-#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/placing.h>
 
 namespace cuticle::sim::detail {
@@ -126,45 +125,5 @@ std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps) {
 }
 template std::vector<sleep::Push> pushes_of<float>(std::span<const ChainStep<float>>);
 template std::vector<sleep::Push> pushes_of<double>(std::span<const ChainStep<double>>);
-
-template <class Real>
-std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres) {
-  std::vector<LinkSphere<Real>> result;
-  if (!settings.contact) return result;
-  for (const Sphere& sphere : spheres) result.push_back({glm::vec<3, Real>(sphere.center), Real(sphere.radius)});
-  return result;
-}
-template std::vector<LinkSphere<float>> link_spheres<float>(const ChainSettings&, std::span<const Sphere>);
-template std::vector<LinkSphere<double>> link_spheres<double>(const ChainSettings&, std::span<const Sphere>);
-
-template <class Real>
-std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes) {
-  using Vector = glm::vec<3, Real>;
-  std::vector<LinkBox<Real>> result;
-  if (!settings.contact) return result;
-  for (const RoundedBox& box : boxes)
-    result.push_back({Vector(box.center), Real(box.radius), Vector(box.axes[0]), Real(box.half_size.x),
-                      Vector(box.axes[1]), Real(box.half_size.y), Vector(box.axes[2]), Real(box.half_size.z)});
-  return result;
-}
-template std::vector<LinkBox<float>> link_boxes<float>(const ChainSettings&, std::span<const RoundedBox>);
-template std::vector<LinkBox<double>> link_boxes<double>(const ChainSettings&, std::span<const RoundedBox>);
-
-template <class Real>
-std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields) {
-  using Vector = glm::vec<3, Real>;
-  std::vector<LinkField<Real>> result;
-  if (!settings.contact) return result;
-  for (const FieldPointer& field : fields) {
-    const glm::dvec3 half = glm::dvec3(field->cells) * (field->spacing / 2);
-    result.push_back({{Vector(field->centre), Real(0), Vector(1, 0, 0), Real(half.x), Vector(0, 1, 0), Real(half.y),
-                       Vector(0, 0, 1), Real(half.z)},
-                      Vector(field->cells),
-                      Real(1 / field->spacing)});
-  }
-  return result;
-}
-template std::vector<LinkField<float>> link_fields<float>(const ChainSettings&, std::span<const FieldPointer>);
-template std::vector<LinkField<double>> link_fields<double>(const ChainSettings&, std::span<const FieldPointer>);
 
 }  // namespace cuticle::sim::detail

@@ -11,7 +11,7 @@
 #include <cuticle/sim/strand_interaction/settings.h>
 #include <cuticle/sim/water/water.h>
 #include <cuticle/sim/wind/wind.h>
-#include <cuticle/sim/detail/field_contact.glslh>
+#include <cuticle/sim/detail/chain_step.glslh>
 
 namespace cuticle::sim::detail {
 
@@ -52,13 +52,5 @@ class ChainClock {
 /// What sleep::Watch compares.
 template <class Real>
 std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps);
-
-/// In rest space; none without the effect.
-template <class Real>
-std::vector<LinkSphere<Real>> link_spheres(const ChainSettings& settings, std::span<const Sphere> spheres);
-template <class Real>
-std::vector<LinkBox<Real>> link_boxes(const ChainSettings& settings, std::span<const RoundedBox> boxes);
-template <class Real>
-std::vector<LinkField<Real>> link_fields(const ChainSettings& settings, std::span<const FieldPointer> fields);
 
 }  // namespace cuticle::sim::detail

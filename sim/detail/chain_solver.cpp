@@ -4,30 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <cuticle/sim/colliders/distance_field.h>
+#include <cuticle/sim/detail/frame_colliders.h>
 #include <cuticle/sim/detail/guard.h>
 #include <cuticle/sim/detail/sleepers.h>
 #include <cuticle/sim/strand_interaction/strand_interaction.h>
 
 namespace cuticle::sim::detail {
 namespace {
-
-/// Of a frame, or those of them within reach.
-template <class Real>
-struct Colliders {
-  std::vector<LinkSphere<Real>> spheres = {};
-  std::vector<LinkBox<Real>> boxes = {};
-  std::vector<LinkField<Real>> fields = {};
-  std::vector<const float*> field_values = {};
-  std::size_t count() const { return spheres.size() + boxes.size() + fields.size(); }
-};
-
-template <class Real>
-Colliders<Real> colliders_of(const ChainSettings& settings, const FrameInput& input) {
-  Colliders<Real> colliders{link_spheres<Real>(settings, input.colliders), link_boxes<Real>(settings, input.boxes),
-                            link_fields<Real>(settings, input.fields)};
-  for (const FieldPointer& field : input.fields) colliders.field_values.push_back(field->values.data());
-  return colliders;
-}
 
 template <class Real>
 class ChainSolver final : public Solver {
@@ -47,7 +30,7 @@ class ChainSolver final : public Solver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
-    const Colliders<Real> colliders = colliders_of<Real>(settings_, input);
+    const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size());
     std::fill(resets_.begin(), resets_.end(), 0);
     const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
@@ -74,40 +57,21 @@ class ChainSolver final : public Solver {
   }
 
  private:
-  void find_near(std::size_t b, const Colliders<Real>& all, Colliders<Real>& near) const {
-    const auto reached = [&](const LinkSphere<Real>& around) {
-      return chains_.within_reach(b, around, settings_.contact->pearl_radius);
-    };
-    near.spheres.clear();
-    near.boxes.clear();
-    near.fields.clear();
-    near.field_values.clear();
-    for (const LinkSphere<Real>& sphere : all.spheres)
-      if (reached(sphere)) near.spheres.push_back(sphere);
-    for (const LinkBox<Real>& box : all.boxes)
-      if (reached(sphere_around(box))) near.boxes.push_back(box);
-    for (std::size_t k = 0; k < all.fields.size(); ++k) {
-      if (!reached(sphere_around(all.fields[k].grid))) continue;
-      near.fields.push_back(all.fields[k]);
-      near.field_values.push_back(all.field_values[k]);
-    }
-  }
-
-  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps, const Colliders<Real>& colliders,
+  void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps, const FrameColliders<Real>& colliders,
                      const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
-    const Colliders<Real>& near = room.near;
-    find_near(b, colliders, room.near);
+    const FrameColliders<Real>& near = room.near;
+    room.find_near(chains_, b, settings_, colliders);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
-    room.numbers.resize(scratch + 4 * near.count() * k_lanes);
+    room.numbers.resize(scratch + (4 * near.count() + (near.carries.empty() ? 0 : 3 * near.count())) * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty()) block.own = own_rows(b).data();
     const Advance<Real> advance = near.count() > 0 ? program_.touching : program_.free;
     advance(block, {steps.data(), int(steps.size()), near.spheres.data(), int(near.spheres.size()), near.boxes.data(),
-                    int(near.boxes.size()), room.numbers.data() + scratch, near.fields.data(), int(near.fields.size()),
-                    near.field_values.data()});
+                    int(near.box_count()), room.numbers.data() + scratch, near.fields.data(), int(near.field_count()),
+                    room.values.data(), near.carries.empty() ? nullptr : near.carries.data()});
     reset_broken_lanes(chains_, b, placing_);
   }
 
@@ -198,7 +162,14 @@ class ChainSolver final : public Solver {
   /// What a thread needs for a block.
   struct Room {
     Rows<Real> numbers;
-    Colliders<Real> near;
+    FrameColliders<Real> near;
+    std::vector<const float*> values;  ///< of its fields
+    void find_near(const Chains<Real>& chains, std::size_t b, const ChainSettings& settings,
+                   const FrameColliders<Real>& all) {
+      if (settings.contact) detail::find_near(chains, b, double(settings.contact->pearl_radius), all, near);
+      values.clear();
+      for (const FieldPointer& field : near.baked) values.push_back(field->values.data());
+    }
   };
   ChainSettings settings_;
   strands::Groom rest_;

@@ -6,14 +6,16 @@
 
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
+#include <cuticle/sim/detail/frame_colliders.h>
 #include <cuticle/sim/detail/placing.h>
 #include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 18;
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
+static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
 
 /// The kernel's push constants.
 struct Constants {
@@ -38,7 +40,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes, fields, field_values;
+      velocities, resets, own, boxes, fields, field_values, carries;
 };
 
 template <class T>
@@ -75,22 +77,15 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
     std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
-    std::vector<LinkSphere<float>> spheres = link_spheres<float>(settings_, input.colliders);
-    std::vector<LinkBox<float>> boxes = link_boxes<float>(settings_, input.boxes);
-    std::vector<LinkField<float>> fields = link_fields<float>(settings_, input.fields);
-    Constants constants{std::uint32_t(rest_.strand_count()), std::uint32_t(steps.size()),
-                        std::uint32_t(spheres.size()),       std::uint32_t(boxes.size()),
-                        std::uint32_t(fields.size()),        parts[0].carry.w != 1.f};
+    const FrameColliders<float> colliders = frame_colliders<float>(settings_, input, parts.size());
+    Constants constants{std::uint32_t(rest_.strand_count()),     std::uint32_t(steps.size()),
+                        std::uint32_t(colliders.spheres.size()), std::uint32_t(colliders.box_count()),
+                        std::uint32_t(colliders.field_count()),  parts[0].carry.w != 1.f};
     if (settings_.sleep) set_sleep(constants, input, steps);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
-    if (!spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, spheres));
-    if (!boxes.empty()) CUTICLE_TRY(refill(*device_, buffers_.boxes, boxes));
-    if (!fields.empty()) {
-      CUTICLE_TRY(refill(*device_, buffers_.fields, fields));
-      CUTICLE_TRY(upload_values(input.fields));
-    }
+    CUTICLE_TRY(upload(colliders));
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
-    CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants));
+    CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants, !colliders.carries.empty()));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
     dispatch(commands, *kernel, constants);
     commands.end_pass();
@@ -133,20 +128,31 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
  private:
-  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false) {
+  Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false,
+                                bool some_move = false) {
     return device_->make_kernel(code, {.storage_buffers = buffers,
                                        .push_constant_bytes = sizeof(Constants),
-                                       .specialization = {settings_.sleep.has_value(), meets_fields}});
+                                       .specialization = {settings_.sleep.has_value(), meets_fields, some_move}});
   }
 
   /// The one for such colliders, made when they are first met.
-  Result<const gpu::Kernel*> kernel_for(const Constants& constants) {
+  Result<const gpu::Kernel*> kernel_for(const Constants& constants, bool some_move) {
     if (constants.box_count + constants.field_count == 0) return constants.sphere_count > 0 ? &touching_ : &free_;
-    gpu::Kernel& kernel = beside_all_[constants.field_count > 0];
+    gpu::Kernel& kernel = beside_all_[some_move][constants.field_count > 0];
     if (!kernel) {
-      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0));
+      CUTICLE_ASSIGN(kernel,
+                     kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0, some_move));
     }
     return &kernel;
+  }
+
+  Result<void> upload(const FrameColliders<float>& colliders) {
+    if (!colliders.spheres.empty()) CUTICLE_TRY(refill(*device_, buffers_.spheres, colliders.spheres));
+    if (!colliders.boxes.empty()) CUTICLE_TRY(refill(*device_, buffers_.boxes, colliders.boxes));
+    if (!colliders.carries.empty()) CUTICLE_TRY(refill(*device_, buffers_.carries, colliders.carries));
+    if (colliders.fields.empty()) return {};
+    CUTICLE_TRY(refill(*device_, buffers_.fields, colliders.fields));
+    return upload_values(colliders.baked);
   }
 
   /// Only when they are others than the last.
@@ -238,6 +244,7 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.boxes, std::vector<LinkBox<float>>(1)));
     CUTICLE_TRY(refill(*device_, buffers_.fields, std::vector<LinkField<float>>(1)));
     CUTICLE_TRY(refill(*device_, buffers_.field_values, std::vector<float>(1)));
+    CUTICLE_TRY(refill(*device_, buffers_.carries, std::vector<ColliderCarry<float>>(1)));
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
@@ -247,7 +254,7 @@ class ChainGpuSolver final : public GpuSolver {
                                           &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
                                           &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
     if (constants.box_count + constants.field_count > 0)
-      bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values});
+      bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values, &b.carries});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
@@ -258,8 +265,9 @@ class ChainGpuSolver final : public GpuSolver {
   ChainGpuProgram program_;
   Buffers buffers_;
   gpu::Kernel free_, touching_;
-  std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
-  std::vector<FieldPointer> fields_;       ///< whose values are on the device
+  /// By whether colliders move by themselves, and whether there are fields; made with the first such collider.
+  std::array<std::array<gpu::Kernel, 2>, 2> beside_all_;
+  std::vector<FieldPointer> fields_;                                       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
   sleep::Watch watch_;
   HeadMotion motion_{true};  // meets all colliders

@@ -76,7 +76,7 @@ void substep(uint links, ChainStep s) {
   for (uint i = links - 1u; i >= 1u; --i)
     scratch[scratch_at(i, k_value)] = multiplier(
         scratch[scratch_at(i, k_value)], scratch[scratch_at(i + 1u, k_coupling)], scratch[scratch_at(i + 1u, k_value)]);
-  Following f = Following(vec3(0), vec3(0), 0, 0);
+  Following f = Following(vec3(0), vec3(0), 0, 0, 0);
   for (uint i = 1u; i <= links; ++i) {
     state[state_at(i, k_tension)] = next_tension(state[state_at(i, k_tension)], scratch[scratch_at(i, k_value)],
                                                  rest[rest_at(i, k_inverse_length)], strand.inverse_time);

@@ -62,7 +62,7 @@ template <bool Touches, class Real, class Scalar>
   if constexpr (!Touches) return place;
   const Touch<Real> touch =
       pushed_from_all(frame, step, v.state_vector(state_row::here), within_reach(place, v.rest_at(rest_row::reach)));
-  keep_touch(v, touch);
+  keep_touch(v, frame, touch);
   normal = touch.normal;
   return touch.place;
 }
@@ -136,9 +136,9 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
 
 template <class Scalar, bool Pulls, bool Touches>
 void advance(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame) {
-  advance_parts(block, frame, [&](const ChainBlock<Scalar>& part, const ChainStep<Lanes<Scalar>>& step) {
-    substep<Pulls, Touches>(part, frame, step);
-  });
+  advance_parts(block, frame,
+                [&](const ChainBlock<Scalar>& part, const ChainFrame<Scalar>& now,
+                    const ChainStep<Lanes<Scalar>>& step) { substep<Pulls, Touches>(part, now, step); });
 }
 
 }  // namespace

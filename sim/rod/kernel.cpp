@@ -86,7 +86,7 @@ template <bool Touches, class Real, class Scalar>
   if constexpr (Touches) {
     const Vector<Real> predicted = vertex.here + c.moved;
     const Touch<Real> touch = pushed_from_all(frame, step, vertex.here, predicted);
-    keep_touch<Real>(v, touch);
+    keep_touch<Real>(v, frame, touch);
     wanted += touch.place - predicted;
   }
   v.put_scratch(scratch_row::place, wanted);
@@ -268,9 +268,9 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
 
 template <class Scalar, bool Touches>
 void advance(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame) {
-  advance_parts(block, frame, [&](const ChainBlock<Scalar>& part, const ChainStep<Lanes<Scalar>>& step) {
-    substep<Touches>(part, frame, step);
-  });
+  advance_parts(block, frame,
+                [&](const ChainBlock<Scalar>& part, const ChainFrame<Scalar>& now,
+                    const ChainStep<Lanes<Scalar>>& step) { substep<Touches>(part, now, step); });
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ void substep(uint links, ChainStep s) {
   for (uint i = links; i >= 1u; --i)
     ROLLED for (int c = 3; c >= 0; --c)
         substitute_row(scratch_at(i, 0u), scratch_at(i + 1u, 0u), scratch_at(min(i + 2u, links + 1u), 0u), c);
-  Following f = Following(vec3(0), vec3(0), 0, 0);
+  Following f = Following(vec3(0), vec3(0), 0, 0, 0);
   for (uint i = 1u; i <= links; ++i) {
     state[state_at(i, k_tension)] =
         next_tension(0.0, -scratch_number(i, k_right + 3u), hinge(i, k_hinge_inverse_length), strand.inverse_time);

@@ -20,6 +20,18 @@ bool kept(std::vector<Collider>& before, std::span<const Collider> now) {
   return equal;
 }
 
+/// Whether they rest in the frame where they stood, which becomes where they stand.
+bool rest(std::vector<Placement>& before, const FrameInput& input) {
+  std::vector<Placement> now;
+  bool at_rest = true;
+  for (const MovingCollider& collider : input.moving) {
+    now.push_back(collider.motion.at(input.clock_end));
+    at_rest &= collider.motion.rests(input.clock_begin, input.clock_end);
+  }
+  std::swap(before, now);
+  return at_rest && before == now;
+}
+
 }  // namespace
 
 Settings make_settings(const registry::ParameterValues& values) {
@@ -31,6 +43,7 @@ bool Watch::is_still(const FrameInput& input, const std::vector<Push>& pushes) {
   still &= kept(colliders_, input.colliders);
   still &= kept(boxes_, input.boxes);
   still &= kept(fields_, input.fields);
+  still &= rest(moving_, input);
   for (const Push& push : pushes) {
     still &= push == push_;
     push_ = push;

@@ -24,7 +24,8 @@ struct Push {
 class Watch {
  public:
   /// Whether nothing in this frame differs from the frame before: the head stands where it stood, colliders and pushes
-  /// are bit for bit what they were, time passes, and it is no teleport. False for the first frame.
+  /// are bit for bit what they were, and those that move by themselves rest, time passes, and it is no teleport. False
+  /// for the first frame.
   bool is_still(const FrameInput& input, const std::vector<Push>& pushes);
 
  private:
@@ -33,6 +34,7 @@ class Watch {
   std::vector<Sphere> colliders_;
   std::vector<RoundedBox> boxes_;
   std::vector<FieldPointer> fields_;
+  std::vector<Placement> moving_;
   Push push_;
 };
 

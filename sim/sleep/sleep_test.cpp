@@ -72,6 +72,17 @@ TEST_P(Sleep, AnyChange_WakesWithItsFrame) {
   }
 }
 
+TEST_P(Sleep, ColliderThatMovesByItself_WakesWhenItStarts) {
+  const MovingCollider moving{
+      Sphere{{5, 0, 0}, 0.1}, {{{1, {.position = {0, 0, 0}}}, {2, {.position = {1e-3, 0, 0}}}}}, false};
+  auto solver = make(ring(20), with_sleep(gravity_and_colliders(), "time=0.1"));
+  for (int k = 0; k < 70; ++k) {
+    ASSERT_TRUE(solver->advance({.moving = {&moving, 1}, .clock_begin = k / 60.0, .clock_end = (k + 1) / 60.0}).ok());
+    if (k < 20) continue;
+    EXPECT_EQ(solver->state()->asleep, k < 60 ? 20u : 0u) << k;
+  }
+}
+
 TEST_P(Sleep, GustsKeepAwake_SteadyAirDoesNot) {
   for (const bool gusts : {false, true}) {
     EffectBlocks effects = with_sleep(gravity(), "time=0.2");

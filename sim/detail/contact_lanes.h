@@ -1,0 +1,275 @@
+#pragma once
+// How all lanes of a block meet colliders, for the units of one instruction set (row_lanes.h).
+#include <cuticle/sim/detail/row_lanes.h>
+
+namespace cuticle::sim::detail {
+namespace {
+
+template <class Real>
+[[gnu::always_inline]] inline LinkSphere<Real> sphere_at(const typename Real::Scalar* rows) {
+  return {vector_at<Real>(rows), number_at<Real>(rows + 3 * S)};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void put_sphere(typename Real::Scalar* rows, const Vector<Real>& centre, Real radius) {
+  put<Real>(rows, centre);
+  put<Real>(rows + 3 * S, radius);
+}
+
+/// What of a box or field (in this order) that moves by itself differs from strand to strand.
+template <class Scalar>
+[[gnu::always_inline]] inline Scalar* carry_rows(const ChainFrame<Scalar>& frame, int k) {
+  return frame.collider_rows + S * (4 * (frame.sphere_count + frame.box_count + frame.field_count) + 3 * k);
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void place_moving(const ChainStep<Real>& step, const ChainFrame<Scalar>& frame,
+                                    const Vector<Real>& anchor, Real first_link) {
+  const auto keep = [&](int k, const LinkBox<Real>& placed) {
+    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
+    put<Real>(carry_rows(frame, k), carry_offset(step, spread<Real>(frame.carries[k]), anchor));
+  };
+  for (int k = 0; k < frame.box_count; ++k) keep(k, moved_box(step, spread<Real>(frame.boxes[k]), anchor, first_link));
+  for (int k = 0; k < frame.field_count; ++k)
+    keep(frame.box_count + k,
+         moved_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid);
+}
+
+/// Spheres, and of boxes and fields what differs from strand to strand.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void place_colliders(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
+                                                   const ChainFrame<Scalar>& frame) {
+  const Vector<Real> anchor = vector_at<Real>(block.strand + strand_row::anchor * S);
+  const Real first_link = VertexRows<Real>(block, 1).rest_at(rest_row::length);
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    const LinkSphere<Real> sphere = spread<Real>(frame.spheres[k]);
+    const LinkSphere<Real> placed = link_sphere(step, sphere.centre, sphere.radius, anchor, first_link);
+    put_sphere(frame.collider_rows + 4 * S * k, placed.centre, placed.radius);
+  }
+  if (frame.carries) return place_moving(step, frame, anchor, first_link);
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> placed = link_box(step, spread<Real>(frame.boxes[k]), anchor, first_link);
+    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
+  }
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkBox<Real> placed =
+        link_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid;
+    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + frame.box_count + k), placed.centre, placed.radius);
+  }
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkSphere<Real> placed_at(const ChainFrame<Scalar>& frame, int k) {
+  return sphere_at<Real>(frame.collider_rows + 4 * S * k);
+}
+/// One lane after the other: their cells lie apart.
+template <class Number, int N>
+[[gnu::noinline]] FieldSample<Pack<Number, N>> trilinear(const float* values, const Vector<Pack<Number, N>>& place,
+                                                         const Vector<Pack<Number, N>>& cells) {
+  FieldSample<Pack<Number, N>> samples;
+  for (int k = 0; k < N; ++k) {
+    const FieldSample<Number> one = sim::trilinear<Number>(values, {place.x.all[k], place.y.all[k], place.z.all[k]},
+                                                           {cells.x.all[k], cells.y.all[k], cells.z.all[k]});
+    for (int c = 0; c < 3; ++c) samples.slope[c].all[k] = one.slope[c];
+    samples.distance.all[k] = one.distance;
+  }
+  return samples;
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkBox<Real> box_at(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                   int k) {
+  const LinkSphere<Real> placed = placed_at<Real>(frame, frame.sphere_count + k);
+  LinkBox<Real> box = spread<Real>(frame.boxes[k]);
+  if (!frame.carries) return turned_box(step, box, placed);
+  box.centre = placed.centre;
+  box.radius = placed.radius;
+  return box;
+}
+
+/// A predicted vertex and a collider that moves by itself.
+template <class Real>
+struct Meeting {
+  Vector<Real> carried;  ///< where the collider takes the vertex' begin
+  Real way;              ///< how far the vertex is from there
+};
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Meeting<Real> meeting(const ChainFrame<Scalar>& frame, int k, const Vector<Real>& here,
+                                                    const Vector<Real>& place) {
+  const Vector<Real> carried =
+                         turned_along(spread<Real>(frame.carries[k]), here) + vector_at<Real>(carry_rows(frame, k)),
+                     way = place - carried;
+  return {carried, sqrt(inner(way, way))};
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_moving_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                              const Vector<Real>& here, Touch<Real>& touch) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> box = box_at(frame, step, k);
+    const auto [carried, way] = meeting(frame, k, here, touch.place);
+    if (!any(is_within(sphere_around(box), touch.place, way))) continue;
+    const Surface<Real> met =
+        any(outruns(way, thickness_of(box))) ? met_on_box(box, carried, touch.place) : inside_box(box, touch.place);
+    touch = pushed_from(touch, met, inside_box(box, carried), carried, step, Real(k + 1));
+  }
+}
+
+// Not inlined, so that spheres alone keep their registers.
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                       const Vector<Real>& carried, Touch<Real>& touch) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> box = box_at(frame, step, k);
+    const LinkSphere<Real> around = sphere_around(box);
+    if (any(is_within(around, touch.place, Real(0)) || is_within(around, carried, Real(0))))
+      touch = pushed_from(touch, inside_box(box, touch.place), inside_box(box, carried), carried, step, Real(0));
+  }
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline LinkField<Real> field_at(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                       int k) {
+  const LinkSphere<Real> placed = placed_at<Real>(frame, frame.sphere_count + frame.box_count + k);
+  LinkField<Real> field = spread<Real>(frame.fields[k]);
+  if (!frame.carries) return turned_field(step, field, placed);
+  field.grid.centre = placed.centre;
+  field.grid.radius = placed.radius;
+  return field;
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_moving_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                               const Vector<Real>& here, Touch<Real>& touch) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkField<Real> field = field_at(frame, step, k);
+    const auto [carried, way] = meeting(frame, frame.box_count + k, here, touch.place);
+    if (!any(is_within(sphere_around(field.grid), touch.place, way))) continue;
+    const float* const values = frame.field_values[k];
+    const Surface<Real> met = any(outruns(way, thickness_of(field))) ? met_on_field(field, values, carried, touch.place)
+                                                                     : inside_field(field, values, touch.place);
+    touch = pushed_from(touch, met, inside_field(field, values, carried), carried, step, Real(frame.box_count + k + 1));
+  }
+}
+
+/// `carried` by the head, or by the collider that moves by itself and that the vertex touches.
+template <class Real, class Scalar>
+[[gnu::noinline]] Vector<Real> carried_by_moving(const ChainFrame<Scalar>& frame, const Vector<Real>& carried,
+                                                 const Vector<Real>& here, Real touched) {
+  Vector<Real> result = carried;
+  for (int k = 0; k < frame.box_count + frame.field_count; ++k)
+    result = carried_by_touched(result, spread<Real>(frame.carries[k]), vector_at<Real>(carry_rows(frame, k)), here,
+                                touched, Real(k + 1));
+  return result;
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void push_from_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                        const Vector<Real>& carried, Touch<Real>& touch) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkField<Real> field = field_at(frame, step, k);
+    const LinkSphere<Real> around = sphere_around(field.grid);
+    if (!any(is_within(around, touch.place, Real(0)) || is_within(around, carried, Real(0)))) continue;
+    const float* const values = frame.field_values[k];
+    touch = pushed_from(touch, inside_field(field, values, touch.place), inside_field(field, values, carried), carried,
+                        step, Real(0));
+  }
+}
+
+/// The predicted vertex, pushed out of all colliders.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Touch<Real> pushed_from_all(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                          const Vector<Real>& here, const Vector<Real>& place) {
+  Touch<Real> touch{place, Vector<Real>(Real(0)), Vector<Real>(Real(0)), Real(0)};
+  const Vector<Real> carried = carried_by_head(step, here);
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    const LinkSphere<Real> sphere = placed_at<Real>(frame, k);
+    if (!any(is_within(sphere, touch.place, Real(0)) || is_within(sphere, carried, Real(0)))) continue;
+    const Vector<Real> fallback = direction_or(here, Real(0), step.end_y);
+    touch = pushed_from(touch, inside_sphere(sphere, touch.place, fallback), inside_sphere(sphere, carried, fallback),
+                        carried, step, Real(0));
+  }
+  if (frame.carries) {
+    push_from_moving_boxes(frame, step, here, touch);
+    push_from_moving_fields(frame, step, here, touch);
+    return touch;
+  }
+  if (frame.box_count) push_from_boxes(frame, step, carried, touch);
+  if (frame.field_count) push_from_fields(frame, step, carried, touch);
+  return touch;
+}
+
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void keep_touch(const VertexRows<Real>& v, const ChainFrame<Scalar>& frame,
+                                              const Touch<Real>& touch) {
+  if (frame.carries) v.put_scratch(scratch_row::touched, touch.collider);
+  v.put_scratch(scratch_row::place, touch.place);
+  v.put_scratch(scratch_row::normal, touch.normal);
+  v.put_scratch(scratch_row::begin_pushed, touch.begin_pushed);
+}
+
+/// `out`: out of the collider of this number.
+template <class Real>
+[[gnu::always_inline]] inline void take_turn(const Turned<Real>& out, Real number, Turned<Real>& turned,
+                                             Real& touched) {
+  const auto hits = inner(out.normal, out.normal) > Real(0);
+  turned = {out.direction, either(hits, out.normal, turned.normal)};
+  touched = selected(hits, number, touched);
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void turn_out_of_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                         const Vector<Real>& from, Real length, Real kept, Turned<Real>& turned,
+                                         Real& touched) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    LinkBox<Real> box = box_at(frame, step, k);
+    if (!any(is_within(sphere_around(box), from, length))) continue;
+    box.radius = box.radius - kept;
+    const Turned<Real> out = turned_out_of_box(from, turned.direction, length, box, step.end_x, step.end_y);
+    take_turn(out, Real(k + 1), turned, touched);
+  }
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void turn_out_of_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                          const Vector<Real>& from, Real length, Real kept, Turned<Real>& turned,
+                                          Real& touched) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    LinkField<Real> field = field_at(frame, step, k);
+    const float* const values = frame.field_values[k];
+    if (!any(is_within(sphere_around(field.grid), from, length)) ||
+        !any(may_enter(field, values, from, turned.direction * length, length)))
+      continue;
+    field.grid.radius = field.grid.radius - kept;
+    const Turned<Real> out = turned_out_of_field(from, turned.direction, length, field, values, step.end_x, step.end_y);
+    take_turn(out, Real(frame.box_count + k + 1), turned, touched);
+  }
+}
+
+/// The link turned out of all colliders, but for a depth of `kept`; `normal` becomes that of the last, and `touched`
+/// which it is.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Vector<Real> turned_out_of_all(const ChainFrame<Scalar>& frame,
+                                                             const ChainStep<Real>& step, const Vector<Real>& from,
+                                                             const Vector<Real>& aim, Real length, Real kept,
+                                                             Vector<Real>& normal, Real& touched) {
+  Vector<Real> turned = aim;
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    LinkSphere<Real> sphere = placed_at<Real>(frame, k);
+    if (!any(is_within(sphere, from, length))) continue;
+    sphere.radius = sphere.radius - kept;
+    const Vector<Real> out = turned_out(from, turned, length, sphere, step.end_x, step.end_y), moved = out - turned;
+    const auto hits = inner(moved, moved) > Real(0);
+    normal = either(hits, direction_or(from + out * length - sphere.centre, Real(0), out), normal);
+    touched = selected(hits, Real(0), touched);
+    turned = out;
+  }
+  Turned<Real> beside{turned, normal};
+  if (frame.box_count) turn_out_of_boxes(frame, step, from, length, kept, beside, touched);
+  if (frame.field_count) turn_out_of_fields(frame, step, from, length, kept, beside, touched);
+  normal = beside.normal;
+  return beside.direction;
+}
+
+}  // namespace
+}  // namespace cuticle::sim::detail
