@@ -243,10 +243,15 @@ bool all_finite(uint links) {
 }
 
 void reset(uint links) {
+  vec3 target = vec3(0), along = vec3(0, -1, 0);
   for (uint i = 0u; i <= links; ++i) {
-    vec3 velocity = head_velocity(anchor_place() + target_of(i));
-    put_state(i, k_here, head_turn(target_of(i)));
-    put_state(i, k_before, head_turn(target_of(i)));
+    if (i > 0u) {
+      along = direction_or(target_of(i) - target_of(i - 1u), 0, along);
+      target += along * rest[rest_at(i, k_length)];  // targets in motion have other lengths
+    }
+    vec3 velocity = head_velocity(anchor_place() + target);
+    put_state(i, k_here, head_turn(target));
+    put_state(i, k_before, head_turn(target));
     put_state(i, k_velocity, velocity);
     put_state(i, k_velocity_before, velocity);
     state[state_at(i, k_tension)] = 0;

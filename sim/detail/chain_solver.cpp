@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cuticle/sim/clumping/clumping.h>
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/guard.h>
 #include <cuticle/sim/detail/sleepers.h>
@@ -41,6 +42,7 @@ class ChainSolver final : public Solver {
         interaction_(std::move(interaction)),
         resets_(rest.strand_count(), 0) {
     if (settings.sleep) sleepers_.emplace(*settings.sleep);
+    if (settings.clumping) clumped_ = clumping::join_clumps(chains_, rest_, *settings.clumping);
   }
 
   Result<void> advance(const FrameInput& input) override {
@@ -49,6 +51,7 @@ class ChainSolver final : public Solver {
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
     const Colliders<Real> colliders = colliders_of<Real>(settings_, input);
     std::fill(resets_.begin(), resets_.end(), 0);
+    if (!clumped_.empty() && !steps.empty()) clumping::aim(chains_, clumped_, clumping::to_rest(parts[0]));
     const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
       if (sleepers_ && !sleepers_->begin(chains_, b, still, own_rows(b))) return;
@@ -206,6 +209,7 @@ class ChainSolver final : public Solver {
   ChainProgram<Real> program_;
   std::unique_ptr<strand_interaction::StrandInteraction> interaction_;  ///< null without the effect
   std::optional<Sleepers<Real>> sleepers_;                              ///< none without the effect
+  std::vector<clumping::ClumpedVertex> clumped_;                        ///< empty without the effect
   sleep::Watch watch_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;

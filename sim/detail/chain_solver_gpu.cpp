@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <cuticle/sim/clumping/clumping_gpu.h>
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/detail/placing.h>
@@ -60,6 +61,7 @@ class ChainGpuSolver final : public GpuSolver {
         program_(std::move(program)) {}
 
   Result<void> make() {
+    if (settings_.clumping) CUTICLE_TRY(make_clumps());
     CUTICLE_TRY(make_buffers());
     CUTICLE_ASSIGN(free_, kernel_of(program_.free, k_buffers));
     if (settings_.interaction) {
@@ -91,6 +93,8 @@ class ChainGpuSolver final : public GpuSolver {
     }
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants));
+    if (clumping_ && !steps.empty())
+      clumping_->record(commands, buffers_.state, buffers_.rest, clumping::to_rest(parts[0]));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
     dispatch(commands, *kernel, constants);
     commands.end_pass();
@@ -129,6 +133,7 @@ class ChainGpuSolver final : public GpuSolver {
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     std::map<std::string, std::uint32_t> result{{std::string(program_.name), 1}};
     if (interaction_ && input.duration > 0) result["strand_interaction"] = 2;
+    if (clumping_ && input.duration > 0) result["clumping"] = 1;
     return result;
   }
 
@@ -136,7 +141,17 @@ class ChainGpuSolver final : public GpuSolver {
   Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false) {
     return device_->make_kernel(code, {.storage_buffers = buffers,
                                        .push_constant_bytes = sizeof(Constants),
-                                       .specialization = {settings_.sleep.has_value(), meets_fields}});
+                                       .specialization = {settings_.sleep.has_value(), meets_fields,
+                                                          settings_.clumping.has_value()}});
+  }
+
+  /// None where nobody follows.
+  Result<void> make_clumps() {
+    const std::vector<clumping::ClumpedVertex> vertices =
+        clumping::join_clumps(chains_, rest_, *settings_.clumping);
+    if (vertices.empty()) return {};
+    CUTICLE_ASSIGN(clumping_, clumping::ClumpingGpu::create(*device_, vertices));
+    return {};
   }
 
   /// The one for such colliders, made when they are first met.
@@ -261,6 +276,7 @@ class ChainGpuSolver final : public GpuSolver {
   std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
   std::vector<FieldPointer> fields_;       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
+  std::unique_ptr<clumping::ClumpingGpu> clumping_;                        ///< null without the effect
   sleep::Watch watch_;
   HeadMotion motion_{true};  // meets all colliders
   Placing placing_;

@@ -17,7 +17,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
   CUTICLE_TRY(detail::check_for_gpu(rest, settings));
   detail::ChainGpuProgram program{
       .name = "exact", .free = exact_free, .touching = exact_touching, .beside_all = exact_beside_all, .own = {}};
-  if (settings.shape_stiffness > 0) {
+  if (settings.shape_stiffness > 0 || settings.clumping) {
     program.free = exact_pulled;
     program.touching = exact_pulled_touching;
     program.beside_all = exact_pulled_beside_all;
