@@ -6,13 +6,13 @@
 #include <map>
 #include <numeric>
 
+#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <tbb/parallel_for.h>
 
-#include <cuticle/sim/clumping/clumping.glslh>
 #include <cuticle/sim/detail/placing.h>
 #include <cuticle/strands/growing/random.h>
+#include <cuticle/sim/clumping/clumping.glslh>
 
 namespace cuticle::sim::clumping {
 namespace {
@@ -60,9 +60,8 @@ void lead_by_chance(const strands::Groom& rest, const Settings& settings, const 
     if (random_stream(settings.seed, Chance::lock, s).next_unit() < 1 / settings.strands_per_clump)
       leaders.push_back(s);
   if (leaders.empty()) return;
-  tbb::parallel_for(std::size_t(0), able.size(), [&](std::size_t k) {
-    guides[able[k]] = nearest_root(rest, leaders, root_of(rest, able[k]));
-  });
+  tbb::parallel_for(std::size_t(0), able.size(),
+                    [&](std::size_t k) { guides[able[k]] = nearest_root(rest, leaders, root_of(rest, able[k])); });
 }
 
 /// A strand's chain with its numbers at rest.
@@ -102,9 +101,7 @@ bool find_on_guide(const Chain<Real>& guide, double arc, ClumpedVertex& vertex, 
 }
 
 /// The share of the clump's spring in both.
-double share_of(double rate, double other) {
-  return rate > 0 ? 1 / (1 + (other / rate) * (other / rate)) : 0;
-}
+double share_of(double rate, double other) { return rate > 0 ? 1 / (1 + (other / rate) * (other / rate)) : 0; }
 
 template <class Real>
 void join(detail::Chains<Real>& chains, const detail::ChainPlace& follower, const detail::ChainPlace& leader,

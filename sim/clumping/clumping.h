@@ -15,10 +15,10 @@ std::vector<std::uint32_t> guides_of(const strands::Groom& rest, const Settings&
 
 /// A vertex of a chain that is pulled. Indices are of the chains' numbers, x of three that lie k_lanes apart.
 struct ClumpedVertex {
-  glm::dvec3 base{0};                               ///< see clump_aim, m
-  double share = 0;                                 ///< of the clump in all that pulls the vertex
-  double between = 0;                               ///< where the guide is between its vertices `above` and `below`
-  double most_squared = 0;                          ///< of the guide's place, m^2
+  glm::dvec3 base{0};                              ///< see clump_aim, m
+  double share = 0;                                ///< of the clump in all that pulls the vertex
+  double between = 0;                              ///< where the guide is between its vertices `above` and `below`
+  double most_squared = 0;                         ///< of the guide's place, m^2
   std::uint32_t above = 0, below = 0, target = 0;  ///< two places in the state; the target in the rest rows
 };
 

@@ -30,8 +30,8 @@ Result<std::unique_ptr<ClumpingGpu>> ClumpingGpu::create(gpu::Device& device,
   made->count_ = std::uint32_t(rows.size());
   CUTICLE_ASSIGN(made->numbers_, gpu::make_buffer_from(device, std::span<const glm::vec4>(numbers)));
   CUTICLE_ASSIGN(made->rows_, gpu::make_buffer_from(device, std::span<const glm::uvec4>(rows)));
-  CUTICLE_ASSIGN(made->kernel_, device.make_kernel(clump_aim_comp,
-                                                   {.storage_buffers = 4, .push_constant_bytes = sizeof(Constants)}));
+  CUTICLE_ASSIGN(made->kernel_,
+                 device.make_kernel(clump_aim_comp, {.storage_buffers = 4, .push_constant_bytes = sizeof(Constants)}));
   return made;
 }
 

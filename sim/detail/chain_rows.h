@@ -38,6 +38,12 @@ struct ChainBlock {
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };
 
+/// Rows of a moment between two substeps on a skin: columns of a strand's rotation, and how far its root moved to be
+/// there.
+namespace turn_row {
+constexpr int x = 0, y = 3, z = 6, step = 9, count = 12;
+}
+
 /// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: 4 * k_lanes for each.
 template <class Real>
 struct ChainFrame {
@@ -51,6 +57,7 @@ struct ChainFrame {
   const LinkField<Real>* fields = nullptr;
   int field_count = 0;
   const float* const* field_values = nullptr;  ///< of each field
+  const Real* turns = nullptr;                 ///< on a skin: rows of the moments (on_skin.h); null: the head's
 };
 
 template <class Real>

@@ -7,13 +7,14 @@
 #include <cuticle/sim/clumping/clumping_gpu.h>
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
-#include <cuticle/sim/detail/placing.h>
+#include <cuticle/sim/detail/on_skin.h>
 #include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 18;
+static_assert(sizeof(SkinStrand) == 48, "the layout of chain_kernel.glsl");
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 18, k_buffers_on_skin = 18;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 
 /// The kernel's push constants.
@@ -39,7 +40,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes, fields, field_values;
+      velocities, resets, own, boxes, fields, field_values, skin_strands, skin_begin;
 };
 
 template <class T>
@@ -104,6 +105,27 @@ class ChainGpuSolver final : public GpuSolver {
     return {};
   }
 
+  Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned) override {
+    CUTICLE_EXPECT(skinned.size() >= buffers_.world.size(), "a place per vertex");
+    CUTICLE_TRY(check_on_skin(settings_, input));
+    CUTICLE_ASSIGN(const std::vector<Substep> parts,
+                   motion_.advance_on_skin(input, substeps(settings_, input.duration)));
+    placing_.advance(parts);
+    if (!on_skin_) CUTICLE_TRY(make_for_skin());
+    const std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
+    if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
+    if (parts[0].onto_skin) commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
+    Constants constants{.strand_count = std::uint32_t(rest_.strand_count()),
+                        .step_count = std::uint32_t(steps.size()),
+                        .carries = parts[0].onto_skin,
+                        .frame_time = float(input.duration)};
+    commands.begin_pass(fmt::format("simulate.{}", program_.name));
+    dispatch(commands, on_skin_, constants, &skinned);
+    commands.end_pass();
+    commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
+    return {};
+  }
+
   Result<void> advance(const FrameInput& input) override { return run(*device_, input); }
 
   Result<State> state() override {
@@ -139,16 +161,27 @@ class ChainGpuSolver final : public GpuSolver {
 
  private:
   Result<gpu::Kernel> kernel_of(std::span<const std::uint32_t> code, std::uint32_t buffers, bool meets_fields = false) {
-    return device_->make_kernel(code, {.storage_buffers = buffers,
-                                       .push_constant_bytes = sizeof(Constants),
-                                       .specialization = {settings_.sleep.has_value(), meets_fields,
-                                                          settings_.clumping.has_value()}});
+    return device_->make_kernel(
+        code, {.storage_buffers = buffers,
+               .push_constant_bytes = sizeof(Constants),
+               .specialization = {settings_.sleep.has_value(), meets_fields, settings_.clumping.has_value()}});
+  }
+
+  /// The root of a strand is its origin there.
+  Result<void> make_for_skin() {
+    Rows<float> strands = chains_.strand;
+    for (std::size_t row = 0; row < strands.size(); row += strand_row::count * std::size_t(k_lanes))
+      std::fill_n(strands.begin() + std::ptrdiff_t(row), 3 * k_lanes, 0.f);
+    if (!strands.empty()) CUTICLE_TRY(refill(*device_, buffers_.strands, strands));
+    CUTICLE_TRY(refill(*device_, buffers_.skin_strands, skin_strands(rest_, settings_)));
+    CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
+    CUTICLE_ASSIGN(on_skin_, kernel_of(program_.on_skin, k_buffers_on_skin));
+    return {};
   }
 
   /// None where nobody follows.
   Result<void> make_clumps() {
-    const std::vector<clumping::ClumpedVertex> vertices =
-        clumping::join_clumps(chains_, rest_, *settings_.clumping);
+    const std::vector<clumping::ClumpedVertex> vertices = clumping::join_clumps(chains_, rest_, *settings_.clumping);
     if (vertices.empty()) return {};
     CUTICLE_ASSIGN(clumping_, clumping::ClumpingGpu::create(*device_, vertices));
     return {};
@@ -256,13 +289,16 @@ class ChainGpuSolver final : public GpuSolver {
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
-  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants) const {
+  /// `skinned`: null where a head carries the hair.
+  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants,
+                const gpu::Buffer* skinned = nullptr) const {
     const Buffers& b = buffers_;
     std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
                                           &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
                                           &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
     if (constants.box_count + constants.field_count > 0)
       bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values});
+    if (skinned) bound.insert(bound.end(), {&b.skin_strands, &b.skin_begin, skinned});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
@@ -272,7 +308,7 @@ class ChainGpuSolver final : public GpuSolver {
   Chains<float> chains_;
   ChainGpuProgram program_;
   Buffers buffers_;
-  gpu::Kernel free_, touching_;
+  gpu::Kernel free_, touching_, on_skin_;
   std::array<gpu::Kernel, 2> beside_all_;  ///< without and with fields; made with the first such collider
   std::vector<FieldPointer> fields_;       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect

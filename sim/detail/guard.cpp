@@ -32,6 +32,8 @@ glm::dvec3 link_at_length(const Chains<Real>& chains, std::size_t block, std::si
   return along * double(chains.rest_at(block, i, rest_row::length)[lane]);
 }
 
+}  // namespace
+
 template <class Real>
 void reset_lane(Chains<Real>& chains, std::size_t block, std::size_t lane, const Placing& placing) {
   const glm::dvec3 anchor = vector_at(chains.strand_at(block, strand_row::anchor), lane);
@@ -46,16 +48,16 @@ void reset_lane(Chains<Real>& chains, std::size_t block, std::size_t lane, const
   }
   chains.strand_at(block, strand_row::guarded)[lane] = Real(k_was_reset);
 }
-
-}  // namespace
+template void reset_lane<float>(Chains<float>&, std::size_t, std::size_t, const Placing&);
+template void reset_lane<double>(Chains<double>&, std::size_t, std::size_t, const Placing&);
 
 template <class Real>
-void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const Placing& placing) {
+void reset_broken_lanes(Chains<Real>& chains, std::size_t block, const PlacingOf& placing) {
   const std::array<Real, k_lanes> sums = noughts(chains, block);
   for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
-    if (!std::isfinite(sums[lane])) reset_lane(chains, block, lane, placing);
+    if (!std::isfinite(sums[lane])) reset_lane(chains, block, lane, placing(lane));
 }
-template void reset_broken_lanes<float>(Chains<float>&, std::size_t, const Placing&);
-template void reset_broken_lanes<double>(Chains<double>&, std::size_t, const Placing&);
+template void reset_broken_lanes<float>(Chains<float>&, std::size_t, const PlacingOf&);
+template void reset_broken_lanes<double>(Chains<double>&, std::size_t, const PlacingOf&);
 
 }  // namespace cuticle::sim::detail

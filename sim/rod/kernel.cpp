@@ -201,8 +201,7 @@ template <bool Pulls, bool Touches, class Real>
   const BendRow<Real> bends = bend_row(hinge_row_of(v), hinge_row_of(child), hinge_row_of(grandchild), inverse_length);
   Real inertia = Real(1) + drag * time;
   if constexpr (Pulls) inertia = v.scratch_at(rod_row::inertia);
-  const Real mass = v.rest_at(rest_row::mass) * inertia,
-             taut = v.state_at(state_row::tension) * (time * time),
+  const Real mass = v.rest_at(rest_row::mass) * inertia, taut = v.state_at(state_row::tension) * (time * time),
              taut_below = child.state_at(state_row::tension) * (time * time);
   const Vector<Real> wanted = v.scratch_vector(scratch_row::place);
   Vector<Real> contact(Real(0));
