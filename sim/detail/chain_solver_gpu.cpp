@@ -174,6 +174,7 @@ class ChainGpuSolver final : public GpuSolver {
       std::fill_n(strands.begin() + std::ptrdiff_t(row), 3 * k_lanes, 0.f);
     if (!strands.empty()) CUTICLE_TRY(refill(*device_, buffers_.strands, strands));
     CUTICLE_TRY(refill(*device_, buffers_.skin_strands, skin_strands(rest_, settings_)));
+    CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place({0, 0, 0, 1}, placing_)));  // which nobody reads
     CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
     CUTICLE_ASSIGN(on_skin_, kernel_of(program_.on_skin, k_buffers_on_skin));
     return {};
