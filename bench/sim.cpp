@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
     run({"exact, 4 substeps, water", "exact", four, 1000, threads, false, false, "water"}, scale);
     const std::string beside = "strand_interaction";
     run({"exact, 4 substeps, strand against strand", "exact", four, 1000, threads, false, false, beside}, scale);
+    run({"exact, 4 substeps, clumps", "exact", four, 1000, threads, false, false, "clumping"}, scale);
     const std::string pulled = "inner_step=0.00417,max_substeps=4";
     run({"exact, 4 substeps, pull to the rest pose", "exact", pulled, 1000, threads}, scale);
     run({"exact, 4 substeps, pull to the rest pose, asleep", "exact", pulled, 1000, threads, false, false, "sleep"},
@@ -79,6 +80,7 @@ int main(int argc, char** argv) {
     run({"rod, 8 substeps", "rod", eight, 1000, threads}, scale);
     run({"rod, 8 substeps, sphere", "rod", eight, 1000, threads, true}, scale);
     run({"rod, 8 substeps, strand against strand", "rod", eight, 1000, threads, false, false, beside}, scale);
+    run({"rod, 8 substeps, clumps", "rod", eight, 1000, threads, false, false, "clumping"}, scale);
     run({"rod, 8 substeps, asleep", "rod", eight + ",fibre_radius=1e-3", 1000, threads, false, false, "sleep"}, scale);
     run({"rod, 8 substeps", "rod", eight, 10000, threads}, scale);
   }

@@ -27,11 +27,15 @@ namespace {
 Result<void> check_on_skin(const scene::Scene& scene) {
   if (!scene.simulation.solver) return {};
   CUTICLE_ASSIGN(const sim::Effect* solver, sim::find_effect(scene.simulation.solver->name));
-  if (solver->follows_skin && !scene.simulation.effects.contains("control")) return {};
-  return usage_error(
-      fmt::format("simulation: hair on a character's skin cannot have {}",
-                  solver->follows_skin ? "the effect 'control'" : fmt::format("the solver '{}'", solver->entry.name)),
-      "choose the solver 'classic', or leave the effect out");
+  if (!solver->follows_skin)
+    return usage_error(
+        fmt::format("simulation: hair on a character's skin cannot have the solver '{}'", solver->entry.name),
+        "choose the solver 'classic', 'exact' or 'rod'");
+  for (const char* effect : {"control", "strand_interaction", "clumping", "sleep"})
+    if (scene.simulation.effects.contains(effect))
+      return usage_error(fmt::format("simulation: hair on a character's skin cannot have the effect '{}'", effect),
+                         "leave it out");
+  return {};
 }
 
 }  // namespace

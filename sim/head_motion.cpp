@@ -139,6 +139,15 @@ FrameInput without_head(const FrameInput& input) {
           .clock_end = input.clock_end};
 }
 
+Result<void> check_skinned(std::span<const glm::vec3> skinned, std::size_t vertices) {
+  if (!skinned.empty() && skinned.size() != vertices)
+    return bad_input(fmt::format("skinned: {} places for {} vertices", skinned.size(), vertices));
+  for (std::size_t i = 0; i < skinned.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite(skinned[i][c])) return bad_input(fmt::format("skinned[{}]: component {} is not finite", i, c));
+  return {};
+}
+
 std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most) {
   const double rounded = std::ceil(duration / inner_step * (1 - 1e-9));  // 1/30 s is 8 steps of 1/240 s, not 9
   if (!(rounded > 1)) return 1;  // also for a duration that is no number, which the solver then refuses

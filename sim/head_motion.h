@@ -49,6 +49,9 @@ FrameInput without_head(const FrameInput& input);
 /// ceil(duration / inner_step), between 1 and `most`: past that the step stretches.
 std::uint32_t inner_steps(double duration, double inner_step, std::uint32_t most);
 
+/// Error: bad_input naming FrameInput::skinned where it has another number of places or one is not finite.
+Result<void> check_skinned(std::span<const glm::vec3> skinned, std::size_t vertices);
+
 /// Follows the head from frame to frame.
 class HeadMotion {
  public:

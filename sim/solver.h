@@ -99,8 +99,8 @@ struct Effect {
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
   /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
   bool fuses_effects = false;
-  /// Whether an effect acts on what a solver found in a frame, by dispatches of its own ("control",
-  /// "strand_interaction").
+  /// Whether an effect acts by dispatches of its own on what a solver found in a frame ("control",
+  /// "strand_interaction"), or will find ("clumping").
   bool acts_on_result = false;
   /// Whether an effect moves the scene's fins, and does nothing to hair ("cloth").
   bool acts_on_fins = false;

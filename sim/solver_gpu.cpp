@@ -12,7 +12,7 @@ Result<void> GpuSolver::run(gpu::Device& device, const FrameInput& input) {
 }
 
 Result<void> GpuSolver::record_on_skin(gpu::Commands&, const FrameInput&, const gpu::Buffer&) {
-  return usage_error("hair on a skin: this solver follows a head only", "choose the solver 'classic'");
+  return usage_error("hair on a skin: this solver follows a head only", "leave the effect 'control' out");
 }
 
 Result<const GpuEffect*> find_gpu_effect(std::string_view name) {

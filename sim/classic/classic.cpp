@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <cuticle/sim/classic/particles.h>
@@ -85,15 +84,6 @@ struct Skin {
   std::vector<glm::vec3> begin, end;
   std::vector<glm::vec4> part_begin;
 };
-
-Result<void> check_skinned(std::span<const glm::vec3> skinned, std::size_t vertices) {
-  if (!skinned.empty() && skinned.size() != vertices)
-    return bad_input(fmt::format("skinned: {} places for {} vertices", skinned.size(), vertices));
-  for (std::size_t i = 0; i < skinned.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite(skinned[i][c])) return bad_input(fmt::format("skinned[{}]: component {} is not finite", i, c));
-  return {};
-}
 
 class ClassicSolver final : public Solver {
  public:

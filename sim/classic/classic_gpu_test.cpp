@@ -1,5 +1,6 @@
 // The kernels against the CPU twin, against themselves, and their cost against what the registry says.
 #include <cuticle/sim/classic/test_gpu.h>
+#include <cuticle/sim/control/control_gpu.h>
 #include <cuticle/strands/binding/carry_gpu.h>
 #include <cuticle/strands/skinning/skinning_gpu.h>
 
@@ -198,7 +199,9 @@ TEST(ClassicGpu, HairOnASkin_IsSkinnedThenSimulatedInOneSubmission) {
 
 TEST(ClassicGpu, SolverOfAHead_RefusesASkin) {
   const strands::Groom groom = ring(2);
-  auto kernels = make_gpu("exact", groom, "", gravity());
+  auto kernels = control::controlled_gpu(device(), make_gpu("exact", groom, "", gravity()), groom,
+                                         settings_of("control"))
+                     .value();
   gpu::Commands commands = device()->record();
   EXPECT_FALSE(kernels->record_on_skin(commands, {}, kernels->positions()).ok());
 }

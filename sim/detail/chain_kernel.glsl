@@ -1,8 +1,15 @@
 // Storage, contact and follow-the-leader of the solvers of rigid links: chain_lanes.h without its lanes, one thread per
 // strand, all substeps of a frame. A solver includes this with k_scratch_rows defined and TOUCHES 0, 1 (spheres) or 2
-// (all colliders; fields only where specialised), and defines `substep`.
+// (all colliders; fields only where specialised), and defines `substep`. With ON_SKIN, which touches nothing, every
+// strand has a head of its own.
+#ifndef ON_SKIN
+#define ON_SKIN 0
+#endif
 #include "cuticle/sim/detail/box_contact.glslh"
 #include "cuticle/sim/finite.glsl"
+#if ON_SKIN
+#include "cuticle/sim/detail/skin_turn.glslh"
+#endif
 layout(local_size_x = 64) in;
 
 layout(binding = 0) readonly buffer Places {
@@ -35,6 +42,15 @@ layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
 layout(binding = 18) readonly buffer Carries { ColliderCarry collider_carries[]; };
 #else
 const bool k_some_move = false;
+#endif
+#if ON_SKIN
+struct SkinStrand {
+  vec4 along, across;  // unit, at rest; along.w: whether the strand bends
+  uvec4 vertices;      // anchor, farthest, side
+};
+layout(binding = 15) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
+layout(binding = 16) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices at the frame's
+layout(binding = 17) readonly buffer SkinEnd { vec4 skin_end[]; };      // begin and end
 #endif
 layout(push_constant) uniform Constants {
   uint strand_count, step_count, sphere_count, box_count, field_count, carries;
@@ -290,12 +306,54 @@ void ended(Following f) { strands[strand_base + k_guarded * k_lanes] = f.excess 
 // The solver's own.
 void substep(uint links, ChainStep s);
 
+#if ON_SKIN
+SkinStrand on_skin;
+
+vec3 skin_place(uint vertex, float share) { return skinned_place(skin_begin[vertex].xyz, skin_end[vertex].xyz, share); }
+vec3 skin_velocity(uint vertex) {
+  return frame_time > 0 ? (skin_end[vertex].xyz - skin_begin[vertex].xyz) / frame_time : vec3(0);
+}
+SkinTurn turn_at(uint part) {
+  float share = float(part) / float(max(step_count, 1u));
+  vec3 anchor = skin_place(on_skin.vertices.x, share);
+  return skin_turn(on_skin.along.xyz, on_skin.across.xyz, skin_place(on_skin.vertices.y, share) - anchor,
+                   skin_place(on_skin.vertices.z, share) - anchor, on_skin.along.w > 0);
+}
+vec3 turned_by(SkinTurn t, vec3 v) { return t.x * v.x + t.y * v.y + t.z * v.z; }
+
+ChainStep step_at(uint k) {
+  ChainStep s = steps[k];
+  SkinTurn begin = turn_at(k), end = turn_at(k + 1u);
+  s.begin_x = begin.x;
+  s.begin_y = begin.y;
+  s.begin_z = begin.z;
+  s.end_x = end.x;
+  s.end_y = end.y;
+  s.end_z = end.z;
+  s.head_step = (skin_end[on_skin.vertices.x].xyz - skin_begin[on_skin.vertices.x].xyz) / float(step_count);
+  return s;
+}
+vec3 carried_turn(vec3 v) { return v; }
+vec3 head_turn(vec3 v) { return turned_by(turn_at(max(step_count, 1u)), v); }
+vec3 head_velocity(vec3 v) {
+  vec3 turning = vec3(0);
+  if (step_count > 0u) turning = (head_turn(v) - turned_by(turn_at(step_count - 1u), v)) * steps[0].per_second;
+  return skin_velocity(on_skin.vertices.x) + turning;
+}
+vec3 carried_place(uint vertex) { return skin_end[vertex].xyz; }
+vec3 carried_velocity(uint vertex) { return skin_velocity(vertex); }
+#else
+ChainStep step_at(uint k) { return steps[k]; }
 vec3 turned_by(vec4 x, vec4 y, vec4 z, vec3 v) { return x.xyz * v.x + y.xyz * v.y + z.xyz * v.z; }
 vec3 carried_turn(vec3 v) { return turned_by(frame.carry_x, frame.carry_y, frame.carry_z, v); }
 vec3 head_turn(vec3 v) { return turned_by(frame.turn_x, frame.turn_y, frame.turn_z, v); }
 vec3 head_velocity(vec3 v) {
   return frame.moving.xyz + turned_by(frame.turning_x, frame.turning_y, frame.turning_z, v);
 }
+
+vec3 carried_place(uint vertex) { return frame.translation.xyz + head_turn(uintBitsToFloat(vertices[vertex].xyz)); }
+vec3 carried_velocity(uint vertex) { return head_velocity(uintBitsToFloat(vertices[vertex].xyz)); }
+#endif
 
 void carry_state(uint links) {
   for (uint i = 0u; i <= links; ++i)
@@ -310,10 +368,15 @@ bool all_finite(uint links) {
 }
 
 void reset(uint links) {
+  vec3 target = vec3(0), along = vec3(0, -1, 0);
   for (uint i = 0u; i <= links; ++i) {
-    vec3 velocity = head_velocity(anchor_place() + target_of(i));
-    put_state(i, k_here, head_turn(target_of(i)));
-    put_state(i, k_before, head_turn(target_of(i)));
+    if (i > 0u) {
+      along = direction_or(target_of(i) - target_of(i - 1u), 0, along);
+      target += along * rest[rest_at(i, k_length)];  // targets in motion have other lengths
+    }
+    vec3 velocity = head_velocity(anchor_place() + target);
+    put_state(i, k_here, head_turn(target));
+    put_state(i, k_before, head_turn(target));
     put_state(i, k_velocity, velocity);
     put_state(i, k_velocity_before, velocity);
     state[state_at(i, k_tension)] = 0;
@@ -349,9 +412,8 @@ void show(uint strand, uint anchor) {
   for (uint i = offsets[strand]; i < offsets[strand + 1u]; ++i) {
     uint link = vertices[i].w, fixed_at = min(i, offsets[strand] + anchor);
     bool carried = i < offsets[strand] + anchor || link == 0u;
-    vec3 root = uintBitsToFloat(vertices[fixed_at].xyz);
-    world[i] = vec4(frame.translation.xyz + head_turn(root) + (carried ? vec3(0) : state_vector(link, k_here)), 1);
-    velocities[i] = vec4(carried ? head_velocity(root) : state_vector(link, k_velocity), 0);
+    world[i] = vec4(carried_place(fixed_at) + (carried ? vec3(0) : state_vector(link, k_here)), 1);
+    velocities[i] = vec4(carried ? carried_velocity(fixed_at) : state_vector(link, k_velocity), 0);
   }
 }
 
@@ -366,8 +428,13 @@ void main() {
     lane = place.y;
     strand_base = place.x * k_strand_rows * k_lanes + lane;
     if (k_sleeps && sleeps_on()) return;
+#if ON_SKIN
+    on_skin = skin_strands[strand];
+    if (carries != 0u) reset(links);
+#else
     if (carries != 0u) carry_state(links);
-    for (part = 0u; part < step_count; ++part) substep(links, steps[part]);
+#endif
+    for (part = 0u; part < step_count; ++part) substep(links, step_at(part));
     if (!all_finite(links)) {
       reset(links);
       resets[strand] = 1u;

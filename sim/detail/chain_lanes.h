@@ -108,6 +108,19 @@ template <class Scalar>
   return now;
 }
 
+/// On a skin every strand has a head of its own.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void turn_on_skin(ChainStep<Real>& step, const Scalar* turns, int k) {
+  const Scalar *begin = turns + k * turn_row::count * S, *end = begin + turn_row::count * S;
+  step.begin_x = vector_at<Real>(begin + turn_row::x * S);
+  step.begin_y = vector_at<Real>(begin + turn_row::y * S);
+  step.begin_z = vector_at<Real>(begin + turn_row::z * S);
+  step.end_x = vector_at<Real>(end + turn_row::x * S);
+  step.end_y = vector_at<Real>(end + turn_row::y * S);
+  step.end_z = vector_at<Real>(end + turn_row::z * S);
+  step.head_step = vector_at<Real>(end + turn_row::step * S);
+}
+
 /// All substeps of a frame, part by part.
 template <class Scalar, class Substep>
 [[gnu::always_inline]] inline void advance_parts(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
@@ -120,7 +133,11 @@ template <class Scalar, class Substep>
     part.strand += first;
     part.own += block.own ? first : 0;
     clear_ends<Lanes<Scalar>>(part);
-    for (int k = 0; k < frame.count; ++k) substep(part, of_substep(frame, k), spread<Lanes<Scalar>>(frame.steps[k]));
+    for (int k = 0; k < frame.count; ++k) {
+      ChainStep<Lanes<Scalar>> step = spread<Lanes<Scalar>>(frame.steps[k]);
+      if (frame.turns) turn_on_skin(step, frame.turns + first, k);
+      substep(part, of_substep(frame, k), step);
+    }
   }
 }
 

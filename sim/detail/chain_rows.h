@@ -38,6 +38,12 @@ struct ChainBlock {
   Real* own;         ///< rows of a vertex that a solver adds; null without
 };
 
+/// Rows of a moment between two substeps on a skin: columns of a strand's rotation, and how far its root moved to be
+/// there.
+namespace turn_row {
+constexpr int x = 0, y = 3, z = 6, step = 9, count = 12;
+}
+
 /// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: 4 * k_lanes for each. With
 /// `carries`, for boxes and fields that move by themselves: boxes and fields of one substep after the other, at its
 /// end, in the world's axes, relative to the head's translation, and what a substep's boxes, then its fields carry
@@ -55,6 +61,7 @@ struct ChainFrame {
   int field_count = 0;
   const float* const* field_values = nullptr;  ///< of each field
   const ColliderCarry<Real>* carries = nullptr;
+  const Real* turns = nullptr;                 ///< on a skin: rows of the moments (on_skin.h); null: the head's
 };
 
 template <class Real>

@@ -1,5 +1,7 @@
 #include <cuticle/sim/detail/chain_settings.h>
 
+#include <fmt/core.h>
+
 #include <cuticle/sim/detail/placing.h>
 
 namespace cuticle::sim::detail {
@@ -80,13 +82,16 @@ ChainSettings make_chain_settings(const registry::ParameterValues& solver, const
   if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
     settings.interaction = strand_interaction::make_settings(interaction->second);
   if (auto sleep = effects.find("sleep"); sleep != effects.end()) settings.sleep = sleep::make_settings(sleep->second);
+  if (auto clumping = effects.find("clumping"); clumping != effects.end())
+    settings.clumping = clumping::make_settings(clumping->second);
   return settings;
 }
 
 Result<void> check(const ChainSettings& settings) {
-  if (!settings.sleep || !settings.interaction) return {};
-  return usage_error("the effects 'sleep' and 'strand_interaction' exclude each other",
-                     "leave one of them out: strands that push each other are not at rest one by one");
+  if (!settings.sleep || (!settings.interaction && !settings.clumping)) return {};
+  return usage_error(fmt::format("the effects 'sleep' and '{}' exclude each other",
+                                 settings.interaction ? "strand_interaction" : "clumping"),
+                     "leave one of them out: strands that move each other are not at rest one by one");
 }
 
 template <class Real>

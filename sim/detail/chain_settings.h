@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <cuticle/sim/clumping/settings.h>
 #include <cuticle/sim/colliders/contact.h>
 #include <cuticle/sim/head_motion.h>
 #include <cuticle/sim/sleep/sleep.h>
@@ -27,6 +28,7 @@ struct ChainSettings {
   std::optional<colliders::ContactSettings> contact;        ///< present with the effect
   std::optional<strand_interaction::Settings> interaction;  ///< present with the effect
   std::optional<sleep::Settings> sleep;                     ///< present with the effect
+  std::optional<clumping::Settings> clumping;               ///< present with the effect
 };
 /// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
 /// effects.

@@ -3,9 +3,11 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cuticle/sim/clumping/clumping.h>
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/frame_colliders.h>
 #include <cuticle/sim/detail/guard.h>
+#include <cuticle/sim/detail/on_skin.h>
 #include <cuticle/sim/detail/sleepers.h>
 #include <cuticle/sim/strand_interaction/strand_interaction.h>
 
@@ -24,14 +26,16 @@ class ChainSolver final : public Solver {
         interaction_(std::move(interaction)),
         resets_(rest.strand_count(), 0) {
     if (settings.sleep) sleepers_.emplace(*settings.sleep);
+    if (settings.clumping) clumped_ = clumping::join_clumps(chains_, rest_, *settings.clumping);
   }
 
   Result<void> advance(const FrameInput& input) override {
-    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
+    CUTICLE_ASSIGN(const std::vector<Substep> parts, substeps_of(input));
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
     const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size());
     std::fill(resets_.begin(), resets_.end(), 0);
+    if (!clumped_.empty() && !steps.empty()) clumping::aim(chains_, clumped_, clumping::to_rest(parts[0]));
     const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
       if (sleepers_ && !sleepers_->begin(chains_, b, still, own_rows(b))) return;
@@ -57,6 +61,24 @@ class ChainSolver final : public Solver {
   }
 
  private:
+  Result<std::vector<Substep>> substeps_of(const FrameInput& input) {
+    const std::uint32_t count = substeps(settings_, input.duration);
+    if (input.skinned.empty()) return motion_.advance(input, count);
+    CUTICLE_TRY(check_skinned(input.skinned, rest_.vertex_count()));
+    CUTICLE_TRY(check_on_skin(settings_, input));
+    CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance_on_skin(input, count));
+    if (!skin_) skin_.emplace(rest_, settings_, chains_);
+    skin_->advance(input.skinned, parts[0].onto_skin, parts);
+    if (parts[0].onto_skin) put_onto_skin();
+    return parts;
+  }
+
+  void put_onto_skin() {
+    for (std::size_t b = 0; b < chains_.blocks.size(); ++b)
+      for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
+        reset_lane(chains_, b, lane, skin_->placing(b, lane));
+  }
+
   void advance_block(std::size_t b, const std::vector<ChainStep<Real>>& steps, const FrameColliders<Real>& colliders,
                      const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
@@ -68,11 +90,13 @@ class ChainSolver final : public Solver {
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty()) block.own = own_rows(b).data();
+    if (skin_) skin_->fill(b, room.turns);
     const Advance<Real> advance = near.count() > 0 ? program_.touching : program_.free;
     advance(block, {steps.data(), int(steps.size()), near.spheres.data(), int(near.spheres.size()), near.boxes.data(),
                     int(near.box_count()), room.numbers.data() + scratch, near.fields.data(), int(near.field_count()),
-                    room.values.data(), near.carries.empty() ? nullptr : near.carries.data()});
-    reset_broken_lanes(chains_, b, placing_);
+                    room.values.data(), near.carries.empty() ? nullptr : near.carries.data(),
+                    skin_ ? room.turns.data() : nullptr});
+    reset_broken_lanes<Real>(chains_, b, [&](std::size_t lane) { return skin_ ? skin_->placing(b, lane) : placing_; });
   }
 
   /// The rows that the program adds to a block's vertices.
@@ -118,10 +142,11 @@ class ChainSolver final : public Solver {
     for (std::size_t i = rest_.offsets[s]; i < rest_.offsets[s + 1]; ++i) {
       const Stand stand = stand_of(s, i);
       const glm::dvec3 rest(rest_.positions[stand.rest]);
-      glm::dvec3 at = placing_.world(rest);
+      glm::dvec3 at = skin_ ? skin_->place(stand.rest) : placing_.world(rest);
       if (stand.link) at += state_of(s, stand, state_row::here);
       state.positions.emplace_back(at);
-      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity) : placing_.velocity(rest));
+      const glm::dvec3 carried = skin_ ? skin_->velocity(stand.rest) : placing_.velocity(rest);
+      state.velocities.emplace_back(stand.link ? state_of(s, stand, state_row::velocity) : carried);
     }
   }
 
@@ -161,7 +186,7 @@ class ChainSolver final : public Solver {
 
   /// What a thread needs for a block.
   struct Room {
-    Rows<Real> numbers;
+    Rows<Real> numbers, turns;
     FrameColliders<Real> near;
     std::vector<const float*> values;  ///< of its fields
     void find_near(const Chains<Real>& chains, std::size_t b, const ChainSettings& settings,
@@ -177,6 +202,8 @@ class ChainSolver final : public Solver {
   ChainProgram<Real> program_;
   std::unique_ptr<strand_interaction::StrandInteraction> interaction_;  ///< null without the effect
   std::optional<Sleepers<Real>> sleepers_;                              ///< none without the effect
+  std::vector<clumping::ClumpedVertex> clumped_;                        ///< empty without the effect
+  std::optional<OnSkin<Real>> skin_;                                    ///< none where a head carries the hair
   sleep::Watch watch_;
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;

@@ -4,16 +4,19 @@
 
 #include <fmt/core.h>
 
+#include <cuticle/sim/clumping/clumping_gpu.h>
 #include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/chain_solver_gpu.h>
 #include <cuticle/sim/detail/frame_colliders.h>
+#include <cuticle/sim/detail/on_skin.h>
 #include <cuticle/sim/detail/placing.h>
 #include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19;
+static_assert(sizeof(SkinStrand) == 48, "the layout of chain_kernel.glsl");
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_buffers_on_skin = 18;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
 
@@ -40,7 +43,7 @@ std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placin
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes, fields, field_values, carries;
+      velocities, resets, own, boxes, fields, field_values, carries, skin_strands, skin_begin;
 };
 
 template <class T>
@@ -62,6 +65,7 @@ class ChainGpuSolver final : public GpuSolver {
         program_(std::move(program)) {}
 
   Result<void> make() {
+    if (settings_.clumping) CUTICLE_TRY(make_clumps());
     CUTICLE_TRY(make_buffers());
     CUTICLE_ASSIGN(free_, kernel_of(program_.free, k_buffers));
     if (settings_.interaction) {
@@ -86,12 +90,35 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(upload(colliders));
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants, !colliders.carries.empty()));
+    if (clumping_ && !steps.empty())
+      clumping_->record(commands, buffers_.state, buffers_.rest, clumping::to_rest(parts[0]));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
     dispatch(commands, *kernel, constants);
     commands.end_pass();
     if (interaction_ && !steps.empty())
       interaction_->record(commands, {&buffers_.world, &buffers_.velocities, &buffers_.state}, placing_.rotation(),
                            placing_.world(glm::dvec3(0)), input.duration);
+    return {};
+  }
+
+  Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned) override {
+    CUTICLE_EXPECT(skinned.size() >= buffers_.world.size(), "a place per vertex");
+    CUTICLE_TRY(check_on_skin(settings_, input));
+    CUTICLE_ASSIGN(const std::vector<Substep> parts,
+                   motion_.advance_on_skin(input, substeps(settings_, input.duration)));
+    placing_.advance(parts);
+    if (!on_skin_) CUTICLE_TRY(make_for_skin());
+    const std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
+    if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
+    if (parts[0].onto_skin) commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
+    Constants constants{.strand_count = std::uint32_t(rest_.strand_count()),
+                        .step_count = std::uint32_t(steps.size()),
+                        .carries = parts[0].onto_skin,
+                        .frame_time = float(input.duration)};
+    commands.begin_pass(fmt::format("simulate.{}", program_.name));
+    dispatch(commands, on_skin_, constants, &skinned);
+    commands.end_pass();
+    commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
     return {};
   }
 
@@ -124,6 +151,7 @@ class ChainGpuSolver final : public GpuSolver {
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     std::map<std::string, std::uint32_t> result{{std::string(program_.name), 1}};
     if (interaction_ && input.duration > 0) result["strand_interaction"] = 2;
+    if (clumping_ && input.duration > 0) result["clumping"] = 1;
     return result;
   }
 
@@ -132,7 +160,29 @@ class ChainGpuSolver final : public GpuSolver {
                                 bool some_move = false) {
     return device_->make_kernel(code, {.storage_buffers = buffers,
                                        .push_constant_bytes = sizeof(Constants),
-                                       .specialization = {settings_.sleep.has_value(), meets_fields, some_move}});
+                                       .specialization = {settings_.sleep.has_value(), meets_fields, some_move,
+                                                          settings_.clumping.has_value()}});
+  }
+
+  /// The root of a strand is its origin there.
+  Result<void> make_for_skin() {
+    Rows<float> strands = chains_.strand;
+    for (std::size_t row = 0; row < strands.size(); row += strand_row::count * std::size_t(k_lanes))
+      std::fill_n(strands.begin() + std::ptrdiff_t(row), 3 * k_lanes, 0.f);
+    if (!strands.empty()) CUTICLE_TRY(refill(*device_, buffers_.strands, strands));
+    CUTICLE_TRY(refill(*device_, buffers_.skin_strands, skin_strands(rest_, settings_)));
+    CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place({0, 0, 0, 1}, placing_)));  // which nobody reads
+    CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
+    CUTICLE_ASSIGN(on_skin_, kernel_of(program_.on_skin, k_buffers_on_skin));
+    return {};
+  }
+
+  /// None where nobody follows.
+  Result<void> make_clumps() {
+    const std::vector<clumping::ClumpedVertex> vertices = clumping::join_clumps(chains_, rest_, *settings_.clumping);
+    if (vertices.empty()) return {};
+    CUTICLE_ASSIGN(clumping_, clumping::ClumpingGpu::create(*device_, vertices));
+    return {};
   }
 
   /// The one for such colliders, made when they are first met.
@@ -248,13 +298,16 @@ class ChainGpuSolver final : public GpuSolver {
     return refill(*device_, buffers_.spheres, std::vector<LinkSphere<float>>(1));
   }
 
-  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants) const {
+  /// `skinned`: null where a head carries the hair.
+  void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants,
+                const gpu::Buffer* skinned = nullptr) const {
     const Buffers& b = buffers_;
     std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
                                           &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
                                           &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
     if (constants.box_count + constants.field_count > 0)
       bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values, &b.carries});
+    if (skinned) bound.insert(bound.end(), {&b.skin_strands, &b.skin_begin, skinned});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
   }
 
@@ -264,11 +317,12 @@ class ChainGpuSolver final : public GpuSolver {
   Chains<float> chains_;
   ChainGpuProgram program_;
   Buffers buffers_;
-  gpu::Kernel free_, touching_;
+  gpu::Kernel free_, touching_, on_skin_;
   /// By whether colliders move by themselves, and whether there are fields; made with the first such collider.
   std::array<std::array<gpu::Kernel, 2>, 2> beside_all_;
   std::vector<FieldPointer> fields_;                                       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
+  std::unique_ptr<clumping::ClumpingGpu> clumping_;                        ///< null without the effect
   sleep::Watch watch_;
   HeadMotion motion_{true};  // meets all colliders
   Placing placing_;

@@ -7,6 +7,9 @@ glm::dmat3 matrix_of(const glm::vec4& rotation) {
   return glm::dmat3(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
 }
 
+Placing::Placing(const glm::dmat3& begin, const glm::dmat3& end, const glm::dvec3& velocity, double duration)
+    : rotation_(end), turning_(duration > 0 ? (end - begin) / duration : glm::dmat3(0)), moving_(velocity) {}
+
 void Placing::advance(std::span<const Substep> parts) {
   const Substep& last = parts.back();
   const glm::dmat3 carry = matrix_of(parts[0].carry);

@@ -13,6 +13,9 @@ glm::dmat3 matrix_of(const glm::vec4& rotation);
 
 class Placing {
  public:
+  Placing() = default;
+  /// Of a substep of this duration (s) that ends with the second rotation; the origin stays, moving by `velocity` (m/s).
+  Placing(const glm::dmat3& begin, const glm::dmat3& end, const glm::dvec3& velocity, double duration);
   /// The substeps of a frame, at least one.
   void advance(std::span<const Substep> parts);
   const glm::dmat3& rotation() const { return rotation_; }

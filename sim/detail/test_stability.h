@@ -80,8 +80,8 @@ enum class Disturbance { none, kicks, jumps, teleports };
 
 /// Largest of worst_over_bound over the frames that end at the origin. Adds a message where anything is not finite.
 inline double run(std::string_view name, const strands::Groom& groom, const std::string& parameters, double duration,
-                  Disturbance disturbance, int frames) {
-  auto solver = make_solver(name, groom, settings(parameters), gravity());
+                  Disturbance disturbance, int frames, const EffectBlocks& effects = gravity()) {
+  auto solver = make_solver(name, groom, settings(parameters), effects);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
   const double size = disturbance == Disturbance::kicks ? 50 * std::min(duration, 2.0) : 100;

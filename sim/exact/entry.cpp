@@ -26,7 +26,8 @@ const Effect& entry() {
                                           .dispatches = detail::one_dispatch},
                                 .create = create,
                                 .substeps = detail::substeps,
-                                .fuses_effects = true};
+                                .fuses_effects = true,
+                                .follows_skin = true};
   return effect;
 }
 

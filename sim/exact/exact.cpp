@@ -32,7 +32,7 @@ Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registr
     return detail::make_chain_solver<double>(
         rest, settings, detail::make_chains<double>(rest, settings),
         {.free = kernels.advance_double, .touching = kernels.advance_double, .own = {}});
-  const auto& advance = kernels.advance[settings.shape_stiffness > 0];
+  const auto& advance = kernels.advance[settings.shape_stiffness > 0 || settings.clumping];
   return detail::make_chain_solver<float>(rest, settings, detail::make_chains<float>(rest, settings),
                                           {.free = advance[0], .touching = advance[1], .own = {}});
 }

@@ -3,6 +3,7 @@
 
 #include <exact_beside_all.spv.h>
 #include <exact_free.spv.h>
+#include <exact_on_skin.spv.h>
 #include <exact_pulled.spv.h>
 #include <exact_pulled_beside_all.spv.h>
 #include <exact_pulled_touching.spv.h>
@@ -15,9 +16,13 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
                                               const registry::ParameterValues& solver, const EffectBlocks& effects) {
   const detail::ChainSettings settings = make_settings(solver, effects);
   CUTICLE_TRY(detail::check_for_gpu(rest, settings));
-  detail::ChainGpuProgram program{
-      .name = "exact", .free = exact_free, .touching = exact_touching, .beside_all = exact_beside_all, .own = {}};
-  if (settings.shape_stiffness > 0) {
+  detail::ChainGpuProgram program{.name = "exact",
+                                  .free = exact_free,
+                                  .touching = exact_touching,
+                                  .beside_all = exact_beside_all,
+                                  .on_skin = exact_on_skin,
+                                  .own = {}};
+  if (settings.shape_stiffness > 0 || settings.clumping) {
     program.free = exact_pulled;
     program.touching = exact_pulled_touching;
     program.beside_all = exact_pulled_beside_all;

@@ -63,7 +63,7 @@ TEST(ExactHard, LaneThatIsNotANumber_IsResetAndTouchesNoOther) {
   exact::best_kernels().advance[1][0](broken.block(0, other.data()), frame);
   detail::Placing placing;
   placing.advance({&part, 1});
-  detail::reset_broken_lanes(broken, 0, placing);
+  detail::reset_broken_lanes<float>(broken, 0, [&](std::size_t) { return placing; });
   for (std::size_t lane = 0; lane < std::size_t(detail::k_lanes); ++lane) {
     EXPECT_EQ(broken.strand_at(0, detail::strand_row::guarded)[lane] == float(detail::k_was_reset), lane == 3);
     for (std::size_t k = lane; k < broken.state.size(); k += detail::k_lanes) {

@@ -68,14 +68,29 @@ struct Coasting {
   Vector<Real> here, place, coast;
 };
 /// From there to where the other forces, and spheres, would put the vertex.
-template <bool Touches, class Real, class Scalar>
+/// What forces other than bending move a vertex, and its mass against bending and lengths over its own, which is kept.
+template <bool Pulls, class Real>
+[[gnu::always_inline]] inline Displacement<Real> displacement(const RodVertex<Real>& v, const ChainStep<Real>& step,
+                                                              const StrandStep<Real>& strand, const Vector<Real>& from,
+                                                              const Vector<Real>& drift) {
+  if constexpr (!Pulls) return free_displacement(step, strand, drift);
+  const Vector<Real> rest = v.rest_vector(rest_row::target), target = turned_to_end(step, rest);
+  const Displacement<Real> pulled = pulled_displacement(step, strand, drift, v.rest_at(rest_row::pull), target - from,
+                                                        target - turned_to_begin(step, rest) + strand.root_step);
+  v.put_scratch(rod_row::inertia, pulled.inertia);
+  return pulled;
+}
+
+template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const ChainFrame<Scalar>& frame,
                                          const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
                                          Coasting<Real>& parent) {
   const ChainVertex<Real> vertex = chain_vertex(v);
   const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
-  const Coast<Real> c =
-      coast_of(vertex.here, from, drift, free_displacement(step, strand, drift).moved, fall_of(step, strand.time), arc);
+  const Displacement<Real> displaced = displacement<Pulls>(v, step, strand, from, drift);
+  Vector<Real> fall = fall_of(step, strand.time);
+  if constexpr (Pulls) fall = pulled_fall(fall, step, strand.time, displaced.inertia);
+  const Coast<Real> c = coast_of(vertex.here, from, drift, displaced.moved, fall, arc);
   const Real length = v.rest_at(rest_row::length);
   const Vector<Real> before = (vertex.here - parent.here) * v.rest_at(rest_row::inverse_length),
                      direction = direction_or(c.place - parent.place, Real(1e-3) * length, before);
@@ -179,13 +194,14 @@ template <class Real>
 }
 
 /// A vertex' rows of the band. `inverse_length`: that of its parent's link, zero at the root.
-template <bool Touches, class Real>
+template <bool Pulls, bool Touches, class Real>
 [[gnu::always_inline]] inline void assemble(const RodVertex<Real>& v, const RodVertex<Real>& child,
                                             const RodVertex<Real>& grandchild, Real inverse_length, Real drag,
                                             Real time, const BandRows<Real>& own) {
   const BendRow<Real> bends = bend_row(hinge_row_of(v), hinge_row_of(child), hinge_row_of(grandchild), inverse_length);
-  const Real mass = v.rest_at(rest_row::mass) * (Real(1) + drag * time),
-             taut = v.state_at(state_row::tension) * (time * time),
+  Real inertia = Real(1) + drag * time;
+  if constexpr (Pulls) inertia = v.scratch_at(rod_row::inertia);
+  const Real mass = v.rest_at(rest_row::mass) * inertia, taut = v.state_at(state_row::tension) * (time * time),
              taut_below = child.state_at(state_row::tension) * (time * time);
   const Vector<Real> wanted = v.scratch_vector(scratch_row::place);
   Vector<Real> contact(Real(0));
@@ -204,7 +220,7 @@ template <int C, class Real>
   (std::make_integer_sequence<int, 8>());
   eliminate_pivot(own, parent, grandparent, C);
 }
-template <bool Touches, class Real, class Scalar>
+template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline void eliminate_vertex(const ChainBlock<Scalar>& block, int i, const ChainStep<Real>& step,
                                                     const StrandStep<Real>& strand) {
   const int end = block.links + 1;  // nothing bends past the ends: rows of the end, and the anchor's band, are zero
@@ -212,7 +228,8 @@ template <bool Touches, class Real, class Scalar>
       grandchild(block, i + 2 < end ? i + 2 : end), above(block, i > 1 ? i - 1 : end);
   Real packs[k_band_rows];
   const BandRows<Real> own{packs, nullptr};
-  assemble<Touches>(v, child, grandchild, above.hinge_at(hinge_row::inverse_length), step.drag, strand.time, own);
+  assemble<Pulls, Touches>(v, child, grandchild, above.hinge_at(hinge_row::inverse_length), step.drag, strand.time,
+                           own);
   eliminate_row<0>(own, parent.band(), grandparent.band());
   eliminate_row<1>(own, parent.band(), grandparent.band());
   eliminate_row<2>(own, parent.band(), grandparent.band());
@@ -230,13 +247,14 @@ template <class Real, class Scalar>
   substitute_row(own, child, grandchild, 0);
 }
 
-template <bool Touches, class Real, class Scalar>
+template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline void coast_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
                                              const ChainStep<Real>& step, const StrandStep<Real>& strand) {
   const Real arc = VertexRows<Real>(block, block.links).rest_at(rest_row::reach);
   const Vector<Real> zero(Real(0));
   Coasting<Real> parent{zero, zero, zero};
-  for (int i = 1; i <= block.links; ++i) coast<Touches>(RodVertex<Real>(block, i), frame, step, strand, arc, parent);
+  for (int i = 1; i <= block.links; ++i)
+    coast<Pulls, Touches>(RodVertex<Real>(block, i), frame, step, strand, arc, parent);
 }
 
 template <class Real, class Scalar>
@@ -249,13 +267,13 @@ template <class Real, class Scalar>
   for (int i = 1; i <= block.links; ++i) pull(RodVertex<Real>(block, i), time, pulling);
 }
 
-template <bool Touches, class Real, class Scalar>
+template <bool Pulls, bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
   const StrandStep<Real> strand = begin(block, step);
   if constexpr (Touches) place_colliders(block, step, frame);
-  coast_all<Touches>(block, frame, step, strand);
+  coast_all<Pulls, Touches>(block, frame, step, strand);
   bend_all(block, step, strand.time);
-  for (int i = 1; i <= block.links; ++i) eliminate_vertex<Touches>(block, i, step, strand);
+  for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, step, strand);
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
   follow_all<Touches>(block, frame, step, strand, [&](int i) -> NewtonPlace<Real> {
     const RodVertex<Real> v(block, i);
@@ -266,17 +284,20 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   });
 }
 
-template <class Scalar, bool Touches>
+template <class Scalar, bool Pulls, bool Touches>
 void advance(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame) {
   advance_parts(block, frame,
                 [&](const ChainBlock<Scalar>& part, const ChainFrame<Scalar>& now,
-                    const ChainStep<Lanes<Scalar>>& step) { substep<Touches>(part, now, step); });
+                    const ChainStep<Lanes<Scalar>>& step) { substep<Pulls, Touches>(part, now, step); });
 }
 
 }  // namespace
 
 extern const Kernels CUTICLE_JOIN(kernels_, CUTICLE_BATCH_SET);
-const Kernels CUTICLE_JOIN(kernels_, CUTICLE_BATCH_SET) = {{advance<float, false>, advance<float, true>},
-                                                           {advance<double, false>, advance<double, true>}};
+const Kernels CUTICLE_JOIN(kernels_, CUTICLE_BATCH_SET) = {
+    {{advance<float, false, false>, advance<float, false, true>},
+     {advance<float, true, false>, advance<float, true, true>}},
+    {{advance<double, false, false>, advance<double, false, true>},
+     {advance<double, true, false>, advance<double, true, true>}}};
 
 }  // namespace cuticle::sim::rod

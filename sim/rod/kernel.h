@@ -16,16 +16,17 @@ constexpr int direction = 0, director = 3;  // of the anchor
 /// Scratch of a vertex after that of sim/detail. The band: 4 rows (x, y, z, tension) of the symmetric matrix, each its
 /// diagonal and 8 numbers to the left, then the right-hand side.
 namespace rod_row {
+constexpr int inertia = detail::scratch_row::inverse_mass;  // a row that rods leave free
 constexpr int coast = 16, coasted = 19, director = 22, natural = 25, natural_spin = 28, across = 31, along = 32,
               moment = 33, rounding = 34, angle_coupling = 35, angle_value = 36, pull = 37, gain = 40, spin = 41,
               spin_pull = 42, band = 45, right = 81, count = 85;
 static_assert(coast == detail::scratch_row::count);
 }  // namespace rod_row
 
-/// By whether there are spheres.
+/// By whether strands are pulled to a place (clumping) and whether there are spheres.
 struct Kernels {
-  detail::Advance<float> advance[2];
-  detail::Advance<double> advance_double[2];
+  detail::Advance<float> advance[2][2];
+  detail::Advance<double> advance_double[2][2];
 };
 
 }  // namespace cuticle::sim::rod

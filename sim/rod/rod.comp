@@ -27,11 +27,25 @@ vec3 hinge_vector(uint i, uint row) { return vec3(hinge(i, row), hinge(i, row + 
 float scratch_number(uint i, uint row) { return scratch[scratch_at(i, row)]; }
 void put_number(uint i, uint row, float value) { scratch[scratch_at(i, row)] = value; }
 
+layout(constant_id = 3) const bool k_pulls = false;
+const uint k_inertia = 6u;
+
+Displacement displacement(uint i, ChainStep s, StrandStep strand, vec3 from, vec3 drift) {
+  if (!k_pulls) return free_displacement(s, strand, drift);
+  vec3 target = turned_to_end(s, target_of(i));
+  Displacement pulled = pulled_displacement(s, strand, drift, rest[rest_at(i, k_pull)], target - from,
+                                            target - turned_to_begin(s, target_of(i)) + strand.root_step);
+  put_number(i, k_inertia, pulled.inertia);
+  return pulled;
+}
+
 void coast(uint i, uint links, ChainStep s, StrandStep strand) {
   ChainVertex v = chain_vertex(i);
   vec3 from = scheme_from(v, strand), drift = coasted(v, strand);
-  Coast c = coast_of(v.here, from, drift, free_displacement(s, strand, drift).moved, fall_of(s, strand.time),
-                     rest[rest_at(links, k_reach)]);
+  Displacement displaced = displacement(i, s, strand, from, drift);
+  vec3 fall = fall_of(s, strand.time);
+  if (k_pulls) fall = pulled_fall(fall, s, strand.time, displaced.inertia);
+  Coast c = coast_of(v.here, from, drift, displaced.moved, fall, rest[rest_at(links, k_reach)]);
   float rest_length = rest[rest_at(i, k_length)];
   vec3 before = (v.here - state_vector(i - 1u, k_here)) * rest[rest_at(i, k_inverse_length)];
   vec3 direction = direction_or(c.place - scratch_vector(i - 1u, k_coasted), 1e-3 * rest_length, before);
@@ -106,7 +120,8 @@ void assemble(uint i, uint end, ChainStep s, StrandStep strand) {
   uint above = i > 1u ? i - 1u : end;  // nothing bends past the ends: rows of the end are zero
   BendRow bends =
       bend_row(hinge_row(i), hinge_row(i + 1u), hinge_row(min(i + 2u, end)), hinge(above, k_hinge_inverse_length));
-  float time = strand.time, mass = rest[rest_at(i, k_mass)] * (1.0 + s.drag * time);
+  float time = strand.time, inertia = k_pulls ? scratch_number(i, k_inertia) : 1.0 + s.drag * time,
+        mass = rest[rest_at(i, k_mass)] * inertia;
   float taut = state[state_at(i, k_tension)] * (time * time),
         below = state[state_at(i + 1u, k_tension)] * (time * time);
   vec3 wanted = scratch_vector(i, k_place);

@@ -20,7 +20,8 @@ const Kernels& best_kernels() {
 
 template <class Real>
 Result<std::unique_ptr<Solver>> make(const strands::Groom& rest, const Settings& settings,
-                                     const detail::Advance<Real> (&advance)[2]) {
+                                     const detail::Advance<Real> (&variants)[2][2]) {
+  const auto& advance = variants[settings.chain.clumping.has_value()];
   detail::Chains<Real> chains = detail::make_chains<Real>(rest, settings.chain);
   detail::Rows<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
   return detail::make_chain_solver<Real>(rest, settings.chain, std::move(chains),

@@ -1,0 +1,53 @@
+#include <cuticle/sim/clumping/clumping_gpu.h>
+
+#include <clump_aim_comp.spv.h>
+
+#include <cuticle/gpu/groups.h>
+#include <cuticle/sim/solver_gpu.h>
+
+namespace cuticle::sim::clumping {
+namespace {
+
+/// The kernel's push constants.
+struct Constants {
+  glm::vec4 x, y, z;
+  std::uint32_t vertex_count;
+};
+static_assert(sizeof(Constants) == 52);
+
+}  // namespace
+
+Result<std::unique_ptr<ClumpingGpu>> ClumpingGpu::create(gpu::Device& device,
+                                                         const std::vector<ClumpedVertex>& vertices) {
+  auto made = std::make_unique<ClumpingGpu>();
+  std::vector<glm::vec4> numbers;
+  std::vector<glm::uvec4> rows;
+  for (const ClumpedVertex& v : vertices) {
+    numbers.emplace_back(v.base, v.share);
+    numbers.emplace_back(v.between, v.most_squared, 0, 0);
+    rows.emplace_back(v.above, v.below, v.target, 0);
+  }
+  made->count_ = std::uint32_t(rows.size());
+  CUTICLE_ASSIGN(made->numbers_, gpu::make_buffer_from(device, std::span<const glm::vec4>(numbers)));
+  CUTICLE_ASSIGN(made->rows_, gpu::make_buffer_from(device, std::span<const glm::uvec4>(rows)));
+  CUTICLE_ASSIGN(made->kernel_,
+                 device.make_kernel(clump_aim_comp, {.storage_buffers = 4, .push_constant_bytes = sizeof(Constants)}));
+  return made;
+}
+
+void ClumpingGpu::record(gpu::Commands& commands, const gpu::Buffer& state, const gpu::Buffer& rest,
+                         const glm::dmat3& to_rest) {
+  const Constants constants{glm::vec4(glm::dvec4(to_rest[0], 0)), glm::vec4(glm::dvec4(to_rest[1], 0)),
+                            glm::vec4(glm::dvec4(to_rest[2], 0)), count_};
+  const gpu::Groups groups = gpu::groups_for(count_);
+  commands.begin_pass("simulate.clumping");
+  commands.dispatch(kernel_, {&numbers_, &rows_, &state, &rest}, {}, gpu::bytes_of(constants), groups.x, groups.y);
+  commands.end_pass();
+}
+
+const GpuEffect& gpu_entry() {
+  static const GpuEffect effect{"clumping", nullptr};
+  return effect;
+}
+
+}  // namespace cuticle::sim::clumping

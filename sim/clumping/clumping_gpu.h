@@ -1,0 +1,21 @@
+#pragma once
+// GPU half: the aims of all vertices by one dispatch a frame, before the solver's.
+#include <cuticle/gpu/device.h>
+#include <cuticle/sim/clumping/clumping.h>
+
+namespace cuticle::sim::clumping {
+
+class ClumpingGpu {
+ public:
+  /// `vertices`: of join_clumps. Error: out_of_memory.
+  static Result<std::unique_ptr<ClumpingGpu>> create(gpu::Device& device, const std::vector<ClumpedVertex>& vertices);
+  /// As aim: the state of the chains before a frame, and their rest rows, of which the targets are written.
+  void record(gpu::Commands& commands, const gpu::Buffer& state, const gpu::Buffer& rest, const glm::dmat3& to_rest);
+
+ private:
+  gpu::Buffer numbers_, rows_;
+  gpu::Kernel kernel_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace cuticle::sim::clumping

@@ -1,0 +1,121 @@
+// Chains of rigid links on a skin: roots, lengths, root frames, teleports, and what is refused.
+#include <cuticle/sim/classic/test_strands.h>
+
+namespace cuticle::sim::on_skin_test {
+namespace {
+
+using namespace testing;
+
+class OnSkin : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Solvers, OnSkin, ::testing::Values("exact", "rod"),
+                         [](const auto& info) { return info.param; });
+
+void advance_on(Solver& solver, std::span<const glm::vec3> skinned, double duration = 1.0 / 30) {
+  EXPECT_TRUE(solver.advance({.duration = duration, .skinned = skinned}).ok());
+}
+
+TEST_P(OnSkin, SkinThatMovesAsAHead_MovesHairAsTheHeadDoes) {
+  const strands::Groom groom = ring(6);
+  auto on_head = make_solver(GetParam(), groom, "", {}), on_skin = make_solver(GetParam(), groom, "", {});
+  const auto shift = [](int frame) { return glm::dvec3(0.01 * frame, 0.02 * std::sin(0.3 * frame), -0.005 * frame); };
+  for (int frame = 0; frame <= 20; ++frame) {
+    FrameInput input{.duration = frame > 0 ? 1.0 / 30 : 0};
+    input.head_begin = glm::translate(glm::dmat4(1), shift(std::max(0, frame - 1)));
+    input.head_end = glm::translate(glm::dmat4(1), shift(frame));
+    ASSERT_TRUE(on_head->advance(input).ok());
+    std::vector<glm::vec3> skinned = groom.positions;
+    for (glm::vec3& place : skinned) place += glm::vec3(shift(frame));
+    advance_on(*on_skin, skinned, input.duration);
+  }
+  const State a = on_head->state().value(), b = on_skin->state().value();
+  const double places = worst_distance(a.positions, b.positions), speeds = worst_distance(a.velocities, b.velocities);
+  std::printf("%s: on a skin and on a head that move alike %.1e m, %.1e m/s apart\n", GetParam(), places, speeds);
+  EXPECT_LT(places, 3e-5);
+  EXPECT_LT(speeds, 1e-3);
+}
+
+TEST_P(OnSkin, SkinThatDeforms_StaysRootedAtItsLength) {
+  const strands::Groom groom = ring(12);
+  auto solver = make_solver(GetParam(), groom, "", gravity());
+  double root = 0, stretched = 0, lag = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const std::vector<glm::vec3> skinned = on_turning_roots(groom, frame / 30.0);
+    advance_on(*solver, skinned);
+    const State state = solver->state().value();
+    EXPECT_EQ(state.guards_fired, 0u);
+    for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+      root = std::max(root, double(glm::distance(state.positions[groom.offsets[s]], skinned[groom.offsets[s]])));
+      const std::size_t tip = groom.offsets[s + 1] - 1;
+      lag = std::max(lag, double(glm::distance(state.positions[tip], skinned[tip])));
+    }
+    stretched = std::max(stretched, worst_stretch(groom, state));
+  }
+  std::printf("%s on a skin: roots off by %.1e m, stretch %.1e, tips up to %.3f m behind\n", GetParam(), root,
+              stretched, lag);
+  EXPECT_EQ(root, 0);
+  EXPECT_LT(stretched, 1e-5);
+  EXPECT_GT(lag, 0.05);
+}
+
+/// Curls, so that a turn about their own axis shows.
+strands::Groom curls() {
+  strands::Groom groom;
+  for (int s = 0; s < 3; ++s) {
+    for (int i = 0; i <= 16; ++i)
+      groom.positions.emplace_back(0.1 * s + 0.01 * std::cos(0.7 * i), 0.012 * i, 0.01 * std::sin(0.7 * i));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+
+TEST_P(OnSkin, RestShape_TurnsWithTheFrameOfTheRoot) {
+  const strands::Groom groom = curls();
+  auto solver = make_solver(GetParam(), groom, "", {});
+  std::vector<glm::vec3> skinned;
+  for (int frame = 0; frame <= 360; ++frame) {
+    skinned.clear();
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), 0.03 * std::min(frame, 60), glm::dvec3(0.1, 1, 0.2)));
+    for (std::size_t i = 0; i < groom.vertex_count(); ++i) {
+      const glm::dvec3 root(groom.positions[i - i % 17]);
+      skinned.emplace_back(root + turn * (glm::dvec3(groom.positions[i]) - root));
+    }
+    advance_on(*solver, skinned);
+  }
+  const double away = worst_distance(solver->state()->positions, skinned);
+  std::printf("%s: curls on roots that turned by 1.8 radians come to rest %.1e m from their shape\n", GetParam(), away);
+  EXPECT_LT(away, 1e-4);
+}
+
+TEST_P(OnSkin, Teleport_PutsHairOntoItAtRest) {
+  const strands::Groom groom = ring(6);
+  auto solver = make_solver(GetParam(), groom, "", {});
+  for (int frame = 0; frame < 10; ++frame) advance_on(*solver, on_turning_roots(groom, frame / 30.0));
+  std::vector<glm::vec3> skinned = on_turning_roots(groom, 3);
+  for (glm::vec3& place : skinned) place += glm::vec3(5, 0, 0);
+  ASSERT_TRUE(solver->advance({.duration = 1.0 / 30, .teleport = true, .skinned = skinned}).ok());
+  const State state = solver->state().value();
+  EXPECT_LT(worst_distance(state.positions, skinned), 2e-6);
+  EXPECT_LT(worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size())), 1e-3);
+}
+
+TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
+  const strands::Groom groom = ring(2);
+  std::vector<glm::vec3> skinned = groom.positions;
+  for (const char* effect : {"clumping", "strand_interaction", "sleep"})
+    EXPECT_FALSE(
+        make_solver(GetParam(), groom, "", {{effect, settings_of(effect)}})->advance({.skinned = skinned}).ok())
+        << effect;
+  auto solver = make_solver(GetParam(), groom, "", gravity_and_colliders());
+  const Sphere ball{{0, 0, 0}, 0.05};
+  EXPECT_FALSE(solver->advance({.colliders = {&ball, 1}, .skinned = skinned}).ok());
+  advance_on(*solver, skinned);
+  EXPECT_FALSE(solver->advance({}).ok());
+  skinned[3].y = NAN;
+  EXPECT_THAT(solver->advance({.skinned = skinned}).error().message, ::testing::HasSubstr("skinned[3]"));
+  skinned.pop_back();
+  EXPECT_FALSE(solver->advance({.skinned = skinned}).ok());
+}
+
+}  // namespace
+}  // namespace cuticle::sim::on_skin_test
