@@ -1,5 +1,5 @@
 // Cards: a pixel beside the model in double, the schemes beside each other, the order beside compositing by hand.
-#include <cuticle/render/passes/cards/test_cards.h>
+#include <cuticle/tests/support/card_pictures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #pragma once
 // Small scenes of cards, drawn on the software device.
+#include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/cards/cards.h>
 
 #include <algorithm>
