@@ -23,6 +23,7 @@ struct DeviceInfo {
   std::string name, driver, api_version;
   bool is_software = false;
   std::uint32_t subgroup_size = 0;
+  bool subgroup_broadcast = false;  ///< compute shaders may broadcast and vote in a subgroup
   std::uint64_t max_storage_buffer_bytes = 0;
   std::uint64_t heap_bytes = 0;
   std::uint32_t max_workgroup_invocations = 0;

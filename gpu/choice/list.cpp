@@ -62,6 +62,9 @@ void describe_limits(DeviceInfo& info, const VkPhysicalDeviceLimits& limits,
   info.max_image_size = limits.maxImageDimension2D;
   info.sample_counts = sample_counts(limits);
   info.subgroup_size = core11.subgroupSize;
+  constexpr VkSubgroupFeatureFlags needed = VK_SUBGROUP_FEATURE_BALLOT_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT;
+  info.subgroup_broadcast = (core11.subgroupSupportedOperations & needed) == needed &&
+                            (core11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
 }
 
 }  // namespace

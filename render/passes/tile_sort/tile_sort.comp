@@ -13,6 +13,7 @@ layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
 layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
 const uint k_lanes = 8u, k_most_bins = 512u;
+const uint k_insertion = 8u;  // entries that one gap more does not pay for
 shared uint bins[k_most_bins];
 shared float nearest_of[k_lanes], farthest_of[k_lanes];
 shared uint sum_of[k_lanes];
@@ -58,17 +59,25 @@ bool before(uvec2 a, uvec2 b) {
   return nearer || (level && a.y < b.y);
 }
 
+// Insertion among entries `gap` apart; `from` is the first place of the bin.
+void insert(uint from, uint end, uint gap) {
+  for (uint k = from + gap; k < end; ++k) {
+    uvec2 own = ordered[k], other;
+    uint place = k;
+    for (; place >= from + gap; place -= gap) {
+      other = ordered[place - gap];
+      if (!before(own, other)) break;
+      ordered[place] = other;
+    }
+    ordered[place] = own;
+  }
+}
+
 void sort(uint begin, uint end) {
   uint gap = 1u;
-  while (gap < (end - begin) / 3u) gap = 3u * gap + 1u;
-  for (; gap > 0u; gap /= 3u)
-    for (uint k = begin + gap; k < end; ++k) {
-      uvec2 own = ordered[k];
-      uint place = k;
-      for (; place >= begin + gap && before(own, ordered[place - gap]); place -= gap)
-        ordered[place] = ordered[place - gap];
-      ordered[place] = own;
-    }
+  while (gap < (end - begin) / k_insertion) gap = 3u * gap + 1u;
+  for (; gap > 1u; gap /= 3u) insert(begin, end, gap);
+  insert(begin, end, 1u);
 }
 
 void main() {

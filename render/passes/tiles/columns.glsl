@@ -1,10 +1,9 @@
 // A workgroup of eight per tile, each invocation a column with its eight pixels. Eight segments at a time are set up,
 // one each, and drawn by all in the order of the tile's list. The loop over the eight is unrolled: the loops of an
 // invocation may make 65,535 turns together on lavapipe, after which it leaves them. The shader that includes this
-// defines set_aside() and take().
+// defines set_aside() and take(), and includes exchange_shared.glsl or exchange_subgroup.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-layout(local_size_x = 8) in;
 #include "cuticle/render/passes/tile_lists/segment.glsl"
 #include "cuticle/render/seen.glsl"
 
@@ -19,15 +18,8 @@ layout(std430, binding = 5) writeonly buffer Picture { uvec2 picture[]; };  // r
 layout(std430, binding = 6) writeonly buffer Depth { float mean_depth[]; };  // 1 / distance, weighted by what is seen
 layout(std430, binding = 7) writeonly buffer SeenSegments { Seen seen[]; };
 
-const uint k_lanes = 8u;
 const float k_opaque = 1.0 / 1024.0;  // what lies behind so little transmittance is left out
 const uint k_stride = 7919u;  // a prime: neighbouring tiles, which cost alike, go to different threads of the device
-
-// The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extents and limits of the coverage
-// across and along. Colour and 1 / depth at the middle of the axis, and how they change per pixel.
-shared vec4 axis[k_lanes], extent[k_lanes], shade[k_lanes], slope[k_lanes];
-shared float open[k_lanes];
-shared uint first_vertex[k_lanes];
 
 // Of the column's pixels: what is let through, the scene's depth, what has been blended.
 float through[k_tile], scene[k_tile], depth[k_tile], most_seen[k_tile];
@@ -43,9 +35,8 @@ bool set_aside(float least, float most);
 void take(int row, uint vertex, float covered, vec3 color, float inverse_depth);
 
 // Width is that where the segment passes the tile's middle.
-void set_up(uint lane, uint entry, bool used, vec2 tile_middle) {
+Prepared set_up(uint entry, bool used, vec2 tile_middle) {
   uint vertex = ordered[entry].y;
-  first_vertex[lane] = vertex;
   Projected p;
   project(vertices[vertex], vertices[vertex + 1u], p);
   vec3 root = color_of(vertex), tip = color_of(vertex + 1u);
@@ -54,11 +45,11 @@ void set_up(uint lane, uint entry, bool used, vec2 tile_middle) {
   float half_width = p.half_width + p.width_slope * clamp(s, -p.half_length, p.half_length);
   vec2 ends = p.inverse_depth + p.depth_slope * clamp(vec2(s - reach, s + reach), -p.half_length, p.half_length);
   used = used && !set_aside(min(ends.x, ends.y), max(ends.x, ends.y));
-  axis[lane] = vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle));
-  extent[lane] = vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0,
-                      p.half_length + 0.5, min(1.0, len));
-  shade[lane] = vec4(0.5 * (first + last), p.inverse_depth);
-  slope[lane] = vec4(len > k_shortest ? (last - first) / len : vec3(0.0), p.depth_slope);
+  return Prepared(vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle)),
+                  vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, p.half_length + 0.5,
+                       min(1.0, len)),
+                  vec4(0.5 * (first + last), p.inverse_depth),
+                  vec4(len > k_shortest ? (last - first) / len : vec3(0.0), p.depth_slope), vertex);
 }
 
 uint spread(uint group, uint count) { return count % k_stride == 0u ? group : uint((group * k_stride) % count); }
@@ -86,17 +77,17 @@ void begin_column(uint lane, uvec2 corner) {
 // The tile's segments first .. first + 7, those below `end`.
 void draw_eight(uint lane, uint first, uint end, uvec2 corner) {
   vec2 in_picture = vec2(corner + first_pixel()), top = in_picture + vec2(lane, 0.0) + 0.5;
-  set_up(lane, min(first + lane, end - 1u), first + lane < end, in_picture + 0.5 * float(k_tile));
-  barrier();
+  offer(set_up(min(first + lane, end - 1u), first + lane < end, in_picture + 0.5 * float(k_tile)));
   [[unroll]] for (uint k = 0u; k < k_lanes; ++k) {
-    vec4 line = axis[k], size = extent[k], middle = shade[k], change = slope[k];
+    Prepared own = prepared_by(k);
+    vec4 line = own.axis, size = own.extent, middle = own.shade, change = own.slope;
     float across = line.x * top.y - line.y * top.x + line.z, along = line.x * top.x + line.y * top.y + line.w;
     float half_length = size.z - 0.5;
     [[unroll]] for (int row = 0; row < k_tile; ++row) {
       float at = clamp(along, -half_length, half_length), inverse_depth = middle.w + at * change.w;
       float covered = clamp((size.x - abs(across)) * push.opacity, 0.0, size.y);
       covered *= clamp(size.z - abs(along), 0.0, size.w);
-      take(row, first_vertex[k], inverse_depth >= scene[row] ? covered : 0.0, middle.rgb + at * change.rgb,
+      take(row, own.vertex, inverse_depth >= scene[row] ? covered : 0.0, middle.rgb + at * change.rgb,
            inverse_depth);
       across += line.x;
       along += line.y;
@@ -105,13 +96,10 @@ void draw_eight(uint lane, uint first, uint end, uvec2 corner) {
 }
 
 // Whether every pixel of the tile lets through too little for what lies behind to be seen.
-bool is_closed(uint lane) {
+bool is_closed() {
   float most = 0.0;
   [[unroll]] for (int row = 0; row < k_tile; ++row) most = max(most, through[row]);
-  open[lane] = most;
-  barrier();
-  [[unroll]] for (uint k = 0u; k < k_lanes; ++k) most = max(most, open[k]);
-  return most < k_opaque;
+  return is_below_in_all(most, k_opaque);
 }
 
 void end_column(uint lane, uvec2 corner) {

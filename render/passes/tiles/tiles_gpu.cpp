@@ -5,6 +5,7 @@
 #include <tiles_comp.spv.h>
 #include <tiles_frag.spv.h>
 #include <tiles_sliced_comp.spv.h>
+#include <tiles_subgroup_comp.spv.h>
 
 namespace cuticle::render::tiles {
 
@@ -54,13 +55,15 @@ class Tiles : public GpuPass {
   gpu::Buffer picture_, depth_, seen_;
 };
 
-/// By slices where the scene asks for them, else as sorted.
+/// By slices where the scene asks for them, else as sorted: where a subgroup is a tile's eight, they speak within it.
 Result<gpu::Kernel> make_fine(gpu::Device& device, const FrameResources& resources) {
   const bool sliced = parameters_of(resources, tile_sort::entry()).integer("slices") > 0;
   const gpu::ShaderInterface interface {
     sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), { resources.says_seen ? 1u : 0u }
   };
-  return sliced ? device.make_kernel(tiles_sliced_comp, interface) : device.make_kernel(tiles_comp, interface);
+  if (sliced) return device.make_kernel(tiles_sliced_comp, interface);
+  const bool subgroup = device.info().subgroup_size == tile_lists::k_tile && device.info().subgroup_broadcast;
+  return subgroup ? device.make_kernel(tiles_subgroup_comp, interface) : device.make_kernel(tiles_comp, interface);
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {

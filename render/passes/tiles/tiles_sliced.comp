@@ -3,6 +3,7 @@
 // Fine rasteriser by slices: each fragment goes to the slice of the tile's depth range that its own depth lies in.
 // Those of one slice and pixel are blended in the order of the tile's list as they come, which is what blending a list
 // of them afterwards gives; then the slices, from near to far. As many slices at a time as shared memory has room for.
+#include "cuticle/render/passes/tiles/exchange_shared.glsl"
 #include "cuticle/render/passes/tiles/columns.glsl"
 
 layout(std430, binding = 8) readonly buffer DepthRanges { vec2 depth_ranges[]; };  // greatest and least 1 / depth
@@ -20,7 +21,7 @@ uint slice_of(float inverse_depth) {
   return uint(clamp((nearest - inverse_depth) * slices_per_depth, 0.0, float(push.slices - 1u)));
 }
 
-uint place_of(uint slice, int row) { return (slice * uint(k_tile) + uint(row)) * k_lanes + gl_LocalInvocationID.x; }
+uint place_of(uint slice, int row) { return (slice * uint(k_tile) + uint(row)) * k_lanes + own_lane(); }
 
 bool set_aside(float least, float most) {
   return slice_of(most) >= first_slice + k_at_once || slice_of(least) < first_slice;
@@ -65,7 +66,7 @@ void blend_slices() {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, tile = tile_of_group();
+  uint lane = own_lane(), tile = tile_of_group();
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   uvec2 corner = corner_of(tile);
   begin_column(lane, corner);
@@ -80,7 +81,7 @@ void main() {
     }
     looked_at += end - begin;
     blend_slices();
-    if (is_closed(lane)) break;
+    if (is_closed()) break;
   }
   end_column(lane, corner);
 }

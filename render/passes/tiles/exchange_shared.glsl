@@ -1,0 +1,29 @@
+// The invocations of a tile speak through shared memory.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "cuticle/render/passes/tiles/prepared.glsl"
+
+shared vec4 axis[k_lanes], extent[k_lanes], shade[k_lanes], slope[k_lanes];
+shared uint first_vertex[k_lanes];
+shared float values[k_lanes];
+
+uint own_lane() { return gl_LocalInvocationID.x; }
+
+void offer(Prepared own) {
+  uint lane = own_lane();
+  axis[lane] = own.axis;
+  extent[lane] = own.extent;
+  shade[lane] = own.shade;
+  slope[lane] = own.slope;
+  first_vertex[lane] = own.vertex;
+  barrier();
+}
+
+Prepared prepared_by(uint k) { return Prepared(axis[k], extent[k], shade[k], slope[k], first_vertex[k]); }
+
+bool is_below_in_all(float own, float limit) {
+  values[own_lane()] = own;
+  barrier();
+  [[unroll]] for (uint k = 0u; k < k_lanes; ++k) own = max(own, values[k]);
+  return own < limit;
+}
