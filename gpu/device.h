@@ -100,6 +100,7 @@ struct TextureDescription {
   int samples = 1;
   bool render_target = false;
   bool read_samples = false;  ///< multisampled, and shaders read it sample by sample
+  bool mip_levels = false;    ///< halved down to one texel, anew with every upload or copy; linear filter, no target
 };
 
 /// Shader resources are set 0. Bindings 0 .. storage_buffers-1 are storage buffers; the textures follow at

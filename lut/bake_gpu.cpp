@@ -77,10 +77,11 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
   return set;
 }
 
-Result<std::vector<gpu::Texture>> upload(gpu::Device& device, const TableSet& set) {
+Result<std::vector<gpu::Texture>> upload(gpu::Device& device, const TableSet& set, bool mip_levels) {
   std::vector<gpu::Texture> textures;
   for (const Table& table : set.tables) {
-    CUTICLE_ASSIGN(textures.emplace_back(), device.make_texture({.size = {table.image.width, table.image.height}}));
+    CUTICLE_ASSIGN(textures.emplace_back(), device.make_texture({.size = {table.image.width, table.image.height},
+                                                                 .mip_levels = mip_levels}));
     CUTICLE_TRY(device.upload(textures.back(), texels_of(table)));
   }
   return textures;

@@ -8,6 +8,7 @@
 
 #include <cuticle/lut/bake_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
+#include <cuticle/render/passes/bake_tables/bake_tables.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/quads/quads.h>
@@ -140,7 +141,8 @@ Result<void> Picture::make_tables(Progress& progress) {
                  device_->info().is_software
                      ? lut::bake(*resources_.model, values, *layout, scene_.material.lut_size, progress)
                      : lut::bake_gpu(*device_, *resources_.model, values, *layout, scene_.material.lut_size));
-  CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_));
+  const bool mip_levels = parameters_of(resources_, render::bake_tables::entry()).boolean("mip_levels");
+  CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_, mip_levels));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;
   return {};

@@ -10,6 +10,11 @@ VkImageAspectFlags aspect_of(TextureFormat format);
 std::size_t floats_per_texel(TextureFormat format);
 std::size_t bytes_per_texel(TextureFormat format);
 
+/// Mip levels, the texture itself included.
+std::uint32_t level_count(const TextureDescription& description);
+/// Fills the levels below the first, each from the one above it; nothing for a texture without any.
+void record_levels(Device::Impl& device, VkCommandBuffer commands, const TextureObject& object);
+
 /// IEEE half, rounded to nearest even; past 65504 becomes infinity, NaN stays NaN.
 std::uint16_t half_from_float(float value);
 float float_from_half(std::uint16_t half);

@@ -48,6 +48,7 @@ Result<void> check_samples(const Device::Impl& device, const TextureDescription&
 VkFormatFeatureFlags needed_features(const TextureDescription& description) {
   VkFormatFeatureFlags needed = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
   if (description.filter == Filter::linear) needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  if (description.mip_levels) needed |= VK_FORMAT_FEATURE_BLIT_SRC_BIT | VK_FORMAT_FEATURE_BLIT_DST_BIT;
   if (!description.render_target) return needed;
   return needed | (description.format == TextureFormat::depth32f ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT
                                                                  : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT);
@@ -63,6 +64,13 @@ Result<void> check_format(const Device::Impl& device, const TextureDescription& 
                    "use Filter::nearest or rgba16f");
 }
 
+Result<void> check_levels(const TextureDescription& description) {
+  if (!description.mip_levels || (description.samples == 1 && !description.render_target &&
+                                  description.filter == Filter::linear))
+    return {};
+  return internal_error("gpu: mip levels of a render target, or of a texture that is not filtered");
+}
+
 Result<void> create_image(TextureObject& object) {
   Device::Impl& device = *object.device->impl();
   VkImageCreateInfo info{};
@@ -70,7 +78,8 @@ Result<void> create_image(TextureObject& object) {
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = vulkan_format(object.description.format);
   info.extent = {std::uint32_t(object.description.size.x), std::uint32_t(object.description.size.y), 1};
-  info.mipLevels = info.arrayLayers = 1;
+  info.mipLevels = level_count(object.description);
+  info.arrayLayers = 1;
   info.samples = VkSampleCountFlagBits(object.description.samples);
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = usage_of(object.description);
@@ -95,7 +104,7 @@ Result<void> create_view(TextureObject& object) {
   info.image = object.image;
   info.viewType = VK_IMAGE_VIEW_TYPE_2D;
   info.format = vulkan_format(object.description.format);
-  info.subresourceRange = {aspect_of(object.description.format), 0, 1, 0, 1};
+  info.subresourceRange = {aspect_of(object.description.format), 0, level_count(object.description), 0, 1};
   return checked(device.vk.vkCreateImageView(device.device, &info, nullptr, &object.view), "vkCreateImageView");
 }
 
@@ -104,6 +113,10 @@ Result<void> create_sampler(TextureObject& object) {
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = info.minFilter = object.description.filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+  if (object.description.mip_levels) {
+    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    info.maxLod = VK_LOD_CLAMP_NONE;
+  }
   info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   return checked(device.vk.vkCreateSampler(device.device, &info, nullptr, &object.sampler), "vkCreateSampler");
 }
@@ -119,7 +132,7 @@ Result<void> enter_general_layout(TextureObject& object) {
   barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
   barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = object.image;
-  barrier.subresourceRange = {aspect_of(object.description.format), 0, 1, 0, 1};
+  barrier.subresourceRange = {aspect_of(object.description.format), 0, level_count(object.description), 0, 1};
   VkDependencyInfo dependency{};
   dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   dependency.imageMemoryBarrierCount = 1;
@@ -149,6 +162,7 @@ TextureObject::~TextureObject() {
 Result<Texture> Device::make_texture(const TextureDescription& description) {
   CUTICLE_TRY(check_size(info(), description.size));
   CUTICLE_TRY(check_samples(*impl_, description));
+  CUTICLE_TRY(check_levels(description));
   CUTICLE_TRY(check_format(*impl_, description));
   auto object = std::make_shared<TextureObject>();
   object->device = shared_from_this();

@@ -57,7 +57,8 @@ Result<void> Device::upload(const Texture& texture, std::span<const float> data)
       impl_->vk.vkCmdCopyBufferToImage(commands, staging->buffer, object->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
     }));
   }
-  return {};
+  if (!description.mip_levels) return {};
+  return run_now(*impl_, [&](VkCommandBuffer commands) { record_levels(*impl_, commands, *object); });
 }
 
 Result<std::vector<float>> Device::download(const Texture& texture) {

@@ -171,6 +171,7 @@ void Commands::copy(const Buffer& from, const Texture& to, std::size_t from_offs
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
   device.vk.vkCmdCopyBufferToImage(impl_->buffer, source->handle, target->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+  record_levels(device, impl_->buffer, *target);
 }
 
 void Commands::write(const Buffer& to, std::span<const std::byte> data, std::size_t offset) {

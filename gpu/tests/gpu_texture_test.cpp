@@ -25,13 +25,14 @@ Texture patterned(TextureFormat format, Filter filter, int components) {
   return texture;
 }
 
-std::vector<glm::vec4> sampled(const Texture& texture, const std::vector<glm::vec2>& places) {
+std::vector<glm::vec4> sampled(const Texture& texture, const std::vector<glm::vec2>& places,
+                               float level = 0) {
   Device& device = shared_device();
-  const Kernel kernel = must(device.make_kernel(sample_comp, {.storage_buffers = 2, .textures = 1}));
+  const Kernel kernel = must(device.make_kernel(sample_comp, {.storage_buffers = 2, .textures = 1, .push_constant_bytes = 4}));
   const Buffer from = must(make_buffer_from<glm::vec2>(device, places));
   const Buffer to = must(device.make_buffer(places.size() * sizeof(glm::vec4)));
   Commands commands = device.record();
-  commands.dispatch(kernel, {&from, &to}, {&texture}, {}, std::uint32_t(places.size() + 63) / 64);
+  commands.dispatch(kernel, {&from, &to}, {&texture}, std::as_bytes(std::span(&level, 1)), std::uint32_t(places.size() + 63) / 64);
   must(device.submit(std::move(commands)));
   return must(read_buffer<glm::vec4>(device, to, places.size()));
 }
@@ -89,6 +90,30 @@ TEST(GpuTexture, TexelsThatABufferDoesNotHold_AreRefusedAtSubmit) {
     commands.copy(buffer, texture, offset);
     EXPECT_FALSE(device.submit(std::move(commands)).ok()) << offset;
   }
+}
+
+/// 4 x 4 texels whose red is their number in rows.
+Texture counted(bool mip_levels) {
+  Texture texture =
+      must(shared_device().make_texture({.size = {4, 4}, .format = TextureFormat::rgba32f, .mip_levels = mip_levels}));
+  std::vector<float> values(64);
+  for (int i = 0; i < 16; ++i) values[std::size_t(4 * i)] = float(i);
+  EXPECT_TRUE(shared_device().upload(texture, values).ok());
+  return texture;
+}
+
+TEST(GpuTexture, MipLevels_AreMeansOfTheTexelsAbove) {
+  const Texture texture = counted(true);
+  const std::vector<glm::vec2> corners = {{0.25f, 0.25f}, {0.75f, 0.25f}, {0.25f, 0.75f}, {0.75f, 0.75f}};
+  const std::vector<glm::vec4> halved = sampled(texture, corners, 1);
+  const double expected[] = {2.5, 4.5, 10.5, 12.5};
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(halved[std::size_t(i)].x, expected[i], 0.05) << i;
+  EXPECT_NEAR(sampled(texture, {{0.3f, 0.9f}}, 2)[0].x, 7.5, 0.05);
+  EXPECT_NEAR(sampled(texture, {{0.125f, 0.125f}}, 0)[0].x, 0, 0.05);
+}
+
+TEST(GpuTexture, NoMipLevels_EveryLevelIsTheTextureItself) {
+  EXPECT_NEAR(sampled(counted(false), {{0.125f, 0.125f}}, 2)[0].x, 0, 0.05);
 }
 
 TEST(GpuTexture, LinearSamples_AreBilinearClampedToTheEdge) {

@@ -5,6 +5,8 @@
 layout(set = 0, binding = 6) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
 layout(set = 0, binding = 7) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
 layout(set = 0, binding = 8) uniform sampler2D table_n_trt;   // N_TRT rgb
+layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
+#define MIP_LEVELS k_mip_levels
 #include "cuticle/render/passes/lines/scattering.glsl"
 
 layout(location = 0) in vec3 position;
@@ -26,6 +28,10 @@ vec3 share_of(uint light) {
 
 void main() {
   vec3 t = normalize(tangent);
+  if (k_mip_levels != 0u) {
+    tangent_right = dFdx(t);
+    tangent_below = dFdy(t);
+  }
   vec3 to_eye = normalize(eye.xyz - position);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {

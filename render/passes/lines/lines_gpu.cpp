@@ -1,6 +1,7 @@
 #include <map>
 #include <optional>
 
+#include <cuticle/render/passes/bake_tables/bake_tables.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
@@ -23,8 +24,10 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
     description.vertex_spirv = lines_coloured_vert;
     description.fragment_spirv = lines_coloured_frag;
   }
-  description.interface = {
-      6, 3, 0, dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources)};
+  std::vector<std::uint32_t> constants =
+      dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
+  constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
+  description.interface = {6, 3, 0, std::move(constants)};
 }
 
 class Lines : public GpuPass {
