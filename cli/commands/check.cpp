@@ -7,6 +7,7 @@ void add_check(CLI::App& app, Context& context) {
   check->require_subcommand(1);
   check->fallthrough();
   add_check_device(*check, context);
+  add_check_groom(*check, context);
   add_check_lut(*check, context);
   add_check_model(*check, context);
   add_check_scene(*check, context);

@@ -64,3 +64,19 @@ def test_Model_ThatIsNotThere_IsAUsageError():
 
 def test_Check_WithoutATarget_IsAUsageError():
     assert "subcommand" in refused(2, "check")
+
+
+def test_Groom_OfTheProceduralHead_Passes(tmp_path):
+    assert run("grow", ROOT / "scenes/presets/short-fur.json", "--out", tmp_path / "a.hair").returncode == 0
+    report = json.loads(run("check", "groom", tmp_path / "a.hair", "--metres-per-unit", "1", "--json").stdout)
+    assert len(report["checks"]) == 8 and all(check["passed"] for check in report["checks"])
+
+
+def test_Groom_InTheWrongUnit_IsNamedWithExitCodeOfAFailedCheck(tmp_path):
+    run("grow", ROOT / "scenes/presets/short-fur.json", "--out", tmp_path / "a.hair")
+    done = run("check", "groom", tmp_path / "a.hair", "--metres-per-unit", "1000")
+    assert done.returncode == 1 and "wrong_unit" in done.stdout
+
+
+def test_Groom_ThatIsNotThere_IsExitCodeThree(tmp_path):
+    assert "nothing.hair" in refused(3, "check", "groom", tmp_path / "nothing.hair")
