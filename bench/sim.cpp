@@ -1,13 +1,19 @@
 // What the solvers cost on two threads: bench_sim [reference.json] prints ms a frame (best of many), raw and scaled to
-// the machine of that file, and the largest stretch. 1,000 and 10,000 strands of 32 vertices.
+// the machine of that file, and the largest stretch. 1,000 and 10,000 strands of 32 vertices. Then the same by kernels on
+// the device that CUTICLE_DEVICE chooses, submission and waiting included (threads: its name).
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
 #include <cuticle/sim/telemetry.h>
+#ifdef CUTICLE_HAS_GPU
+#include <cuticle/sim/solver_gpu.h>
+#endif
 #include "calibration.h"
 
 namespace {
@@ -37,23 +43,49 @@ registry::ParameterValues values_of(const std::string& effect, const std::string
   return registry::parse_assignments((*sim::find_effect(effect))->entry.parameters, settings).value();
 }
 
-void run(const Case& c, double scale) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, std::size_t(c.threads));
-  const strands::Groom groom = straight_strands(c.strands);
+sim::EffectBlocks effects_of(const Case& c) {
   sim::EffectBlocks effects{{"gravity", values_of("gravity", "")}};
   if (c.sphere || c.far_sphere) effects["colliders"] = values_of("colliders", "pearl_radius=0");
   if (!c.effect.empty()) effects[c.effect] = values_of(c.effect, "");
-  const auto solver = (*sim::find_effect(c.solver))->create(groom, values_of(c.solver, c.settings), effects).value();
+  return effects;
+}
+
+/// Times frames of `solver` and prints them; `on`: the threads or the device.
+void measure(const Case& c, const strands::Groom& groom, sim::Solver& solver, const std::string& on, double scale) {
   const Sphere ball{{c.far_sphere ? 5 : 0.1, -0.2, 0}, 0.05};
   sim::FrameInput input;
   if (c.sphere || c.far_sphere) input.colliders = {&ball, 1};
   const double best = bench::best_ms(c.strands > 1000 ? 60 : 300, [&] {
-    if (!solver->advance(input)) std::abort();
+    if (!solver.advance(input)) std::abort();
   });
-  const sim::Telemetry telemetry = sim::measure(groom, solver->state().value());
-  fmt::print("{},{},{},{:.3f},{:.3f},{:.1e}\n", c.name, c.strands, c.threads, best, best / scale,
-             telemetry.largest_stretch - 1);
+  const sim::Telemetry telemetry = sim::measure(groom, solver.state().value());
+  fmt::print("{},{},{},{:.3f},{:.3f},{:.1e}\n", c.name, c.strands, on, best, best / scale, telemetry.largest_stretch - 1);
 }
+
+void run(const Case& c, double scale) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, std::size_t(c.threads));
+  const strands::Groom groom = straight_strands(c.strands);
+  const auto solver =
+      (*sim::find_effect(c.solver))->create(groom, values_of(c.solver, c.settings), effects_of(c)).value();
+  measure(c, groom, *solver, std::to_string(c.threads), scale);
+}
+
+#ifdef CUTICLE_HAS_GPU
+/// Says why where there is no device.
+void run_on_device(std::span<const Case> cases, double scale) {
+  const auto device = gpu::Device::open();
+  if (!device) return fmt::print("{}\n", device.error().message);
+  for (const Case& c : cases) {
+    const strands::Groom groom = straight_strands(c.strands);
+    const auto solver = (*sim::find_gpu_effect(c.solver))
+                            ->create(*device, groom, values_of(c.solver, c.settings), effects_of(c))
+                            .value();
+    measure(c, groom, *solver, fmt::format("\"{}\"", (*device)->info().name), scale);
+  }
+}
+#else
+void run_on_device(std::span<const Case>, double) {}
+#endif
 
 }  // namespace
 
@@ -85,4 +117,10 @@ int main(int argc, char** argv) {
     run({"rod, 8 substeps", "rod", eight, 10000, threads}, scale);
   }
   run({"classic, 4 substeps of 4 sweeps", "classic", four, 1000, 2}, scale);
+  run_on_device(std::vector<Case>{{"exact, 4 substeps", "exact", four, 1000, 0},
+                                  {"exact, 4 substeps, sphere", "exact", four, 1000, 0, true},
+                                  {"exact, 4 substeps", "exact", four, 10000, 0},
+                                  {"rod, 8 substeps", "rod", eight, 1000, 0},
+                                  {"rod, 8 substeps", "rod", eight, 10000, 0}},
+                scale);
 }
