@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/sim/solver.h>
+#include <cuticle/study/motion/effect_values.h>
 
 namespace cuticle::study {
 namespace {
@@ -76,19 +76,14 @@ struct Run {
   double us = 1e30, largest_stretch = 1;
 };
 
-Result<registry::ParameterValues> values_of(std::string_view name, const std::string& settings) {
-  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
-  return registry::parse_assignments(effect->entry.parameters, settings);
-}
-
 Result<std::unique_ptr<sim::Solver>> solver_of(const MotionCase& scene, const std::string& name,
                                                const std::string& settings) {
   CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
-  CUTICLE_ASSIGN(const registry::ParameterValues values, values_of(name, settings));
+  CUTICLE_ASSIGN(const registry::ParameterValues values, effect_values(name, settings));
   sim::EffectBlocks effects;
-  CUTICLE_ASSIGN(effects["gravity"], values_of("gravity", ""));
+  CUTICLE_ASSIGN(effects["gravity"], effect_values("gravity", ""));
   if (!scene.spheres.empty()) {
-    CUTICLE_ASSIGN(effects["colliders"], values_of("colliders", "pearl_radius=0"));
+    CUTICLE_ASSIGN(effects["colliders"], effect_values("colliders", "pearl_radius=0"));
   }
   return effect->create(scene.groom, values, effects);
 }
@@ -169,7 +164,7 @@ Result<void> add_case(MotionStudy& study, const MotionCase& scene, const MotionR
 }  // namespace
 
 MotionRequest quick_motion_request() {
-  return {.substeps = {2, 8}, .iterations = {4}, .reference_substeps = 32, .repeats = 1};
+  return {.substeps = {2, 8}, .iterations = {4}, .reference_substeps = 32, .repeats = 1, .truth_steps = {1.0 / 480, 1.0 / 120}};
 }
 
 Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& progress) {
@@ -180,6 +175,8 @@ Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& pro
     progress.update(cases[i].name, i, cases.size());
     CUTICLE_TRY(add_case(study, cases[i], request));
   }
+  progress.update("truths of mechanics", cases.size(), cases.size());
+  CUTICLE_ASSIGN(study.truths, run_motion_truths(request.truth_steps));
   return study;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cuticle/core/progress.h>
 #include <cuticle/core/result.h>
+#include <cuticle/study/motion/truths.h>
 
 namespace cuticle::study {
 
@@ -13,6 +14,7 @@ struct MotionRequest {
   std::vector<int> substeps{1, 2, 4, 8, 16, 32}, iterations{1, 4, 16};  ///< in 1/60 s; sweeps of classic
   int reference_substeps = 256;                                         ///< of the reference, in double
   int repeats = 3;                                                      ///< timings, of which the best counts
+  std::vector<double> truth_steps{1.0 / 1920, 1.0 / 960, 1.0 / 480, 1.0 / 240, 1.0 / 120, 1.0 / 60, 1.0 / 30};  ///< s
 };
 /// Fewer of all: for tests.
 MotionRequest quick_motion_request();
@@ -29,6 +31,7 @@ struct MotionStudy {
   std::vector<MotionRow> rows;
   /// By case: rms over the length that half of the reference's substeps change at 0.5 s. Errors below it mean nothing.
   std::map<std::string, double> reference_change;
+  std::vector<TruthRow> truths;  ///< errors against closed forms of mechanics, by the step
 };
 
 /// Four cases of 0.5 s at 60 Hz, 31 links of a strand of 0.3 m (the curl: a helix of 48 links, 0.1 m): a swing from the
@@ -41,7 +44,8 @@ Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& pro
 const MotionRow* cheapest(const MotionStudy& study, const std::string& scene, double error);
 
 std::string motion_csv(const MotionStudy& study);
-/// Writes study.csv and study.json (study/README.md) into a folder, which is made.
+std::string truths_csv(const MotionStudy& study);
+/// Writes study.csv, truths.csv and study.json (study/README.md) into a folder, which is made.
 Result<void> write_motion_study(const MotionStudy& study, const std::string& folder);
 
 }  // namespace cuticle::study

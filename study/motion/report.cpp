@@ -72,6 +72,28 @@ Json plot_json(const MotionStudy& study, const std::string& scene) {
           {"curves", curves}};
 }
 
+/// Errors against closed forms by the step, a curve for each truth and solver.
+Json truths_plot_json(const MotionStudy& study) {
+  Json curves = Json::list();
+  for (std::size_t begin = 0, end = 0; begin < study.truths.size(); begin = end) {
+    const TruthRow& first = study.truths[begin];
+    Json x = Json::list(), y = Json::list();
+    for (; end < study.truths.size() && study.truths[end].truth == first.truth && study.truths[end].solver == first.solver;
+         ++end) {
+      x.push_back(study.truths[end].step);
+      y.push_back(study.truths[end].error);
+    }
+    curves.push_back({{"name", fmt::format("{} ({})", first.truth, first.solver)}, {"x", x}, {"y", y}});
+  }
+  return {{"name", "truths"},
+          {"title", "Closed forms of mechanics"},
+          {"x_label", "time step, s"},
+          {"y_label", "error"},
+          {"polar", false},
+          {"logarithmic", true},
+          {"curves", curves}};
+}
+
 std::string to_json(const MotionStudy& study) {
   Json json{{"name", "motion"}, {"title", "Strand solvers: error against time"}};
   json["x"] = {{"key", "us"}, {"label", "us of processor time a frame (1/60 s) and strand"}, {"scale", "log"}};
@@ -89,6 +111,7 @@ std::string to_json(const MotionStudy& study) {
   json["plots"] = Json::list();
   for (const MotionRow& row : study.rows) json["rows"].push_back(row_json(row));
   for (const std::string& scene : scenes_of(study)) json["plots"].push_back(plot_json(study, scene));
+  json["plots"].push_back(truths_plot_json(study));
   return json.dump(2) + "\n";
 }
 
@@ -102,9 +125,17 @@ std::string motion_csv(const MotionStudy& study) {
   return text;
 }
 
+std::string truths_csv(const MotionStudy& study) {
+  std::string text = "truth,solver,step_s,error\n";
+  for (const TruthRow& row : study.truths)
+    text += fmt::format("\"{}\",{},{:.6g},{:.4g}\n", row.truth, row.solver, row.step, row.error);
+  return text;
+}
+
 Result<void> write_motion_study(const MotionStudy& study, const std::string& folder) {
   CUTICLE_TRY(make_folder(folder));
   CUTICLE_TRY(write_text_file(folder + "/study.csv", motion_csv(study)));
+  CUTICLE_TRY(write_text_file(folder + "/truths.csv", truths_csv(study)));
   return write_text_file(folder + "/study.json", to_json(study));
 }
 
