@@ -207,6 +207,10 @@ class Commands {
   void draw(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
             std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
             std::uint32_t vertices, std::uint32_t instances = 1);
+  /// The same with numbers that the device wrote: vertices, instances, first vertex and first instance, 32 bits each.
+  void draw_counted(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
+                    std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
+                    const Buffer& numbers);
   void end_rendering();
   /// Counts fragments of the renderings until end_count, into SubmitCost::fragments; nothing where the device cannot.
   void begin_count(std::string_view name);

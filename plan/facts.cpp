@@ -101,6 +101,15 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   facts["shaded_from_tables"] = {scene.render_method != "cards", why};
 }
 
+void add_culling(const scene::Scene& scene, registry::Facts& facts) {
+  const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads";
+  const auto asked = scene.passes.find("cull_strands");
+  const bool refused = asked != scene.passes.end() && !asked->second.boolean("wanted");
+  facts["culled_strands"] = {
+      as_primitives && !refused,
+      refused ? "the scene wants strands drawn that are not seen" : fmt::format("strands are drawn by '{}'", scene.render_method)};
+}
+
 /// Whether a pass runs with these facts, all that it demands among them.
 bool runs(std::string_view name, const registry::Facts& facts) {
   const auto pass = std::ranges::find(catalogue().passes, name, &registry::Entry::name);
@@ -135,6 +144,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   registry::Facts facts;
   add_effects(scene, facts);
   add_render_method(scene, facts);
+  add_culling(scene, facts);
   facts["strands"] = strands_fact(scene);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};

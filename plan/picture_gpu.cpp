@@ -155,7 +155,7 @@ Result<void> Picture::make_targets() {
   resources_.supersampling = supersampling(plan_);
   const glm::ivec2 size = resolution * resources_.supersampling;
   CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
-  const bool read = samples > 1 && find_pass(plan_, "pixel_depth");
+  const bool read = samples > 1 && (find_pass(plan_, "pixel_depth") || find_pass(plan_, "cull_strands"));
   CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true, read}));
   CUTICLE_ASSIGN(output_, device_->make_texture({resolution, TextureFormat::rgba32f, Filter::nearest, 1, true}));
   if (samples > 1) {

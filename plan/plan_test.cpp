@@ -40,7 +40,7 @@ std::string why_left_out(const Plan& plan, std::string_view name) {
 TEST(Plan, FullScene_RunsStagesInOrder) {
   EXPECT_THAT(names(planned(k_full)),
               testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands",
-                                   "interpolate_strands", "opacity_map", "head", "lines", "resolve"));
+                                   "interpolate_strands", "opacity_map", "head", "cull_strands", "lines", "resolve"));
 }
 
 TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
@@ -50,6 +50,15 @@ TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
   EXPECT_THAT(names(planned(R"("render": {"method": "truth"})")),
               testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "truth"));
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
+}
+
+TEST(Plan, CullingOfStrands_IsForLinesAndQuadsUnlessRefused) {
+  EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "cull_strands"), "strands are drawn by 'tiles'");
+  EXPECT_THAT(find_pass(planned(R"("render": {"method": "quads"})"), "cull_strands")->reason,
+              HasSubstr("strands are drawn by 'quads'"));
+  EXPECT_EQ(why_left_out(planned(R"("render": {"method": "quads"}, "passes": {"cull_strands": {"wanted": false}})"),
+                         "cull_strands"),
+            "the scene wants strands drawn that are not seen");
 }
 
 TEST(Plan, PassOverThePictureThatCannotRun_DemandsNoDepthAndNoLayers) {

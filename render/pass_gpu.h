@@ -18,6 +18,9 @@ namespace cuticle::render {
 namespace tile_lists {
 struct TileLists;
 }
+namespace cull_strands {
+struct SeenStrands;
+}
 namespace surface_shadow {
 struct Maps;
 }
@@ -27,6 +30,14 @@ struct Seen {
   std::uint32_t first, last;
   float coverage;
   std::uint32_t samples, cost;
+};
+
+/// How strands become triangles or lines, for what looks at which of them show.
+struct StrandDraw {
+  const Pass* pass;         ///< that draws them, with a parameter `full_px`
+  std::uint32_t corners;    ///< vertices a segment
+  double width_factor = 0;  ///< the greatest on a strand's own width
+  float line_width = 0;     ///< texels, where widths are not the strands' own
 };
 
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
@@ -51,6 +62,8 @@ struct FrameResources {
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points
   const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw
+  std::optional<StrandDraw> strand_draw;                    ///< of the pass that draws strands as triangles or lines
+  const cull_strands::SeenStrands* seen_strands = nullptr;  ///< which of them it draws; null: all
   bool says_seen = false;                             ///< whether passes that draw strands fill `seen`
   const gpu::Buffer* seen = nullptr;                  ///< Seen per pixel of the picture
   const gpu::Texture* seen_samples = nullptr;         ///< r32u, as large as the targets: per sample the segment, from 1
@@ -114,7 +127,7 @@ struct Settled {
 class GpuPass {
  public:
   virtual ~GpuPass() = default;
-  /// Adds what later passes read and this one owns; called once, before they are made.
+  /// Adds what other passes read and this one owns; called once, before the later ones are made.
   virtual void publish(FrameResources&) const {}
   virtual Result<Settled> settle() { return Settled{}; }
   virtual Result<void> record(gpu::Commands& commands, const FrameResources& resources) = 0;

@@ -80,6 +80,14 @@ void start(Commands::Impl& commands, const Attachments& attachments, bool with_d
   device.vk.vkCmdSetScissor(commands.buffer, 0, 1, &area);
 }
 
+bool ready_to_draw(Commands::Impl& commands, const GraphicsPipeline& pipeline, const Resources& resources) {
+  if (commands.error) return false;
+  if (!commands.in_rendering)
+    return fail(commands, internal_error("gpu: draw outside begin_rendering and end_rendering")), false;
+  if (!pipeline) return fail(commands, internal_error("gpu: an empty pipeline was drawn")), false;
+  return gpu::bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, resources);
+}
+
 }  // namespace
 
 void Commands::begin_rendering(std::span<const Target> color, const Texture* depth, bool keep_depth) {
@@ -97,12 +105,22 @@ void Commands::begin_rendering(std::span<const Target> color, const Texture* dep
 void Commands::draw(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
                     std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
                     std::uint32_t vertices, std::uint32_t instances) {
-  if (impl_->error) return;
-  if (!impl_->in_rendering) return fail(*impl_, internal_error("gpu: draw outside begin_rendering and end_rendering"));
-  if (!pipeline) return fail(*impl_, internal_error("gpu: an empty pipeline was drawn"));
   const Resources resources{{buffers.begin(), buffers.size()}, {textures.begin(), textures.size()}, push_constants};
-  if (!gpu::bind(*impl_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.impl()->object, resources)) return;
+  if (!ready_to_draw(*impl_, pipeline, resources)) return;
   impl_->device->impl()->vk.vkCmdDraw(impl_->buffer, vertices, instances, 0, 0);
+  if (impl_->in_pass) ++impl_->passes.back().draws;
+}
+
+void Commands::draw_counted(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
+                            std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
+                            const Buffer& numbers) {
+  const Resources resources{{buffers.begin(), buffers.size()}, {textures.begin(), textures.size()}, push_constants};
+  if (!ready_to_draw(*impl_, pipeline, resources)) return;
+  const auto object = object_of(*impl_, &numbers);
+  if (!object) return;
+  if (object->size < sizeof(VkDrawIndirectCommand))
+    return fail(*impl_, internal_error(fmt::format("gpu: {} bytes for the numbers of a draw", object->size)));
+  impl_->device->impl()->vk.vkCmdDrawIndirect(impl_->buffer, object->handle, 0, 1, 0);
   if (impl_->in_pass) ++impl_->passes.back().draws;
 }
 

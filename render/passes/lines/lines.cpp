@@ -10,7 +10,7 @@ using registry::Parameter;
 using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_lines"};
-constexpr std::string_view k_after[] = {"head", "fins", "floor", "dual_scattering"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor", "cull_strands", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F10", "H12", "H15"};
 constexpr Parameter k_parameters[] = {
     {.name = "width_px",

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include <cuticle/render/passes/bake_tables/bake_tables.h>
+#include <cuticle/render/passes/cull_strands/cull_strands_gpu.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/lines.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
@@ -16,6 +17,8 @@ namespace cuticle::render::lines {
 
 namespace {
 
+constexpr std::uint32_t k_corners = 2;  ///< of a segment
+
 void set_shaders(gpu::GraphicsDescription& description, const FrameResources& resources) {
   const bool coloured = resources.channels.count > 1;
   description.vertex_spirv = lines_vert;
@@ -27,13 +30,18 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
   std::vector<std::uint32_t> constants =
       dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
   constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
-  description.interface = {6, 3, 0, std::move(constants)};
+  constants.push_back(cull_strands::is_listed(resources));
+  description.interface = {7, 3, 0, std::move(constants)};
 }
 
 class Lines : public GpuPass {
  public:
   Lines(std::shared_ptr<gpu::Device> device, ShadingInputs inputs)
       : device_(std::move(device)), inputs_(std::move(inputs)) {}
+
+  void publish(FrameResources& resources) const override {
+    resources.strand_draw = StrandDraw{.pass = &entry(), .corners = k_corners, .line_width = line_width_};
+  }
 
   /// The pipeline that draws lines of this width; made at its first use.
   Result<const gpu::GraphicsPipeline*> pipeline_of(const FrameResources& resources, float width) {
@@ -56,11 +64,11 @@ class Lines : public GpuPass {
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, widened(line_width_, part.width)));
     begin_target(commands, resources);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
-    commands.draw(*pipeline,
-                  {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
-                   dual.visibility},
-                  {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
-                  2 * part.strands * part.segments);
+    cull_strands::draw(commands, resources, *pipeline,
+                       {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
+                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame())},
+                       {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
+                       k_corners * part.strands * part.segments);
     commands.end_rendering();
     return {};
   }

@@ -17,6 +17,10 @@ layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float trans
 #define DUAL_BINDING 4
 #include "cuticle/render/passes/dual_scattering/scattered_often.glsl"
 
+#define LISTED_CONSTANT 7
+#define LISTED_BINDING 6
+#include "cuticle/render/passes/cull_strands/listed_strand.glsl"
+
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
@@ -49,7 +53,7 @@ vec3 light_scattered_often(uint vertex) {
 }
 
 void main() {
-  const uint segment = uint(gl_VertexIndex) >> 1, strand = segment / drawn_segments, begin = segment % drawn_segments;
+  const uint segment = uint(gl_VertexIndex) >> 1, strand = strand_at(segment / drawn_segments), begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
   position = position_of(vertex);
   tangent = tangent_of(vertex) + tilt_of(strand, variation);

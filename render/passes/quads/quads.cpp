@@ -9,7 +9,7 @@ namespace {
 using registry::Parameter;
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_quads"};
-constexpr std::string_view k_after[] = {"head", "fins", "floor", "dual_scattering"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor", "cull_strands", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F1", "F10", "H10", "H12"};
 constexpr Parameter k_parameters[] = {
     {.name = "samples",

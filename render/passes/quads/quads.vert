@@ -8,7 +8,10 @@
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(set = 0, binding = 4) uniform sampler2D taper;  // factor on the width, root to tip
+layout(set = 0, binding = 5) uniform sampler2D taper;  // factor on the width, root to tip
+#define LISTED_CONSTANT 0
+#define LISTED_BINDING 4
+#include "cuticle/render/passes/cull_strands/listed_strand.glsl"
 layout(push_constant) uniform Push { float width; };   // factor on all
 
 layout(location = 0) flat out uint id;  // of the segment, from 1
@@ -27,10 +30,10 @@ vec3 across(vec3 tangent, vec3 to_eye) {
 
 void main() {
   const uint corner = uint(gl_VertexIndex) % 6u, segment = uint(gl_VertexIndex) / 6u;
-  const uint strand = segment / drawn_segments, begin = segment % drawn_segments;
+  const uint strand = strand_at(segment / drawn_segments), begin = segment % drawn_segments;
   const uint first = vertex_of(strand, begin), last = vertex_of(strand, begin + 1u);
   const uint vertex = k_end[corner] == 0u ? first : last;
-  id = segment + 1u;
+  id = strand * drawn_segments + begin + 1u;
   const float radius = vertices[vertex].w * width * textureLod(taper, vec2(tangents[vertex].w, 0.5), 0.0).r;
   const vec3 side = across(tangents[vertex].xyz, normalize(eye.xyz - vertices[vertex].xyz));
   const vec3 position = vertices[vertex].xyz + side * (k_side[corner] * radius);

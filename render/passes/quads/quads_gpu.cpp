@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <cuticle/render/passes/cull_strands/cull_strands_gpu.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
 #include <cuticle/render/passes/lines/shading_inputs_gpu.h>
 #include <cuticle/render/passes/quads/quads.h>
@@ -15,12 +16,20 @@ namespace cuticle::render::quads {
 namespace {
 
 constexpr int k_taper_texels = 64;
+constexpr std::uint32_t k_corners = 6;  ///< of a segment's two triangles
 
 class Quads : public GpuPass {
  public:
   explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
 
-  void publish(FrameResources& resources) const override { resources.seen_samples = &seen_; }
+  void publish(FrameResources& resources) const override {
+    const registry::ParameterValues parameters = parameters_of(resources, entry());
+    resources.seen_samples = &seen_;
+    resources.strand_draw = StrandDraw{
+        .pass = &entry(),
+        .corners = k_corners,
+        .width_factor = std::max(parameters.real("root_width"), parameters.real("tip_width"))};
+  }
 
   Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
     const gpu::Texture& color = *resources.color;
@@ -69,7 +78,10 @@ class Quads : public GpuPass {
     gpu::GraphicsDescription description = target_description(resources);
     description.vertex_spirv = quads_vert;
     description.fragment_spirv = quads_frag;
-    description.interface = {.storage_buffers = 4, .textures = 1, .push_constant_bytes = sizeof(float)};
+    description.interface = {.storage_buffers = 5,
+                             .textures = 1,
+                             .push_constant_bytes = sizeof(float),
+                             .specialization = {cull_strands::is_listed(resources)}};
     description.color_formats = {seen_.format()};
     CUTICLE_ASSIGN(see_, device.make_graphics(description));
     const int samples = seen_.samples();
@@ -92,8 +104,10 @@ class Quads : public GpuPass {
     const gpu::Commands::Target target{.color = &seen_};
     const float width = float(part.width);
     commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
-    commands.draw(see_, {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame()},
-                  {&taper_}, gpu::bytes_of(width), 6 * part.strands * part.segments);
+    cull_strands::draw(commands, resources, see_,
+                       {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame(),
+                        &cull_strands::list_of(resources, inputs_.frame())},
+                       {&taper_}, gpu::bytes_of(width), k_corners * part.strands * part.segments);
     commands.end_rendering();
   }
 

@@ -1,0 +1,9 @@
+#pragma once
+#include <cuticle/render/pass.h>
+
+namespace cuticle::render::cull_strands {
+
+/// The registry's entry of the pass.
+const Pass& entry();
+
+}  // namespace cuticle::render::cull_strands
