@@ -105,9 +105,18 @@ void add_culling(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads";
   const auto asked = scene.passes.find("cull_strands");
   const bool refused = asked != scene.passes.end() && !asked->second.boolean("wanted");
-  facts["culled_strands"] = {
-      as_primitives && !refused,
-      refused ? "the scene wants strands drawn that are not seen" : fmt::format("strands are drawn by '{}'", scene.render_method)};
+  facts["culled_strands"] = {as_primitives && !refused,
+                             refused ? "the scene wants strands drawn that are not seen"
+                                     : fmt::format("strands are drawn by '{}'", scene.render_method)};
+}
+
+/// What can move a pixel from one frame to the next.
+registry::Fact movement_fact(const scene::Scene& scene) {
+  if (scene.motion) return {true, "the head moves"};
+  if (scene.character && !scene.character->clip.empty()) return {true, "the character moves"};
+  if (scene.simulation.solver) return {true, "the hair is simulated"};
+  const bool turns = scene.camera.turntable_degrees_per_frame != 0;
+  return {turns, turns ? "the camera moves" : "nothing moves: neither head, hair nor camera"};
 }
 
 /// Whether a pass runs with these facts, all that it demands among them.
@@ -165,6 +174,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["moving_skin"] = moving_skin_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
   for (const char* pass : {"dual_scattering", "surface_shadow"}) facts[pass] = asked(scene.passes.contains(pass), pass);
+  facts["movement"] = movement_fact(scene);
   add_picture_filters(scene, facts);
   add_layers(scene, facts);
   return facts;

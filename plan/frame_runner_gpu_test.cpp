@@ -77,6 +77,7 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
       {k_light, k_surfaces, k_tiles},
       {k_interaction},
       {k_light, k_tiles, k_bald, k_floor, k_surfaces},
+      {k_light, k_tiles, k_motion, R"("passes": {"motion_blur": {}})"},
       {k_light, k_tiles, R"("passes": {"motion_blur": {}})"},
       {k_light, k_quads, R"("passes": {"temporal_antialiasing": {}})"},
       {k_light, k_coloured, k_lines},

@@ -71,6 +71,24 @@ TEST(Plan, PassOverThePictureThatCannotRun_DemandsNoDepthAndNoLayers) {
               testing::IsSupersetOf({"aovs", "pixel_depth", "velocity", "temporal_antialiasing"}));
 }
 
+TEST(Plan, MotionBlur_RunsWhereSomethingMoves) {
+  const auto with = [](std::string_view fields) {
+    return planned(fmt::format(R"("render": {{"method": "tiles"}}, "passes": {{"motion_blur": {{}}}}{}{})",
+                               fields.empty() ? "" : ", ", fields));
+  };
+  const Plan still = with("");
+  EXPECT_EQ(why_left_out(still, "motion_blur"), "nothing moves: neither head, hair nor camera");
+  EXPECT_EQ(names(still), names(planned(R"("render": {"method": "tiles"})")));
+  for (const auto& [fields, why] :
+       {std::pair(R"("motion": {"bvh": ")" CUTICLE_SOURCE_DIR R"(/scenes/motion/head_turn.bvh"})", "the head moves"),
+        {R"("simulation": {"solver": {"classic": {}}})", "the hair is simulated"},
+        {R"("camera": {"turntable_deg_per_frame": 2})", "the camera moves"}}) {
+    const Plan plan = with(fields);
+    ASSERT_NE(find_pass(plan, "motion_blur"), nullptr) << fields;
+    EXPECT_THAT(find_pass(plan, "motion_blur")->reason, HasSubstr(why));
+  }
+}
+
 TEST(Plan, NoLight_HasNoShadowAndNoTables) {
   const Plan plan = planned(R"("shadow": {"method": {"opacity_map": {}}})");
   EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);

@@ -9,7 +9,7 @@ namespace {
 using registry::Parameter;
 using registry::ParameterType;
 
-constexpr std::string_view k_demands[] = {"output_color", "seen_segments", "motion_blur"};
+constexpr std::string_view k_demands[] = {"output_color", "seen_segments", "motion_blur", "movement"};
 constexpr std::string_view k_after[] = {"ambient_occlusion", "temporal_antialiasing", "depth_of_field"};
 constexpr Parameter k_parameters[] = {
     {.name = "shutter",
@@ -36,18 +36,19 @@ constexpr Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "motion_blur",
-                          .summary = "the mean over an open shutter, from the picture, its depth "
-                                     "and how its pixels move",
-                          .source = "moments gathered along the largest motion near a pixel "
-                                    "(tiles of McGuire, Hennessy, "
-                                    "Bukowski and Osman 2012)",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::output,
-                          .dispatches = always<3>,  // reach, spread, pixels
-                          .after = k_after}};
+  static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
+                                   .name = "motion_blur",
+                                   .summary = "the mean over an open shutter, from the picture, its depth "
+                                              "and how its pixels move",
+                                   .source = "moments gathered along the largest motion near a pixel "
+                                             "(tiles of McGuire, Hennessy, "
+                                             "Bukowski and Osman 2012)",
+                                   .parameters = k_parameters,
+                                   .demands = k_demands,
+                                   .stage = registry::Stage::output,
+                                   .dispatches = always<3>,  // reach, spread, pixels
+                                   .after = k_after},
+                         .whole_pictures = true};
   return pass;
 }
 
