@@ -4,8 +4,8 @@
 
 namespace cuticle::render::temporal_antialiasing {
 
-/// Camera::pixel_shift of the frame, -.5 .. .5 pixels: one after another of the pass's `frames` points of Halton's
-/// sequence in bases 2 and 3 (1960), beginning anew after a cut.
+/// Camera::pixel_shift of the frame, -.51 .. .51 pixels: one after another of the pass's `frames` points of Halton's
+/// sequence in bases 2 and 3 (1960), about their own middle, so that their mean is no shift, beginning anew after a cut.
 glm::dvec2 pixel_shift(const FrameResources& resources);
 
 }  // namespace cuticle::render::temporal_antialiasing

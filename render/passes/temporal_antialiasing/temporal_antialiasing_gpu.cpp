@@ -55,12 +55,15 @@ double radical_inverse(std::uint32_t index, std::uint32_t base) {
   return value;
 }
 
+glm::dvec2 halton(std::uint32_t index) { return {radical_inverse(index, 2), radical_inverse(index, 3)}; }
+
 }  // namespace
 
 glm::dvec2 pixel_shift(const FrameResources& resources) {
   const auto frames = std::uint32_t(parameters_of(resources, entry()).integer("frames"));
-  const std::uint32_t index = 1 + (resources.frames_since_cut - 1) % frames;
-  return glm::dvec2(radical_inverse(index, 2), radical_inverse(index, 3)) - 0.5;
+  glm::dvec2 middle(0);
+  for (std::uint32_t index = 1; index <= frames; ++index) middle += halton(index) / double(frames);
+  return halton(1 + (resources.frames_since_cut - 1) % frames) - middle;
 }
 
 const GpuPassEntry& gpu_entry() {
