@@ -40,18 +40,6 @@ int sample_count(const gpu::DeviceInfo& info, const Plan& plan, const render::Fr
 }
 
 constexpr int k_most_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
-/// Passes that draw or look at all of a picture at once.
-constexpr std::string_view k_whole_pictures[] = {"lines",
-                                                 "quads",
-                                                 "cards",
-                                                 "truth",
-                                                 "aovs",
-                                                 "pixel_depth",
-                                                 "velocity",
-                                                 "ambient_occlusion",
-                                                 "depth_of_field",
-                                                 "motion_blur",
-                                                 "temporal_antialiasing"};
 
 }  // namespace
 
@@ -78,12 +66,12 @@ Result<void> Picture::choose_chunks() {
   int chunk = int(parameters_of(resources_, render::tiles::entry()).integer("chunk_px"));
   if (chunk == 0 && is_large) chunk = k_usual_chunk;
   if (chunk == 0 || !(is_large || find_pass(plan_, "tiles"))) return {};
-  for (const std::string_view name : k_whole_pictures)
-    if (find_pass(plan_, name))
+  for (const render::Pass* pass : render::passes())
+    if (pass->whole_pictures && find_pass(plan_, pass->entry.name))
       return bad_input(
           fmt::format("camera.resolution_px: {} x {} in chunks of {}: '{}' draws whole pictures only, of at "
                       "most {} pixels each way",
-                      all.x, all.y, chunk, name, k_most_at_once),
+                      all.x, all.y, chunk, pass->entry.name, k_most_at_once),
           "the method 'tiles' draws in chunks, without passes over the whole picture");
   constexpr int k_tile = int(render::tile_lists::k_tile);
   resources_.part_size = glm::min(glm::ivec2((chunk + k_tile - 1) / k_tile * k_tile), all);

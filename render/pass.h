@@ -10,6 +10,7 @@ namespace cuticle::render {
 
 struct Pass {
   registry::Entry entry;
+  bool whole_pictures = false;  ///< draws or looks at all of a picture at once, so that it cannot be drawn in chunks
 };
 std::span<const Pass* const> passes();
 

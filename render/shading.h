@@ -11,6 +11,12 @@ inline Pass shading(registry::Entry entry) {
   return {entry};
 }
 
+/// The pass as one that cannot draw a picture in chunks.
+inline Pass of_whole_pictures(Pass pass) {
+  pass.whole_pictures = true;
+  return pass;
+}
+
 /// `dispatches` of an entry that always makes as many.
 template <std::uint32_t count>
 std::uint32_t always(const registry::ParameterValues&, const registry::FrameShape&) {

@@ -42,14 +42,15 @@ constexpr Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "ambient_occlusion",
-                          .summary = "darkens what lies in hollows of the depth that the picture sees",
-                          .source = "volumetric obscurance by line samples (Loos and Sloan 2010)",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::output,
-                          .dispatches = always<1>}};
+  static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
+                                   .name = "ambient_occlusion",
+                                   .summary = "darkens what lies in hollows of the depth that the picture sees",
+                                   .source = "volumetric obscurance by line samples (Loos and Sloan 2010)",
+                                   .parameters = k_parameters,
+                                   .demands = k_demands,
+                                   .stage = registry::Stage::output,
+                                   .dispatches = always<1>},
+                         .whole_pictures = true};
   return pass;
 }
 

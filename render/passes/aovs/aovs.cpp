@@ -12,13 +12,14 @@ constexpr std::string_view k_after[] = {"quads", "tiles"};
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass = shading({.name = "aovs",
-                                    .summary = "per pixel what is seen of the hair: depth, tangent, strand, coverage, "
-                                               "transmittance, samples, cost",
-                                    .source = "a visibility buffer read back",
-                                    .demands = k_demands,
-                                    .dispatches = always<1>,
-                                    .after = k_after});
+  static const Pass pass =
+      of_whole_pictures(shading({.name = "aovs",
+                                 .summary = "per pixel what is seen of the hair: depth, tangent, strand, coverage, "
+                                            "transmittance, samples, cost",
+                                 .source = "a visibility buffer read back",
+                                 .demands = k_demands,
+                                 .dispatches = always<1>,
+                                 .after = k_after}));
   return pass;
 }
 

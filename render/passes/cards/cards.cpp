@@ -65,7 +65,7 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass =
+  static const Pass pass = of_whole_pictures(
       shading({.name = "cards",
                .summary = "strands as textured cards with ambient occlusion, opaque and transparent parts in passes",
                .source = "Scheuermann 2004, Hair Rendering and Shading (GDC)",
@@ -74,7 +74,7 @@ const Pass& entry() {
                .systems = k_systems,
                .dispatches = dispatches,
                .draws = 4,
-               .after = k_after});
+               .after = k_after}));
   return pass;
 }
 

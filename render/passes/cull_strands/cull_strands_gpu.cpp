@@ -74,7 +74,8 @@ class CullStrands : public GpuPass {
     const Push push = push_of(resources);
     const auto bytes = gpu::bytes_of(push);
     const glm::uvec2 grid = grid_of(resources);
-    const gpu::Groups tiles = gpu::groups_for(std::size_t(grid.x) * grid.y), strands = gpu::groups_for(push.strand_count);
+    const gpu::Groups tiles = gpu::groups_for(std::size_t(grid.x) * grid.y),
+                      strands = gpu::groups_for(push.strand_count);
     commands.dispatch(kernels_.depth, {&buffers_.tile_depth}, {resources.depth}, bytes, tiles.x, tiles.y);
     commands.fill(buffers_.seen, 0);
     commands.dispatch(kernels_.see, {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen}, {}, bytes,
@@ -89,7 +90,8 @@ class CullStrands : public GpuPass {
     CUTICLE_ASSIGN(const auto numbers, gpu::read_buffer<std::uint32_t>(*device_, strands_.numbers, 1));
     const std::uint32_t drawn = numbers[0] / std::max(1u, corners_);
     if (drawn == all_) return Settled{};
-    return Settled{.notes = {fmt::format("cull_strands: {} of {} strands drawn, the others are not seen", drawn, all_)}};
+    return Settled{
+        .notes = {fmt::format("cull_strands: {} of {} strands drawn, the others are not seen", drawn, all_)}};
   }
 
  private:

@@ -44,15 +44,17 @@ constexpr Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "depth_of_field",
-                          .summary = "the picture as a lens of finite width sees it, from its colour and depth",
-                          .source = "thin lens; gathered as scattered discs, what lies in front apart",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::output,
-                          .dispatches = always<3>,  // reach, spread, pixels
-                          .after = k_after}};
+  static const Pass pass{
+      .entry = {.kind = registry::EntryKind::pass,
+                .name = "depth_of_field",
+                .summary = "the picture as a lens of finite width sees it, from its colour and depth",
+                .source = "thin lens; gathered as scattered discs, what lies in front apart",
+                .parameters = k_parameters,
+                .demands = k_demands,
+                .stage = registry::Stage::output,
+                .dispatches = always<3>,  // reach, spread, pixels
+                .after = k_after},
+      .whole_pictures = true};
   return pass;
 }
 

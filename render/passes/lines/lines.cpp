@@ -61,7 +61,7 @@ std::uint32_t dispatches(const registry::ParameterValues& values, const registry
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass =
+  static const Pass pass = of_whole_pictures(
       shading({.name = "lines",
                .summary = "strands as line primitives, shaded from the lookup tables, shadowed per vertex",
                .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
@@ -70,7 +70,7 @@ const Pass& entry() {
                .systems = k_systems,
                .dispatches = dispatches,
                .draws = 1,
-               .after = k_after});
+               .after = k_after}));
   return pass;
 }
 

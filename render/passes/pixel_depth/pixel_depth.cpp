@@ -11,13 +11,14 @@ constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device", "pi
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "pixel_depth",
-                          .summary = "how far away the nearest thing is that each pixel sees, scene or hair",
-                          .source = "the depth target, and the layer of hair that 'aovs' makes",
-                          .demands = k_demands,
-                          .stage = registry::Stage::resolve,
-                          .dispatches = always<1>}};
+  static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
+                                   .name = "pixel_depth",
+                                   .summary = "how far away the nearest thing is that each pixel sees, scene or hair",
+                                   .source = "the depth target, and the layer of hair that 'aovs' makes",
+                                   .demands = k_demands,
+                                   .stage = registry::Stage::resolve,
+                                   .dispatches = always<1>},
+                         .whole_pictures = true};
   return pass;
 }
 

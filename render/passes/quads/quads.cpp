@@ -44,7 +44,7 @@ constexpr Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass =
+  static const Pass pass = of_whole_pictures(
       shading({.name = "quads",
                .summary = "strands as strips that face the camera, each strand shaded once a pixel that it is seen in",
                .source = "Tafuri, Strand-based Hair Rendering in Frostbite (2019); HairWorks",
@@ -52,7 +52,7 @@ const Pass& entry() {
                .demands = k_demands,
                .systems = k_systems,
                .draws = 2,
-               .after = k_after});
+               .after = k_after}));
   return pass;
 }
 

@@ -25,10 +25,10 @@ class Quads : public GpuPass {
   void publish(FrameResources& resources) const override {
     const registry::ParameterValues parameters = parameters_of(resources, entry());
     resources.seen_samples = &seen_;
-    resources.strand_draw = StrandDraw{
-        .pass = &entry(),
-        .corners = k_corners,
-        .width_factor = std::max(parameters.real("root_width"), parameters.real("tip_width"))};
+    resources.strand_draw =
+        StrandDraw{.pass = &entry(),
+                   .corners = k_corners,
+                   .width_factor = std::max(parameters.real("root_width"), parameters.real("tip_width"))};
   }
 
   Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
@@ -90,11 +90,10 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    description.interface = {
-        .storage_buffers = 6,
-        .textures = 4,
-        .specialization = dual_scattering::with_dual_scattering(
-            with_channels({std::uint32_t(samples)}, resources.channels), resources)};
+    description.interface = {.storage_buffers = 6,
+                             .textures = 4,
+                             .specialization = dual_scattering::with_dual_scattering(
+                                 with_channels({std::uint32_t(samples)}, resources.channels), resources)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }

@@ -27,16 +27,17 @@ constexpr registry::Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "temporal_antialiasing",
-                          .summary = "the mean of the frames before, shifted inside a pixel, "
-                                     "moved to where things are now",
-                          .source = "Karis 2014, High Quality Temporal Supersampling; clamp: Salvi 2016",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::output,
-                          .dispatches = always<1>,
-                          .after = k_after}};
+  static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
+                                   .name = "temporal_antialiasing",
+                                   .summary = "the mean of the frames before, shifted inside a pixel, "
+                                              "moved to where things are now",
+                                   .source = "Karis 2014, High Quality Temporal Supersampling; clamp: Salvi 2016",
+                                   .parameters = k_parameters,
+                                   .demands = k_demands,
+                                   .stage = registry::Stage::output,
+                                   .dispatches = always<1>,
+                                   .after = k_after},
+                         .whole_pictures = true};
   return pass;
 }
 

@@ -18,13 +18,14 @@ constexpr registry::Parameter k_parameters[] = {
 
 const Pass& entry() {
   static const Pass pass{
-      {.kind = registry::EntryKind::pass,
-       .name = "truth",
-       .summary = "every sample of a pixel with all strands that cover it, sorted exactly, on the CPU",
-       .source = "supersampling; the measure of the other ways to draw strands",
-       .parameters = k_parameters,
-       .demands = k_demands,
-       .stage = registry::Stage::resolve}};
+      .entry = {.kind = registry::EntryKind::pass,
+                .name = "truth",
+                .summary = "every sample of a pixel with all strands that cover it, sorted exactly, on the CPU",
+                .source = "supersampling; the measure of the other ways to draw strands",
+                .parameters = k_parameters,
+                .demands = k_demands,
+                .stage = registry::Stage::resolve},
+      .whole_pictures = true};
   return pass;
 }
 

@@ -21,17 +21,18 @@ constexpr registry::Parameter k_parameters[] = {
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass{{.kind = registry::EntryKind::pass,
-                          .name = "velocity",
-                          .summary = "motion vectors of the hair: pixels to the world by their depth, moved "
-                                     "back by a coarse grid of the control hairs' displacements",
-                          .source = "Frostbite, Every Strand Counts (2023): hair velocity",
-                          .parameters = k_parameters,
-                          .demands = k_demands,
-                          .stage = registry::Stage::resolve,
-                          .systems = k_systems,
-                          .dispatches = always<8>,  // largest, splat, mean, four fills, pixels
-                          .after = k_after}};
+  static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
+                                   .name = "velocity",
+                                   .summary = "motion vectors of the hair: pixels to the world by their depth, moved "
+                                              "back by a coarse grid of the control hairs' displacements",
+                                   .source = "Frostbite, Every Strand Counts (2023): hair velocity",
+                                   .parameters = k_parameters,
+                                   .demands = k_demands,
+                                   .stage = registry::Stage::resolve,
+                                   .systems = k_systems,
+                                   .dispatches = always<8>,  // largest, splat, mean, four fills, pixels
+                                   .after = k_after},
+                         .whole_pictures = true};
   return pass;
 }
 
