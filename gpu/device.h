@@ -47,7 +47,7 @@ struct DeviceRequest {
 /// All Vulkan devices; empty when there is no loader or no driver.
 std::vector<DeviceInfo> list_devices();
 
-enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, r32u, depth32f };
+enum class TextureFormat { rgba8, rgba16f, rgba32f, r32f, r32u, rgba32u, depth32f };
 enum class Filter { nearest, linear };
 /// alpha: color = source * source alpha + target * (1 - source alpha), alpha likewise with factor 1; additive: the sum.
 enum class BlendMode { none, alpha, additive };
@@ -103,13 +103,21 @@ struct TextureDescription {
   bool mip_levels = false;    ///< halved down to one texel, anew with every upload or copy; linear filter, no target
 };
 
-/// Shader resources are set 0. Bindings 0 .. storage_buffers-1 are storage buffers; the textures follow at
-/// storage_buffers .. storage_buffers+textures-1 as combined image samplers.
+/// A buffer's binding that the shader reads as texels of a format, by samplerBuffer or usamplerBuffer and texelFetch,
+/// within its end. Software Vulkan loads those of all lanes at once, of a storage buffer one by one.
+struct TexelBinding {
+  std::uint32_t binding = 0;
+  TextureFormat format = TextureFormat::r32u;  ///< not rgba8 nor depth32f
+};
+
+/// Shader resources are set 0. Bindings 0 .. storage_buffers-1 are storage buffers, but for those of `texels`; the
+/// textures follow at storage_buffers .. storage_buffers+textures-1 as combined image samplers.
 struct ShaderInterface {
   std::uint32_t storage_buffers = 0;
   std::uint32_t textures = 0;
   std::uint32_t push_constant_bytes = 0;           ///< at most 128
   std::vector<std::uint32_t> specialization = {};  ///< values of constant_id 0, 1, 2, ...
+  std::vector<TexelBinding> texels = {};           ///< of the buffers
 };
 
 /// A compute pipeline.

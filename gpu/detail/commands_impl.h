@@ -12,6 +12,7 @@ struct Commands::Impl {
   VkCommandPool pool = VK_NULL_HANDLE;
   VkCommandBuffer buffer = VK_NULL_HANDLE;
   std::vector<VkDescriptorPool> descriptor_pools;
+  std::vector<VkBufferView> buffer_views;
   std::vector<VkQueryPool> query_pools;           ///< two timestamps a pass, k_passes_per_pool passes a pool
   std::vector<std::shared_ptr<const void>> used;  ///< everything recorded, alive until the work is done
   std::vector<PassCost> passes;

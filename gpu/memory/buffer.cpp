@@ -9,8 +9,9 @@ namespace cuticle::gpu {
 namespace {
 
 constexpr std::size_t k_smallest_buffer = 16;
-constexpr VkBufferUsageFlags k_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkBufferUsageFlags k_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
 Result<BufferObject*> checked_range(const Device* device, const Buffer& buffer, std::size_t bytes, std::size_t offset) {
   if (!buffer) return internal_error("gpu: data moved to or from an empty buffer");

@@ -43,6 +43,8 @@ VkFormat vulkan_format(TextureFormat format) {
       return VK_FORMAT_R32_SFLOAT;
     case TextureFormat::r32u:
       return VK_FORMAT_R32_UINT;
+    case TextureFormat::rgba32u:
+      return VK_FORMAT_R32G32B32A32_UINT;
     case TextureFormat::depth32f:
       return VK_FORMAT_D32_SFLOAT;
   }
@@ -69,6 +71,7 @@ std::size_t bytes_per_texel(TextureFormat format) {
     case TextureFormat::rgba16f:
       return 8;
     case TextureFormat::rgba32f:
+    case TextureFormat::rgba32u:
       return 16;
     default:
       return 4;
@@ -82,6 +85,7 @@ void texels_from_floats(TextureFormat format, std::span<const float> floats, std
     case TextureFormat::rgba16f:
       return to_texels<std::uint16_t>(floats, texels, half_from_float);
     case TextureFormat::r32u:
+    case TextureFormat::rgba32u:
       return to_texels<std::uint32_t>(floats, texels, [](float value) { return std::uint32_t(value); });
     default:
       std::memcpy(texels.data(), floats.data(), floats.size_bytes());
@@ -95,6 +99,7 @@ void floats_from_texels(TextureFormat format, std::span<const std::byte> texels,
     case TextureFormat::rgba16f:
       return to_floats<std::uint16_t>(texels, floats, float_from_half);
     case TextureFormat::r32u:
+    case TextureFormat::rgba32u:
       return to_floats<std::uint32_t>(texels, floats, [](std::uint32_t value) { return float(value); });
     default:
       std::memcpy(floats.data(), texels.data(), floats.size_bytes());

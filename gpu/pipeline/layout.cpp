@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <cuticle/gpu/detail/pipeline.h>
@@ -12,18 +14,24 @@ Result<void> within(std::string_view what, std::uint32_t count, std::uint32_t li
 
 Result<void> check_limits(const Device::Impl& device, const ShaderInterface& interface) {
   CUTICLE_TRY(within("bytes of push constants", interface.push_constant_bytes, 128));
+  CUTICLE_EXPECT(std::ranges::all_of(interface.texels, [&](const TexelBinding& texel) {
+    return texel.binding < interface.storage_buffers && texel.format != TextureFormat::rgba8 &&
+           texel.format != TextureFormat::depth32f;
+  }), "texels are read from a buffer, in a format that every device reads there");
   CUTICLE_TRY(within("storage buffers", interface.storage_buffers, device.limits.maxPerStageDescriptorStorageBuffers));
   return within("textures", interface.textures, device.limits.maxPerStageDescriptorSampledImages);
 }
 
 std::vector<VkDescriptorSetLayoutBinding> bindings_of(const PipelineObject& object) {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  const std::uint32_t count = object.interface.storage_buffers + object.interface.textures;
-  for (std::uint32_t i = 0; i < count; ++i)
+  const ShaderInterface& interface = object.interface;
+  for (std::uint32_t i = 0; i < interface.storage_buffers + interface.textures; ++i)
     bindings.push_back({i,
-                        i < object.interface.storage_buffers ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                                             : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                        i < interface.storage_buffers ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
                         1, object.stages, nullptr});
+  for (const TexelBinding& texel : interface.texels)
+    bindings[texel.binding].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
   return bindings;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cuticle/gpu/detail/commands_impl.h>
+#include <cuticle/gpu/detail/texels.h>
 
 namespace cuticle::gpu {
 namespace {
@@ -8,7 +9,8 @@ namespace {
 constexpr std::uint32_t k_sets_per_pool = 64;
 
 Result<VkDescriptorPool> create_descriptor_pool(Device::Impl& device) {
-  const std::array<VkDescriptorPoolSize, 2> sizes{{{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 8 * k_sets_per_pool},
+  const std::array<VkDescriptorPoolSize, 3> sizes{{{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 8 * k_sets_per_pool},
+                                                   {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 8 * k_sets_per_pool},
                                                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4 * k_sets_per_pool}}};
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -46,6 +48,7 @@ bool fits(Commands::Impl& commands, const ShaderInterface& interface, const Reso
 struct Writes {
   std::vector<VkDescriptorBufferInfo> buffers;
   std::vector<VkDescriptorImageInfo> images;
+  std::vector<std::pair<std::uint32_t, VkBufferView>> texels;  // by binding
   std::vector<VkWriteDescriptorSet> writes;
 };
 
@@ -57,6 +60,35 @@ VkWriteDescriptorSet write_of(VkDescriptorSet set, std::size_t binding, VkDescri
   write.descriptorCount = 1;
   write.descriptorType = type;
   return write;
+}
+
+VkBufferView view_of(Commands::Impl& commands, const BufferObject& buffer, TextureFormat format) {
+  Device::Impl& device = *commands.device->impl();
+  const std::size_t texels = buffer.size / bytes_per_texel(format);
+  if (texels > device.limits.maxTexelBufferElements)
+    return fail(commands, bad_input(fmt::format("gpu: a buffer of {} texels: the device allows 0..{}", texels,
+                                                device.limits.maxTexelBufferElements))),
+           VK_NULL_HANDLE;
+  VkBufferViewCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+  info.buffer = buffer.handle;
+  info.format = vulkan_format(format);
+  info.range = texels * bytes_per_texel(format);
+  VkBufferView view = VK_NULL_HANDLE;
+  if (const VkResult result = device.vk.vkCreateBufferView(device.device, &info, nullptr, &view); result != VK_SUCCESS)
+    return fail(commands, vulkan_error(result, "vkCreateBufferView")), VK_NULL_HANDLE;
+  commands.buffer_views.push_back(view);
+  return view;
+}
+
+bool collect_texels(Commands::Impl& commands, const ShaderInterface& interface, const Resources& resources,
+                    Writes& writes) {
+  for (const TexelBinding& texel : interface.texels) {
+    const BufferObject& buffer = *resources.buffers[texel.binding]->impl()->object;
+    writes.texels.emplace_back(texel.binding, view_of(commands, buffer, texel.format));
+    if (writes.texels.back().second == VK_NULL_HANDLE) return false;
+  }
+  return true;
 }
 
 bool collect(Commands::Impl& commands, const Resources& resources, Writes& writes) {
@@ -82,6 +114,10 @@ void write_set(Device::Impl& device, VkDescriptorSet set, Writes& writes) {
     writes.writes.push_back(write_of(set, writes.writes.size(), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER));
     writes.writes.back().pImageInfo = &image;
   }
+  for (const auto& [binding, view] : writes.texels) {
+    writes.writes[binding] = write_of(set, binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+    writes.writes[binding].pTexelBufferView = &view;
+  }
   device.vk.vkUpdateDescriptorSets(device.device, std::uint32_t(writes.writes.size()), writes.writes.data(), 0,
                                    nullptr);
 }
@@ -106,7 +142,10 @@ bool bind(Commands::Impl& commands, VkPipelineBindPoint point, const std::shared
           const Resources& resources) {
   Device::Impl& device = *commands.device->impl();
   Writes writes;
-  if (!fits(commands, pipeline->interface, resources) || !collect(commands, resources, writes)) return false;
+  const ShaderInterface& interface = pipeline->interface;
+  if (!fits(commands, interface, resources) || !collect(commands, resources, writes) ||
+      !collect_texels(commands, interface, resources, writes))
+    return false;
   const VkDescriptorSet set = allocate_set(commands, pipeline->set_layout);
   if (set == VK_NULL_HANDLE) return false;
   write_set(device, set, writes);

@@ -58,6 +58,7 @@ Commands::~Commands() = default;
 Commands::Impl::~Impl() {
   Device::Impl& owner = *device->impl();
   for (VkDescriptorPool each : descriptor_pools) owner.vk.vkDestroyDescriptorPool(owner.device, each, nullptr);
+  for (VkBufferView each : buffer_views) owner.vk.vkDestroyBufferView(owner.device, each, nullptr);
   for (VkQueryPool each : count_pools) owner.vk.vkDestroyQueryPool(owner.device, each, nullptr);
   for (VkQueryPool each : query_pools) owner.vk.vkDestroyQueryPool(owner.device, each, nullptr);
   owner.vk.vkDestroyCommandPool(owner.device, pool, nullptr);

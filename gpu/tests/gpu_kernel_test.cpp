@@ -5,6 +5,7 @@
 #include "shared_device.h"
 
 #include <scale_comp.spv.h>
+#include <texels_comp.spv.h>
 
 namespace cuticle::gpu::gpu_kernel_test {
 namespace {
@@ -75,6 +76,25 @@ TEST(GpuKernel, WrongNumberOfBuffers_IsRefusedAtSubmit) {
   Commands commands = device.record();
   commands.dispatch(scale_kernel(), {&buffer}, {}, {}, 1);
   EXPECT_FALSE(device.submit(std::move(commands)).ok());
+}
+
+TEST(GpuKernel, BuffersReadAsTexels_AreConverted) {
+  Device& device = shared_device();
+  constexpr std::size_t k_items = 64;
+  std::vector<std::uint32_t> words(4 * k_items);
+  std::iota(words.begin(), words.end(), 0u);
+  const std::vector<std::uint32_t> halves(2 * k_items, 0x4000'3c00u);  // 1, 2, 1, 2
+  const Buffer a = must(make_buffer_from<std::uint32_t>(device, std::span(words).first(k_items))),
+               b = must(make_buffer_from<std::uint32_t>(device, halves)),
+               c = must(make_buffer_from<std::uint32_t>(device, words)), items = must(device.make_buffer(k_items * 16));
+  const Kernel kernel = must(device.make_kernel(
+      texels_comp,
+      {.storage_buffers = 4, .texels = {{0}, {1, TextureFormat::rgba16f}, {2, TextureFormat::rgba32u}}}));
+  Commands commands = device.record();
+  commands.dispatch(kernel, {&a, &b, &c, &items}, {}, {}, 1);
+  must(device.submit(std::move(commands)));
+  const auto result = must(read_buffer<glm::vec4>(device, items, k_items));
+  for (std::size_t i = 0; i < k_items; ++i) EXPECT_EQ(result[i], glm::vec4(float(i), 2, 2, float(4 * i + 3))) << i;
 }
 
 TEST(GpuKernel, TooManyPushConstants_AreRefusedNamingTheLimit) {
