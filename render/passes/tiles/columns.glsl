@@ -1,18 +1,16 @@
 // A workgroup of eight per tile, each invocation a column with its eight pixels. Eight segments at a time are set up,
 // one each, and drawn by all in the order of the tile's list. The loop over the eight is unrolled: the loops of an
 // invocation may make 65,535 turns together on lavapipe, after which it leaves them. The shader that includes this
-// defines set_aside() and take(), and includes exchange_shared.glsl or exchange_subgroup.glsl.
+// defines set_aside() and take(), and includes exchange_shared.glsl or exchange_records.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "cuticle/render/passes/tile_lists/segment.glsl"
+#include "cuticle/render/passes/tiles/stroke.glsl"
 #include "cuticle/render/seen.glsl"
 
 layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Colors { uvec2 colors[]; };
 layout(std430, binding = 2) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 3) readonly buffer Sorted { uvec2 ordered[]; };
+layout(binding = 3) uniform usamplerBuffer ordered;  // uvec2 an entry
 layout(std430, binding = 4) readonly buffer SceneDepth { float scene_depth[]; };
 layout(std430, binding = 5) writeonly buffer Picture { uvec2 picture[]; };  // radiance times alpha, alpha
 layout(std430, binding = 6) writeonly buffer Depth { float mean_depth[]; };  // 1 / distance, weighted by what is seen
@@ -26,30 +24,30 @@ float through[k_tile], scene[k_tile], depth[k_tile], most_seen[k_tile];
 vec3 light[k_tile];
 uint seen_vertex[k_tile], samples[k_tile], looked_at;
 
-vec3 color_of(uint vertex) { return vec3(unpackHalf2x16(colors[vertex].x), unpackHalf2x16(colors[vertex].y).x); }
-
 // Whether a segment whose 1 / depth in the tile lies between the two is left out of what is being drawn.
 bool set_aside(float least, float most);
 
 // A segment covers a share of a pixel of the column, in front of the scene.
 void take(int row, uint vertex, float covered, vec3 color, float inverse_depth);
 
+uint vertex_of(uint entry) { return texelFetch(ordered, int(2u * entry + 1u)).r; }
+
 // Width is that where the segment passes the tile's middle.
-Prepared set_up(uint entry, bool used, vec2 tile_middle) {
-  uint vertex = ordered[entry].y;
-  Projected p;
-  project(vertices[vertex], vertices[vertex + 1u], p);
-  vec3 root = color_of(vertex), tip = color_of(vertex + 1u);
-  vec3 first = mix(root, tip, p.shares.x), last = mix(root, tip, p.shares.y);
-  float len = 2.0 * p.half_length, s = dot(tile_middle - p.middle, p.direction), reach = 0.7072 * float(k_tile);
-  float half_width = p.half_width + p.width_slope * clamp(s, -p.half_length, p.half_length);
-  vec2 ends = p.inverse_depth + p.depth_slope * clamp(vec2(s - reach, s + reach), -p.half_length, p.half_length);
+Prepared set_up(uint entry, uint end, vec2 tile_middle) {
+  bool used = entry < end;
+  uint vertex = vertex_of(min(entry, end - 1u));
+  Stroke own = stroke_from(vertex);
+  float half_length = own.half_length, len = 2.0 * half_length, reach = 0.7072 * float(k_tile);
+  float s = dot(tile_middle, own.axis.xy) + own.axis.w;
+  float half_width = own.half_width + own.width_slope * clamp(s, -half_length, half_length);
+  vec2 ends = own.inverse_depth + own.depth_slope * clamp(vec2(s - reach, s + reach), -half_length, half_length);
   used = used && !set_aside(min(ends.x, ends.y), max(ends.x, ends.y));
-  return Prepared(vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle)),
-                  vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, p.half_length + 0.5,
+  float per_pixel = len > k_shortest ? 1.0 / len : 0.0;
+  return Prepared(own.axis,
+                  vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, half_length + 0.5,
                        min(1.0, len)),
-                  vec4(0.5 * (first + last), p.inverse_depth),
-                  vec4(len > k_shortest ? (last - first) / len : vec3(0.0), p.depth_slope), vertex);
+                  vec4(0.5 * (own.first + own.last), own.inverse_depth),
+                  vec4((own.last - own.first) * per_pixel, own.depth_slope), vertex);
 }
 
 uint spread(uint group, uint count) { return count % k_stride == 0u ? group : uint((group * k_stride) % count); }
@@ -77,9 +75,10 @@ void begin_column(uint lane, uvec2 corner) {
 // The tile's segments first .. first + 7, those below `end`.
 void draw_eight(uint lane, uint first, uint end, uvec2 corner) {
   vec2 in_picture = vec2(corner + first_pixel()), top = in_picture + vec2(lane, 0.0) + 0.5;
-  offer(set_up(min(first + lane, end - 1u), first + lane < end, in_picture + 0.5 * float(k_tile)));
+  vec2 tile_middle = in_picture + 0.5 * float(k_tile);
+  begin_eight(first, end, tile_middle);
   [[unroll]] for (uint k = 0u; k < k_lanes; ++k) {
-    Prepared own = prepared_by(k);
+    Prepared own = prepared(k, first, end, tile_middle);
     vec4 line = own.axis, size = own.extent, middle = own.shade, change = own.slope;
     float across = line.x * top.y - line.y * top.x + line.z, along = line.x * top.x + line.y * top.y + line.w;
     float half_length = size.z - 0.5;

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "cuticle/render/passes/tiles/prepared.glsl"
+#include "cuticle/render/passes/tiles/stroke_vertices.glsl"
 
 shared vec4 axis[k_lanes], extent[k_lanes], shade[k_lanes], slope[k_lanes];
 shared uint first_vertex[k_lanes];
@@ -9,8 +10,9 @@ shared float values[k_lanes];
 
 uint own_lane() { return gl_LocalInvocationID.x; }
 
-void offer(Prepared own) {
+void begin_eight(uint first, uint end, vec2 tile_middle) {
   uint lane = own_lane();
+  Prepared own = set_up(first + lane, end, tile_middle);
   axis[lane] = own.axis;
   extent[lane] = own.extent;
   shade[lane] = own.shade;
@@ -19,7 +21,9 @@ void offer(Prepared own) {
   barrier();
 }
 
-Prepared prepared_by(uint k) { return Prepared(axis[k], extent[k], shade[k], slope[k], first_vertex[k]); }
+Prepared prepared(uint k, uint first, uint end, vec2 tile_middle) {
+  return Prepared(axis[k], extent[k], shade[k], slope[k], first_vertex[k]);
+}
 
 bool is_below_in_all(float own, float limit) {
   values[own_lane()] = own;

@@ -9,3 +9,7 @@ struct Prepared {
   vec4 axis, extent, shade, slope;
   uint vertex;  // the first
 };
+
+// Of columns.glsl: the first vertex of an entry of the tile's list; an entry as the tile draws it, unseen from `end` on.
+uint vertex_of(uint entry);
+Prepared set_up(uint entry, uint end, vec2 tile_middle);

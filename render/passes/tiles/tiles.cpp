@@ -35,7 +35,7 @@ const Pass& entry() {
                .parameters = k_parameters,
                .demands = k_demands,
                .systems = k_systems,
-               .dispatches = always<1>,
+               .dispatches = always<2>,  // prepare, fine
                .draws = 1,
                .after = k_after});
   return pass;

@@ -1,11 +1,14 @@
 #include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
 #include <cuticle/render/passes/tile_sort/tile_sort.h>
 
+#include <cuticle/gpu/groups.h>
+
 #include <resolve_vert.spv.h>
 #include <tiles_comp.spv.h>
 #include <tiles_frag.spv.h>
+#include <tiles_prepare_comp.spv.h>
+#include <tiles_records_comp.spv.h>
 #include <tiles_sliced_comp.spv.h>
-#include <tiles_subgroup_comp.spv.h>
 
 namespace cuticle::render::tiles {
 
@@ -17,9 +20,18 @@ struct MergePush {
   float inverse_near, inverse_far;
 };
 
+constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
+
+/// The fine rasteriser, and what projects segments for it where it reads records; else it does so itself.
+struct Fine {
+  gpu::Kernel prepare, draw;
+  gpu::Buffer records;
+  bool reads_records = false;
+};
+
 class Tiles : public GpuPass {
  public:
-  Tiles(gpu::Kernel fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth, gpu::Buffer seen)
+  Tiles(Fine fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth, gpu::Buffer seen)
       : fine_(std::move(fine)),
         merge_(std::move(merge)),
         picture_(std::move(picture)),
@@ -31,7 +43,12 @@ class Tiles : public GpuPass {
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     const tile_lists::TileLists& lists = *resources.tile_lists;
     const tile_lists::TilePush push = push_of(resources, lists);
-    std::vector<const gpu::Buffer*> buffers = {resources.strands.vertices,
+    const gpu::Groups segments = fine_.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
+    commands.dispatch(
+        fine_.prepare,
+        {resources.strands.vertices, resources.strand_colors, resources.strands.segments, &fine_.records}, {},
+        gpu::bytes_of(push), segments.x, segments.y);
+    std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : resources.strands.vertices,
                                                resources.strand_colors,
                                                &lists.offsets,
                                                &lists.sorted,
@@ -40,7 +57,7 @@ class Tiles : public GpuPass {
                                                &depth_,
                                                &seen_};
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
-    commands.dispatch(fine_, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
+    commands.dispatch(fine_.draw, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
     const MergePush merge{push.part.x, std::uint32_t(resources.supersampling), push.inverse_near,
                           push.inverse_far};
     begin_target(commands, resources);
@@ -50,20 +67,46 @@ class Tiles : public GpuPass {
   }
 
  private:
-  gpu::Kernel fine_;
+  Fine fine_;
   gpu::GraphicsPipeline merge_;
   gpu::Buffer picture_, depth_, seen_;
 };
 
-/// By slices where the scene asks for them, else as sorted: where a subgroup is a tile's eight, they speak within it.
-Result<gpu::Kernel> make_fine(gpu::Device& device, const FrameResources& resources) {
+/// Where a subgroup is a tile's eight and runs in software: there every lane reads a segment faster than one tells it.
+bool reads_records(const gpu::DeviceInfo& device, std::size_t vertices) {
+  return device.is_software && device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
+         vertices * k_record_bytes <= device.max_storage_buffer_bytes;
+}
+
+Result<gpu::Kernel> make_prepare(gpu::Device& device) {
+  return device.make_kernel(tiles_prepare_comp, {4,
+                                                 0,
+                                                 sizeof(tile_lists::TilePush),
+                                                 {},
+                                                 {{0, gpu::TextureFormat::rgba32f},
+                                                  {1, gpu::TextureFormat::rgba16f},
+                                                  {2, gpu::TextureFormat::r32u}}});
+}
+
+/// By slices where the scene asks for them, else as sorted.
+Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
   const bool sliced = parameters_of(resources, tile_sort::entry()).integer("slices") > 0;
+  const std::size_t vertices = resources.strands.vertex_count;
+  Fine fine;
+  fine.reads_records = !sliced && reads_records(device.info(), vertices);
+  const gpu::TextureFormat form = fine.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), { resources.says_seen ? 1u : 0u }
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), { resources.says_seen ? 1u : 0u }, {
+      {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
+    }
   };
-  if (sliced) return device.make_kernel(tiles_sliced_comp, interface);
-  const bool subgroup = device.info().subgroup_size == tile_lists::k_tile && device.info().subgroup_broadcast;
-  return subgroup ? device.make_kernel(tiles_subgroup_comp, interface) : device.make_kernel(tiles_comp, interface);
+  std::span<const std::uint32_t> code = tiles_comp;
+  if (fine.reads_records) code = tiles_records_comp;
+  if (sliced) code = tiles_sliced_comp;
+  CUTICLE_ASSIGN(fine.draw, device.make_kernel(code, interface));
+  CUTICLE_ASSIGN(fine.prepare, make_prepare(device));
+  CUTICLE_ASSIGN(fine.records, device.make_buffer(fine.reads_records ? vertices * k_record_bytes : 0));
+  return fine;
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
@@ -75,7 +118,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.interface.push_constant_bytes = sizeof(MergePush);
   description.blend = gpu::BlendMode::alpha;
   CUTICLE_ASSIGN(gpu::GraphicsPipeline merge, device->make_graphics(description));
-  CUTICLE_ASSIGN(gpu::Kernel fine, make_fine(*device, resources));
+  CUTICLE_ASSIGN(Fine fine, make_fine(*device, resources));
   CUTICLE_ASSIGN(gpu::Buffer picture, device->make_buffer(pixels * sizeof(glm::uvec2)));
   CUTICLE_ASSIGN(gpu::Buffer depth, device->make_buffer(pixels * sizeof(float)));
   CUTICLE_ASSIGN(gpu::Buffer seen, make_seen(*device, resources));

@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One invocation per segment: what the tiles that it lies in need of it, so that none projects it again.
+#extension GL_EXT_control_flow_attributes : require
+layout(local_size_x = 64) in;
+#include "cuticle/gpu/groups.glsl"
+#include "cuticle/render/passes/tiles/stroke_vertices.glsl"
+
+layout(binding = 2) uniform usamplerBuffer segments;
+layout(std430, binding = 3) writeonly buffer Records { uvec4 records[]; };
+
+void main() {
+  uint segment = invocation();
+  if (segment >= push.segment_count) return;
+  uint vertex = texelFetch(segments, int(segment)).r;
+  uvec4 record[k_record_texels] = record_of(stroke_from(vertex));
+  [[unroll]] for (uint texel = 0u; texel < k_record_texels; ++texel)
+    records[k_record_texels * vertex + texel] = record[texel];
+}
