@@ -59,6 +59,18 @@ inline std::vector<glm::vec3> on_turning_roots(const strands::Groom& groom, doub
   return places;
 }
 
+/// Curls, so that a turn about their own axis shows.
+inline strands::Groom curls() {
+  strands::Groom groom;
+  for (int s = 0; s < 3; ++s) {
+    for (int i = 0; i <= 16; ++i)
+      groom.positions.emplace_back(0.1 * s + 0.01 * std::cos(0.7 * i), 0.012 * i, 0.01 * std::sin(0.7 * i));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+
 inline registry::ParameterValues settings_of(std::string_view name, const std::string& assignments = {}) {
   return registry::parse_assignments((*find_effect(name))->entry.parameters, assignments).value();
 }

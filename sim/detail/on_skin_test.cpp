@@ -57,18 +57,6 @@ TEST_P(OnSkin, SkinThatDeforms_StaysRootedAtItsLength) {
   EXPECT_GT(lag, 0.05);
 }
 
-/// Curls, so that a turn about their own axis shows.
-strands::Groom curls() {
-  strands::Groom groom;
-  for (int s = 0; s < 3; ++s) {
-    for (int i = 0; i <= 16; ++i)
-      groom.positions.emplace_back(0.1 * s + 0.01 * std::cos(0.7 * i), 0.012 * i, 0.01 * std::sin(0.7 * i));
-    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
-  }
-  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
-  return groom;
-}
-
 TEST_P(OnSkin, RestShape_TurnsWithTheFrameOfTheRoot) {
   const strands::Groom groom = curls();
   auto solver = make_solver(GetParam(), groom, "", {});
@@ -97,6 +85,21 @@ TEST_P(OnSkin, Teleport_PutsHairOntoItAtRest) {
   const State state = solver->state().value();
   EXPECT_LT(worst_distance(state.positions, skinned), 2e-6);
   EXPECT_LT(worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size())), 1e-3);
+}
+
+TEST_P(OnSkin, HairPutOntoIt_MovesOnAsHairThatIsNew) {
+  const strands::Groom groom = curls();
+  for (const FrameInput& onto : {FrameInput{.duration = 1.0 / 30, .teleport = true}, FrameInput{.duration = 0}}) {
+    auto moved = make_solver(GetParam(), groom, "", gravity()), made = make_solver(GetParam(), groom, "", gravity());
+    for (int frame = 0; frame < 20; ++frame) advance_on(*moved, on_turning_roots(groom, frame / 30.0));
+    for (int frame = 0; frame < 4; ++frame) {
+      const std::vector<glm::vec3> skinned = on_turning_roots(groom, 3 + frame / 30.0);
+      FrameInput input = frame > 0 ? FrameInput{.duration = 1.0 / 30} : onto;
+      input.skinned = skinned;
+      ASSERT_TRUE(moved->advance(input).ok() && made->advance(input).ok());
+      EXPECT_EQ(moved->state()->positions, made->state()->positions) << frame << " after " << onto.duration << " s";
+    }
+  }
 }
 
 TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
