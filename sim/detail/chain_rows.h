@@ -63,7 +63,7 @@ struct ChainFrame {
   int field_count = 0;
   const float* const* field_values = nullptr;  ///< of each field
   const ColliderCarry<Real>* carries = nullptr;
-  const Real* turns = nullptr;                 ///< on a skin: rows of the moments (on_skin.h); null: the head's
+  const Real* turns = nullptr;  ///< on a skin: rows of the moments (on_skin.h); null: the head's
 };
 
 template <class Real>

@@ -127,8 +127,8 @@ TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
   const RoundedBox box{{0, 0, 0}, glm::dmat3(1), glm::dvec3(0.05), 0};
   const FieldPointer field = std::make_shared<DistanceField>();
   const MovingCollider moving{ball, {}, false};
-  const FrameInput met[] = {{.colliders = {&ball, 1}}, {.boxes = {&box, 1}}, {.fields = {&field, 1}},
-                            {.moving = {&moving, 1}}};
+  const FrameInput met[] = {
+      {.colliders = {&ball, 1}}, {.boxes = {&box, 1}}, {.fields = {&field, 1}}, {.moving = {&moving, 1}}};
   for (FrameInput input : met) {
     input.skinned = skinned;
     EXPECT_THAT(solver->advance(input).error().message, ::testing::HasSubstr("colliders")) << &input - met;

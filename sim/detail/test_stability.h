@@ -78,7 +78,8 @@ inline std::map<std::string, strands::Groom> shapes() {
 /// 100 m and back, told as a teleport or not.
 enum class Disturbance { none, kicks, jumps, teleports };
 
-/// `on_skin`: the same of a skin that carries all of the hair. Largest of worst_over_bound over the frames that end at the origin. Adds a message where anything is not finite.
+/// `on_skin`: the same of a skin that carries all of the hair. Largest of worst_over_bound over the frames that end at
+/// the origin. Adds a message where anything is not finite.
 inline double run(std::string_view name, const strands::Groom& groom, const std::string& parameters, double duration,
                   Disturbance disturbance, int frames, const EffectBlocks& effects = gravity(), bool on_skin = false) {
   auto solver = make_solver(name, groom, settings(parameters), effects);
@@ -120,7 +121,8 @@ inline void expect_lengths(std::string_view name, const std::vector<std::string>
       double worst = 0;
       for (double duration : k_durations)
         for (const std::string& set : parameters) {
-          worst = std::max(worst, run(name, groom, set, duration, Disturbance(disturbance), frames, gravity(), on_skin));
+          worst =
+              std::max(worst, run(name, groom, set, duration, Disturbance(disturbance), frames, gravity(), on_skin));
           ASSERT_FALSE(::testing::Test::HasFailure())
               << shape << ", " << k_names[disturbance] << ", step " << duration << ", " << set;
         }
