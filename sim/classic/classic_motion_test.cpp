@@ -212,10 +212,6 @@ TEST(ClassicMotion, HundredMetresFromOrigin_MovesAsAtTheOrigin) {
 }
 
 /// Advances on a skin that has these places at the frame's end.
-void advance_on(Solver& solver, std::span<const glm::vec3> skinned, double duration = 1.0 / 30) {
-  EXPECT_TRUE(solver.advance({.duration = duration, .skinned = skinned}).ok());
-}
-
 TEST(ClassicMotion, SkinThatMovesAsAHead_MovesHairAsTheHeadDoes) {
   const strands::Groom groom = ring(6);
   auto on_head = make_classic(groom, "", gravity()), on_skin = make_classic(groom, "", gravity());
@@ -267,13 +263,9 @@ TEST(ClassicMotion, SkinAtRest_HoldsTheGroomAgainstGravity) {
 TEST(ClassicMotion, TeleportOfASkin_PutsHairOntoItAtRest) {
   const strands::Groom groom = ring(6);
   auto solver = make_classic(groom, "", {});
-  for (int frame = 0; frame < 10; ++frame) advance_on(*solver, on_turning_roots(groom, frame / 30.0));
-  std::vector<glm::vec3> skinned = on_turning_roots(groom, 3);
-  for (glm::vec3& place : skinned) place += glm::vec3(5, 0, 0);
-  ASSERT_TRUE(solver->advance({.duration = 1.0 / 30, .teleport = true, .skinned = skinned}).ok());
-  const State state = solver->state().value();
-  EXPECT_LT(worst_distance(state.positions, skinned), 1e-6);
-  EXPECT_LT(worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size())), 1e-4);
+  const OffSkin off = after_teleport_of_skin(*solver, groom);
+  EXPECT_LT(off.places, 1e-6);
+  EXPECT_LT(off.speeds, 1e-4);
 }
 
 TEST(ClassicMotion, SkinThatCannotBeFollowed_IsRefused) {

@@ -59,6 +59,30 @@ inline std::vector<glm::vec3> on_turning_roots(const strands::Groom& groom, doub
   return places;
 }
 
+/// A strand whose squares overflow, and after its 17 vertices `good`.
+inline strands::Groom beside_overflow(const strands::Groom& good) {
+  strands::Groom mixed;
+  add_straight(mixed, {0, 0, 0}, {1, 0, 0}, std::vector<double>(16, 1e25));
+  for (std::size_t s = 0; s < good.strand_count(); ++s) {
+    mixed.positions.insert(mixed.positions.end(), good.strand(s).begin(), good.strand(s).end());
+    mixed.offsets.push_back(static_cast<std::uint32_t>(mixed.positions.size()));
+  }
+  mixed.radii.assign(mixed.vertex_count(), strands::k_default_radius);
+  return mixed;
+}
+
+/// Curls, so that a turn about their own axis shows.
+inline strands::Groom curls() {
+  strands::Groom groom;
+  for (int s = 0; s < 3; ++s) {
+    for (int i = 0; i <= 16; ++i)
+      groom.positions.emplace_back(0.1 * s + 0.01 * std::cos(0.7 * i), 0.012 * i, 0.01 * std::sin(0.7 * i));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+
 inline registry::ParameterValues settings_of(std::string_view name, const std::string& assignments = {}) {
   return registry::parse_assignments((*find_effect(name))->entry.parameters, assignments).value();
 }
@@ -127,6 +151,24 @@ inline double worst_stretch(const strands::Groom& rest, const State& state) {
   double worst = 0;
   for (float ratio : stretch(rest, state.positions)) worst = std::max(worst, std::abs(double(ratio) - 1));
   return worst;
+}
+
+inline void advance_on(Solver& solver, std::span<const glm::vec3> skinned, double duration = 1.0 / 30) {
+  EXPECT_TRUE(solver.advance({.duration = duration, .skinned = skinned}).ok());
+}
+
+/// After frames in motion the skin of `groom` is elsewhere and told as a teleport: how far hair is from it, m and m/s.
+struct OffSkin {
+  double places, speeds;
+};
+inline OffSkin after_teleport_of_skin(Solver& solver, const strands::Groom& groom) {
+  for (int frame = 0; frame < 10; ++frame) advance_on(solver, on_turning_roots(groom, frame / 30.0));
+  std::vector<glm::vec3> skinned = on_turning_roots(groom, 3);
+  for (glm::vec3& place : skinned) place += glm::vec3(5, 0, 0);
+  EXPECT_TRUE(solver.advance({.duration = 1.0 / 30, .teleport = true, .skinned = skinned}).ok());
+  const State state = solver.state().value();
+  return {worst_distance(state.positions, skinned),
+          worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size()))};
 }
 
 }  // namespace cuticle::sim::testing

@@ -92,6 +92,27 @@ TEST(Cloth, SkinThatDeforms_TakesItsRootAlongExactly) {
   EXPECT_LT(worst_edge(fin, state), 0.3);
 }
 
+TEST(Cloth, SkinThatMovedAndTurned_HasTheSheetAtRestOnIt) {
+  const Fin fin = strip(8);
+  auto solver = cloth(fin, "damping=4", {});
+  const auto head_at = [](int k) {
+    const double share = std::clamp(k / 30.0, 0.0, 1.0);
+    return glm::rotate(glm::translate(glm::dmat4(1), share * glm::dvec3(0.1, 0.2, -0.3)), 0.7 * share,
+                       glm::dvec3(0, 0.6, 0.8));
+  };
+  std::vector<glm::vec3> skin;
+  for (int k = 1; k <= 900; ++k) {
+    skin.clear();
+    for (const glm::vec3& place : fin.mesh.positions)
+      skin.emplace_back(head_at(k) * glm::dvec4(glm::dvec3(place) + glm::dvec3(0, 0.03, 0), 1));
+    ASSERT_TRUE(solver->advance({.head_begin = head_at(k - 1), .head_end = head_at(k), .authored = skin}).ok());
+  }
+  const State state = solver->state().value();
+  const double away = worst_distance(state.positions, skin);
+  std::printf("sheet on a skin that moved and turned: %.1e m away\n", away);
+  EXPECT_LT(away, 3e-5);
+}
+
 TEST(Cloth, SheetThatFallsOnABall_StaysOutside) {
   const Fin fin = strip(8, false);
   const Sphere ball{{0.08, -0.08, 0.03}, 0.05};
@@ -112,6 +133,9 @@ TEST(Cloth, MeshThatDoesNotFit_IsRefusedByName) {
   const auto refused = [&] {
     return make_cloth(fin.mesh, fin.weights, settings_of("cloth"), gravity()).error().message;
   };
+  fin.mesh.positions[5].z = NAN;
+  EXPECT_THAT(refused(), ::testing::HasSubstr("positions[5]: component 2"));
+  fin.mesh.positions[5].z = 0;
   fin.weights[3] = 1.5f;
   EXPECT_THAT(refused(), ::testing::HasSubstr("weights[3]: 1.5"));
   fin.weights[3] = 0;

@@ -61,7 +61,9 @@ TEST_P(Clumping, Approach_IsCriticallyDampedAtAnyFrameRate) {
 }
 
 TEST_P(Clumping, RateZeroAndHuge_AreSafe) {
-  EXPECT_NEAR(tip_offset(after(GetParam(), 1, 60, "rate=0,tightness=1")), 1, 1e-5);
+  const State loose = after(GetParam(), 1, 60, "rate=0,tightness=1");
+  EXPECT_EQ(loose.guards_fired, 0u);
+  EXPECT_NEAR(tip_offset(loose), 1, 1e-5);
   const State stiff = after(GetParam(), 1, 60, "rate=1e9,tightness=1,noise=0");
   EXPECT_TRUE(all_finite(stiff));
   EXPECT_LT(worst_stretch(three(), stiff), 1e-5);
@@ -83,13 +85,7 @@ TEST_P(Clumping, ClumpOfOne_MovesAsWithoutTheEffect) {
 
 TEST_P(Clumping, GuideOutOfBounds_LeadsNobodyAndTouchesNoOther) {
   const strands::Groom good = ring(12);
-  strands::Groom mixed;
-  add_straight(mixed, {0, 0, 0}, {1, 0, 0}, std::vector<double>(16, 1e25));
-  for (std::size_t s = 0; s < good.strand_count(); ++s) {
-    mixed.positions.insert(mixed.positions.end(), good.strand(s).begin(), good.strand(s).end());
-    mixed.offsets.push_back(static_cast<std::uint32_t>(mixed.positions.size()));
-  }
-  mixed.radii.assign(mixed.vertex_count(), strands::k_default_radius);
+  strands::Groom mixed = beside_overflow(good);
   set_clumps(mixed, {1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2});
   strands::Groom alone = good;
   set_clumps(alone, {1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2});
@@ -172,6 +168,35 @@ TEST(ClumpGuides, Chance_MakesOneOfSoManyAGuideAndStrandsFollowTheNearest) {
     for (std::uint32_t leader : leaders) ASSERT_LE(gap(s, guides[s]), gap(s, leader));
   settings.seed = 4;
   EXPECT_NE(guides, clumping::guides_of(groom, settings));
+}
+
+TEST(ClumpAims, Noise_LoosensEachStrandByItsChance) {
+  const strands::Groom groom = ring(40);
+  const auto kept = [&](double noise) {  // of strands' offsets at the tip, over those at rest
+    detail::Chains<double> chains = detail::make_chains<double>(groom, detail::ChainSettings{});
+    const clumping::Settings settings{.rate = 1e6, .tightness = 0.8, .noise = noise, .strands_per_clump = 8};
+    const auto vertices = clumping::join_clumps(chains, groom, settings);
+    const auto guides = clumping::guides_of(groom, settings);
+    std::vector<double> shares;
+    std::size_t last = 0;
+    for (std::uint32_t s = 0; s < guides.size(); ++s) {
+      if (guides[s] == s) continue;
+      last += 16;
+      const glm::dvec3 apart(groom.strand(guides[s])[0] - groom.strand(s)[0]);
+      const glm::dvec3 rest(groom.strand(s)[16] - groom.strand(guides[s])[16]);
+      shares.push_back(glm::length(vertices[last - 1].base - apart) / glm::length(rest));
+    }
+    return shares;
+  };
+  const std::vector<double> without = kept(0), with = kept(0.5);
+  double least = 1, most = 0;
+  for (std::size_t k = 0; k < with.size(); ++k) {
+    EXPECT_NEAR(without[k], 0.2, 1e-3);
+    least = std::min(least, with[k]), most = std::max(most, with[k]);
+  }
+  EXPECT_GT(least, 0.2 - 1e-3);  // tightness falls by at most half of itself
+  EXPECT_LT(most, 0.6 + 1e-3);
+  EXPECT_GT(most - least, 0.2);
 }
 
 TEST(ClumpAims, GuideThatIsNoNumber_LeavesTheAimAsItIs) {

@@ -23,6 +23,8 @@ constexpr int place = 0, direction = 3, inverse_mass = 6, coupling = 7, value = 
 namespace strand_row {
 constexpr int anchor = 0, guarded = 3, quiet = 4, count = 5;
 }
+/// As strand_row::guarded: the lane was put back; it starts anew with the first order too.
+constexpr int k_was_reset = 2;
 
 /// rest_row: lengths (m), their inverses, masses over the mean, their inverses, mass over the parent's (0 next to the
 /// anchor), arc from the anchor (m), pull to the rest pose (1/s), rest place relative to the anchor's in rest space
@@ -61,7 +63,7 @@ struct ChainFrame {
   int field_count = 0;
   const float* const* field_values = nullptr;  ///< of each field
   const ColliderCarry<Real>* carries = nullptr;
-  const Real* turns = nullptr;                 ///< on a skin: rows of the moments (on_skin.h); null: the head's
+  const Real* turns = nullptr;  ///< on a skin: rows of the moments (on_skin.h); null: the head's
 };
 
 template <class Real>

@@ -8,9 +8,6 @@
 
 namespace cuticle::sim::detail {
 
-/// As strand_row::guarded: the lane was put back; it starts anew with the first order too.
-constexpr int k_was_reset = 2;
-
 /// Where the strand in a lane is carried.
 using PlacingOf = std::function<Placing(std::size_t lane)>;
 

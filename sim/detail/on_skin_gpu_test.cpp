@@ -51,6 +51,19 @@ TEST_P(OnSkinKernel, Frames_AreThoseOfTheCpu) {
   EXPECT_EQ(root, 0);
 }
 
+TEST_P(OnSkinKernel, HairPutOntoIt_MovesOnAsHairThatIsNew) {
+  const strands::Groom groom = curls();
+  auto moved = make_gpu(GetParam(), groom, "", gravity()), made = make_gpu(GetParam(), groom, "", gravity());
+  for (int frame = 0; frame < 10; ++frame)
+    ASSERT_TRUE(advance_on(*moved, on_turning_roots(groom, frame / 30.0), {.duration = 1.0 / 30}).ok());
+  for (int frame = 0; frame < 3; ++frame) {
+    const std::vector<glm::vec3> skinned = on_turning_roots(groom, 3 + frame / 30.0);
+    const FrameInput input{.duration = 1.0 / 30, .teleport = frame == 0};
+    ASSERT_TRUE(advance_on(*moved, skinned, input).ok() && advance_on(*made, skinned, input).ok());
+    EXPECT_EQ(moved->state()->positions, made->state()->positions) << frame;
+  }
+}
+
 TEST_P(OnSkinKernel, Clumping_IsRefused) {
   const strands::Groom groom = ring(40);
   auto kernel = make_gpu(GetParam(), groom, "", {{"clumping", settings_of("clumping")}});

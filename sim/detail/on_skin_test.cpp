@@ -1,5 +1,6 @@
 // Chains of rigid links on a skin: roots, lengths, root frames, teleports, and what is refused.
-#include <cuticle/sim/classic/test_strands.h>
+#include <cuticle/sim/colliders/distance_field.h>
+#include <cuticle/sim/detail/test_stability.h>
 
 namespace cuticle::sim::on_skin_test {
 namespace {
@@ -9,10 +10,6 @@ using namespace testing;
 class OnSkin : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Solvers, OnSkin, ::testing::Values("exact", "rod"),
                          [](const auto& info) { return info.param; });
-
-void advance_on(Solver& solver, std::span<const glm::vec3> skinned, double duration = 1.0 / 30) {
-  EXPECT_TRUE(solver.advance({.duration = duration, .skinned = skinned}).ok());
-}
 
 TEST_P(OnSkin, SkinThatMovesAsAHead_MovesHairAsTheHeadDoes) {
   const strands::Groom groom = ring(6);
@@ -57,18 +54,6 @@ TEST_P(OnSkin, SkinThatDeforms_StaysRootedAtItsLength) {
   EXPECT_GT(lag, 0.05);
 }
 
-/// Curls, so that a turn about their own axis shows.
-strands::Groom curls() {
-  strands::Groom groom;
-  for (int s = 0; s < 3; ++s) {
-    for (int i = 0; i <= 16; ++i)
-      groom.positions.emplace_back(0.1 * s + 0.01 * std::cos(0.7 * i), 0.012 * i, 0.01 * std::sin(0.7 * i));
-    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
-  }
-  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
-  return groom;
-}
-
 TEST_P(OnSkin, RestShape_TurnsWithTheFrameOfTheRoot) {
   const strands::Groom groom = curls();
   auto solver = make_solver(GetParam(), groom, "", {});
@@ -90,13 +75,44 @@ TEST_P(OnSkin, RestShape_TurnsWithTheFrameOfTheRoot) {
 TEST_P(OnSkin, Teleport_PutsHairOntoItAtRest) {
   const strands::Groom groom = ring(6);
   auto solver = make_solver(GetParam(), groom, "", {});
-  for (int frame = 0; frame < 10; ++frame) advance_on(*solver, on_turning_roots(groom, frame / 30.0));
-  std::vector<glm::vec3> skinned = on_turning_roots(groom, 3);
-  for (glm::vec3& place : skinned) place += glm::vec3(5, 0, 0);
-  ASSERT_TRUE(solver->advance({.duration = 1.0 / 30, .teleport = true, .skinned = skinned}).ok());
-  const State state = solver->state().value();
-  EXPECT_LT(worst_distance(state.positions, skinned), 2e-6);
-  EXPECT_LT(worst_distance(state.velocities, std::vector<glm::vec3>(skinned.size())), 1e-3);
+  const OffSkin off = after_teleport_of_skin(*solver, groom);
+  EXPECT_LT(off.places, 2e-6);
+  EXPECT_LT(off.speeds, 1e-3);
+}
+
+TEST_P(OnSkin, HairPutOntoIt_MovesOnAsHairThatIsNew) {
+  const strands::Groom groom = curls();
+  for (const FrameInput& onto : {FrameInput{.duration = 1.0 / 30, .teleport = true}, FrameInput{.duration = 0}}) {
+    auto moved = make_solver(GetParam(), groom, "", gravity()), made = make_solver(GetParam(), groom, "", gravity());
+    for (int frame = 0; frame < 20; ++frame) advance_on(*moved, on_turning_roots(groom, frame / 30.0));
+    for (int frame = 0; frame < 4; ++frame) {
+      const std::vector<glm::vec3> skinned = on_turning_roots(groom, 3 + frame / 30.0);
+      FrameInput input = frame > 0 ? FrameInput{.duration = 1.0 / 30} : onto;
+      input.skinned = skinned;
+      ASSERT_TRUE(moved->advance(input).ok() && made->advance(input).ok());
+      EXPECT_EQ(moved->state()->positions, made->state()->positions) << frame << " after " << onto.duration << " s";
+    }
+  }
+}
+
+TEST_P(OnSkin, EveryShapeStepAndDisturbance_KeepsItsLengths) {
+  for (const char* precision : {"", ",double_precision=true"})
+    expect_lengths(GetParam(), {std::string("damping=2") + precision, std::string("clamped_vertices=1") + precision},
+                   12, true);
+}
+
+TEST_P(OnSkin, StrandWhoseSquaresOverflow_TouchesNoOther) {
+  const strands::Groom good = ring(20), mixed = beside_overflow(good);
+  auto alone = make_solver(GetParam(), good, "", gravity()), beside = make_solver(GetParam(), mixed, "", gravity());
+  for (int frame = 0; frame < 20; ++frame) {
+    std::vector<glm::vec3> skinned = on_turning_roots(good, frame / 30.0);
+    advance_on(*alone, skinned);
+    skinned.insert(skinned.begin(), mixed.positions.begin(), mixed.positions.begin() + 17);
+    advance_on(*beside, skinned);
+  }
+  const State expected = alone->state().value(), state = beside->state().value();
+  EXPECT_TRUE(all_finite(state));
+  for (std::size_t i = 0; i < good.vertex_count(); ++i) ASSERT_EQ(state.positions[i + 17], expected.positions[i]);
 }
 
 TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
@@ -108,7 +124,15 @@ TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
         << effect;
   auto solver = make_solver(GetParam(), groom, "", gravity_and_colliders());
   const Sphere ball{{0, 0, 0}, 0.05};
-  EXPECT_FALSE(solver->advance({.colliders = {&ball, 1}, .skinned = skinned}).ok());
+  const RoundedBox box{{0, 0, 0}, glm::dmat3(1), glm::dvec3(0.05), 0};
+  const FieldPointer field = std::make_shared<DistanceField>();
+  const MovingCollider moving{ball, {}, false};
+  const FrameInput met[] = {
+      {.colliders = {&ball, 1}}, {.boxes = {&box, 1}}, {.fields = {&field, 1}}, {.moving = {&moving, 1}}};
+  for (FrameInput input : met) {
+    input.skinned = skinned;
+    EXPECT_THAT(solver->advance(input).error().message, ::testing::HasSubstr("colliders")) << &input - met;
+  }
   advance_on(*solver, skinned);
   EXPECT_FALSE(solver->advance({}).ok());
   skinned[3].y = NAN;

@@ -78,9 +78,10 @@ inline std::map<std::string, strands::Groom> shapes() {
 /// 100 m and back, told as a teleport or not.
 enum class Disturbance { none, kicks, jumps, teleports };
 
-/// Largest of worst_over_bound over the frames that end at the origin. Adds a message where anything is not finite.
+/// `on_skin`: the same of a skin that carries all of the hair. Largest of worst_over_bound over the frames that end at
+/// the origin. Adds a message where anything is not finite.
 inline double run(std::string_view name, const strands::Groom& groom, const std::string& parameters, double duration,
-                  Disturbance disturbance, int frames, const EffectBlocks& effects = gravity()) {
+                  Disturbance disturbance, int frames, const EffectBlocks& effects = gravity(), bool on_skin = false) {
   auto solver = make_solver(name, groom, settings(parameters), effects);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -95,6 +96,10 @@ inline double run(std::string_view name, const strands::Groom& groom, const std:
                      .head_end = glm::translate(glm::dmat4(1), next),
                      .colliders = {},
                      .teleport = disturbance == Disturbance::teleports};
+    std::vector<glm::vec3> skinned;
+    if (on_skin)
+      for (const glm::vec3& at : groom.positions) skinned.emplace_back(glm::dvec3(at) + next);
+    input.skinned = skinned;
     EXPECT_TRUE(solver->advance(input).ok());
     place = next;
     const State state = solver->state().value();
@@ -109,18 +114,20 @@ inline double run(std::string_view name, const strands::Groom& groom, const std:
 inline constexpr const char* k_names[] = {"still", "50 m/s kicks", "100 m jumps", "teleports"};
 
 /// Every shape and disturbance at every duration with these settings keeps its lengths; prints a row for each.
-inline void expect_lengths(std::string_view name, const std::vector<std::string>& parameters, int frames) {
+inline void expect_lengths(std::string_view name, const std::vector<std::string>& parameters, int frames,
+                           bool on_skin = false) {
   for (const auto& [shape, groom] : shapes())
     for (int disturbance = 0; disturbance < 4; ++disturbance) {
       double worst = 0;
       for (double duration : k_durations)
         for (const std::string& set : parameters) {
-          worst = std::max(worst, run(name, groom, set, duration, Disturbance(disturbance), frames));
+          worst =
+              std::max(worst, run(name, groom, set, duration, Disturbance(disturbance), frames, gravity(), on_skin));
           ASSERT_FALSE(::testing::Test::HasFailure())
               << shape << ", " << k_names[disturbance] << ", step " << duration << ", " << set;
         }
-      std::printf("%-22s %-13s stretch over its bound, steps of 1e-3 .. 100 s: %.2f\n", shape.c_str(),
-                  k_names[disturbance], worst);
+      std::printf("%s%s: %-22s %-13s stretch over its bound, steps of 1e-3 .. 100 s: %.2f\n", name.data(),
+                  on_skin ? " on a skin" : "", shape.c_str(), k_names[disturbance], worst);
       EXPECT_LE(worst, 1) << shape << k_names[disturbance];
     }
 }

@@ -76,14 +76,7 @@ TEST(ExactHard, LaneThatIsNotANumber_IsResetAndTouchesNoOther) {
 }
 
 TEST(ExactHard, StrandWhoseSquaresOverflow_KeepsItsLengthsAndTouchesNoOther) {
-  const strands::Groom good = ring(20);
-  strands::Groom mixed;
-  add_straight(mixed, {0, 0, 0}, {1, 0, 0}, std::vector<double>(16, 1e25));
-  for (std::size_t s = 0; s < good.strand_count(); ++s) {
-    mixed.positions.insert(mixed.positions.end(), good.strand(s).begin(), good.strand(s).end());
-    mixed.offsets.push_back(static_cast<std::uint32_t>(mixed.positions.size()));
-  }
-  mixed.radii.assign(mixed.vertex_count(), strands::k_default_radius);
+  const strands::Groom good = ring(20), mixed = beside_overflow(good);
   const Sphere head{{0, 0, 0}, 0.095};
   auto alone = make_exact(good, "", gravity_and_colliders()), beside = make_exact(mixed, "", gravity_and_colliders());
   const State expected = run_frames(*alone, 20, {&head, 1}), state = run_frames(*beside, 20, {&head, 1});

@@ -267,8 +267,20 @@ template <class Real, class Scalar>
   for (int i = 1; i <= block.links; ++i) pull(RodVertex<Real>(block, i), time, pulling);
 }
 
+/// A strand that was put back begins with its angles at rest too.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void begin_untwisted(const ChainBlock<Scalar>& block) {
+  const auto put_back = number_at<Real>(block.strand + strand_row::guarded * S) > Real(k_was_reset - 0.5);
+  if (!any(put_back)) return;
+  for (int i = 1; i <= block.links; ++i) {
+    const RodVertex<Real> v(block, i);
+    put<Real>(v.hinge + hinge_row::angle * S, selected(put_back, Real(0), v.hinge_at(hinge_row::angle)));
+  }
+}
+
 template <bool Pulls, bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
+  begin_untwisted<Real>(block);
   const StrandStep<Real> strand = begin(block, step);
   if constexpr (Touches) place_colliders(block, step, frame);
   coast_all<Pulls, Touches>(block, frame, step, strand);

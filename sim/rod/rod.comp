@@ -138,7 +138,14 @@ void eliminate_band(uint i) {
   }
 }
 
+/// A strand that was put back begins with its angles at rest too.
+void begin_untwisted(uint links) {
+  if (strands[strand_base + k_guarded * k_lanes] < 2) return;
+  for (uint i = 1u; i <= links; ++i) own[hinge_at(i, k_angle)] = 0;
+}
+
 void substep(uint links, ChainStep s) {
+  begin_untwisted(links);
   StrandStep strand = begun(s);
   put_scratch(0u, k_direction, turned_to_end(s, hinge_vector(0u, k_clamp_direction)));
   put_scratch(0u, k_director, turned_to_end(s, hinge_vector(0u, k_clamp_director)));
