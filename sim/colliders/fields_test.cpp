@@ -229,7 +229,7 @@ TEST(FieldContact, StrandsAcrossThem_KeepLengthAndStayOutside) {
       EXPECT_LE(stretch, 1) << c.name;
       EXPECT_LT(vertices, 6e-7) << solver << c.name;
       EXPECT_LT(segments, 1.5e-5) << solver << c.name;
-      EXPECT_LT(std::sqrt(squares), solver == std::string("rod") ? 8 : 0.4) << c.name;  // it trembles
+      EXPECT_LT(std::sqrt(squares), solver == std::string("rod") ? 0.1 : 0.4) << c.name;  // over an edge it trembles
     }
 }
 
@@ -238,8 +238,9 @@ TEST(FieldContact, BallAsAMesh_HoldsAStrandAsTheSphereDoes) {
   const Sphere sphere{{0.05, -0.2, 0}, 0.08};
   const FieldPointer ball =
       shared(strands::transformed(ball_mesh(0.08, 64), glm::translate(glm::dmat4(1), sphere.center)), 0.008);
-  auto by_sphere = make_exact(groom, limp("exact"), gravity_and_colliders());
-  auto by_field = make_exact(groom, limp("exact"), gravity_and_colliders());
+  const std::string rough = "friction=0.3";  // without, what lies across a ball's top slides off sooner or later
+  auto by_sphere = make_exact(groom, limp("exact"), gravity_and_colliders(rough));
+  auto by_field = make_exact(groom, limp("exact"), gravity_and_colliders(rough));
   const State a = run_still(*by_sphere, 300, 1.0 / 60, {&sphere, 1}), b = run_beside(*by_field, 300, 1.0 / 60, ball);
   std::printf("ball as sphere and as mesh: %.1e m apart at rest\n", worst_distance(a.positions, b.positions));
   EXPECT_LT(worst_distance(a.positions, b.positions), 2e-3);

@@ -191,6 +191,70 @@ vec3 turn_beside_fields(uint i, ChainStep s, vec3 from, vec3 turned, float rest_
 }
 #endif
 
+#if TOUCHES
+void press_on_spheres(ChainStep s, float rest_length, inout PredictedLink link) {
+  for (uint k = 0u; k < sphere_count; ++k) {
+    LinkSphere sphere = sphere_at(s, k);
+    if (!is_within(sphere, link.parent, rest_length)) continue;
+    Pressed p = pressed_on_sphere(sphere, link.parent, link.child - link.parent, s.end_y);
+    link = pressed_out(link, p, link.parent_carried, link.child_carried, s.friction, 0.0);
+  }
+}
+#endif
+#if TOUCHES == 2
+// `number`: from 1, of a box or field; here: where the vertices begin.
+void press(ChainStep s, Pressed p, uint number, vec3 here_parent, vec3 here, inout PredictedLink link) {
+  if (!presses(link, p)) return;
+  vec3 parent = link.parent_carried, child = link.child_carried;
+  if (k_some_move) {
+    parent = carried_by(s, number - 1u, here_parent);
+    child = carried_by(s, number - 1u, here);
+  }
+  link = pressed_out(link, p, parent, child, s.friction, float(number));
+}
+
+void press_on_boxes(ChainStep s, vec3 here_parent, vec3 here, float rest_length, inout PredictedLink link) {
+  for (uint k = 0u; k < box_count; ++k) {
+    LinkBox box = box_at(s, k);
+    if (!is_within(sphere_around(box), link.parent, rest_length)) continue;
+    press(s, pressed_on_box(box, link.parent, link.child - link.parent), k + 1u, here_parent, here, link);
+  }
+}
+
+void press_on_fields(ChainStep s, vec3 here_parent, vec3 here, float rest_length, inout PredictedLink link) {
+  for (uint k = 0u, values = 0u; k < field_count; values += value_count(k), ++k) {
+    LinkField field = field_at(s, k, values);
+    vec3 way = link.child - link.parent;
+    if (!is_within(sphere_around(field.grid), link.parent, rest_length)) continue;
+    if (!may_enter(field, values, link.parent, way, rest_length)) continue;
+    press(s, pressed_on_field(field, values, link.parent, way), box_count + k + 1u, here_parent, here, link);
+  }
+}
+#endif
+
+#if TOUCHES
+// The predicted link above vertex i, from `parent` to `child`, pressed out of all colliders; normals are kept.
+PredictedLink pressed_from_all(uint i, ChainStep s, vec3 parent, vec3 child, float follows, float sharpest) {
+  vec3 here_parent = state_vector(i - 1u, k_here), here = state_vector(i, k_here);
+  float most = leaving(s), rest_length = rest[rest_at(i, k_length)];
+  float kept = max(leaving_of(scratch_vector(i, k_begin_pushed), most).kept,
+                   i > 1u ? leaving_of(scratch_vector(i - 1u, k_begin_pushed), most).kept : 0.0);
+  float touched = k_some_move ? scratch[scratch_at(i, k_touched)] : 0.0;
+  PredictedLink link = PredictedLink(parent, child, carried_by_head(s, here_parent), carried_by_head(s, here),
+                                     i > 1u ? scratch_vector(i - 1u, k_normal) : vec3(0), scratch_vector(i, k_normal),
+                                     rest[rest_at(i, k_mass_ratio)], follows, kept, touched, sharpest);
+  press_on_spheres(s, rest_length, link);
+#if TOUCHES == 2
+  press_on_boxes(s, here_parent, here, rest_length, link);
+  if (k_meets_fields) press_on_fields(s, here_parent, here, rest_length, link);
+#endif
+  if (i > 1u) put_scratch(i - 1u, k_normal, link.parent_normal);
+  put_scratch(i, k_normal, link.child_normal);
+  if (k_some_move) scratch[scratch_at(i, k_touched)] = link.touched;
+  return link;
+}
+#endif
+
 // Of collider `number` that moves by itself; 0: of one that the head takes along.
 vec3 carried_by_what_touches(ChainStep s, uint i, vec3 here) {
 #if TOUCHES == 2
@@ -242,7 +306,7 @@ vec3 turn_beside(uint i, ChainStep s, vec3 from, vec3 aimed, float rest_length, 
     LinkSphere met = sphere_at(s, k);
     met.radius -= kept;
     vec3 out_of = turned_out(from, turned, rest_length, met, s.end_x, s.end_y), moved = out_of - turned;
-    if (inner(moved, moved) > 0) take_normal(i, direction_or(from + out_of * rest_length - met.centre, 0, out_of), 0u);
+    if (inner(moved, moved) > 0) take_normal(i, normal_of_turned(met, from, out_of, rest_length), 0u);
     turned = out_of;
   }
 #if TOUCHES == 2

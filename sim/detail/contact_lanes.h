@@ -208,6 +208,84 @@ template <class Real, class Scalar>
   v.put_scratch(scratch_row::begin_pushed, touch.begin_pushed);
 }
 
+/// `here`: where the vertices begin, of parent and child.
+template <class Real>
+struct LinkBegin {
+  Vector<Real> parent, child;
+};
+/// Not inlined: beside most colliders few links are.
+template <class Real, class Scalar>
+[[gnu::noinline]] void press(const Pressed<Real>& p, const ChainFrame<Scalar>& frame, const LinkBegin<Real>& here,
+                             Real friction, Real number, PredictedLink<Real>& link) {
+  if (!any(presses(link, p))) return;
+  Vector<Real> parent = link.parent_carried, child = link.child_carried;
+  if (frame.carries) {
+    parent = carried_by_moving(frame, parent, here.parent, number);
+    child = carried_by_moving(frame, child, here.child, number);
+  }
+  link = pressed_out(link, p, parent, child, friction, number);
+}
+
+template <class Real, class Scalar>
+[[gnu::noinline]] void press_on_boxes(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                      const LinkBegin<Real>& here, Real length, PredictedLink<Real>& link) {
+  for (int k = 0; k < frame.box_count; ++k) {
+    const LinkBox<Real> box = box_at(frame, step, k);
+    if (!any(is_within(sphere_around(box), link.parent, length))) continue;
+    press(pressed_on_box(box, link.parent, link.child - link.parent), frame, here, step.friction, Real(k + 1), link);
+  }
+}
+template <class Real, class Scalar>
+[[gnu::noinline]] void press_on_fields(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                       const LinkBegin<Real>& here, Real length, PredictedLink<Real>& link) {
+  for (int k = 0; k < frame.field_count; ++k) {
+    const LinkField<Real> field = field_at(frame, step, k);
+    const float* const values = frame.field_values[k];
+    const Vector<Real> way = link.child - link.parent;
+    if (!any(is_within(sphere_around(field.grid), link.parent, length)) ||
+        !any(may_enter(field, values, link.parent, way, length)))
+      continue;
+    press(pressed_on_field(field, values, link.parent, way), frame, here, step.friction, Real(frame.box_count + k + 1),
+          link);
+  }
+}
+
+/// The predicted link out of all colliders; `touch`: of its child, whose place it starts from.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void press_on_all(const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                const LinkBegin<Real>& here, Real length, PredictedLink<Real>& link) {
+  for (int k = 0; k < frame.sphere_count; ++k) {
+    const LinkSphere<Real> sphere = placed_at<Real>(frame, k);
+    if (any(is_within(sphere, link.parent, length)))
+      press(pressed_on_sphere(sphere, link.parent, link.child - link.parent, step.end_y), frame, here, step.friction,
+            Real(0), link);
+  }
+  if (frame.box_count) press_on_boxes(frame, step, here, length, link);
+  if (frame.field_count) press_on_fields(frame, step, here, length, link);
+}
+
+/// A vertex at `touch` and the link above it, whose parent was predicted at `parent`, pressed out of all colliders and
+/// kept in the scratch rows, but for places.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline PredictedLink<Real> pressed_from_all(const VertexRows<Real>& v,
+                                                                   const VertexRows<Real>& above,
+                                                                   const ChainFrame<Scalar>& frame,
+                                                                   const ChainStep<Real>& step,
+                                                                   const LinkBegin<Real>& here,
+                                                                   const Vector<Real>& parent, Real follows,
+                                                                   const Touch<Real>& touch, Real sharpest) {
+  const Real kept = max(leaving_of(touch.begin_pushed, leaving(step)).kept,
+                        leaving_of(above.scratch_vector(scratch_row::begin_pushed), leaving(step)).kept);
+  PredictedLink<Real> link{parent, touch.place, carried_by_head(step, here.parent), carried_by_head(step, here.child),
+                           above.scratch_vector(scratch_row::normal), touch.normal, v.rest_at(rest_row::mass_ratio),
+                           follows, kept, touch.collider, sharpest};
+  press_on_all(frame, step, here, v.rest_at(rest_row::length), link);
+  above.put_scratch(scratch_row::normal, link.parent_normal);
+  v.put_scratch(scratch_row::normal, link.child_normal);
+  if (frame.carries) v.put_scratch(scratch_row::touched, link.touched);
+  return link;
+}
+
 /// `out`: out of the collider of this number.
 template <class Real>
 [[gnu::always_inline]] inline void take_turn(const Turned<Real>& out, Real number, Turned<Real>& turned,
@@ -260,7 +338,7 @@ template <class Real, class Scalar>
     sphere.radius = sphere.radius - kept;
     const Vector<Real> out = turned_out(from, turned, length, sphere, step.end_x, step.end_y), moved = out - turned;
     const auto hits = inner(moved, moved) > Real(0);
-    normal = either(hits, direction_or(from + out * length - sphere.centre, Real(0), out), normal);
+    normal = either(hits, normal_of_turned(sphere, from, out, length), normal);
     touched = selected(hits, Real(0), touched);
     turned = out;
   }

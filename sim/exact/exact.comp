@@ -35,6 +35,18 @@ void lead(uint i, vec3 parent) {
       within_reach(scratch_vector(i, k_place) + parent * scratch[scratch_at(i, k_follows)], rest[rest_at(i, k_reach)]));
 }
 
+#if TOUCHES
+void lead_beside(uint i, ChainStep s) {
+  vec3 parent = i > 1u ? scratch_vector(i - 1u, k_place) : vec3(0);
+  float follows = scratch[scratch_at(i, k_follows)];
+  lead(i, parent);
+  push_out(i, s);
+  PredictedLink link = pressed_from_all(i, s, parent, scratch_vector(i, k_place), follows, -2.0);
+  if (i > 1u) put_scratch(i - 1u, k_place, link.parent);
+  put_scratch(i, k_place, link.child);
+}
+#endif
+
 void eliminate(uint i, ChainStep s, inout LinkCarry carry) {
   float rest_length = rest[rest_at(i, k_length)];
   vec3 before = (state_vector(i, k_here) - state_vector(i - 1u, k_here)) * rest[rest_at(i, k_inverse_length)];
@@ -66,10 +78,12 @@ void substep(uint links, ChainStep s) {
   LinkCarry carry = at_anchor();
   TensionCarry below = below_tip();
   for (uint i = links; i >= 1u; --i) predict(i, s, strand, below);
-  for (uint i = 1u; i <= links; ++i) {
-    lead(i, carry.place);
 #if TOUCHES
-    push_out(i, s);
+  for (uint i = 1u; i <= links; ++i) lead_beside(i, s);
+#endif
+  for (uint i = 1u; i <= links; ++i) {
+#if !TOUCHES
+    lead(i, carry.place);
 #endif
     eliminate(i, s, carry);
   }
@@ -78,7 +92,11 @@ void substep(uint links, ChainStep s) {
         scratch[scratch_at(i, k_value)], scratch[scratch_at(i + 1u, k_coupling)], scratch[scratch_at(i + 1u, k_value)]);
   Following f = Following(vec3(0), vec3(0), 0, 0, 0);
   for (uint i = 1u; i <= links; ++i) {
-    state[state_at(i, k_tension)] = next_tension(state[state_at(i, k_tension)], scratch[scratch_at(i, k_value)],
+    float change = scratch[scratch_at(i, k_value)];
+#if TOUCHES
+    change *= tension_share(strand);
+#endif
+    state[state_at(i, k_tension)] = next_tension(state[state_at(i, k_tension)], change,
                                                  rest[rest_at(i, k_inverse_length)], strand.inverse_time);
     go_down(i, s, strand, newton_of(i), scratch_vector(i, k_direction), f);
   }

@@ -53,28 +53,40 @@ template <bool Touches, class Real>
   place = fold_opened(place, parent, direction, length, side);
 }
 
-/// Root to tip: where the tensions let a vertex be, pushed out of spheres.
-template <bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline Vector<Real> lead(const VertexRows<Real>& v, const ChainFrame<Scalar>& frame,
-                                                const ChainStep<Real>& step, const LinkCarry<Real>& parent,
-                                                Vector<Real>& normal) {
-  const Vector<Real> place = v.scratch_vector(scratch_row::place) + parent.place * v.scratch_at(scratch_row::follows);
-  if constexpr (!Touches) return place;
-  const Touch<Real> touch =
-      pushed_from_all(frame, step, v.state_vector(state_row::here), within_reach(place, v.rest_at(rest_row::reach)));
-  keep_touch(v, frame, touch);
-  normal = touch.normal;
-  return touch.place;
+/// Root to tip: where the tensions let a vertex be.
+template <class Real>
+[[gnu::always_inline]] inline Vector<Real> lead(const VertexRows<Real>& v, const Vector<Real>& parent) {
+  return v.scratch_vector(scratch_row::place) + parent * v.scratch_at(scratch_row::follows);
+}
+
+/// The same for all vertices, pushed out of colliders, as are the links between them.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline void lead_beside(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                               const ChainStep<Real>& step) {
+  for (int i = 1; i <= block.links; ++i) {
+    const VertexRows<Real> v(block, i), above(block, i - 1);
+    const Real follows = v.scratch_at(scratch_row::follows);
+    const Vector<Real> parent = above.scratch_vector(scratch_row::place);
+    const Touch<Real> touch = pushed_from_all(frame, step, v.state_vector(state_row::here),
+                                              within_reach(lead(v, parent), v.rest_at(rest_row::reach)));
+    keep_touch(v, frame, touch);
+    const PredictedLink<Real> link = pressed_from_all(
+        v, above, frame, step, {above.state_vector(state_row::here), v.state_vector(state_row::here)}, parent, follows,
+        touch, Real(-2));
+    above.put_scratch(scratch_row::place, link.parent);
+    v.put_scratch(scratch_row::place, link.child);
+  }
 }
 
 /// The link's row of the lengths' elimination. What is rare is mended apart, so that no link waits for it.
 template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline LinkCarry<Real> eliminate(const ChainBlock<Scalar>& block, int i,
-                                                        const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
-                                                        const LinkCarry<Real>& parent) {
+                                                        const ChainStep<Real>& step, const LinkCarry<Real>& parent) {
   const VertexRows<Real> v(block, i), above(block, i - 1);
   const Real length = v.rest_at(rest_row::length), inverse_mass = inverse_mass_of<Pulls>(v);
-  Vector<Real> normal, place = lead<Touches>(v, frame, step, parent, normal), link = place - parent.place,
+  Vector<Real> normal, place = Touches ? v.scratch_vector(scratch_row::place) : lead(v, parent.place);
+  if constexpr (Touches) normal = v.scratch_vector(scratch_row::normal);
+  Vector<Real> link = place - parent.place,
                        direction = link * reciprocal_root(inner(link, link));
   if (any(is_short(link, Real(1e-3) * length) || is_far(place, v.rest_at(rest_row::reach)) ||
           is_folded(direction, parent)))
@@ -114,7 +126,9 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
   Vector<Real> moved = (pull - under) * inverse_mass_of<Pulls>(v);
   pull = under;
   if constexpr (Touches) moved = along_surface(moved, v.scratch_vector(scratch_row::normal));
-  v.put_state(state_row::tension, next_tension(v.state_at(state_row::tension), v.scratch_at(scratch_row::value),
+  Real change = v.scratch_at(scratch_row::value);
+  if constexpr (Touches) change = change * tension_share(strand);
+  v.put_state(state_row::tension, next_tension(v.state_at(state_row::tension), change,
                                                v.rest_at(rest_row::inverse_length), strand.inverse_time));
   return {v.scratch_vector(scratch_row::place) + moved, v.scratch_vector(scratch_row::direction)};
 }
@@ -141,8 +155,9 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
     fetch_next<Pulls>(block, i);
     predict<Pulls>(VertexRows<Real>(block, i), step, strand, below);
   }
+  if constexpr (Touches) lead_beside(block, frame, step);
   LinkCarry<Real> parent = at_anchor<Real>();
-  for (int i = 1; i <= block.links; ++i) parent = eliminate<Pulls, Touches>(block, i, frame, step, parent);
+  for (int i = 1; i <= block.links; ++i) parent = eliminate<Pulls, Touches>(block, i, step, parent);
   substitute<Real>(block);
   const VertexRows<Real> first(block, 1);
   Vector<Real> pull = first.scratch_vector(scratch_row::direction) * first.scratch_at(scratch_row::value);

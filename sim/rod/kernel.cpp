@@ -65,7 +65,7 @@ struct RodVertex : VertexRows<Real> {
 /// Root to tip: where vertices coast, before as above the places of their parents.
 template <class Real>
 struct Coasting {
-  Vector<Real> here, place, coast;
+  Vector<Real> here, place, coast, predicted;
 };
 /// From there to where the other forces, and spheres, would put the vertex.
 /// What forces other than bending move a vertex, and its mass against bending and lengths over its own, which is kept.
@@ -82,7 +82,7 @@ template <bool Pulls, class Real>
 }
 
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const ChainFrame<Scalar>& frame,
+[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const RodVertex<Real>& above, const ChainFrame<Scalar>& frame,
                                          const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
                                          Coasting<Real>& parent) {
   const ChainVertex<Real> vertex = chain_vertex(v);
@@ -94,7 +94,8 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
   const Real length = v.rest_at(rest_row::length);
   const Vector<Real> before = (vertex.here - parent.here) * v.rest_at(rest_row::inverse_length),
                      direction = direction_or(c.place - parent.place, Real(1e-3) * length, before);
-  parent = {vertex.here, c.place, parent.coast + direction * length};
+  const Vector<Real> here_above = parent.here;
+  parent = {vertex.here, c.place, parent.coast + direction * length, parent.predicted};
   v.put_scratch(rod_row::coast, parent.coast);
   v.put_scratch(scratch_row::direction, direction);
   Vector<Real> wanted = (vertex.here - parent.coast) + c.moved;
@@ -102,7 +103,13 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
     const Vector<Real> predicted = vertex.here + c.moved;
     const Touch<Real> touch = pushed_from_all(frame, step, vertex.here, predicted);
     keep_touch<Real>(v, frame, touch);
-    wanted += touch.place - predicted;
+    const PredictedLink<Real> link =
+        pressed_from_all<Real>(v, above, frame, step, {here_above, vertex.here}, parent.predicted, Real(0), touch,
+                               Real(0.9));
+    above.put_scratch(scratch_row::place,
+                      above.scratch_vector(scratch_row::place) + (link.parent - parent.predicted));
+    wanted += link.child - predicted;
+    parent.predicted = link.child;
   }
   v.put_scratch(scratch_row::place, wanted);
   keep_before(v, vertex, strand, from);
@@ -252,9 +259,9 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
                                              const ChainStep<Real>& step, const StrandStep<Real>& strand) {
   const Real arc = VertexRows<Real>(block, block.links).rest_at(rest_row::reach);
   const Vector<Real> zero(Real(0));
-  Coasting<Real> parent{zero, zero, zero};
+  Coasting<Real> parent{zero, zero, zero, zero};
   for (int i = 1; i <= block.links; ++i)
-    coast<Pulls, Touches>(RodVertex<Real>(block, i), frame, step, strand, arc, parent);
+    coast<Pulls, Touches>(RodVertex<Real>(block, i), RodVertex<Real>(block, i - 1), frame, step, strand, arc, parent);
 }
 
 template <class Real, class Scalar>
@@ -289,8 +296,10 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
   follow_all<Touches>(block, frame, step, strand, [&](int i) -> NewtonPlace<Real> {
     const RodVertex<Real> v(block, i);
-    v.put_state(state_row::tension, next_tension(Real(0), -v.scratch_at(rod_row::right + 3),
-                                                 v.hinge_at(hinge_row::inverse_length), strand.inverse_time));
+    const Real before = v.state_at(state_row::tension),
+               now = next_tension(Real(0), -v.scratch_at(rod_row::right + 3), v.hinge_at(hinge_row::inverse_length),
+                                  strand.inverse_time);
+    v.put_state(state_row::tension, Touches ? before + (now - before) * tension_share(strand) : now);
     return {v.scratch_vector(rod_row::coast) + v.scratch_vector(rod_row::right),
             v.scratch_vector(scratch_row::direction)};
   });

@@ -10,7 +10,7 @@ const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_b
            k_hinge_inverse_length = 5u, k_angle = 6u, k_clamp_direction = 0u, k_clamp_director = 3u;
 const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_natural_spin = 28u, k_across = 31u,
            k_along = 32u, k_moment = 33u, k_rounding = 34u, k_angle_coupling = 35u, k_angle_value = 36u,
-           k_pull_row = 37u, k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
+           k_predicted = k_natural, k_pull_row = 37u, k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
 
 #define ROWS uint
 #define ROLLED [[dont_unroll]]
@@ -56,6 +56,11 @@ void coast(uint i, uint links, ChainStep s, StrandStep strand) {
   put_scratch(i, k_place, predicted);
 #if TOUCHES
   push_out(i, s);
+  vec3 above = i > 1u ? scratch_vector(i - 1u, k_predicted) : vec3(0);
+  PredictedLink link = pressed_from_all(i, s, above, scratch_vector(i, k_place), 0.0, 0.9);
+  if (i > 1u) put_scratch(i - 1u, k_place, scratch_vector(i - 1u, k_place) + (link.parent - above));
+  put_scratch(i, k_place, link.child);
+  put_scratch(i, k_predicted, link.child);
 #endif
   put_scratch(i, k_place, (v.here - place) + c.moved + (scratch_vector(i, k_place) - predicted));
   put_state(i, k_before, v.here - strand.root_step);
@@ -162,8 +167,12 @@ void substep(uint links, ChainStep s) {
         substitute_row(scratch_at(i, 0u), scratch_at(i + 1u, 0u), scratch_at(min(i + 2u, links + 1u), 0u), c);
   Following f = Following(vec3(0), vec3(0), 0, 0, 0);
   for (uint i = 1u; i <= links; ++i) {
-    state[state_at(i, k_tension)] =
+    float now =
         next_tension(0.0, -scratch_number(i, k_right + 3u), hinge(i, k_hinge_inverse_length), strand.inverse_time);
+#if TOUCHES
+    now = mix(state[state_at(i, k_tension)], now, tension_share(strand));
+#endif
+    state[state_at(i, k_tension)] = now;
     go_down(i, s, strand, scratch_vector(i, k_coast) + scratch_vector(i, k_right), scratch_vector(i, k_direction), f);
   }
   ended(f);
