@@ -73,7 +73,7 @@ TEST_P(ChainGpu, CapsuleAndBox_StayNearTheCpuInOneDispatch) {
   const double apart = apart_beside(GetParam(), {.colliders = {&k_head, 1}, .boxes = boxes});
   std::printf("%s beside a sphere, a capsule and a box: CPU and kernel %.1e m apart after 3 frames\n", GetParam(),
               apart);
-  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 2.4e-5);
+  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);
 }
 
 TEST_P(ChainGpu, Meshes_StayNearTheCpuInOneDispatch) {
@@ -85,7 +85,7 @@ TEST_P(ChainGpu, Meshes_StayNearTheCpuInOneDispatch) {
   const FieldPointer fields[] = {field(box_mesh({1, 0.02, 1}), {0, -0.03, 0}), field(ball_mesh(0.1, 24), {0.35, 0, 0})};
   const double apart = apart_beside(GetParam(), {.colliders = {&k_head, 1}, .fields = fields});
   std::printf("%s beside a sphere and two meshes: CPU and kernel %.1e m apart after 3 frames\n", GetParam(), apart);
-  EXPECT_LT(apart, GetParam() == std::string("rod") ? 5e-3 : 2.4e-5);
+  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);
 }
 
 TEST_P(ChainGpu, CollidersThatMoveByThemselves_StayNearTheCpuInOneDispatch) {
@@ -114,7 +114,7 @@ TEST_P(ChainGpu, CollidersThatMoveByThemselves_StayNearTheCpuInOneDispatch) {
     EXPECT_EQ(kernel->dispatches(input).at(GetParam()), 1u);
     const double apart = worst_distance(cpu->state()->positions, kernel->state()->positions);
     std::printf("%s beside moving colliders: CPU and kernel %.1e m apart after %d frames\n", GetParam(), apart, k + 1);
-    EXPECT_LT(apart, k == 0 ? 2e-5 : 0.13);  // what is struck parts
+    EXPECT_LT(apart, k == 0 ? 2e-5 : 5e-3);  // what is struck trembles, and parts
   }
 }
 
