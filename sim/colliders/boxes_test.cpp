@@ -55,7 +55,7 @@ const BoxCase k_boxes[] = {
     {"capsule aslant", make_capsule({-0.05, -0.05, -0.2}, {0.1, -0.12, 0.2}, 0.05), 1e-3},
     {"capsule thinner than a link", make_capsule({-0.002, -0.03, -0.2}, {0.008, -0.03, 0.2}, 0.003), 1e-3},
     {"end of a capsule", make_capsule({0.015, -0.05, 0}, {0.015, -0.3, 0.01}, 0.03), 1e-3},
-    {"box, sharp", {{0.04, -0.06, 0}, glm::dmat3(1), {0.06, 0.03, 0.1}, 0}, 1.6},
+    {"box, sharp", {{0.04, -0.06, 0}, glm::dmat3(1), {0.06, 0.03, 0.1}, 0}, 3.5},
     {"box, on its edge", {{0.02, -0.08, 0}, turned_about({0, 0, 1}, 0.7), {0.04, 0.04, 0.2}, 0}, 0.2},
     {"box, rounded and aslant",
      {{0.04, -0.09, 0}, turned_about(glm::normalize(glm::dvec3(1, 2, 3)), 0.9), {0.05, 0.02, 0.1}, 0.02},

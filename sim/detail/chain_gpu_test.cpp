@@ -73,7 +73,7 @@ TEST_P(ChainGpu, CapsuleAndBox_StayNearTheCpuInOneDispatch) {
   const double apart = apart_beside(GetParam(), {.colliders = {&k_head, 1}, .boxes = boxes});
   std::printf("%s beside a sphere, a capsule and a box: CPU and kernel %.1e m apart after 3 frames\n", GetParam(),
               apart);
-  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);  // a rod in contact trembles
+  EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);
 }
 
 TEST_P(ChainGpu, Meshes_StayNearTheCpuInOneDispatch) {

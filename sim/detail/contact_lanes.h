@@ -274,8 +274,10 @@ template <class Real, class Scalar>
                                                                    const LinkBegin<Real>& here,
                                                                    const Vector<Real>& parent, Real follows,
                                                                    const Touch<Real>& touch, Real sharpest) {
-  const Real kept = max(leaving_of(touch.begin_pushed, leaving(step)).kept,
-                        leaving_of(above.scratch_vector(scratch_row::begin_pushed), leaving(step)).kept);
+  const Vector<Real> above_pushed = above.scratch_vector(scratch_row::begin_pushed);
+  Real kept(0);
+  if (any(inner(touch.begin_pushed, touch.begin_pushed) + inner(above_pushed, above_pushed) > Real(0)))
+    kept = max(leaving_of(touch.begin_pushed, leaving(step)).kept, leaving_of(above_pushed, leaving(step)).kept);
   PredictedLink<Real> link{parent, touch.place, carried_by_head(step, here.parent), carried_by_head(step, here.child),
                            above.scratch_vector(scratch_row::normal), touch.normal, v.rest_at(rest_row::mass_ratio),
                            follows, kept, touch.collider, sharpest};
