@@ -88,6 +88,19 @@ TEST_P(ChainGpu, Meshes_StayNearTheCpuInOneDispatch) {
   EXPECT_LT(apart, GetParam() == std::string("rod") ? 1e-3 : 1.5e-5);
 }
 
+/// One solver for each way of moving all vertices to the next float along an axis.
+std::vector<std::unique_ptr<Solver>> next_floats(const char* name, const strands::Groom& groom,
+                                                 const std::string& settings, const EffectBlocks& effects) {
+  std::vector<std::unique_ptr<Solver>> solvers;
+  for (int axis = 0; axis < 3; ++axis)
+    for (float towards : {-INFINITY, INFINITY}) {
+      strands::Groom moved = groom;
+      for (glm::vec3& place : moved.positions) place[axis] = std::nextafter(place[axis], towards);
+      solvers.push_back(make_solver(name, moved, settings, effects));
+    }
+  return solvers;
+}
+
 TEST_P(ChainGpu, CollidersThatMoveByThemselves_StayNearTheCpuInOneDispatch) {
   const FieldPointer ball =
       std::make_shared<const DistanceField>(*bake_distance_field(ball_mesh(0.1, 24), 0.02, "ball"));
@@ -103,6 +116,7 @@ TEST_P(ChainGpu, CollidersThatMoveByThemselves_StayNearTheCpuInOneDispatch) {
   const std::string settings = GetParam() == std::string("rod") ? k_slack : "";
   auto cpu = make_solver(GetParam(), groom, settings, effects);
   auto kernel = make_gpu(GetParam(), groom, settings, effects);
+  const auto others = next_floats(GetParam(), groom, settings, effects);
   for (int k = 0; k < 3; ++k) {
     FrameInput input = frame_of(k);
     input.colliders = {&k_head, 1};
@@ -113,8 +127,14 @@ TEST_P(ChainGpu, CollidersThatMoveByThemselves_StayNearTheCpuInOneDispatch) {
     ASSERT_TRUE(kernel->advance(input).ok());
     EXPECT_EQ(kernel->dispatches(input).at(GetParam()), 1u);
     const double apart = worst_distance(cpu->state()->positions, kernel->state()->positions);
-    std::printf("%s beside moving colliders: CPU and kernel %.1e m apart after %d frames\n", GetParam(), apart, k + 1);
-    EXPECT_LT(apart, k == 0 ? 2e-5 : 5e-3);  // what is struck trembles, and parts
+    double chaos = 0;
+    for (const auto& other : others) {
+      ASSERT_TRUE(other->advance(input).ok());
+      chaos = std::max(chaos, worst_distance(cpu->state()->positions, other->state()->positions));
+    }
+    std::printf("%s beside moving colliders, %d frames: CPU and kernel %.1e m apart, CPU from the next floats %.1e m\n",
+                GetParam(), k + 1, apart, chaos);
+    EXPECT_LT(apart, k == 0 ? 2e-5 : 3 * chaos);  // what is struck trembles: rounding of the start grows as fast
   }
 }
 
