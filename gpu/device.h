@@ -215,7 +215,8 @@ class Commands {
   void draw(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
             std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
             std::uint32_t vertices, std::uint32_t instances = 1);
-  /// The same with numbers that the device wrote: vertices, instances, first vertex and first instance, 32 bits each.
+  /// The same with numbers that the device wrote: vertices, instances, first vertex and first instance, 32 bits each
+  /// (every buffer holds as much).
   void draw_counted(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
                     std::initializer_list<const Texture*> textures, std::span<const std::byte> push_constants,
                     const Buffer& numbers);

@@ -118,8 +118,6 @@ void Commands::draw_counted(const GraphicsPipeline& pipeline, std::initializer_l
   if (!ready_to_draw(*impl_, pipeline, resources)) return;
   const auto object = object_of(*impl_, &numbers);
   if (!object) return;
-  if (object->size < sizeof(VkDrawIndirectCommand))
-    return fail(*impl_, internal_error(fmt::format("gpu: {} bytes for the numbers of a draw", object->size)));
   impl_->device->impl()->vk.vkCmdDrawIndirect(impl_->buffer, object->handle, 0, 1, 0);
   if (impl_->in_pass) ++impl_->passes.back().draws;
 }

@@ -82,7 +82,7 @@ TEST(Cloth, SkinThatDeforms_TakesItsRootAlongExactly) {
   auto solver = cloth(fin, "");
   std::vector<glm::vec3> skin = fin.mesh.positions;
   for (int k = 0; k < 20; ++k) {
-    for (glm::vec3& place : skin) place.y += 0.002f * place.z / 0.06f;
+    for (glm::vec3& place : skin) place.y += 0.002f * (1 + place.z / 0.06f);
     FrameInput input;
     input.authored = skin;
     ASSERT_TRUE(solver->advance(input).ok());

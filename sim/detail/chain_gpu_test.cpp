@@ -43,7 +43,7 @@ TEST(ChainGpuVariants, Each_StaysNearTheCpu) {
       std::printf("%s %s, %s: CPU and kernel differ by %.1e m after 1 frame, %.1e m after 5, %.1e m/s\n",
                   solver.c_str(), settings.c_str(), effects.size() > 1 ? "sphere" : "no sphere", one, five, speeds);
       EXPECT_LT(one, 5e-6);
-      EXPECT_LT(five, effects.size() > 1 ? 1.5e-4 : 3.5e-5);  // contact grows what rounding parts
+      EXPECT_LT(five, 3.5e-5);
       EXPECT_LT(speeds, 3e-4);
     }
 }

@@ -134,7 +134,7 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
 }
 
 /// What a frame touches of vertex i in the block that lies after this one, and that the thread takes next, begins to
-/// come to the cache: many strands have no room there. Asked for in every substep, as the processor drops some.
+/// come to the cache: many strands have no room there. In every substep: in one of them alone it helped less.
 template <bool Pulls, class Scalar>
 [[gnu::always_inline]] inline void fetch_next(const ChainBlock<Scalar>& block, int i) {
   const auto fetch = [&](const Scalar* rows, int count, int wanted) {

@@ -82,9 +82,9 @@ template <bool Pulls, class Real>
 }
 
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const RodVertex<Real>& above, const ChainFrame<Scalar>& frame,
-                                         const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
-                                         Coasting<Real>& parent) {
+[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const RodVertex<Real>& above,
+                                         const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                         const StrandStep<Real>& strand, Real arc, Coasting<Real>& parent) {
   const ChainVertex<Real> vertex = chain_vertex(v);
   const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
   const Displacement<Real> displaced = displacement<Pulls>(v, step, strand, from, drift);
