@@ -1,8 +1,7 @@
 #include <glm/geometric.hpp>
 
-#include <cuticle/gpu/groups.h>
 #include <cuticle/render/passes/depth_of_field/depth_of_field.h>
-#include <cuticle/render/picture_filter_gpu.h>
+#include <cuticle/render/tiled_filter_gpu.h>
 
 #include <depth_of_field_comp.spv.h>
 #include <depth_of_field_reach_comp.spv.h>
@@ -11,8 +10,6 @@
 namespace cuticle::render::depth_of_field {
 
 namespace {
-
-constexpr std::uint32_t k_tile = 16;
 
 /// As lens.glsl reads it.
 struct Push {
@@ -27,7 +24,7 @@ Push push_of(const FrameResources& resources) {
   const double focus = values.real("focus");
   const glm::uvec2 resolution(camera.resolution);
   return {resolution,
-          (resolution + k_tile - 1u) / k_tile,
+          filter_tiles(camera.resolution),
           float(1 / (focus > 0 ? focus : glm::distance(camera.target, camera.position))),
           float(1e-3 * values.real("lens_radius") * pixels_per_slope(camera)),
           float(values.integer("largest")),
@@ -36,41 +33,25 @@ Push push_of(const FrameResources& resources) {
 
 class DepthOfField : public GpuPass {
  public:
-  DepthOfField(gpu::Kernel reach, gpu::Kernel spread, PictureFilter filter)
-      : reach_kernel_(std::move(reach)), spread_kernel_(std::move(spread)), filter_(std::move(filter)) {}
-
-  Result<void> make_tiles(gpu::Device& device, glm::uvec2 tiles) {
-    const std::size_t bytes = std::size_t(tiles.x) * tiles.y * sizeof(float);
-    CUTICLE_ASSIGN(reach_, device.make_buffer(bytes));
-    CUTICLE_ASSIGN(spread_, device.make_buffer(bytes));
-    return {};
-  }
+  explicit DepthOfField(TiledFilter filter) : filter_(std::move(filter)) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const Push push = push_of(resources);
-    const gpu::Groups groups = gpu::groups_for(std::size_t(push.tiles.x) * push.tiles.y);
-    commands.dispatch(reach_kernel_, {resources.pixel_depth, &reach_}, {}, gpu::bytes_of(push), groups.x, groups.y);
-    commands.dispatch(spread_kernel_, {&reach_, &spread_}, {}, gpu::bytes_of(push), groups.x, groups.y);
-    const gpu::Buffer* const own = &spread_;
-    filter_.record(commands, resources, gpu::bytes_of(push), {&own, 1});
+    filter_.record(commands, resources, *resources.pixel_depth, gpu::bytes_of(push_of(resources)));
     return {};
   }
 
  private:
-  gpu::Kernel reach_kernel_, spread_kernel_;
-  PictureFilter filter_;
-  gpu::Buffer reach_, spread_;
+  TiledFilter filter_;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const gpu::ShaderInterface interface { 2, 0, sizeof(Push) };
-  CUTICLE_ASSIGN(gpu::Kernel reach, device->make_kernel(depth_of_field_reach_comp, interface));
-  CUTICLE_ASSIGN(gpu::Kernel spread, device->make_kernel(depth_of_field_spread_comp, interface));
-  CUTICLE_ASSIGN(PictureFilter filter,
-                 PictureFilter::create(*device, depth_of_field_comp, resources.camera.resolution, sizeof(Push), 1));
-  auto pass = std::make_unique<DepthOfField>(std::move(reach), std::move(spread), std::move(filter));
-  CUTICLE_TRY(pass->make_tiles(*device, push_of(resources).tiles));
-  return std::unique_ptr<GpuPass>(std::move(pass));
+  const TiledFilter::Shaders shaders{.reach = depth_of_field_reach_comp,
+                                     .spread = depth_of_field_spread_comp,
+                                     .pixels = depth_of_field_comp,
+                                     .push_constant_bytes = sizeof(Push),
+                                     .tile_bytes = sizeof(float)};
+  CUTICLE_ASSIGN(TiledFilter filter, TiledFilter::create(*device, shaders, resources.camera.resolution));
+  return std::unique_ptr<GpuPass>(std::make_unique<DepthOfField>(std::move(filter)));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #ifndef CUTICLE_RENDER_LENS_GLSL
 #define CUTICLE_RENDER_LENS_GLSL
 // The circle of confusion of a thin lens; depth_of_field_gpu.cpp holds the same fields.
+#include "cuticle/render/filter_tile.glsl"
+
 layout(push_constant) uniform Push {
   uvec2 resolution;
   uvec2 tiles;          // of k_tile pixels a side
@@ -10,7 +12,6 @@ layout(push_constant) uniform Push {
   uint samples;
 };
 
-const uint k_tile = 16u;
 const float k_point = 0.5;  // radius of a disc that is a pixel
 
 /// Radius of the disc that a point at 1 / distance spreads over: seen from the lens's rim instead of its middle, it moves

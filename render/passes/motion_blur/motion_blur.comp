@@ -4,8 +4,8 @@
 // now; or, before that, what comes along the largest motion near it and lies nearer.
 #include "cuticle/render/picture_filter.glsl"
 #include "cuticle/render/passes/motion_blur/shutter.glsl"
-layout(std430, binding = 2) readonly buffer Vectors { vec2 vectors[]; };
-layout(std430, binding = 3) readonly buffer Spread { vec2 spread[]; };
+layout(std430, binding = 2) readonly buffer Spread { vec2 spread[]; };
+layout(std430, binding = 3) readonly buffer Vectors { vec2 vectors[]; };
 layout(binding = 4) uniform sampler2D picture;
 
 const float k_in_front = 1.02;  // nearer than this much: strands of a lock hold together

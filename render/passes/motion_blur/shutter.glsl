@@ -1,6 +1,8 @@
 #ifndef CUTICLE_RENDER_SHUTTER_GLSL
 #define CUTICLE_RENDER_SHUTTER_GLSL
 // What a pixel moves by while the shutter is open; motion_blur_gpu.cpp holds the same fields.
+#include "cuticle/render/filter_tile.glsl"
+
 layout(push_constant) uniform Push {
   uvec2 resolution;
   uvec2 tiles;        // of k_tile pixels a side
@@ -8,8 +10,6 @@ layout(push_constant) uniform Push {
   float largest;      // pixels that no motion passes
   uint samples;
 };
-
-const uint k_tile = 16u;
 
 /// From the middle of the shutter to its end, pixels, from the motion since the frame before.
 vec2 half_way(vec2 motion) {
