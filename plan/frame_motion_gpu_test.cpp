@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include <cuticle/plan/camera_path.h>
 #include <cuticle/plan/head_path.h>
 #include <cuticle/plan/strand_set.h>
 
@@ -63,8 +64,9 @@ TEST(FrameMotion, MotionVectorsOfHairThatStands_AreThoseOfTheCamera) {
   constexpr std::string_view turning = R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0],
     "fov_deg": 30, "resolution_px": [64, 64], "turntable_deg_per_frame": 5})";
   const scene::Scene scene = scene_of({k_quads, k_velocity, turning});
-  const VectorError error = vector_error(frame_of(*runner({k_quads, k_velocity, turning}), 3).aovs,
-                                         camera_at(scene.camera, {}, 3), camera_at(scene.camera, {}, 2), glm::dmat4(1));
+  const VectorError error =
+      vector_error(frame_of(*runner({k_quads, k_velocity, turning}), 3).aovs, camera_at(scene.camera, {}, {.frame = 3}),
+                   camera_at(scene.camera, {}, {.frame = 2}), glm::dmat4(1));
   EXPECT_GT(error.length, 50);
   EXPECT_LT(error.off, 1e-3 * error.length);
 }

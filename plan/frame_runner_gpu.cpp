@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <cuticle/plan/camera_path.h>
 #include <cuticle/plan/picture_gpu.h>
 #include <cuticle/plan/strand_motion_gpu.h>
 
@@ -72,8 +73,7 @@ struct FrameRunner::Impl {
       CUTICLE_ASSIGN(new_motion, StrandMotion::create(device, scene, set, plan));
     }
     if (with_picture) {
-      CUTICLE_ASSIGN(picture,
-                     Picture::create(device, scene, set, plan, camera_at(scene.camera, rest_bounds, 0), progress));
+      CUTICLE_ASSIGN(picture, Picture::create(device, scene, set, plan, camera(0), progress));
     }
     if (with_motion) motion = std::move(new_motion);
     return {};
@@ -95,6 +95,13 @@ struct FrameRunner::Impl {
     return made;
   }
 
+  Camera camera(int frame) const {
+    return camera_at(scene.camera, rest_bounds,
+                     {.frame = frame,
+                      .seconds = frame / scene.frames_per_second,
+                      .head_travel = motion ? motion->head_travel(frame) : glm::dvec3(0)});
+  }
+
   /// The drawn strands live in one buffer each of positions and tangents.
   static Result<void> check_size(const registry::FrameShape& shape) {
     const std::uint64_t most = shape.max_storage_buffer_bytes / sizeof(glm::vec4);
@@ -106,18 +113,17 @@ struct FrameRunner::Impl {
   }
 
   Result<void> paint(int frame, FrameResult& result) {
-    CUTICLE_ASSIGN(const gpu::SubmitCost cost,
-                   picture->paint({.control_positions = &motion->positions(),
-                                   .control_motion = motion->control_motion(),
-                                   .bounds = motion->bounds(),
-                                   .head = motion->head(),
-                                   .character = motion->character(),
-                                   .records_character = motion->records_character(),
-                                   .fins = motion->fins(),
-                                   .camera = camera_at(scene.camera, rest_bounds, frame),
-                                   .camera_before = camera_at(scene.camera, rest_bounds, std::max(0, frame - 1)),
-                                   .follows = frame == painted + 1},
-                                  trace));
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
+                                                               .control_motion = motion->control_motion(),
+                                                               .bounds = motion->bounds(),
+                                                               .head = motion->head(),
+                                                               .character = motion->character(),
+                                                               .records_character = motion->records_character(),
+                                                               .fins = motion->fins(),
+                                                               .camera = camera(frame),
+                                                               .camera_before = camera(std::max(0, frame - 1)),
+                                                               .follows = frame == painted + 1},
+                                                              trace));
     painted = frame;
     add_cost(cost, scene, result.cost);
     CUTICLE_ASSIGN(result.color, picture->read_color());
@@ -144,7 +150,7 @@ Result<void> FrameRunner::change(const scene::Scene& scene, Progress& progress) 
   return impl_->change(scene, progress);
 }
 
-Camera FrameRunner::camera(int frame) const { return camera_at(impl_->scene.camera, impl_->rest_bounds, frame); }
+Camera FrameRunner::camera(int frame) const { return impl_->camera(frame); }
 
 const Plan& FrameRunner::plan() const { return impl_->plan; }
 const strands::Mesh* FrameRunner::fins() const {

@@ -1,4 +1,4 @@
-// Where head and camera are, frame by frame.
+// Where the head is, frame by frame.
 #include <cuticle/plan/head_path.h>
 
 #include <cmath>
@@ -9,8 +9,6 @@
 
 namespace cuticle::plan::head_path_test {
 namespace {
-
-const strands::Bounds k_bounds{{-0.1f, -0.2f, -0.1f}, {0.1f, 0.15f, 0.12f}};
 
 scene::Scene turning(double amplitude) {
   scene::Scene scene;
@@ -62,37 +60,21 @@ TEST(HeadPath, UnknownJoint_IsAnError) {
   EXPECT_FALSE(HeadPath::create(scene, glm::dvec3(0)));
 }
 
-TEST(CameraPath, Automatic_SeesTheWholeBox) {
-  scene::CameraPath path;
-  path.automatic = true;
-  path.camera.resolution = {300, 500};
-  const Camera camera = camera_at(path, k_bounds, 0);
-  const glm::dmat4 to_clip = projection_matrix(camera) * view_matrix(camera);
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 point(corner & 1 ? k_bounds.upper.x : k_bounds.lower.x,
-                           corner & 2 ? k_bounds.upper.y : k_bounds.lower.y,
-                           corner & 4 ? k_bounds.upper.z : k_bounds.lower.z);
-    const glm::dvec4 clip = to_clip * glm::dvec4(point, 1);
-    EXPECT_LE(std::abs(clip.x), clip.w);
-    EXPECT_LE(std::abs(clip.y), clip.w);
-    EXPECT_TRUE(clip.z >= 0 && clip.z <= clip.w);
-  }
-}
-
-TEST(CameraPath, Given_IsKept) {
-  scene::CameraPath path;
-  path.camera.position = {1, 2, 3};
-  EXPECT_EQ(camera_at(path, k_bounds, 7).position, glm::dvec3(1, 2, 3));
-}
-
-TEST(CameraPath, Turntable_KeepsDistanceAndComesRound) {
-  scene::CameraPath path;
-  path.camera.position = {1, 2, 3};
-  path.camera.target = {0, 1, 0};
-  path.turntable_degrees_per_frame = 30;
-  const Camera quarter = camera_at(path, k_bounds, 3);
-  EXPECT_LT(glm::distance(quarter.position, glm::dvec3(3, 2, -1)), 1e-12);
-  EXPECT_LT(glm::distance(camera_at(path, k_bounds, 12).position, path.camera.position), 1e-12);
+TEST(HeadPath, WithMetresPerUnit_TravelsAsTheJointDoes) {
+  const glm::dvec3 pivot(0, 1.5, 0);
+  scene::Scene scene = turning(0);
+  EXPECT_EQ(HeadPath::create(scene, pivot)->travel(12), glm::dvec3(0));
+  scene.motion->metres_per_unit = 0.01;
+  scene.motion->start_time = 0.2;
+  const HeadPath path = *HeadPath::create(scene, pivot);
+  const strands::Motion clip = *strands::read_bvh(scene.motion->bvh);
+  const int joint = *strands::find_joint(clip, "Head");
+  const glm::dvec3 way(strands::joint_transform(clip, joint, 0.2 + 0.4)[3] -
+                       strands::joint_transform(clip, joint, 0.2)[3]);
+  ASSERT_GT(glm::length(way), 1e-3) << "the clip's joint stands still";
+  EXPECT_EQ(path.travel(0), glm::dvec3(0));
+  EXPECT_LT(glm::distance(path.travel(12), 0.01 * way), 1e-12);
+  EXPECT_LT(glm::distance(glm::dvec3(path.at(12) * glm::dvec4(pivot, 1)), pivot + 0.01 * way), 1e-12);
 }
 
 }  // namespace

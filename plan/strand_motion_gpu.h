@@ -26,6 +26,8 @@ class StrandMotion {
   const gpu::Buffer& positions() const;
   const strands::Bounds& bounds() const { return bounds_; }
   const glm::dmat4& head() const { return head_; }
+  /// As HeadPath::travel; of any frame.
+  glm::dvec3 head_travel(int frame) const { return path_.travel(frame); }
   /// How they move: as the solver says; without one by where they were a frame before, of frame 0 where they are.
   /// Without values unless the plan holds the pass 'velocity'.
   strands::ControlMotion control_motion() const;

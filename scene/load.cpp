@@ -66,6 +66,7 @@ Result<void> read_motion(const Reader& root, Scene& scene) {
   reader.get("joint", motion.joint);
   reader.get("start_time_s", motion.start_time);
   reader.get("amplitude", motion.amplitude);
+  reader.get("metres_per_unit", motion.metres_per_unit);
   scene.motion = motion;
   return {};
 }
@@ -163,36 +164,6 @@ Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& 
   reader.get_rgb("fibre_alpha", scene.fibre_alpha);
   reader.get("caster_share", scene.caster_share);
   return {};
-}
-
-Result<void> check_camera(const Camera& camera, bool automatic, const std::string& where) {
-  if (camera.near_plane >= camera.far_plane)
-    return bad_input(fmt::format("{}: camera.near_m = {} is not below camera.far_m = {}", where, camera.near_plane,
-                                 camera.far_plane));
-  const glm::dvec3 forward = camera.target - camera.position;
-  if (!automatic && glm::length(glm::cross(forward, camera.up)) <= 0)
-    return bad_input(
-        fmt::format("{}: camera.up is parallel to the view from camera.position_m to camera.target_m", where));
-  return {};
-}
-
-Result<void> read_camera(const Reader& reader, Scene& scene) {
-  Camera& camera = scene.camera.camera;
-  scene.camera.automatic = !reader.has("position_m");
-  reader.get("position_m", camera.position);
-  reader.get("target_m", camera.target);
-  reader.get("up", camera.up);
-  double degrees = camera.vertical_field_of_view * 180 / std::numbers::pi;
-  reader.get("fov_deg", degrees);
-  camera.vertical_field_of_view = degrees * std::numbers::pi / 180;
-  reader.get("near_m", camera.near_plane);
-  reader.get("far_m", camera.far_plane);
-  if (reader.has("resolution_px")) {
-    const Json& size = reader.value["resolution_px"];
-    camera.resolution = {int(size[0].number()), int(size[1].number())};
-  }
-  reader.get("turntable_deg_per_frame", scene.camera.turntable_degrees_per_frame);
-  return check_camera(camera, scene.camera.automatic, reader.where);
 }
 
 void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {

@@ -80,6 +80,9 @@ inline std::vector<Reader> items(const Reader& reader, const char* key) {
 /// What hair may not enter. `reader`: of "colliders".
 Result<void> read_colliders(const Reader& reader, Scene& scene);
 
+/// The camera and its path. `reader`: of "camera".
+Result<void> read_camera(const Reader& reader, Scene& scene);
+
 /// The scene's distant lights, lamps and environment.
 Result<void> read_lights(const Reader& root, Scene& scene);
 

@@ -46,8 +46,9 @@ struct HeadSource {
 struct MotionSource {
   std::string bvh;  ///< absolute path
   std::string joint = "Head";
-  double start_time = 0;  ///< seconds into the clip
-  double amplitude = 1;   ///< rotation scaled about the first frame
+  double start_time = 0;       ///< seconds into the clip
+  double amplitude = 1;        ///< rotation scaled about the first frame
+  double metres_per_unit = 0;  ///< of the joint's travel away from the first frame; 0: the head turns where it is
 };
 struct CharacterSource {
   std::string file;  ///< glTF 2.0, absolute path
@@ -86,8 +87,16 @@ struct MovingShape {
   KeyedMotion motion;    ///< times in seconds from frame 0
   bool on_head = false;  ///< keys are in the head's rest space, and the head moves the whole
 };
+/// Where a moving camera is at a time, smoothly between; two at one time: a cut.
+struct CameraKey {
+  double time = 0;  ///< seconds from frame 0
+  glm::dvec3 position{0}, target{0};
+  double vertical_field_of_view = 0.5;  ///< radians
+};
 struct CameraPath {
   Camera camera;
+  std::vector<CameraKey> keys = {};        ///< times never fall; held before the first and after the last
+  bool follows_head = false;               ///< travels, but does not turn, with the head
   double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
   bool automatic = false;                  ///< framed on the hair: position and target are not used
 };

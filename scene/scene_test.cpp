@@ -169,6 +169,25 @@ TEST(Scene, OtherVersion_IsRefused) {
   EXPECT_THAT(scene.error().message, HasSubstr("schema_version = 2 is outside 1 .. 1"));
 }
 
+TEST(Scene, CameraKeys_TakeWhatIsAbsentFromTheKeyAbove) {
+  const Scene scene = parsed(R"("camera": {"target_m": [0, 1, 0], "keys": [
+      {"time_s": 0, "position_m": [0, 1, 2], "fov_deg": 45}, {"time_s": 2, "target_m": [0, 1.5, 0]}]})")
+                          .value();
+  ASSERT_EQ(scene.camera.keys.size(), 2u);
+  EXPECT_FALSE(scene.camera.automatic);
+  EXPECT_EQ(scene.camera.keys[0].target, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(scene.camera.keys[1].position, glm::dvec3(0, 1, 2));
+  EXPECT_EQ(scene.camera.keys[1].vertical_field_of_view, scene.camera.keys[0].vertical_field_of_view);
+}
+
+TEST(Scene, CameraKeysOutOfRange_AreRefused) {
+  expect_refused(R"("camera": {"keys": [{"time_s": 0}]})", {"camera.keys[0].position_m", "missing"});
+  expect_refused(R"("camera": {"position_m": [0, 0, 1], "keys": [{"time_s": 1}, {"time_s": 0.5}]})",
+                 {"camera.keys[1].time_s", "0.5", "order"});
+  expect_refused(R"("camera": {"position_m": [0, 0, 1], "keys": [{"time_s": 1, "position_m": [0, 3, 0]}]})",
+                 {"camera.keys[0]", "camera.up", "parallel"});
+}
+
 TEST(Scene, MissingFile_IsNamedWithItsKey) {
   expect_refused(R"("groom": {"file": "gone.hair"})", {"groom.file", "/gone.hair"});
   expect_refused(R"("motion": {"bvh": "gone.bvh"})", {"motion.bvh", "/gone.bvh"});

@@ -91,7 +91,8 @@ Spec motion() {
   return object("motion", "how the head moves",
                 {required(file("bvh", "BVH clip")), text("joint", "joint that the head follows"),
                  real("start_time_s", 0, 1e6, "time in the clip of frame 0"),
-                 real("amplitude", 0, 10, "factor on the rotation away from frame 0")});
+                 real("amplitude", 0, 10, "factor on the rotation away from frame 0"),
+                 real("metres_per_unit", 0, 1000, "scale of the joint's travel; 0 unless given: the head only turns")});
 }
 
 Spec character() {
@@ -195,13 +196,23 @@ Spec shadow(const Catalogue& catalogue) {
        real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all")});
 }
 
+Spec camera_keys() {
+  Spec key = object(
+      "", "what is absent is as in the key above, or as the camera has it",
+      {required(real("time_s", -1e6, 1e6, "from frame 0; not before that of the key above")),
+       numbers("position_m", 3, -k_metres, k_metres, "eye"), numbers("target_m", 3, -k_metres, k_metres, "looked at"),
+       real("fov_deg", 0.6, 170, "vertical field of view")});
+  return array("keys", 4096, "where a moving camera is, smoothly between; two at one time: a cut", std::move(key));
+}
+
 Spec camera() {
   return object("camera", "absent position: framed on the hair",
                 {numbers("position_m", 3, -k_metres, k_metres, "eye"),
                  numbers("target_m", 3, -k_metres, k_metres, "looked at"), numbers("up", 3, -1, 1, "up"),
                  real("fov_deg", 0.6, 170, "vertical field of view"), real("near_m", 1e-5, k_metres, "near plane"),
                  real("far_m", 1e-4, 1e6, "far plane"), numbers("resolution_px", 2, 1, 16384, "width, height"),
-                 real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis")});
+                 real("turntable_deg_per_frame", -360, 360, "turn about the target's vertical axis"), camera_keys(),
+                 boolean("follows_head", "travels with the head, but does not turn with it")});
 }
 
 Spec fins() {
