@@ -19,29 +19,39 @@ struct Following {
 };
 
 /// The link at its length, the velocities, and the share of the clean-up that the parent's velocity gives back.
-template <class Real>
+template <bool Touches, class Real>
 [[gnu::always_inline]] inline void follow(const VertexRows<Real>& v, const VertexRows<Real>& parent,
                                           const StrandStep<Real>& strand, const Vector<Real>& newton,
                                           const Vector<Real>& aim, Following<Real>& f) {
   const Real length = v.rest_at(rest_row::length);
   const Vector<Real> place = f.place + aim * length;
-  const Vector<Real> pull = cleanup_pull(place - newton, length, v.rest_at(rest_row::mass_ratio), strand.inverse_time);
+  Vector<Real> moved = place - newton;
+  if constexpr (Touches) {
+    f.pushed = pushed_along(f.pushed, aim);
+    moved = moved - f.pushed;
+  }
+  Vector<Real> pull = cleanup_pull(moved, length, v.rest_at(rest_row::mass_ratio), strand.inverse_time);
+  if constexpr (Touches) {
+    pull *= f.free_parent;
+    f.free_parent = Real(1);
+    f.kept = Real(0);
+  }
   parent.put_state(state_row::velocity, f.velocity - pull);
   f.velocity = (place - v.state_vector(state_row::velocity)) * strand.inverse_time;
   f.place = place;
 }
 
-/// The same beside spheres. What a contact moved says nothing of the pull on the parent, and a parent in contact feels
-/// none.
+/// The same beside colliders; `kept`: what the prediction kept of contacts. What a contact moved says nothing of the
+/// pull on the parent, and a parent in contact feels none.
 template <class Real, class Scalar>
-[[gnu::always_inline]] inline void follow_beside(const VertexRows<Real>& v, const VertexRows<Real>& parent,
-                                                 const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
-                                                 const StrandStep<Real>& strand, const Vector<Real>& newton,
-                                                 const Vector<Real>& aim, Following<Real>& f) {
+[[gnu::noinline]] Following<Real> follow_beside(const VertexRows<Real>& v, const VertexRows<Real>& parent,
+                                                const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                const StrandStep<Real>& strand, const Vector<Real>& newton,
+                                                const Vector<Real>& aim, const Touch<Real>& kept, Following<Real> f) {
   const Real length = v.rest_at(rest_row::length);
-  Vector<Real> normal = v.scratch_vector(scratch_row::normal);
-  Real touched = frame.carries ? v.scratch_at(scratch_row::touched) : Real(0);
-  const Leaving<Real> out = leaving_of(v.scratch_vector(scratch_row::begin_pushed), leaving(step));
+  Vector<Real> normal = kept.normal;
+  Real touched = kept.collider;
+  const Leaving<Real> out = leaving_of(kept.begin_pushed, leaving(step));
   const Vector<Real> turned =
                          turned_out_of_all(frame, step, f.place, aim, length, max(f.kept, out.kept), normal, touched),
                      aimed = f.place + aim * length, place = f.place + turned * length, turn = place - aimed,
@@ -62,13 +72,14 @@ template <class Real, class Scalar>
   f.kept = out.kept;
   f.free_parent = selected(touches, Real(0), Real(1));
   f.excess = selected(touches, Real(1), f.excess);
+  return f;
 }
 
 /// All links down from the anchor: `newton_of(i)` is the NewtonPlace of vertex i.
 template <bool Touches, class Real, class Scalar, class NewtonOf>
 [[gnu::always_inline]] inline void follow_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
                                               const ChainStep<Real>& step, const StrandStep<Real>& strand,
-                                              const NewtonOf& newton_of) {
+                                              const Beside& beside, const NewtonOf& newton_of) {
   const Vector<Real> zero(Real(0));
   Following<Real> f{zero, zero, strand.root_step * step.per_second, zero, Real(0), Real(0), Real(0)};
   for (int i = 1; i <= block.links; ++i) {
@@ -78,10 +89,10 @@ template <bool Touches, class Real, class Scalar, class NewtonOf>
     f.excess = max(f.excess, excess_of_newton(newton.place - f.newton, length));
     f.newton = newton.place;
     const Vector<Real> aim = direction_or(newton.place - f.place, Real(1e-3) * length, newton.fallback);
-    if constexpr (Touches)
-      follow_beside(v, parent, frame, step, strand, newton.place, aim, f);
+    if (Touches && (beside.contains(i) || may_meet(frame, f.place, length)))
+      f = follow_beside(v, parent, frame, step, strand, newton.place, aim, kept_touch(v, frame, beside.contains(i)), f);
     else
-      follow(v, parent, strand, newton.place, aim, f);
+      follow<Touches>(v, parent, strand, newton.place, aim, f);
     v.put_state(state_row::here, f.place);
   }
   VertexRows<Real>(block, block.links).put_state(state_row::velocity, f.velocity);

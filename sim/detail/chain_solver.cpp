@@ -86,7 +86,8 @@ class ChainSolver final : public Solver {
     const FrameColliders<Real>& near = room.near;
     room.find_near(chains_, b, settings_, colliders);
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
-    room.numbers.resize(scratch + (4 * near.count() + (near.carries.empty() ? 0 : 3 * near.count())) * k_lanes);
+    const std::size_t rows_of_each = collider_row::count + (near.carries.empty() ? 0 : 3);
+    room.numbers.resize(scratch + near.count() * rows_of_each * k_lanes);
     ChainBlock<Real> block = chains_.block(b, room.numbers.data());
     block.scratch_rows = program_.scratch_rows;
     if (!program_.own.empty()) block.own = own_rows(b).data();

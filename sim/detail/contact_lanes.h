@@ -1,67 +1,10 @@
 #pragma once
 // How all lanes of a block meet colliders, for the units of one instruction set (row_lanes.h).
-#include <cuticle/sim/detail/row_lanes.h>
+#include <cuticle/sim/detail/collider_lanes.h>
 
 namespace cuticle::sim::detail {
 namespace {
 
-template <class Real>
-[[gnu::always_inline]] inline LinkSphere<Real> sphere_at(const typename Real::Scalar* rows) {
-  return {vector_at<Real>(rows), number_at<Real>(rows + 3 * S)};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void put_sphere(typename Real::Scalar* rows, const Vector<Real>& centre, Real radius) {
-  put<Real>(rows, centre);
-  put<Real>(rows + 3 * S, radius);
-}
-
-/// What of a box or field (in this order) that moves by itself differs from strand to strand.
-template <class Scalar>
-[[gnu::always_inline]] inline Scalar* carry_rows(const ChainFrame<Scalar>& frame, int k) {
-  return frame.collider_rows + S * (4 * (frame.sphere_count + frame.box_count + frame.field_count) + 3 * k);
-}
-
-template <class Real, class Scalar>
-[[gnu::noinline]] void place_moving(const ChainStep<Real>& step, const ChainFrame<Scalar>& frame,
-                                    const Vector<Real>& anchor, Real first_link) {
-  const auto keep = [&](int k, const LinkBox<Real>& placed) {
-    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
-    put<Real>(carry_rows(frame, k), carry_offset(step, spread<Real>(frame.carries[k]), anchor));
-  };
-  for (int k = 0; k < frame.box_count; ++k) keep(k, moved_box(step, spread<Real>(frame.boxes[k]), anchor, first_link));
-  for (int k = 0; k < frame.field_count; ++k)
-    keep(frame.box_count + k,
-         moved_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid);
-}
-
-/// Spheres, and of boxes and fields what differs from strand to strand.
-template <class Real, class Scalar>
-[[gnu::always_inline]] inline void place_colliders(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
-                                                   const ChainFrame<Scalar>& frame) {
-  const Vector<Real> anchor = vector_at<Real>(block.strand + strand_row::anchor * S);
-  const Real first_link = VertexRows<Real>(block, 1).rest_at(rest_row::length);
-  for (int k = 0; k < frame.sphere_count; ++k) {
-    const LinkSphere<Real> sphere = spread<Real>(frame.spheres[k]);
-    const LinkSphere<Real> placed = link_sphere(step, sphere.centre, sphere.radius, anchor, first_link);
-    put_sphere(frame.collider_rows + 4 * S * k, placed.centre, placed.radius);
-  }
-  if (frame.carries) return place_moving(step, frame, anchor, first_link);
-  for (int k = 0; k < frame.box_count; ++k) {
-    const LinkBox<Real> placed = link_box(step, spread<Real>(frame.boxes[k]), anchor, first_link);
-    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + k), placed.centre, placed.radius);
-  }
-  for (int k = 0; k < frame.field_count; ++k) {
-    const LinkBox<Real> placed =
-        link_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid;
-    put_sphere(frame.collider_rows + 4 * S * (frame.sphere_count + frame.box_count + k), placed.centre, placed.radius);
-  }
-}
-
-template <class Real, class Scalar>
-[[gnu::always_inline]] inline LinkSphere<Real> placed_at(const ChainFrame<Scalar>& frame, int k) {
-  return sphere_at<Real>(frame.collider_rows + 4 * S * k);
-}
 /// One lane after the other: their cells lie apart.
 template <class Number, int N>
 [[gnu::noinline]] FieldSample<Pack<Number, N>> trilinear(const float* values, const Vector<Pack<Number, N>>& place,
@@ -208,6 +151,16 @@ template <class Real, class Scalar>
   v.put_scratch(scratch_row::begin_pushed, touch.begin_pushed);
 }
 
+/// But for its place. `is_kept`: unless the prediction left it out.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Touch<Real> kept_touch(const VertexRows<Real>& v, const ChainFrame<Scalar>& frame,
+                                                     bool is_kept) {
+  const Vector<Real> zero(Real(0));
+  if (!is_kept) return {zero, zero, zero, Real(0)};
+  return {zero, v.scratch_vector(scratch_row::normal), v.scratch_vector(scratch_row::begin_pushed),
+          frame.carries ? v.scratch_at(scratch_row::touched) : Real(0)};
+}
+
 /// `here`: where the vertices begin, of parent and child.
 template <class Real>
 struct LinkBegin {
@@ -286,6 +239,14 @@ template <class Real, class Scalar>
   v.put_scratch(scratch_row::normal, link.child_normal);
   if (frame.carries) v.put_scratch(scratch_row::touched, link.touched);
   return link;
+}
+
+/// Whether anything is kept of contacts of `link`, whose child was at `touch`.
+template <class Real>
+[[gnu::always_inline]] inline bool is_in_contact(const Touch<Real>& touch, const PredictedLink<Real>& link) {
+  return any(inner(touch.begin_pushed, touch.begin_pushed) + inner(link.parent_normal, link.parent_normal) +
+                 inner(link.child_normal, link.child_normal) >
+             Real(0));
 }
 
 /// `out`: out of the collider of this number.

@@ -59,43 +59,59 @@ template <class Real>
   return v.scratch_vector(scratch_row::place) + parent * v.scratch_at(scratch_row::follows);
 }
 
-/// The same for all vertices, pushed out of colliders, as are the links between them.
+/// A vertex led to `place` and the link above it, pushed out of colliders: where that leaves the vertex.
 template <class Real, class Scalar>
-[[gnu::always_inline]] inline void lead_beside(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
-                                               const ChainStep<Real>& step) {
+[[gnu::noinline]] Vector<Real> push(const VertexRows<Real>& v, const VertexRows<Real>& above,
+                                    const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                    const Vector<Real>& place) {
+  const Vector<Real> parent = above.scratch_vector(scratch_row::place), here = v.state_vector(state_row::here);
+  const Real follows = v.scratch_at(scratch_row::follows);
+  const Touch<Real> touch = pushed_from_all(frame, step, here, place);
+  keep_touch(v, frame, touch);
+  const PredictedLink<Real> link = pressed_from_all(v, above, frame, step, {above.state_vector(state_row::here), here},
+                                                    parent, follows, touch, Real(-2));
+  above.put_scratch(scratch_row::place, link.parent);
+  return link.child;
+}
+
+/// The same for all vertices.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Beside lead_beside(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                                 const ChainStep<Real>& step) {
+  Beside beside;
+  Vector<Real> place(Real(0));
+  bool is_near = link_below_may_meet(block, 0, frame, place);
   for (int i = 1; i <= block.links; ++i) {
-    const VertexRows<Real> v(block, i), above(block, i - 1);
-    const Real follows = v.scratch_at(scratch_row::follows);
-    const Vector<Real> parent = above.scratch_vector(scratch_row::place);
-    const Touch<Real> touch = pushed_from_all(frame, step, v.state_vector(state_row::here),
-                                              within_reach(lead(v, parent), v.rest_at(rest_row::reach)));
-    keep_touch(v, frame, touch);
-    const PredictedLink<Real> link = pressed_from_all(
-        v, above, frame, step, {above.state_vector(state_row::here), v.state_vector(state_row::here)}, parent, follows,
-        touch, Real(-2));
-    above.put_scratch(scratch_row::place, link.parent);
-    v.put_scratch(scratch_row::place, link.child);
+    const VertexRows<Real> v(block, i);
+    place = lead(v, place);
+    const Real reach = v.rest_at(rest_row::reach);
+    if (any(is_far(place, reach))) place = within_reach(place, reach);
+    if (is_near || is_beside(block, i, frame, place)) {
+      widen<Real>(block, i, beside);
+      place = push(v, VertexRows<Real>(block, i - 1), frame, step, place);
+    }
+    is_near = link_below_may_meet(block, i, frame, place);
+    v.put_scratch(scratch_row::place, place);
   }
+  return beside;
 }
 
 /// The link's row of the lengths' elimination. What is rare is mended apart, so that no link waits for it.
 template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline LinkCarry<Real> eliminate(const ChainBlock<Scalar>& block, int i,
-                                                        const ChainStep<Real>& step, const LinkCarry<Real>& parent) {
+                                                        const ChainStep<Real>& step, const Beside& beside,
+                                                        const LinkCarry<Real>& parent) {
   const VertexRows<Real> v(block, i), above(block, i - 1);
   const Real length = v.rest_at(rest_row::length), inverse_mass = inverse_mass_of<Pulls>(v);
-  Vector<Real> normal, place = Touches ? v.scratch_vector(scratch_row::place) : lead(v, parent.place);
-  if constexpr (Touches) normal = v.scratch_vector(scratch_row::normal);
-  Vector<Real> link = place - parent.place,
-                       direction = link * reciprocal_root(inner(link, link));
+  Vector<Real> normal(Real(0)), place = Touches ? v.scratch_vector(scratch_row::place) : lead(v, parent.place);
+  if (Touches && beside.contains(i)) normal = v.scratch_vector(scratch_row::normal);
+  Vector<Real> link = place - parent.place, direction = link * reciprocal_root(inner(link, link));
   if (any(is_short(link, Real(1e-3) * length) || is_far(place, v.rest_at(rest_row::reach)) ||
           is_folded(direction, parent)))
     mend<Touches>(v, above, parent, i % 2 ? step.end_x : step.end_y, place, direction);
-  LinkMasses<Real> masses;
-  if constexpr (Touches)
+  LinkMasses<Real> masses = free_masses(parent, direction, inverse_mass);
+  if (Touches && (beside.contains(i) || beside.contains(i - 1)))
     masses = touching_masses(parent, direction, normal, inverse_mass);
-  else
-    masses = free_masses(parent, direction, inverse_mass);
   LinkRow<Real> row;
   const LinkCarry<Real> carry = eliminated(parent, masses, place, direction, normal, inverse_mass, length, row);
   v.put_scratch(scratch_row::place, place);
@@ -120,12 +136,13 @@ template <class Real, class Scalar>
 /// of the one below) and below it.
 template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline NewtonPlace<Real> newton_step(const ChainBlock<Scalar>& block, int i,
-                                                            const StrandStep<Real>& strand, Vector<Real>& pull) {
+                                                            const StrandStep<Real>& strand, const Beside& beside,
+                                                            Vector<Real>& pull) {
   const VertexRows<Real> v(block, i), below(block, i + 1);
   const Vector<Real> under = below.scratch_vector(scratch_row::direction) * below.scratch_at(scratch_row::value);
   Vector<Real> moved = (pull - under) * inverse_mass_of<Pulls>(v);
   pull = under;
-  if constexpr (Touches) moved = along_surface(moved, v.scratch_vector(scratch_row::normal));
+  if (Touches && beside.contains(i)) moved = along_surface(moved, v.scratch_vector(scratch_row::normal));
   Real change = v.scratch_at(scratch_row::value);
   if constexpr (Touches) change = change * tension_share(strand);
   v.put_state(state_row::tension, next_tension(v.state_at(state_row::tension), change,
@@ -155,14 +172,15 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
     fetch_next<Pulls>(block, i);
     predict<Pulls>(VertexRows<Real>(block, i), step, strand, below);
   }
-  if constexpr (Touches) lead_beside(block, frame, step);
+  Beside beside;
+  if constexpr (Touches) beside = lead_beside(block, frame, step);
   LinkCarry<Real> parent = at_anchor<Real>();
-  for (int i = 1; i <= block.links; ++i) parent = eliminate<Pulls, Touches>(block, i, step, parent);
+  for (int i = 1; i <= block.links; ++i) parent = eliminate<Pulls, Touches>(block, i, step, beside, parent);
   substitute<Real>(block);
   const VertexRows<Real> first(block, 1);
   Vector<Real> pull = first.scratch_vector(scratch_row::direction) * first.scratch_at(scratch_row::value);
-  follow_all<Touches>(block, frame, step, strand,
-                      [&](int i) { return newton_step<Pulls, Touches>(block, i, strand, pull); });
+  follow_all<Touches>(block, frame, step, strand, beside,
+                      [&](int i) { return newton_step<Pulls, Touches>(block, i, strand, beside, pull); });
 }
 
 template <class Scalar, bool Pulls, bool Touches>

@@ -84,7 +84,8 @@ template <bool Pulls, class Real>
 template <bool Pulls, bool Touches, class Real, class Scalar>
 [[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const RodVertex<Real>& above,
                                          const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
-                                         const StrandStep<Real>& strand, Real arc, Coasting<Real>& parent) {
+                                         const StrandStep<Real>& strand, Real arc, int i, Coasting<Real>& parent,
+                                         Beside& beside) {
   const ChainVertex<Real> vertex = chain_vertex(v);
   const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
   const Displacement<Real> displaced = displacement<Pulls>(v, step, strand, from, drift);
@@ -103,13 +104,12 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
     const Vector<Real> predicted = vertex.here + c.moved;
     const Touch<Real> touch = pushed_from_all(frame, step, vertex.here, predicted);
     keep_touch<Real>(v, frame, touch);
-    const PredictedLink<Real> link =
-        pressed_from_all<Real>(v, above, frame, step, {here_above, vertex.here}, parent.predicted, Real(0), touch,
-                               Real(0.9));
-    above.put_scratch(scratch_row::place,
-                      above.scratch_vector(scratch_row::place) + (link.parent - parent.predicted));
+    const PredictedLink<Real> link = pressed_from_all<Real>(v, above, frame, step, {here_above, vertex.here},
+                                                            parent.predicted, Real(0), touch, Real(0.9));
+    above.put_scratch(scratch_row::place, above.scratch_vector(scratch_row::place) + (link.parent - parent.predicted));
     wanted += link.child - predicted;
     parent.predicted = link.child;
+    if (is_in_contact(touch, link)) beside = {beside.last < 0 ? i - 1 : beside.first, i};
   }
   v.put_scratch(scratch_row::place, wanted);
   keep_before(v, vertex, strand, from);
@@ -255,13 +255,16 @@ template <class Real, class Scalar>
 }
 
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void coast_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
-                                             const ChainStep<Real>& step, const StrandStep<Real>& strand) {
+[[gnu::always_inline]] inline Beside coast_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                               const ChainStep<Real>& step, const StrandStep<Real>& strand) {
   const Real arc = VertexRows<Real>(block, block.links).rest_at(rest_row::reach);
   const Vector<Real> zero(Real(0));
   Coasting<Real> parent{zero, zero, zero, zero};
+  Beside beside;
   for (int i = 1; i <= block.links; ++i)
-    coast<Pulls, Touches>(RodVertex<Real>(block, i), RodVertex<Real>(block, i - 1), frame, step, strand, arc, parent);
+    coast<Pulls, Touches>(RodVertex<Real>(block, i), RodVertex<Real>(block, i - 1), frame, step, strand, arc, i, parent,
+                          beside);
+  return beside;
 }
 
 template <class Real, class Scalar>
@@ -290,11 +293,11 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   begin_untwisted<Real>(block);
   const StrandStep<Real> strand = begin(block, step);
   if constexpr (Touches) place_colliders(block, step, frame);
-  coast_all<Pulls, Touches>(block, frame, step, strand);
+  const Beside beside = coast_all<Pulls, Touches>(block, frame, step, strand);
   bend_all(block, step, strand.time);
   for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, step, strand);
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
-  follow_all<Touches>(block, frame, step, strand, [&](int i) -> NewtonPlace<Real> {
+  follow_all<Touches>(block, frame, step, strand, beside, [&](int i) -> NewtonPlace<Real> {
     const RodVertex<Real> v(block, i);
     const Real before = v.state_at(state_row::tension),
                now = next_tension(Real(0), -v.scratch_at(rod_row::right + 3), v.hinge_at(hinge_row::inverse_length),
