@@ -4,7 +4,7 @@
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_geometry.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) buffer Box { uint least[6]; };
 
 shared uint group_least[6];
@@ -19,7 +19,7 @@ void main() {
   vec3 lower = vec3(k_far), upper = vec3(-k_far);
   const uint first = k_vertices_each * invocation();
   for (uint v = first; v < min(first + k_vertices_each, push.count); ++v) {
-    const vec3 point = in_light_axes(vertices[v].xyz);
+    const vec3 point = in_light_axes(texelFetch(vertices, int(v)).xyz);
     if (!is_seen_by_light(point, push.reach)) continue;
     lower = min(lower, point);
     upper = max(upper, point);

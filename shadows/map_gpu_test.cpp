@@ -214,6 +214,17 @@ TEST(MapGpu, SameGroom_SameIntegers) {
   }
 }
 
+/// More segments than the histogram of a deep opacity map counts, which takes one run of 64 in two.
+TEST(MapGpu, ManySegments_SameIntegers) {
+  Scene scene{"thick coat", tests::coat(20000, 8, 0.03, 2e-5f, 5), {{1, 1, 0.3}}, 0.4};
+  const auto gpu = std::ranges::find(gpu_methods(), std::string_view("deep_opacity"), &GpuMethod::name);
+  const auto values = tests::values_of("deep_opacity", "layers=8").value();
+  const auto shadow = (*gpu)->create(device(), values).value();
+  const Comparison comparison = compare(**gpu, values, *shadow, scene);
+  EXPECT_EQ(comparison.different, 0u) << "of " << comparison.filled;
+  EXPECT_LE(comparison.worst, 2e-5);
+}
+
 TEST(MapGpu, Lookup_AgreesWithTheCpu) {
   for (const Comparison& comparison : comparisons())
     if (comparison.words > 0) {

@@ -2,8 +2,8 @@
 #include "cuticle/shadows/map_geometry.glsl"
 #include "cuticle/shadows/splat.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
+layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 
 struct MapSegment {
@@ -17,18 +17,22 @@ vec3 place(MapPlacement placement, vec3 seen) {
   return vec3(snap(point.x), snap(point.y), point.z);
 }
 
+/// The first vertex of segment s.
+uint first_vertex(uint s) { return texelFetch(segments, int(s)).r; }
+
 /// Segment s of `count`.
 MapSegment map_segment(uint s, uint count) {
-  const uint v = segments[s];
+  const uint v = first_vertex(s);
+  const vec4 first = texelFetch(vertices, int(v)), last = texelFetch(vertices, int(v + 1u));
   const MapPlacement placement = placement_of(least);
-  precise float radius_sum = vertices[v].w + vertices[v + 1u].w;
-  const vec3 a = in_light_axes(vertices[v].xyz), b = in_light_axes(vertices[v + 1u].xyz);
+  precise float radius_sum = first.w + last.w;
+  const vec3 a = in_light_axes(first.xyz), b = in_light_axes(last.xyz);
   precise float half_width = 0.5 * radius_sum * push.caster_width * placement.scale.x * segment_scale(a, b, push.reach);
   MapSegment segment;
   segment.a = place(placement, a);
   segment.b = place(placement, b);
   segment.half_width = half_width;
-  segment.is_first = s == 0u || segments[s - 1u] + 1u != v;
-  segment.is_last = s + 1u == count || segments[s + 1u] != v + 1u;
+  segment.is_first = s == 0u || first_vertex(s - 1u) + 1u != v;
+  segment.is_last = s + 1u == count || first_vertex(s + 1u) != v + 1u;
   return segment;
 }

@@ -17,6 +17,19 @@ namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertex};
 
+constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
+
+/// Vertices and segments stand at the front.
+gpu::ShaderInterface interface_of(const MapPass& pass, std::uint32_t textures) {
+  gpu::ShaderInterface interface { std::uint32_t(pass.buffers.size()), textures, sizeof(MapPush) };
+  for (std::uint32_t i = 0; i < pass.buffers.size(); ++i) {
+    if (pass.buffers[i] == k_vertices) interface.texels.push_back(k_vertex_texels);
+    if (pass.buffers[i] == k_segments) interface.texels.push_back(k_segment_texels);
+  }
+  for (const std::uint32_t binding : pass.texels) interface.texels.push_back({binding});
+  return interface;
+}
+
 class MapShadowGpu : public GpuShadow {
  public:
   MapShadowGpu(std::shared_ptr<gpu::Device> device, MapDescription description)
@@ -70,7 +83,7 @@ Result<void> MapShadowGpu::make_fragments() {
   gpu::GraphicsDescription pipeline;
   pipeline.vertex_spirv = description_.fragments.vertex_code;
   pipeline.fragment_spirv = description_.fragments.fragment_code;
-  pipeline.interface = {3, description_.drawing.targets, sizeof(MapPush)};
+  pipeline.interface = {3, description_.drawing.targets, sizeof(MapPush), {}, {k_vertex_texels, k_segment_texels}};
   pipeline.color_formats = {gpu::TextureFormat::r32f};
   CUTICLE_ASSIGN(fragments_, device_->make_graphics(pipeline));
   return {};
@@ -81,7 +94,7 @@ Result<void> MapShadowGpu::make_drawing() {
   gpu::GraphicsDescription pipeline;
   pipeline.vertex_spirv = drawing.vertex_code;
   pipeline.fragment_spirv = drawing.fragment_code;
-  pipeline.interface = {4, 0, sizeof(MapPush)};
+  pipeline.interface = {4, 0, sizeof(MapPush), {}, {k_vertex_texels, k_segment_texels}};
   pipeline.color_formats.assign(drawing.targets, drawing.format);
   pipeline.blend = gpu::BlendMode::additive;
   CUTICLE_ASSIGN(drawing_, device_->make_graphics(pipeline));
@@ -95,11 +108,10 @@ Result<void> MapShadowGpu::make_drawing() {
 }
 
 Result<void> MapShadowGpu::make_kernels() {
-  CUTICLE_ASSIGN(fit_, device_->make_kernel(map_fit_comp, {std::uint32_t(k_fit.buffers.size()), 0, sizeof(MapPush)}));
+  CUTICLE_ASSIGN(fit_, device_->make_kernel(map_fit_comp, interface_of(k_fit, 0)));
   for (const MapPass& pass : description_.passes) {
     const std::uint32_t textures = pass.reads_targets ? description_.drawing.targets : 0;
-    const gpu::ShaderInterface interface { std::uint32_t(pass.buffers.size()), textures, sizeof(MapPush) };
-    CUTICLE_ASSIGN(gpu::Kernel kernel, device_->make_kernel(pass.code, interface));
+    CUTICLE_ASSIGN(gpu::Kernel kernel, device_->make_kernel(pass.code, interface_of(pass, textures)));
     kernels_.push_back(std::move(kernel));
   }
   return {};
@@ -141,6 +153,8 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass
   switch (pass.run) {
     case MapRun::per_segment:
       return strands.segment_count;
+    case MapRun::per_counted_segment:
+      return pass.counted(strands.segment_count);
     case MapRun::per_texel:
       return side * side;
     case MapRun::per_row:
@@ -160,8 +174,9 @@ void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::
   const gpu::Buffer* common[] = {strands.vertices, strands.segments, &box_, &deposits_.buffer(), &transmittance};
   std::vector<const gpu::Buffer*> bound;
   for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
-  push.count = invocations(strands, pass);
-  const gpu::Groups groups = gpu::groups_for(push.count);
+  const std::uint32_t count = invocations(strands, pass);
+  push.count = pass.run == MapRun::per_counted_segment ? strands.segment_count : count;
+  const gpu::Groups groups = gpu::groups_for(count);
   commands.begin_pass(pass.name);
   commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},
                     gpu::bytes_of(push), groups.x, groups.y);

@@ -9,7 +9,8 @@
 
 namespace cuticle::shadows {
 
-/// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0.
+/// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0. Shaders read vertices
+/// and segments as texels (samplerBuffer, usamplerBuffer).
 enum MapBinding : int { k_vertices = -5, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
 
 /// One of the method's buffers of 32-bit words.
@@ -19,7 +20,7 @@ struct MapBuffer {
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
   bool cleared = true;      ///< else only what is written is read
 };
-enum class MapRun { per_segment, per_texel, per_row, per_vertex, one_group, given };
+enum class MapRun { per_segment, per_counted_segment, per_texel, per_row, per_vertex, one_group, given };
 struct MapPass {
   std::string_view name;  ///< "shadow.splat"
   std::span<const std::uint32_t> code;
@@ -27,6 +28,8 @@ struct MapPass {
   MapRun run = MapRun::per_segment;
   bool reads_targets = false;     ///< the targets follow the buffers as textures
   std::uint32_t invocations = 0;  ///< of MapRun::given
+  std::uint32_t (*counted)(std::uint32_t segments) = nullptr;  ///< of MapRun::per_counted_segment
+  std::vector<std::uint32_t> texels = {};  ///< further bindings that are read as texels (usamplerBuffer)
 };
 /// The graphics form: two triangles a segment, whose fragments are added into square targets, cleared to 0 before.
 struct MapDrawing {

@@ -3,12 +3,12 @@
 #include "cuticle/shadows/map_filter.glsl"
 #include "cuticle/shadows/splat.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer Ranges { uint ranges[]; };
-layout(std430, binding = 3) readonly buffer Layers { uint layers[]; };
-layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 5) readonly buffer Table { uint table[]; };  // deposits, shares, the exponents of codes
+layout(binding = 2) uniform usamplerBuffer ranges;
+layout(binding = 3) uniform usamplerBuffer layers;
+layout(binding = 4) uniform usamplerBuffer sums;
+layout(binding = 5) uniform usamplerBuffer table;  // deposits, shares, the exponents of codes
 layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
 
 const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
@@ -18,19 +18,19 @@ float fibre_exponent;
 /// The exponent before the end of layer i % layers of texel i / layers.
 float exponent_before(uint i) {
   const bool packed = (push.flags & k_bytes) != 0u;
-  const uint word = sums[packed ? i / 4u : i];
+  const uint word = texelFetch(sums, int(packed ? i / 4u : i)).r;
   float exponent = push.per_unit * float(word);
   for (bool left = packed; left; left = false)  // a loop is skipped where a condition would be masked
-    exponent = uintBitsToFloat(table[k_coverage_steps + 1u + k_most_layers + packed_code(word, i % 4u)]);
+    exponent = uintBitsToFloat(texelFetch(table, int(k_coverage_steps + 1u + k_most_layers + packed_code(word, i % 4u))).r);
   return exponent;
 }
 
 float stored_exponent(uint texel, float z) {
-  const uint range = ranges[texel];
+  const uint range = texelFetch(ranges, int(texel)).r;
   const float depth = z - float(range_nearest(range)), extent = depth_extent(range);
   float exponent = 0.0;
   if (range != k_no_range && depth > 0.0) {
-    const Layer layer = unpacked_layer(layers[k_layer_table + table_step(uint(depth))]);
+    const Layer layer = unpacked_layer(texelFetch(layers, int(k_layer_table + table_step(uint(depth)))).r);
     const bool is_behind = depth >= extent;
     const uint i = texel * push.layers + (is_behind ? push.layers - 1u : layer.index);
     const float after = exponent_before(i);
@@ -41,10 +41,8 @@ float stored_exponent(uint texel, float z) {
   return exponent;
 }
 
-/// One invocation per vertex: the mean over the filter's disc of T, or of sigma.
-void look_up_vertex() {
-  const uint v = invocation();
-  if (v >= push.count) return;
-  fibre_exponent = push.per_unit * float(table[layers[k_most_layers]]);
-  transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, k_deepest);
+/// At a vertex: the mean over the filter's disc of T, or of sigma.
+void look_up(MapPlacement placement, uint v) {
+  fibre_exponent = push.per_unit * float(texelFetch(table, int(texelFetch(layers, int(k_most_layers)).r)).r);
+  transmittance[v] = transmittance_at(placement, texelFetch(vertices, int(v)).xyz, k_deepest);
 }

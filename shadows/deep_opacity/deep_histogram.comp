@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation per segment: projected length over the depth behind the nearest fibre, each piece counted at its middle.
+// One invocation per segment that is counted: projected length over the depth behind the nearest fibre, each piece counted at its middle.
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/deep_opacity/layers.glslh"
 #include "cuticle/shadows/map_segments.glsl"
 
-layout(std430, binding = 3) readonly buffer Depths { uint depths[]; };
+layout(binding = 3) uniform usamplerBuffer depths;
 layout(std430, binding = 4) buffer Histogram { uint histogram[]; };
 
 bool sampled;  // the segment
@@ -13,7 +13,7 @@ bool sampled;  // the segment
 void piece(Footprint footprint) {
   const vec3 middle = piece_middle(footprint);
   if (!(middle.x >= 0.0 && middle.y >= 0.0 && middle.x < float(columns) && middle.y < float(rows))) return;
-  const uint nearest = depths[2u * (uint(middle.y) * columns + uint(middle.x))];
+  const uint nearest = texelFetch(depths, int(2u * (uint(middle.y) * columns + uint(middle.x)))).r;
   const uint at = uint(max(0, int(floor(middle.z)))), weight = piece_weight(footprint.size);
   if (nearest != k_no_depth && at >= nearest) atomicAdd(histogram[min(at - nearest, k_depth_steps - 1u)], weight);
   if (!sampled) return;
@@ -22,7 +22,8 @@ void piece(Footprint footprint) {
 }
 
 void main() {
-  const uint s = invocation();
+  const uint i = invocation();
+  const uint s = counted_run(i / k_counted_run, one_in(push.count)) + i % k_counted_run;
   sampled = is_sampled(s);
   if (s < push.count) walk_segment(s, push.pieces_per_step);
 }

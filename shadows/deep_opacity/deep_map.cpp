@@ -38,12 +38,16 @@ void count_piece(const Footprint<float>& footprint, bool sampled, const MapView&
 /// Projected length over the depth behind the nearest fibre, and the sums behind them (layers.glslh).
 std::vector<Word> depth_histogram(const strands::Groom& groom, const MapView& view, std::span<const Word> depths) {
   std::vector<Word> histogram(k_histogram_words);
+  const Word every = one_in(Word(groom.vertex_count() - groom.strand_count()));
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     const Word first = groom.offsets[s], last = groom.offsets[s + 1] - 1;
-    for (Word v = first; v < last; ++v)
+    for (Word v = first; v < last; ++v) {
+      const Word segment = v - Word(s);
+      if (!is_counted(segment, every)) continue;
       for_each_piece(view, groom, v, v == first, v + 1 == last, k_pieces_per_step, [&](const auto& footprint) {
-        count_piece(footprint, is_sampled(v - Word(s)), view, depths, histogram);
+        count_piece(footprint, is_sampled(segment), view, depths, histogram);
       });
+    }
   });
   return histogram;
 }

@@ -5,6 +5,7 @@
 #include <cuticle/shadows/deep_opacity/deep_map.h>
 #include <cuticle/shadows/deep_opacity/tiles.h>
 #include <cuticle/shadows/map_shadow_gpu.h>
+#include <cuticle/shadows/deep_opacity/layers.glslh>
 #include <cuticle/shadows/deep_opacity/tiles.glslh>
 #include <cuticle/shadows/splat.glslh>
 
@@ -91,6 +92,12 @@ void add_tile_passes(const Settings& settings, MapDescription& map) {
                         .invocations = stored_of(settings).texels});
 }
 
+/// Invocations of the histogram: whole runs.
+std::uint32_t counted_segments(std::uint32_t segments) {
+  const std::uint32_t every = one_in(segments) * k_counted_run;
+  return (segments + every - 1) / every * k_counted_run;
+}
+
 MapDescription describe(const Settings& settings) {
   MapDescription map;
   map.settings = settings.map;
@@ -101,12 +108,22 @@ MapDescription describe(const Settings& settings) {
   map.pieces_per_step = k_pieces_per_step;
   map.after_deposits = after_deposits(settings);
   map.buffers = buffers_of(settings);
-  map.passes = {
-      {"shadow.range", deep_range_comp, {k_vertices, k_segments, k_box, k_depths}},
-      {"shadow.histogram", deep_histogram_comp, {k_vertices, k_segments, k_box, k_depths, k_histogram}},
-      {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group},
-      {"shadow.splat", deep_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums}},
-      {"shadow.scan", deep_scan_comp, {k_depths, k_ranges, k_sums}, MapRun::per_texel}};
+  map.passes = {{.name = "shadow.range",
+                 .code = deep_range_comp,
+                 .buffers = {k_vertices, k_segments, k_box, k_depths, k_depths},
+                 .texels = {4}},
+                {.name = "shadow.histogram",
+                 .code = deep_histogram_comp,
+                 .buffers = {k_vertices, k_segments, k_box, k_depths, k_histogram},
+                 .run = MapRun::per_counted_segment,
+                 .counted = counted_segments,
+                 .texels = {3}},
+                {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group},
+                {.name = "shadow.splat",
+                 .code = deep_splat_comp,
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums},
+                 .texels = {3, 4, 5}},
+                {"shadow.scan", deep_scan_comp, {k_depths, k_ranges, k_sums}, MapRun::per_texel}};
   if (settings.sparse) add_tile_passes(settings, map);
   const Stored stored = stored_of(settings);
   if (settings.bytes)
@@ -120,6 +137,7 @@ MapDescription describe(const Settings& settings) {
       deep_lookup_comp,
       {k_vertices, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums, k_deposits, k_transmittance},
       MapRun::per_vertex};
+  lookup.texels = {2, 3, 4, 5};
   if (settings.sparse) {
     lookup.code = deep_tile_lookup_comp;
     lookup.buffers.push_back(k_slots);

@@ -5,10 +5,12 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_splat.glsl"
 
 layout(std430, binding = 3) buffer Depths { uint depths[]; };
+layout(binding = 4) uniform usamplerBuffer found;  // the same
 
 void deposit(uint texel, uint covered, uint depth_step) {
-  atomicMin(depths[2u * texel], depth_step);
-  atomicMin(depths[2u * texel + 1u], ~depth_step);
+  const int nearest = int(2u * texel);
+  if (depth_step < texelFetch(found, nearest).r) atomicMin(depths[nearest], depth_step);
+  if (~depth_step < texelFetch(found, nearest + 1).r) atomicMin(depths[nearest + 1], ~depth_step);
 }
 
 void main() {

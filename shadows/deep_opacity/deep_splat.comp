@@ -5,14 +5,15 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/deep_opacity/layers.glslh"
 #include "cuticle/shadows/map_splat.glsl"
 
-layout(std430, binding = 3) readonly buffer Table { uint table[]; };
-layout(std430, binding = 4) readonly buffer Depths { uint depths[]; };
-layout(std430, binding = 5) readonly buffer Layers { uint layers[]; };
+layout(binding = 3) uniform usamplerBuffer table;
+layout(binding = 4) uniform usamplerBuffer depths;
+layout(binding = 5) uniform usamplerBuffer layers;
 layout(std430, binding = 6) buffer Sums { uint sums[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
-  const uint layer = unpacked_layer(layers[k_layer_table + table_step(depth_step - depths[2u * texel])]).index;
-  atomicAdd(sums[texel * push.layers + layer], table[covered]);
+  const uint behind = table_step(depth_step - texelFetch(depths, int(2u * texel)).r);
+  const uint layer = unpacked_layer(texelFetch(layers, int(k_layer_table + behind)).r).index;
+  atomicAdd(sums[texel * push.layers + layer], texelFetch(table, int(covered)).r);
 }
 
 void main() {

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Looks vertices up in a sparse map.
+// One invocation per vertex: looks it up in a sparse map.
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/deep_opacity/deep_exponent.glsl"
 #include "cuticle/shadows/deep_opacity/tiles.glslh"
@@ -15,4 +15,7 @@ float exponent_at(uint texel, float z) {
   return is_stored ? exponent : 0.0;
 }
 
-void main() { look_up_vertex(); }
+void main() {
+  const uint v = invocation();
+  if (v < push.count) look_up(placement_of(least), v);
+}

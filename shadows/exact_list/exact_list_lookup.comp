@@ -4,7 +4,7 @@
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_filter.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer First { uint first[]; };
 layout(std430, binding = 3) readonly buffer Fragments { uvec2 fragments[]; };
@@ -24,5 +24,5 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, push.intervals + 1.0);
+  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, push.intervals + 1.0);
 }

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/moments/moments.glslh"
 #include "cuticle/shadows/series.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer Sums { int sums[]; };
 layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
@@ -34,5 +34,5 @@ float exponent_at(uint texel, float z) {
 void main() {
   const uint v = invocation();
   if (v < push.count)
-    transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, float(k_series_steps));
+    transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, float(k_series_steps));
 }

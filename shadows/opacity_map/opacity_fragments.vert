@@ -6,8 +6,8 @@
 #include "cuticle/shadows/map_geometry.glsl"
 #include "cuticle/shadows/opacity_map/tent_planes.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
+layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(location = 0) out vec3 position;  // metres
 layout(location = 1) out vec4 weights_of_vertex[4];
@@ -17,7 +17,7 @@ const uvec2 k_corners[6] = uvec2[](uvec2(0, 0), uvec2(1, 0), uvec2(0, 1), uvec2(
 void main() {
   const uint segment = uint(gl_VertexIndex) / 6u, per_segment = uint(push.own[1]), side = uint(push.own[2]);
   const uvec2 corner = k_corners[gl_VertexIndex % 6];
-  position = vertices[segments[segment] + corner.x].xyz;
+  position = texelFetch(vertices, int(texelFetch(segments, int(segment)).r + corner.x)).xyz;
   const MapPlacement placement = placement_of(least);
   const float z = place_in_map(placement, in_light_axes(position)).z;
   weights_of_vertex = tent_weights(clamp(lookup_depth(z, push.depth_offset, placement.scale.z), 0.0, push.intervals));

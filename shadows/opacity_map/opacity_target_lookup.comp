@@ -4,7 +4,7 @@
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/opacity_map/opacity_planes.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) writeonly buffer Transmittance { float transmittance[]; };
 
@@ -18,5 +18,5 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), vertices[v].xyz, push.intervals);
+  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, push.intervals);
 }

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/shadow_map/depth.glslh"
 #include "cuticle/shadows/splat.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer Table { uint table[]; };
 layout(std430, binding = 3) readonly buffer Nearest { uint nearest[]; };
@@ -27,5 +27,5 @@ void main() {
   const MapPlacement placement = placement_of(least);
   steps_per_metre = placement.scale.z;
   crossing = -push.per_unit * float(table[k_coverage_steps]);
-  transmittance[v] = transmittance_at(placement, vertices[v].xyz, k_deepest);
+  transmittance[v] = transmittance_at(placement, texelFetch(vertices, int(v)).xyz, k_deepest);
 }

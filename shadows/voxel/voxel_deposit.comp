@@ -6,8 +6,8 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/splat.glslh"
 #include "cuticle/shadows/voxel/volume.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Segments { uint segments[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
+layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then the two numbers of a crossing
 layout(std430, binding = 4) buffer Sums { uint sums[]; };
@@ -18,7 +18,8 @@ void main() {
   const uint s = invocation();
   if (s >= push.count) return;
   const VolumePlacement placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
-  const vec4 a = vertices[segments[s]], b = vertices[segments[s] + 1u];
+  const int v = int(texelFetch(segments, int(s)).r);
+  const vec4 a = texelFetch(vertices, v), b = texelFetch(vertices, v + 1);
   precise vec3 along = b.xyz - a.xyz;
   precise float width = a.w + b.w;
   const uint pieces = volume_pieces(placement, exact_length(along));

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_geometry.glsl"
 #include "cuticle/shadows/voxel/volume.glslh"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
+layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
 layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
@@ -62,7 +62,7 @@ void main() {
   for (int i = 0; i < count; ++i) {
     const vec2 place = count == 1 ? vec2(0.0) : push.filter_radius * disc_point(uint(i), uint(count), 0.0);
     const vec3 start = place.x * push.right.xyz + place.y * push.up.xyz;
-    sum += transmittance_from(vertices[v].xyz + start, -push.forward.xyz);
+    sum += transmittance_from(texelFetch(vertices, int(v)).xyz + start, -push.forward.xyz);
   }
   transmittance[v] = sum / float(count);
 }

@@ -1,3 +1,5 @@
+#ifndef CUTICLE_RENDER_TILE_PUSH_GLSL
+#define CUTICLE_RENDER_TILE_PUSH_GLSL
 // Push constants of the tile kernels (TilePush of tile_lists_gpu.h, word for word).
 layout(push_constant) uniform Push {
   mat4 world_to_clip;
@@ -20,3 +22,4 @@ const int k_tile = 8;  // pixels each way
 uvec2 tile_grid() { return (push.part + uint(k_tile) - 1u) / uint(k_tile); }
 uvec2 first_tile() { return uvec2(push.corner & 0xffffu, push.corner >> 16); }
 uvec2 first_pixel() { return first_tile() * uint(k_tile); }
+#endif

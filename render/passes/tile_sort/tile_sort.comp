@@ -5,10 +5,10 @@
 // Shell's sort, so that many entries at one depth stay affordable. With slices, these are the bins, and within each the
 // order is that of the vertices: near segments come early, so that few are looked at where they hide the others.
 layout(local_size_x = 8) in;
-#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+#include "cuticle/render/passes/tile_lists/tile_of_group.glsl"
 
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
+layout(binding = 1) uniform usamplerBuffer entries;  // 1 / depth, first vertex: two texels each
 layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
 layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
@@ -18,7 +18,7 @@ shared uint bins[k_most_bins];
 shared float nearest_of[k_lanes], farthest_of[k_lanes];
 shared uint sum_of[k_lanes];
 
-float depth_of(uint entry) { return uintBitsToFloat(entries[entry].x); }
+float depth_of(uint entry) { return uintBitsToFloat(texelFetch(entries, int(2u * entry)).r); }
 
 // Greatest and least 1 / depth of the tile.
 vec2 depth_range(uint lane, uint begin, uint end) {
@@ -81,7 +81,7 @@ void sort(uint begin, uint end) {
 }
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, tile = gl_WorkGroupID.y * tile_grid().x + gl_WorkGroupID.x;
+  uint lane = gl_LocalInvocationID.x, tile = tile_of_group();
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);
@@ -97,7 +97,7 @@ void main() {
   add_up(lane, begin, bins_of_lane);
   for (uint k = begin + lane; k < end; k += k_lanes) {
     uint place = atomicAdd(bins[min(uint((range.x - depth_of(k)) * scale), used - 1u)], 1u);
-    ordered[place] = entries[k];
+    ordered[place] = uvec2(texelFetch(entries, int(2u * k)).r, texelFetch(entries, int(2u * k + 1u)).r);
   }
   memoryBarrierBuffer();
   barrier();

@@ -22,7 +22,7 @@ class TileSort : public GpuPass {
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources&) {
-  CUTICLE_ASSIGN(gpu::Kernel kernel, device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush)}));
+  CUTICLE_ASSIGN(gpu::Kernel kernel, device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush), {}, {{1}}}));
   return std::unique_ptr<GpuPass>(std::make_unique<TileSort>(std::move(kernel)));
 }
 

@@ -4,6 +4,7 @@
 // defines set_aside() and take(), and includes exchange_shared.glsl or exchange_records.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
+#include "cuticle/render/passes/tile_lists/tile_of_group.glsl"
 #include "cuticle/render/passes/tiles/stroke.glsl"
 #include "cuticle/render/seen.glsl"
 
@@ -17,7 +18,6 @@ layout(std430, binding = 6) writeonly buffer Depth { float mean_depth[]; };  // 
 layout(std430, binding = 7) writeonly buffer SeenSegments { Seen seen[]; };
 
 const float k_opaque = 1.0 / 1024.0;  // what lies behind so little transmittance is left out
-const uint k_stride = 7919u;  // a prime: neighbouring tiles, which cost alike, go to different threads of the device
 
 // Of the column's pixels: what is let through, the scene's depth, what has been blended.
 float through[k_tile], scene[k_tile], depth[k_tile], most_seen[k_tile];
@@ -50,13 +50,7 @@ Prepared set_up(uint entry, uint end, vec2 tile_middle) {
                   vec4((own.last - own.first) * per_pixel, own.depth_slope), vertex);
 }
 
-uint spread(uint group, uint count) { return count % k_stride == 0u ? group : uint((group * k_stride) % count); }
-
-// The workgroup's tile, and its first pixel of the part that is drawn.
-uint tile_of_group() {
-  uvec2 grid = tile_grid();
-  return spread(gl_WorkGroupID.y * grid.x + gl_WorkGroupID.x, grid.x * grid.y);
-}
+// The first pixel of a tile of the part that is drawn.
 uvec2 corner_of(uint tile) { return uvec2(tile % tile_grid().x, tile / tile_grid().x) * uint(k_tile); }
 
 void begin_column(uint lane, uvec2 corner) {
