@@ -13,7 +13,7 @@ using registry::Parameter;
 using registry::ParameterType;
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_cards"};
-constexpr std::string_view k_after[] = {"head", "fins", "floor"};
+constexpr std::string_view k_after[] = {"head", "fins", "floor", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10"};
 constexpr std::string_view k_schemes[] = {"four_pass", "three_pass"};
 constexpr std::string_view k_orders[] = {"static", "groups", "cards"};

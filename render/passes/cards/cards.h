@@ -8,7 +8,8 @@ namespace cuticle::render::cards {
 const Pass& entry();
 /// A material as parameters of the model `scheuermann`: its own, or what `from_fibre` of that model makes of a fibre
 /// with the index, absorption, width and tilt of `marschner`. The diffuse colour is that of a head of such hair (Chiang
-/// et al. 2016, equation 9), over pi: a card stands for many fibres. Error: bad_input for any other model.
+/// et al. 2016, equation 9), over pi: a card stands for many fibres. Not used where cards are lit as strands are, in shadows
+/// and with dual scattering (README.md). Error: bad_input for any other model.
 Result<registry::ParameterValues> material_of(const bsdf::Model& model, const registry::ParameterValues& values);
 
 }  // namespace cuticle::render::cards

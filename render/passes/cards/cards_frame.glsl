@@ -12,10 +12,11 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 diffuse;    // times the base colour; w: number of lights
   vec4 primary;    // w: exponent
   vec4 secondary;  // w: exponent
-  vec4 shifts;     // primary, secondary
+  vec4 shifts;     // primary, secondary; z: what the base texture is multiplied by
+  vec4 multiple;   // of light scattered many times, per irradiance
   uint vertex_count;  // of what transmittance.glsl calls vertices: here the rows of all cards
   LightRow lights[k_most_lights];
 };
 layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Transmittance { float transmittance[]; };
-layout(set = 0, binding = 6) uniform sampler2D atlas_texture;  // base, shift, mask, alpha
+layout(set = 0, binding = 7) uniform sampler2D atlas_texture;  // base, shift, mask, alpha

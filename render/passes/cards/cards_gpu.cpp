@@ -6,6 +6,8 @@
 #include <cuticle/render/passes/cards/cards.h>
 #include <cuticle/render/passes/cards/placement_gpu.h>
 #include <cuticle/render/passes/cards/sorting_gpu.h>
+#include <cuticle/render/passes/lines/frame_gpu.h>
+#include <cuticle/render/passes/lines/lines.h>
 
 #include <cards_early_frag.spv.h>
 #include <cards_frag.spv.h>
@@ -19,18 +21,18 @@ namespace {
 /// As cards_frame.glsl has it.
 struct CardFrame {
   glm::mat4 world_to_clip;
-  glm::vec4 eye, atlas, diffuse, primary, secondary, shifts;
+  glm::vec4 eye, atlas, diffuse, primary, secondary, shifts, multiple;
   std::uint32_t vertex_count, unused[3];
   LightRows lights;
 };
-static_assert(sizeof(CardFrame) == 64 + 16 * 7 + 16 * 3 * k_most_lights);
+static_assert(sizeof(CardFrame) == 64 + 16 * 8 + 16 * 3 * k_most_lights);
 
 void set_material(CardFrame& frame, const registry::ParameterValues& values) {
   const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
   frame.diffuse = glm::vec4(all * values.rgb("diffuse"), 0);
   frame.primary = glm::vec4(all * values.rgb("primary"), values.real("primary_exponent"));
   frame.secondary = glm::vec4(all * values.rgb("secondary"), values.real("secondary_exponent"));
-  frame.shifts = glm::vec4(values.real("primary_shift"), values.real("secondary_shift"), 0, 0);
+  frame.shifts = glm::vec4(values.real("primary_shift"), values.real("secondary_shift"), 1, 0);
 }
 
 /// u = 0 and 1 of a card lie at the borders of its kind's hair.
@@ -73,6 +75,7 @@ class Cards : public GpuPass {
     CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_most_steps * sizeof(std::uint32_t)));
     CUTICLE_ASSIGN(const registry::ParameterValues material, material_of(*resources.model, *resources.model_values));
     set_material(frame_, material);
+    if (is_lit_as_strands(resources)) CUTICLE_TRY(light_as_strands(resources, parameters));
     frame_.atlas = atlas_of(cards.textures, parameters.real("opaque_alpha"));
     counts_ = parameters.boolean("count_fragments");
     return make_steps(resources, parameters);
@@ -100,6 +103,24 @@ class Cards : public GpuPass {
   }
 
  private:
+  /// Whether what the hair about a point scatters stands in place of a diffuse colour, as by the other ways of drawing:
+  /// where a material is of a fibre, and hair is shadowed or dual scattering asked for.
+  static bool is_lit_as_strands(const FrameResources& resources) {
+    return resources.model->entry.name != "scheuermann" &&
+           (resources.dual_scattering || !resources.transmittance.empty());
+  }
+
+  /// The base texture, which varies a diffuse colour from 1 down, then leaves the mean as it is.
+  Result<void> light_as_strands(const FrameResources& resources, const registry::ParameterValues& parameters) {
+    frame_.diffuse = glm::vec4(0);
+    frame_.shifts.z = float(1 / (1 - 0.5 * parameters.real("base_variation")));
+    scatters_ = resources.dual_scattering != nullptr;
+    if (scatters_) return {};
+    const double strength = parameters_of(resources, lines::entry()).real("ambient");
+    CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*resources.model, *resources.model_values, strength));
+    return {};
+  }
+
   static Order order_of(const std::string& name) {
     if (name == "static") return Order::inside_to_outside;
     return name == "groups" ? Order::groups : Order::parts;
@@ -119,11 +140,12 @@ class Cards : public GpuPass {
     description.vertex_spirv = cards_vert;
     description.fragment_spirv = settings.fragment;
     description.interface = {
-        .storage_buffers = 6,
+        .storage_buffers = 7,
         .textures = 1,
         .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
                                          resources.transmittance.empty() ? 0u : 1u},
                                         resources.channels)};
+    description.interface.specialization.push_back(scatters_ ? 1 : 0);
     if (depth_alone) description.color_formats.clear();
     description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
     description.depth_write = settings.writes_depth;
@@ -167,7 +189,7 @@ class Cards : public GpuPass {
     commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.depth, !begins_depth);
     commands.draw(step.pipeline,
                   {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_,
-                   &placement_.reached()},
+                   &placement_.reached(), scatters_ ? resources.dual_scattering : &frame_buffer_},
                   {&texture_}, {}, sorting_.index_count());
     commands.end_rendering();
     if (counts_) commands.end_count();
@@ -181,7 +203,7 @@ class Cards : public GpuPass {
   gpu::Buffer shaded_;  ///< per step the fragments that its shader ran for, where they are counted
   CardFrame frame_{};
   std::vector<Step> steps_;
-  bool counts_ = false;
+  bool counts_ = false, scatters_ = false;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {

@@ -9,6 +9,11 @@ layout(constant_id = 2) const bool counts = false;
 layout(constant_id = 3) const bool is_shadowed = false;
 #define CHANNEL_CONSTANT 4
 #include "cuticle/render/passes/lines/transmittance.glsl"
+#include "cuticle/render/passes/lines/ambient.glsl"
+#include "cuticle/render/passes/lines/angles.glsl"
+layout(constant_id = 8) const bool scatters = false;  // dual scattering in place of the frame's `multiple`
+#define DUAL_BINDING 6
+#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
 layout(location = 0) in vec3 world;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 tangent;
@@ -36,6 +41,13 @@ vec3 through_of(uint light) {
   return mix(transmitted(light, row), transmitted(light, next), at - float(row));
 }
 
+// Light scattered many times, as strands have it.
+vec3 scattered_often(vec3 to_light, vec3 through, vec3 t, vec3 to_eye) {
+  const Angles angles = angles_of(to_light, t, to_eye);
+  if (scatters) return dual_scattering(angles, through);
+  return multiple.rgb * ambient_share(sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0)), through);
+}
+
 vec4 shaded(vec4 texel) {
   if (counts) atomicAdd(shaded_count[step_number], 1u);
   const vec3 t = normalize(tangent), n = normalize(normal - t * dot(normal, t)), to_eye = normalize(eye.xyz - world);
@@ -47,7 +59,9 @@ vec4 shaded(vec4 texel) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < uint(diffuse.w); ++k) {
     const Arriving light = arriving_at(world, lights[k]);
-    sum += scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * light.irradiance * through_of(k);
+    const vec3 through = through_of(k);
+    sum += light.irradiance * (scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * through +
+                               scattered_often(light.to_light, through, t, to_eye));
   }
-  return vec4(held_by_halves(sum * texel.r * (is_shadowed ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
+  return vec4(held_by_halves(sum * shifts.z * texel.r * (is_shadowed ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
 }

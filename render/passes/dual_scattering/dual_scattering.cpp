@@ -6,7 +6,7 @@ namespace cuticle::render::dual_scattering {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"light", "output_color", "shaded_from_tables", "dual_scattering"};
+constexpr std::string_view k_demands[] = {"light", "output_color", "dual_scattering"};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
 constexpr registry::Parameter k_parameters[] = {

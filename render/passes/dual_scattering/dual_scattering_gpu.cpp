@@ -16,8 +16,10 @@ void append(const bsdf::HalfScattering& half, std::vector<glm::vec4>& terms) {
 }
 
 Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resources) {
-  const lut::TableSet& set = *resources.table_set;
-  CUTICLE_ASSIGN(const bsdf::DualScatteringTable table, bsdf::dual_scattering_terms(*set.model, set.values, k_rows));
+  const lut::TableSet* set = resources.table_set;
+  CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
+                 set ? bsdf::dual_scattering_terms(*set->model, set->values, k_rows)
+                     : bsdf::dual_scattering_terms(*resources.model, *resources.model_values, k_rows));
   const registry::ParameterValues values = parameters_of(resources, entry());
   std::vector<glm::vec4> terms = {glm::vec4(resources.fibre_alpha, 0),
                                   {values.real("forward_density"), values.real("backward_density"), 0, 0}};

@@ -44,23 +44,24 @@ glm::vec4 channel_scale(const lut::Table& table) {
 }
 
 /// Share of light that a fibre lit and seen across scatters in total.
-Result<glm::dvec3> albedo(const lut::TableSet& set) {
+Result<glm::dvec3> albedo(const bsdf::Model& model, const registry::ParameterValues& values) {
   const bsdf::Point across;
   glm::dvec3 result{0};
-  CUTICLE_TRY(bsdf::evaluate(*set.model, set.values, bsdf::Precision::f64,
+  CUTICLE_TRY(bsdf::evaluate(model, values, bsdf::Precision::f64,
                              {.quantity = bsdf::Quantity::albedo, .points = {&across, 1}}, {&result, 1}));
   return glm::clamp(result, 0.0, 1.0);
 }
 
-/// An isotropic fibre of albedo a has S = a / pi^2. Light that reaches the eye after about three scatterings is tinted
-/// a^3.
-Result<glm::vec4> multiple_scattering(const lut::TableSet& set, double strength) {
+}  // namespace
+
+// An isotropic fibre of albedo a has S = a / pi^2. Light that reaches the eye after about three scatterings is tinted
+// a^3.
+Result<glm::vec4> multiple_scattering(const bsdf::Model& model, const registry::ParameterValues& values,
+                                      double strength) {
   if (strength == 0) return glm::vec4(0);
-  CUTICLE_ASSIGN(const glm::dvec3 once, albedo(set));
+  CUTICLE_ASSIGN(const glm::dvec3 once, albedo(model, values));
   return glm::vec4(once * once * once * (strength / (std::numbers::pi * std::numbers::pi)), 0);
 }
-
-}  // namespace
 
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
   Frame frame{};
@@ -81,7 +82,7 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   frame.m_scale = channel_scale(set.tables[0]);
   frame.n_tt_r_scale = channel_scale(set.tables[1]);
   frame.n_trt_scale = channel_scale(set.tables[2]);
-  CUTICLE_ASSIGN(frame.multiple, multiple_scattering(set, parameters.real("ambient")));
+  CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*set.model, set.values, parameters.real("ambient")));
   return frame;
 }
 

@@ -21,6 +21,10 @@ static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 3 * k_most_lights);
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
 /// Error: bad_input when the tables are not those of a three-texture Nalu layout.
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
+/// Radiance per irradiance and `ambient_share` (ambient.glsl) of light that fibres of the model have scattered many
+/// times; `strength`: the parameter `ambient`. Error: of the model.
+Result<glm::vec4> multiple_scattering(const bsdf::Model& model, const registry::ParameterValues& values,
+                                      double strength);
 /// Adds camera and lights.
 void set_view(Frame& frame, const FrameResources& resources);
 

@@ -3,6 +3,7 @@
 // Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M
 // (docs/conventions.md). Before this stand lines_frame.glsl and the samplers table_m (M_R, M_TT, M_TRT, cos theta_d),
 // table_n_tt_r (N_TT rgb, N_R) and table_n_trt (N_TRT rgb).
+#include "cuticle/render/passes/lines/ambient.glsl"
 #include "cuticle/render/passes/lines/angles.glsl"
 
 //
@@ -51,8 +52,7 @@ vec3 shade(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
   Angles angles = angles_of(light.to_light, t, to_eye);
   float cos_i = sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0));
   vec3 once = scattering_of(angles, light.to_light, t, to_eye) * through;
-  vec3 often = multiple.rgb * (0.7 * cos_i * sqrt(through) + 0.3 * through + 0.06);
-  return (once + often) * light.irradiance;
+  return (once + multiple.rgb * ambient_share(cos_i, through)) * light.irradiance;
 }
 
 // The same of light that this fibre alone has scattered.
