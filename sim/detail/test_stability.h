@@ -167,7 +167,7 @@ inline const BallCase k_balls[] = {{"rooted on the head", {-0.05, -0.0866, 0}, 0
                                    {"smaller ball under the root", {0.05, -0.2, 0}, 0.08, {1, 0, 0}},
                                    {"ball under the root, centred", {0, -0.15, 0}, 0.1, {0, 1, 0}},
                                    {"rope over a small ball", {0.1, -0.02, 0}, 0.02, {1, 0, 0}},
-                                   {"ball smaller than a link", {0.1, -0.02, 0}, 0.003, {1, 0, 0}, 1.3e-2},
+                                   {"ball smaller than a link", {0.1, -0.02, 0}, 0.003, {1, 0, 0}},
                                    {"starts inside", {0.15, 0, 0.01}, 0.05, {1, 0, 0}}};
 
 struct Rest {
