@@ -1,5 +1,7 @@
 // Triangles and lines, depth, blending, multisampling.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "shared_device.h"
 
@@ -88,6 +90,31 @@ TEST(GpuDraw, Triangle_CoversItsPixelsAndCountsAsOneDraw) {
   EXPECT_EQ(picture.at(k_size - 2, k_size - 2), glm::vec4(0));
   EXPECT_EQ(picture.cost.passes[0].draws, 1u);
   EXPECT_EQ(picture.cost.passes[0].dispatches, 0u);
+}
+
+TEST(GpuDraw, NumbersThatTheDeviceHolds_SayHowMuchIsDrawn) {
+  Device& device = shared_device();
+  const Texture color = target(TextureFormat::rgba32f);
+  std::vector<Vertex> both = cover(0.5f, k_red);
+  const auto first = std::uint32_t(both.size());
+  std::ranges::copy(cover(0.5f, k_green), std::back_inserter(both));
+  const Buffer vertices = must(make_buffer_from<Vertex>(device, both));
+  const GraphicsPipeline pipeline = must(device.make_graphics(plain()));
+  for (const bool all : {false, true}) {
+    const std::uint32_t numbers[] = {all ? 2 * first : first, 1, 0, 0};
+    const Buffer held = must(make_buffer_from<std::uint32_t>(device, numbers));
+    Commands commands = device.record();
+    const Commands::Target to{&color};
+    commands.begin_pass("draw");
+    commands.begin_rendering({&to, 1}, nullptr);
+    commands.draw_counted(pipeline, {&vertices}, {}, {}, held);
+    commands.end_rendering();
+    commands.end_pass();
+    EXPECT_EQ(must(device.submit(std::move(commands))).passes[0].draws, 1u);
+    const std::vector<float> pixels = must(device.download(color));
+    EXPECT_EQ(pixels[0], all ? k_green.x : k_red.x);
+    EXPECT_EQ(pixels[1], all ? k_green.y : k_red.y);
+  }
 }
 
 TEST(GpuDraw, NearTriangleDrawnFirst_HidesTheFarOne) {

@@ -39,5 +39,6 @@ void main() {
     const Arriving arriving = arriving_at(position, lights[k]);
     sum += k_dual == 0u ? shade(arriving, through, t, to_eye) : shade_once(arriving, through, t, to_eye);
   }
-  color = vec4(held_by_halves((sum + max(often, 0.0)) * brightness), 1.0);
+  if (k_dual != 0u) sum += max(often, 0.0);
+  color = vec4(held_by_halves(sum * brightness), 1.0);
 }
