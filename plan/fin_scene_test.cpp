@@ -2,6 +2,7 @@
 #include <cuticle/plan/frame_runner_gpu.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -78,18 +79,50 @@ TEST(FinScene, RootsGoWithTheHeadAndTipsLag_EdgesHold) {
   EXPECT_LT(stretched, 0.45);  // where simulated and rigid places are mixed
 }
 
-/// Whether the picture at a vertex of the fins is another one than without fins.
-bool seen(const Image& with, const Image& without, const glm::dmat4& to_clip, const glm::vec3& vertex) {
-  const glm::dvec4 clip = to_clip * glm::dvec4(glm::dvec3(vertex), 1);
-  const int x = int((clip.x / clip.w * 0.5 + 0.5) * with.width), y = int((clip.y / clip.w * 0.5 + 0.5) * with.height);
-  if (x < 0 || y < 0 || x >= with.width || y >= with.height) return false;
+glm::dvec2 pixel_of(const glm::dmat4& to_clip, const glm::vec3& point, const Image& image) {
+  const glm::dvec4 clip = to_clip * glm::dvec4(glm::dvec3(point), 1);
+  return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(image.width, image.height);
+}
+
+bool differs(const Image& with, const Image& without, int x, int y) {
   double change = 0;
   for (int c = 0; c < 3; ++c) change += std::abs(double(with.at(x, y, c) - without.at(x, y, c)));
   return change > 0.02;
 }
 
+/// Whether a place lies in a triangle or within a pixel of its sides' lines.
+bool within_a_pixel(const glm::dvec2& place, const std::array<glm::dvec2, 3>& corners) {
+  const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
+  const double turn = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 side = corners[(k + 1) % 3] - corners[k];
+    if (turn * cross(side, place - corners[k]) < -glm::length(side)) return false;
+  }
+  return true;
+}
+
+struct Drawn {
+  int on = 0, off = 0;  ///< pixels that differ from the picture without fins, on the mesh and beside it
+};
+
+Drawn pixels_of_fins(const Image& with, const Image& without, const glm::dmat4& to_clip, const strands::Mesh& fins) {
+  Drawn drawn;
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x) {
+      if (!differs(with, without, x, y)) continue;
+      const bool on = std::ranges::any_of(fins.triangles, [&](const auto& t) {
+        return within_a_pixel({x + 0.5, y + 0.5}, {pixel_of(to_clip, fins.positions[t[0]], with),
+                                                   pixel_of(to_clip, fins.positions[t[1]], with),
+                                                   pixel_of(to_clip, fins.positions[t[2]], with)});
+      });
+      ++(on ? drawn.on : drawn.off);
+    }
+  return drawn;
+}
+
 TEST(FinScene, FinsOfEachFrame_AreDrawnWhereTheyAre) {
   scene::Scene scene = small_mermaid(), bare = scene;
+  scene.camera.camera.resolution = bare.camera.camera.resolution = {192, 192};
   bare.fins.reset();
   const auto runner = runner_of(scene), without = runner_of(bare);
   for (int frame : {0, 20}) {
@@ -100,10 +133,10 @@ TEST(FinScene, FinsOfEachFrame_AreDrawnWhereTheyAre) {
     EXPECT_EQ(ran->draws, find_pass(runner->plan(), "fins")->draws);
     const Camera camera = runner->camera(frame);
     const glm::dmat4 to_clip = projection_matrix(camera) * view_matrix(camera);
-    std::size_t shown = 0;
-    for (const glm::vec3& vertex : runner->fins()->positions)
-      shown += seen(drawn->color, plain->color, to_clip, vertex);
-    EXPECT_GT(shown, runner->fins()->positions.size() / 3) << frame;
+    const Drawn pixels = pixels_of_fins(drawn->color, plain->color, to_clip, *runner->fins());
+    std::printf("frame %d: %d pixels of fins, %d off their mesh\n", frame, pixels.on, pixels.off);
+    EXPECT_GT(pixels.on, 2000) << frame;
+    EXPECT_EQ(pixels.off, 0) << frame;
   }
   EXPECT_EQ(find_pass(without->plan(), "fins"), nullptr);
   EXPECT_EQ(find_pass(without->plan(), "cloth"), nullptr);
