@@ -27,6 +27,9 @@ struct CardFrame {
 };
 static_assert(sizeof(CardFrame) == 64 + 16 * 8 + 16 * 3 * k_most_lights);
 
+/// What light scattered many times is taken from; cards_shade.glsl has the same numbers.
+enum class ScatteredBy : std::uint32_t { none, frame_multiple, dual_scattering };
+
 void set_material(CardFrame& frame, const registry::ParameterValues& values) {
   const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
   frame.diffuse = glm::vec4(all * values.rgb("diffuse"), 0);
@@ -114,8 +117,8 @@ class Cards : public GpuPass {
   Result<void> light_as_strands(const FrameResources& resources, const registry::ParameterValues& parameters) {
     frame_.diffuse = glm::vec4(0);
     frame_.shifts.z = float(1 / (1 - 0.5 * parameters.real("base_variation")));
-    scatters_ = resources.dual_scattering != nullptr;
-    if (scatters_) return {};
+    scattered_by_ = resources.dual_scattering ? ScatteredBy::dual_scattering : ScatteredBy::frame_multiple;
+    if (resources.dual_scattering) return {};
     const double strength = parameters_of(resources, lines::entry()).real("ambient");
     CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*resources.model, *resources.model_values, strength));
     return {};
@@ -145,7 +148,7 @@ class Cards : public GpuPass {
         .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
                                          resources.transmittance.empty() ? 0u : 1u},
                                         resources.channels)};
-    description.interface.specialization.push_back(scatters_ ? 1 : 0);
+    description.interface.specialization.push_back(std::uint32_t(scattered_by_));
     if (depth_alone) description.color_formats.clear();
     description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
     description.depth_write = settings.writes_depth;
@@ -189,7 +192,8 @@ class Cards : public GpuPass {
     commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.depth, !begins_depth);
     commands.draw(step.pipeline,
                   {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_,
-                   &placement_.reached(), scatters_ ? resources.dual_scattering : &frame_buffer_},
+                   &placement_.reached(),
+                   scattered_by_ == ScatteredBy::dual_scattering ? resources.dual_scattering : &frame_buffer_},
                   {&texture_}, {}, sorting_.index_count());
     commands.end_rendering();
     if (counts_) commands.end_count();
@@ -203,7 +207,8 @@ class Cards : public GpuPass {
   gpu::Buffer shaded_;  ///< per step the fragments that its shader ran for, where they are counted
   CardFrame frame_{};
   std::vector<Step> steps_;
-  bool counts_ = false, scatters_ = false;
+  bool counts_ = false;
+  ScatteredBy scattered_by_ = ScatteredBy::none;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {

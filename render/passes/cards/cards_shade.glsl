@@ -11,7 +11,8 @@ layout(constant_id = 3) const bool is_shadowed = false;
 #include "cuticle/render/passes/lines/transmittance.glsl"
 #include "cuticle/render/passes/lines/ambient.glsl"
 #include "cuticle/render/passes/lines/angles.glsl"
-layout(constant_id = 8) const bool scatters = false;  // dual scattering in place of the frame's `multiple`
+layout(constant_id = 8) const uint scattered_by = 0u;  // as ScatteredBy of cards_gpu.cpp
+const uint k_frame_multiple = 1u, k_dual_scattering = 2u;
 #define DUAL_BINDING 6
 #include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
 layout(location = 0) in vec3 world;
@@ -43,8 +44,9 @@ vec3 through_of(uint light) {
 
 // Light scattered many times, as strands have it.
 vec3 scattered_often(vec3 to_light, vec3 through, vec3 t, vec3 to_eye) {
+  if (scattered_by == 0u) return vec3(0.0);
   const Angles angles = angles_of(to_light, t, to_eye);
-  if (scatters) return dual_scattering(angles, through);
+  if (scattered_by == k_dual_scattering) return dual_scattering(angles, through);
   return multiple.rgb * ambient_share(sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0)), through);
 }
 
