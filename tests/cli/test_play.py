@@ -74,7 +74,7 @@ def untouched(scene, display, tmp_path_factory):
 def touched(scene, display, untouched):
     """A window that was paused, orbited, stepped twice, and whose absorption and method were changed."""
     process = play(scene, display)
-    xdo(display, "search", "--sync", "--name", "Cuticle", "windowmove", "--sync", 0, 0, "windowfocus")
+    xdo(display, "search", "--sync", "--onlyvisible", "--name", "Cuticle", "windowmove", "--sync", 0, 0, "windowfocus")  # a window not mapped yet cannot be focused
     click(display, middle(untouched[0], "pause"))
     xdo(display, "mousemove", 200, 200)
     xdo(display, "mousedown", 1)
