@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation per strand: whether any of its segments may show. Wherever it is in doubt a strand is drawn.
+// One invocation per strand: whether any of its segments may show, and how many have numbers that are none. Wherever it
+// is in doubt a strand is drawn.
 layout(local_size_x = 64) in;
 #include "cuticle/gpu/groups.glsl"
 #include "cuticle/render/finite.glsl"
@@ -10,6 +11,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer TileDepth { float tile_depth[]; };
 layout(std430, binding = 2) buffer Seen { uint seen[]; };  // a bit per strand
+layout(std430, binding = 3) buffer Lost { uint lost_segments; };
 
 const float k_doubt = 1e-4;        // relative, in distances
 const float k_depth_doubt = 1e-6;  // of a stored depth: 16 times its last bit
@@ -44,9 +46,14 @@ void main() {
   const uint strand = invocation();
   if (strand >= strand_count) return;
   bool shows = false;
-  for (uint k = 0u; k < drawn_segments && !shows; ++k) {
-    const vec4 a = vertices[vertex_of(strand, k)], b = vertices[vertex_of(strand, k + 1u)];
-    shows = is_finite(a) && is_finite(b) && may_show(a, b);
+  uint lost = 0u;
+  vec4 a = vertices[vertex_of(strand, 0u)];
+  for (uint k = 0u; k < drawn_segments; ++k) {
+    const vec4 b = vertices[vertex_of(strand, k + 1u)];
+    if (!is_finite(a) || !is_finite(b)) ++lost;
+    else if (!shows) shows = may_show(a, b);
+    a = b;
   }
   if (shows) atomicOr(seen[strand >> 5], 1u << (strand & 31u));
+  if (lost > 0u) atomicAdd(lost_segments, lost);
 }

@@ -33,7 +33,7 @@ struct Kernels {
   gpu::Kernel depth, see, list;
 };
 struct Buffers {
-  gpu::Buffer tile_depth, seen;
+  gpu::Buffer tile_depth, seen, lost;
 };
 
 Push push_of(const FrameResources& resources) {
@@ -78,7 +78,9 @@ class CullStrands : public GpuPass {
                       strands = gpu::groups_for(push.strand_count);
     commands.dispatch(kernels_.depth, {&buffers_.tile_depth}, {resources.depth}, bytes, tiles.x, tiles.y);
     commands.fill(buffers_.seen, 0);
-    commands.dispatch(kernels_.see, {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen}, {}, bytes,
+    commands.fill(buffers_.lost, 0);
+    commands.dispatch(kernels_.see,
+                      {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen, &buffers_.lost}, {}, bytes,
                       strands.x, strands.y);
     commands.dispatch(kernels_.list, {&buffers_.seen, &strands_.list, &strands_.numbers}, {}, bytes, 1);
     all_ = push.strand_count;
@@ -88,10 +90,14 @@ class CullStrands : public GpuPass {
 
   Result<Settled> settle() override {
     CUTICLE_ASSIGN(const auto numbers, gpu::read_buffer<std::uint32_t>(*device_, strands_.numbers, 1));
+    CUTICLE_ASSIGN(const auto lost, gpu::read_buffer<std::uint32_t>(*device_, buffers_.lost, 1));
     const std::uint32_t drawn = numbers[0] / std::max(1u, corners_);
-    if (drawn == all_) return Settled{};
-    return Settled{
-        .notes = {fmt::format("cull_strands: {} of {} strands drawn, the others are not seen", drawn, all_)}};
+    Settled settled;
+    if (drawn != all_)
+      settled.notes.push_back(
+          fmt::format("cull_strands: {} of {} strands drawn, the others are not seen", drawn, all_));
+    if (lost[0] > 0) settled.notes.push_back(fmt::format("cull_strands: {} segments left out: not finite", lost[0]));
+    return settled;
   }
 
  private:
@@ -107,7 +113,7 @@ Result<Kernels> make_kernels(gpu::Device& device, std::uint32_t samples) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.depth, samples == 1 ? device.make_kernel(cull_depth_one_comp, {1, 1, bytes})
                                              : device.make_kernel(cull_depth_many_comp, {1, 1, bytes, {samples}}));
-  CUTICLE_ASSIGN(kernels.see, device.make_kernel(cull_see_comp, {3, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.see, device.make_kernel(cull_see_comp, {4, 0, bytes}));
   CUTICLE_ASSIGN(kernels.list, device.make_kernel(cull_list_comp, {3, 0, bytes}));
   return kernels;
 }
@@ -119,6 +125,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   Buffers buffers;
   CUTICLE_ASSIGN(buffers.tile_depth, device->make_buffer(word * grid.x * grid.y));
   CUTICLE_ASSIGN(buffers.seen, device->make_buffer(word * std::max<std::size_t>(1, (strands + 31) / 32)));
+  CUTICLE_ASSIGN(buffers.lost, device->make_buffer(word));
   SeenStrands seen;
   CUTICLE_ASSIGN(seen.list, device->make_buffer(word * std::max<std::size_t>(1, strands)));
   CUTICLE_ASSIGN(seen.numbers, device->make_buffer(4 * word));

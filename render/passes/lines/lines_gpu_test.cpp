@@ -73,6 +73,7 @@ struct OneStrand {
   std::vector<float> reached;  ///< transmittance per light
   double ambient = 0;
   bool packed = false;
+  double end = 0.3, end_radius = 1e-4;  ///< of the strand, along its tangent
 
   glm::vec4 center_pixel() const {
     const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
@@ -81,7 +82,7 @@ struct OneStrand {
 
   /// The pixel of each of some frames that one pass draws; the tables are asked for before each.
   std::vector<glm::vec4> center_pixels(const std::function<Textures()>& next, int frames) const {
-    const auto vertices = upload<glm::vec4>({{-0.3 * tangent, 1e-4}, {0.3 * tangent, 1e-4}});
+    const auto vertices = upload<glm::vec4>({{-0.3 * tangent, 1e-4}, {end * tangent, end_radius}});
     const auto tangents = upload<glm::vec4>({{tangent, 0}, {tangent, 1}});
     const auto segments = upload<std::uint32_t>({0});
     std::vector<gpu::Buffer> transmittance;
@@ -315,6 +316,18 @@ TEST(Lines, TwoLights_AddUpUnderTheirTransmittance) {
 TEST(Lines, LightAlongTheFibre_IsFinite) {
   const glm::vec4 pixel = OneStrand{{0, 1, 0}, {light_from(0, 1, 0)}, {1}, 1}.center_pixel();
   for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(pixel[c]));
+}
+
+TEST(Lines, EndThatIsNoNumber_LeavesTheSegmentOut) {
+  const double nan = std::nan(""), infinite_in_float = 1e39;
+  const auto pixel = [](double end, double radius) {
+    return OneStrand{.tangent = {0, 1, 0}, .lights = {}, .reached = {}, .end = end, .end_radius = radius}.center_pixel();
+  };
+  EXPECT_EQ(pixel(0.3, 1e-4), glm::vec4(0, 0, 0, 1));
+  for (double none : {nan, infinite_in_float}) {
+    EXPECT_EQ(pixel(none, 1e-4), glm::vec4(0)) << none;
+    EXPECT_EQ(pixel(0.3, none), glm::vec4(0)) << none;
+  }
 }
 
 TEST(Lines, NoLight_IsBlackButCovers) {

@@ -2,6 +2,7 @@
 // comes per strand vertex, in CHANNELS numbers a light: 1, or 3 where channels are shadowed apart.
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/strands/packing/packing.glslh"
+#include "cuticle/render/finite.glsl"
 #include "cuticle/render/passes/lines/lines_frame.glsl"
 #include "cuticle/render/passes/lines/strand_chance.glsl"
 
@@ -44,6 +45,10 @@ float fraction_of(uint vertex) {
                                : float(vertex % vertices_per_strand) / float(max(vertices_per_strand, 2u) - 1u);
 }
 
+bool has_numbers(uint vertex) {
+  return is_finite(packed_vertices == 0u ? vertices[vertex] : vec4(position_of(vertex), 0.0));
+}
+
 vec3 light_scattered_often(uint vertex) {
   const vec3 t = normalize(tangent), to_eye = normalize(eye.xyz - position);
   vec3 sum = vec3(0.0);
@@ -63,7 +68,9 @@ void main() {
     for (uint c = 0u, n = CHANNELS * k; c < CHANNELS; ++c, ++n) reached[n >> 2][n & 3u] = share[c];
   }
   often = k_dual == 0u ? vec3(0.0) : light_scattered_often(vertex);
-  // A strand that chance cuts short ends in a segment of no length, outside the view.
-  bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation);
+  // A segment of a tip that chance cuts away, and one with numbers that are none, lie outside the view.
+  const uint other = vertex_of(strand, begin + 1u - (uint(gl_VertexIndex) & 1u));
+  const bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation) &&
+                    has_numbers(vertex) && has_numbers(other);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }
