@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 namespace cuticle::plan::card_light_gpu_test {
@@ -13,6 +14,7 @@ using namespace tests;
 constexpr std::string_view
     k_bald = R"("head": {"present": false})",
     k_side = R"("lights": [{"to_light": [1, 0.2, 0], "irradiance": [6, 6, 6]}])",
+    k_from_behind = R"("lights": [{"to_light": [0.3, 0.3, -1], "irradiance": [6, 6, 6]}])",
     k_dual = R"("passes": {"dual_scattering": {}})", k_plain = R"("passes": {})",
     k_coloured =
         R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "fibre_alpha": [0.3, 0.4, 0.5]},
@@ -75,6 +77,25 @@ TEST(CardLight, OfPigmentedHairInAColouredShadow_HasTheHueByTiles) {
     EXPECT_NEAR(ratio(cards.lit, tiles.lit, c), 1, 0.05);
     EXPECT_NEAR(ratio(cards.shaded, tiles.shaded, c), 1, 0.05);
   }
+}
+
+/// Hair over a black forehead, the light behind the head: what the head's shadow leaves of its light.
+double left_over_the_forehead(std::string_view way) {
+  const auto light = [&](std::string_view surfaces) {
+    const std::string passes = fmt::format(R"("passes": {{"head": {{"skin": 0, "scalp": 0}}{}}})", surfaces);
+    const Image picture = frame_of(*runner({k_from_behind, k_shadow, way, passes}), 0).color;
+    double sum = 0;
+    for (int y = 13; y < 17; ++y)
+      for (int x = 23; x < 30; ++x) sum += double(picture.at(x, y, 0));
+    return sum;
+  };
+  return light(R"(, "surface_shadow": {})") / light("");
+}
+
+TEST(CardLight, BehindTheHead_IsTakenAwayAsByTiles) {
+  const double tiles = left_over_the_forehead(k_tiles), cards = left_over_the_forehead(k_cards);
+  std::printf("the head's shadow leaves %.4f by tiles, %.4f by cards\n", tiles, cards);
+  EXPECT_NEAR(cards, tiles, 0.03);  // measured: .520, .520
 }
 
 }  // namespace

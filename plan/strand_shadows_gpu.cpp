@@ -8,6 +8,7 @@ Result<void> StrandShadows::make(const std::shared_ptr<gpu::Device>& device, con
                                  const Plan& plan, render::FrameResources& resources) {
   const bool by_hair = scene.shadow && scene.shadow->name != "none" && find_pass(plan, scene.shadow->name);
   if (!by_hair && !find_pass(plan, "surface_shadow")) return {};
+  resources.of_surfaces_alone = !by_hair;
   if (by_hair) {
     resources.channels = shadows::different_channels(resources.fibre_alpha);
     CUTICLE_TRY(make_methods(device, *scene.shadow, resources));

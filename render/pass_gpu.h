@@ -51,6 +51,7 @@ struct FrameResources {
   const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
   shadows::Channels channels;                     ///< whose transmittance differs
   std::vector<const gpu::Buffer*> transmittance;  ///< per light, for each of `channels.alpha`: one float per vertex
+  bool of_surfaces_alone = false;                 ///< `transmittance` is no shadow method's
   const surface_shadow::Maps* surface_shadow = nullptr;  ///< what surfaces and hair cast on each other
   std::vector<const gpu::Texture*> tables;               ///< in the layout's order
   const lut::TableSet* table_set = nullptr;

@@ -2,6 +2,7 @@
 // Small scenes of cards, drawn on the software device.
 #include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/cards/cards.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,9 @@ struct Scene {
   strands::Groom groom;               ///< at rest, k_vertices a strand
   std::vector<glm::vec3> moved = {};  ///< positions of the frame; empty: at rest
   std::vector<float> reached = {};    ///< transmittance per vertex; empty: nothing shadows
+  std::vector<float> past = {};       ///< what passes surfaces, a part of that; empty: they cast nothing
+  bool shadowed_by_hair = true;       ///< a method is in that transmittance
+  bool dual = false;                  ///< dual scattering is asked for
   glm::dmat4 motion{1};               ///< of the head
   Camera camera = {.position = {0, -0.1, 1}, .target = {0, -0.1, 0}, .vertical_field_of_view = 0.4};
   std::vector<Light> lights = {
@@ -108,6 +112,12 @@ inline Result<Drawn> try_draw(const Scene& scene) {
   resources.lights = scene.lights;
   const gpu::Buffer reached = upload(scene.reached.empty() ? std::vector<float>{1} : scene.reached);
   if (!scene.reached.empty()) resources.transmittance = {&reached};
+  resources.of_surfaces_alone = !scene.shadowed_by_hair;
+  surface_shadow::Maps maps;
+  if (!scene.past.empty()) {
+    maps.visibility = upload(scene.past);
+    resources.surface_shadow = &maps;
+  }
   resources.strands.vertices = &vertices;
   resources.strands.vertex_count = std::uint32_t(positions.size());
   resources.vertices_per_strand = k_vertices;
@@ -122,12 +132,13 @@ inline Result<Drawn> try_draw(const Scene& scene) {
   resources.parameters["cards"] = parameters_of(scene);
   gpu::Commands commands = device()->record();
   std::vector<std::unique_ptr<GpuPass>> passes;
-  for (std::string_view name : {"head", "cards"}) {
-    if (name == "head" && !scene.draws_head) continue;
+  for (std::string_view name : {"dual_scattering", "head", "cards"}) {
+    if ((name == "head" && !scene.draws_head) || (name == "dual_scattering" && !scene.dual)) continue;
     const auto entry = std::ranges::find(gpu_passes(), name, &GpuPassEntry::name);
     CUTICLE_ASSIGN(auto pass, (*entry)->create(device(), resources));
+    pass->publish(resources);
     CUTICLE_TRY(pass->record(commands, resources));
-    resources.keep_target = true;
+    resources.keep_target = name != "dual_scattering";
     passes.push_back(std::move(pass));
   }
   Drawn drawn{.image = make_image(k_size, k_size, {"R", "G", "B", "A"}), .cost = {}, .notes = {}};

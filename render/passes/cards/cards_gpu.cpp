@@ -107,10 +107,12 @@ class Cards : public GpuPass {
 
  private:
   /// Whether what the hair about a point scatters stands in place of a diffuse colour, as by the other ways of drawing:
-  /// where a material is of a fibre, and hair is shadowed or dual scattering asked for.
+  /// where a material is of a fibre, and hair shadows hair or dual scattering is asked for.
   static bool is_lit_as_strands(const FrameResources& resources) {
-    return resources.model->entry.name != "scheuermann" &&
-           (resources.dual_scattering || !resources.transmittance.empty());
+    return resources.model->entry.name != "scheuermann" && (resources.dual_scattering || is_shadowed_by_hair(resources));
+  }
+  static bool is_shadowed_by_hair(const FrameResources& resources) {
+    return !resources.transmittance.empty() && !resources.of_surfaces_alone;
   }
 
   /// The base texture, which varies a diffuse colour from 1 down, then leaves the mean as it is.
@@ -148,7 +150,9 @@ class Cards : public GpuPass {
         .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
                                          resources.transmittance.empty() ? 0u : 1u},
                                         resources.channels)};
-    description.interface.specialization.push_back(std::uint32_t(scattered_by_));
+    for (std::uint32_t constant : {std::uint32_t(scattered_by_), std::uint32_t(is_shadowed_by_hair(resources)),
+                                   std::uint32_t(resources.surface_shadow != nullptr)})
+      description.interface.specialization.push_back(constant);
     if (depth_alone) description.color_formats.clear();
     description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
     description.depth_write = settings.writes_depth;

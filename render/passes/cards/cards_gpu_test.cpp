@@ -277,6 +277,37 @@ TEST(Cards, FibreOfMarschner_IsDrawnAndOtherModelsAreRefused) {
   EXPECT_NE(refused.error().message.find("material.model = 'kajiya_kay'"), std::string::npos);
 }
 
+/// Locks of a fibre whose hair lets .4 of the light through and surfaces `past` of that.
+Scene locks_behind_surfaces(float past) {
+  Scene scene{.groom = locks(), .model = "marschner", .material = "sigma_a=0.1/0.3/0.6"};
+  scene.reached.assign(scene.groom.vertex_count(), 0.4f * past);
+  scene.past.assign(scene.groom.vertex_count(), past);
+  return scene;
+}
+
+// No fibre scatters what a surface took away: a quarter of the light is a quarter of the radiance.
+TEST(Cards, DualScatteringOfLightHalfBehindSurfaces_IsThatOfLessLight) {
+  Scene whole = locks_behind_surfaces(1), part = locks_behind_surfaces(0.25f);
+  whole.dual = part.dual = true;
+  Image expected = draw(whole).image;
+  EXPECT_GT(mean_difference(expected, make_image(k_size, k_size, {"R", "G", "B", "A"}), 0, 3), 1e-3);
+  for (std::size_t v = 0; v < expected.pixels.size(); ++v)
+    if (v % 4 < 3) expected.pixels[v] *= 0.25f;
+  EXPECT_LT(largest_difference(draw(part).image, expected), 1e-6);
+}
+
+// Occlusion stands for hair in the way where no method does.
+TEST(Cards, SurfacesWithoutAMethod_TakeTheirShareAndLeaveOcclusion) {
+  Scene open = locks_behind_surfaces(1), part = locks_behind_surfaces(0.25f);
+  open.reached = open.past = {};
+  part.reached = part.past;
+  part.shadowed_by_hair = false;
+  Image expected = draw(open).image;
+  for (std::size_t v = 0; v < expected.pixels.size(); ++v)
+    if (v % 4 < 3) expected.pixels[v] *= 0.25f;
+  EXPECT_LT(largest_difference(draw(part).image, expected), 1e-6);
+}
+
 TEST(Cards, NumbersThatAreNone_AreRefused) {
   Scene scene{.groom = locks()};
   scene.groom.positions[20].x = std::numeric_limits<float>::quiet_NaN();

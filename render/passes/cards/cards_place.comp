@@ -12,10 +12,12 @@ layout(std430, set = 0, binding = 2) readonly buffer Followers { uint followers[
 layout(std430, set = 0, binding = 3) writeonly buffer Placed { PlacedRow placed[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };  // per drawn vertex
 layout(std430, set = 0, binding = 5) writeonly buffer Reached { float reached[]; };             // per row
+layout(std430, set = 0, binding = 6) readonly buffer Visibility { float visibility[]; };        // per drawn vertex
 layout(push_constant) uniform Push {
   mat4 head;  // rest to world
   uint row_count, vertices_per_strand, vertex_count;
-  uint shadows;  // lights times different channels; 0: nothing shadows
+  uint shadows;   // lights times different channels; 0: nothing shadows
+  uint surfaces;  // lights where surfaces cast; else 0
 };
 
 const float k_step = 0.02;  // of v, for tangents; placement_gpu.cpp has the same
@@ -42,13 +44,22 @@ vec3 mean_of_followers(uvec2 list, float v) {
   return sum / float(list.y - list.x);
 }
 
-// What arrives at them there, in the mean.
+// What arrives at them there, in the mean, and what of it passes surfaces.
 float mean_transmittance(uvec2 list, float v, uint shadow) {
   const Step at = step_at(v);
   float sum = 0.0;
   for (uint k = list.x; k < list.y; ++k) {
     const uint vertex = shadow * vertex_count + followers[k] * vertices_per_strand + at.begin;
     sum += mix(transmittance[vertex], transmittance[vertex + 1u], at.share);
+  }
+  return sum / float(list.y - list.x);
+}
+float mean_visibility(uvec2 list, float v, uint light) {
+  const Step at = step_at(v);
+  float sum = 0.0;
+  for (uint k = list.x; k < list.y; ++k) {
+    const uint vertex = light * vertex_count + followers[k] * vertices_per_strand + at.begin;
+    sum += mix(visibility[vertex], visibility[vertex + 1u], at.share);
   }
   return sum / float(list.y - list.x);
 }
@@ -71,4 +82,6 @@ void main() {
   placed[row].normal = vec4(cross(tangent, across), 0.0);
   placed[row].tangent = vec4(tangent, 0.0);
   for (uint k = 0u; k < shadows; ++k) reached[k * row_count + row] = mean_transmittance(rest.followers.xy, v, k);
+  for (uint k = 0u; k < surfaces; ++k)
+    reached[(shadows + k) * row_count + row] = mean_visibility(rest.followers.xy, v, k);
 }

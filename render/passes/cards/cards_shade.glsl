@@ -13,6 +13,8 @@ layout(constant_id = 3) const bool is_shadowed = false;
 #include "cuticle/render/passes/lines/angles.glsl"
 layout(constant_id = 8) const uint scattered_by = 0u;  // as ScatteredBy of cards_gpu.cpp
 const uint k_frame_multiple = 1u, k_dual_scattering = 2u;
+layout(constant_id = 9) const bool is_shadowed_by_hair = false;
+layout(constant_id = 10) const bool surfaces_cast = false;
 #define DUAL_BINDING 6
 #include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
 layout(location = 0) in vec3 world;
@@ -34,19 +36,34 @@ HalfVector half_vector_on_card(vec3 t, vec3 n, vec3 to_light, vec3 to_eye) {
   return v;
 }
 
-// Between the two rows that the pixel lies between; a sample beside the card extrapolates.
+// The rows that the pixel lies between, and its share of the way; a sample beside the card extrapolates.
+struct Rows {
+  uint row, next;
+  float share;
+};
+Rows rows_at_pixel() {
+  const float at = clamp(row_at, 0.0, float(vertex_count - 1u));
+  const uint row = uint(at);
+  return Rows(row, min(row + 1u, vertex_count - 1u), at - float(row));
+}
 vec3 through_of(uint light) {
   if (!is_shadowed) return vec3(1.0);
-  const float at = clamp(row_at, 0.0, float(vertex_count - 1u));
-  const uint row = uint(at), next = min(row + 1u, vertex_count - 1u);
-  return mix(transmitted(light, row), transmitted(light, next), at - float(row));
+  const Rows rows = rows_at_pixel();
+  return mix(transmitted(light, rows.row), transmitted(light, rows.next), rows.share);
+}
+// What of a light passes the surfaces: behind the transmittance of all lights.
+float past_surfaces(uint light) {
+  if (!surfaces_cast) return 1.0;
+  const Rows rows = rows_at_pixel();
+  const uint first = (uint(diffuse.w) * k_different + light) * vertex_count;
+  return mix(transmittance[first + rows.row], transmittance[first + rows.next], rows.share);
 }
 
 // Light scattered many times, as strands have it.
-vec3 scattered_often(vec3 to_light, vec3 through, vec3 t, vec3 to_eye) {
+vec3 scattered_often(vec3 to_light, vec3 through, float past, vec3 t, vec3 to_eye) {
   if (scattered_by == 0u) return vec3(0.0);
   const Angles angles = angles_of(to_light, t, to_eye);
-  if (scattered_by == k_dual_scattering) return dual_scattering(angles, through);
+  if (scattered_by == k_dual_scattering) return dual_scattering(angles, through, past);
   return multiple.rgb * ambient_share(sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0)), through);
 }
 
@@ -63,7 +80,7 @@ vec4 shaded(vec4 texel) {
     const Arriving light = arriving_at(world, lights[k]);
     const vec3 through = through_of(k);
     sum += light.irradiance * (scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * through +
-                               scattered_often(light.to_light, through, t, to_eye));
+                               scattered_often(light.to_light, through, past_surfaces(k), t, to_eye));
   }
-  return vec4(held_by_halves(sum * shifts.z * texel.r * (is_shadowed ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
+  return vec4(held_by_halves(sum * shifts.z * texel.r * (is_shadowed_by_hair ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
 }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <cuticle/gpu/groups.h>
+#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
 
 #include <cards_place_comp.spv.h>
 
@@ -17,8 +18,12 @@ constexpr float k_step = 0.02f;  // of v, as in cards_place.comp
 
 struct Push {
   glm::mat4 head;
-  std::uint32_t row_count, vertices_per_strand, vertex_count, shadows;
+  std::uint32_t row_count, vertices_per_strand, vertex_count, shadows, surfaces;
 };
+
+std::uint32_t lights_past_surfaces(const FrameResources& resources) {
+  return resources.surface_shadow ? std::uint32_t(resources.lights.size()) : 0;
+}
 
 /// The mean of strands at v, their vertices taken for even steps, as cards_place.comp takes it.
 glm::vec3 mean_of(const strands::Groom& groom, std::span<const std::uint32_t> followers, float v) {
@@ -79,25 +84,27 @@ Result<Placement> Placement::make(gpu::Device& device, const FrameResources& res
   CUTICLE_ASSIGN(placement.rests_, gpu::make_buffer_from<CardRest>(device, rests.rows));
   CUTICLE_ASSIGN(placement.followers_, gpu::make_buffer_from<std::uint32_t>(device, rests.followers));
   CUTICLE_ASSIGN(placement.placed_, device.make_buffer(rests.rows.size() * 4 * sizeof(glm::vec4)));
-  const std::size_t shadows = resources.transmittance.size();
+  const std::size_t shadows = resources.transmittance.size(), all = shadows + lights_past_surfaces(resources);
   CUTICLE_ASSIGN(placement.reached_,
-                 device.make_buffer(std::max<std::size_t>(1, shadows * rests.rows.size()) * sizeof(float)));
+                 device.make_buffer(std::max<std::size_t>(1, all * rests.rows.size()) * sizeof(float)));
   if (shadows > 0) {
     CUTICLE_ASSIGN(placement.transmittance_, GatheredTransmittance::make(device, resources));
   }
   CUTICLE_ASSIGN(placement.kernel_,
-                 device.make_kernel(cards_place_comp, {.storage_buffers = 6, .push_constant_bytes = sizeof(Push)}));
+                 device.make_kernel(cards_place_comp, {.storage_buffers = 7, .push_constant_bytes = sizeof(Push)}));
   return placement;
 }
 
 void Placement::record(gpu::Commands& commands, const FrameResources& resources) const {
   const Push push{glm::mat4(resources.head_transform), rows_, resources.vertices_per_strand,
-                  resources.strands.vertex_count, std::uint32_t(resources.transmittance.size())};
+                  resources.strands.vertex_count, std::uint32_t(resources.transmittance.size()),
+                  lights_past_surfaces(resources)};
   if (transmittance_) transmittance_->record(commands, resources);
   const gpu::Groups groups = gpu::groups_for(rows_);
   commands.dispatch(kernel_,
                     {resources.strands.vertices, &rests_, &followers_, &placed_,
-                     transmittance_ ? &transmittance_->buffer() : &rests_, &reached_},
+                     transmittance_ ? &transmittance_->buffer() : &rests_, &reached_,
+                     resources.surface_shadow ? &resources.surface_shadow->visibility : &rests_},
                     {}, gpu::bytes_of(push), groups.x, groups.y);
 }
 

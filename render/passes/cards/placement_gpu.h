@@ -28,7 +28,8 @@ class Placement {
 
   const gpu::Buffer& rests() const { return rests_; }
   const gpu::Buffer& placed() const { return placed_; }
-  /// Light by light and channel by channel a float per row; one float where nothing shadows.
+  /// Light by light and channel by channel a float per row, then light by light what passes surfaces, where they cast;
+  /// one float where nothing shadows.
   const gpu::Buffer& reached() const { return reached_; }
   std::uint32_t row_count() const { return rows_; }
 

@@ -54,3 +54,9 @@ vec3 dual_scattering(Angles angles, vec3 through) {
   float cos_d = cos(theta_d), inclined = cos(theta_i) / (k_pi * max(cos_d * cos_d, 1e-3));
   return inclined * (through * back + forward_density * scattered * (once + back_spread));
 }
+
+// Where the share `past` of the light passes surfaces. What they take away no fibre has scattered: only what hair leaves
+// says how many fibres there were.
+vec3 dual_scattering(Angles angles, vec3 through, float past) {
+  return past <= 0.0 ? vec3(0.0) : past * dual_scattering(angles, min(through / past, vec3(1.0)));
+}

@@ -11,9 +11,6 @@ float past_surfaces(uint light, uint vertex) {
   return k_dual == 0u || k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
 }
 
-// What surfaces take away no fibre has scattered: only what hair leaves says how many fibres there were.
 vec3 scattered_often(Arriving arriving, vec3 through, float past, vec3 t, vec3 to_eye) {
-  if (past <= 0.0) return vec3(0.0);
-  const Angles angles = angles_of(arriving.to_light, t, to_eye);
-  return past * dual_scattering(angles, min(through / past, vec3(1.0))) * arriving.irradiance;
+  return dual_scattering(angles_of(arriving.to_light, t, to_eye), through, past) * arriving.irradiance;
 }

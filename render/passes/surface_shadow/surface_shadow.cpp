@@ -10,7 +10,7 @@ namespace {
 
 using registry::Parameter;
 
-constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces", "output_color", "shaded_from_tables"};
+constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces", "output_color"};
 constexpr std::string_view k_systems[] = {"F3"};
 constexpr Parameter k_parameters[] = {
     {.name = "resolution",
