@@ -8,9 +8,9 @@
 #include <cuticle/cli/eval/coordinates.h>
 #include <cuticle/cli/eval/subjects.h>
 #include <cuticle/core/file.h>
+#include <cuticle/core/json/json.h>
 #ifdef CUTICLE_HAS_GPU
 #include <cuticle/bsdf/model_gpu.h>
-#include <cuticle/core/json/json.h>
 #endif
 
 namespace cuticle::cli {
