@@ -96,7 +96,7 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
   facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
-  facts["seen_segments"] = {scene.render_method == "quads" || scene.render_method == "tiles", why};
+  facts["seen_segments"] = {scene.render_method != "cards" && scene.render_method != "truth", why};
   facts["drawn_on_device"] = {scene.render_method != "truth", why};
   facts["shaded_from_tables"] = {scene.render_method != "cards", why};
 }

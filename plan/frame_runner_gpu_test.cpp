@@ -70,6 +70,8 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
       {k_light, k_shadow, k_quads},
       {k_light, k_quads, R"("outputs": {"aovs": true})"},
       {k_tiles, R"("outputs": {"aovs": true})"},
+      {k_light, k_lines, R"("outputs": {"aovs": true})"},
+      {k_light, k_coloured, k_lines, k_motion, R"("passes": {"motion_blur": {}})"},
       {k_tiles, k_motion, k_velocity},
       {k_tiles, k_simulation, k_velocity},
       {k_light, k_tiles, k_points},
@@ -214,7 +216,7 @@ TEST(FrameRunner, LevelOfDetail_CastsWithItsPrefixAsMuchAsAll) {
 }
 
 constexpr std::string_view k_wide_strands =
-    R"("head": {"present": false}, "passes": {"lines": {"tip_variation": 0}}, "outputs": {"aovs": true}, "camera": {
+    R"("head": {"present": false}, "passes": {"lines": {"tip_variation": 0, "widest_px": 8}}, "outputs": {"aovs": true}, "camera": {
       "position_m": [0.2, 0.15, 1.1], "target_m": [0.02, 0.1, 0], "fov_deg": 1, "resolution_px": [64, 64]})";
 
 /// What stands at the middles of pixels: the strand's number, its distance and its tangent along y, as colours that
@@ -238,10 +240,10 @@ Image numbers_distances_and_tangents(FrameRunner& runner, const Camera& camera) 
   return render::truth::rasterise(camera, {vertices, colors, segments}, {}, {.samples = 1});
 }
 
-// At pixels that hair covers whole. Measured: the same strand in 92 % by quads and 97 % by tiles, which take the one
-// that most of the pixel sees.
+// At pixels that hair covers whole. Measured: the same strand in 85 % by lines, which are all equally wide, 92 % by quads
+// and 97 % by tiles, which take the one that most of the pixel sees.
 TEST(FrameRunner, Aovs_AreThoseOfTheStrandThatBruteForceSees) {
-  for (std::string_view method : {k_quads, k_tiles}) {
+  for (const auto& [method, least] : {std::pair{k_lines, 0.83}, {k_quads, 0.88}, {k_tiles, 0.88}}) {
     const auto made = runner({k_light, k_shadow, k_wide_strands, method});
     const Image aovs = frame_of(*made, 0).aovs;
     ASSERT_EQ(aovs.channels(), 13);
@@ -272,7 +274,7 @@ TEST(FrameRunner, Aovs_AreThoseOfTheStrandThatBruteForceSees) {
       }
     std::printf("%d pixels, %d of the same strand\n", whole, same);
     EXPECT_GT(whole, 100);
-    EXPECT_GT(same, 0.88 * whole);
+    EXPECT_GT(same, least * whole);
   }
 }
 

@@ -97,7 +97,7 @@ TEST_P(Motion, WhatPassesReadOfThePicture_IsNotAmongItsLayers) {
   EXPECT_TRUE(blurred->aovs.pixels.empty());
   EXPECT_FALSE(wanted->aovs.pixels.empty());
 }
-INSTANTIATE_TEST_SUITE_P(Methods, Motion, testing::Values("tiles", "quads"),
+INSTANTIATE_TEST_SUITE_P(Methods, Motion, testing::Values("tiles", "quads", "lines"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 // Against the same picture with 16 times as many samples.

@@ -37,6 +37,15 @@ gpu::Commands::Target color_target(const FrameResources& resources) {
   return {.color = resources.color, .resolve = resolves ? resources.resolved : nullptr, .keep = resources.keep_target};
 }
 
+Result<gpu::Texture> make_visibility(gpu::Device& device, const gpu::Texture& target) {
+  return device.make_texture({.size = target.size(),
+                              .format = gpu::TextureFormat::r32u,
+                              .filter = gpu::Filter::nearest,
+                              .samples = target.samples(),
+                              .render_target = true,
+                              .read_samples = target.samples() > 1});
+}
+
 Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resources) {
   const glm::ivec2 size = resources.says_seen ? resources.camera.resolution : glm::ivec2(1);
   return device.make_buffer(std::size_t(size.x) * std::size_t(size.y) * sizeof(Seen));

@@ -111,6 +111,9 @@ glm::dmat4 drawn_world_to_clip(const FrameResources& resources);
 gpu::GraphicsDescription target_description(const FrameResources& resources);
 /// The colour target of a rendering, as `keep_target` and `resolve_target` say.
 gpu::Commands::Target color_target(const FrameResources& resources);
+/// A visibility buffer for a target: per sample the segment that it sees, from 1.
+Result<gpu::Texture> make_visibility(gpu::Device& device, const gpu::Texture& target);
+
 /// The buffer that a pass fills where `says_seen`; else one that takes its place.
 Result<gpu::Buffer> make_seen(gpu::Device& device, const FrameResources& resources);
 /// The constants of channels.glsl, behind those that a shader has before them.

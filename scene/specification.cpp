@@ -233,7 +233,7 @@ Spec floor() {
 Spec outputs() {
   return object(
       "outputs", "pictures wanted",
-      {boolean("color", "radiance"), boolean("aovs", "what each pixel sees of the hair, as layers (quads, tiles)"),
+      {boolean("color", "radiance"), boolean("aovs", "what each pixel sees of the hair, as layers (lines, quads, tiles)"),
        real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 

@@ -125,6 +125,15 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
   return costs;
 }
 
+/// What the scene or an option asks for and this way of drawing strands does not do.
+void tell_left_out(const plan::Plan& plan, Progress& progress) {
+  for (const plan::LeftOut& left : plan.left_out)
+    for (const char* prefix : {"", "output_"})
+      if (const auto asked = plan.facts.find(prefix + std::string(left.entry->name));
+          asked != plan.facts.end() && asked->second.holds)
+        progress.message(fmt::format("{}: asked for, but left out: {}", left.entry->name, left.reason));
+}
+
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
@@ -136,6 +145,7 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
+  tell_left_out(runner->plan(), *context.progress);
   CUTICLE_TRY(make_folder(options.out));
   CUTICLE_ASSIGN(const Costs costs,
                  render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
@@ -166,7 +176,7 @@ void add_render(CLI::App& app, Context& context) {
   const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
       ->check(CLI::IsMember(methods));
-  command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (quads, tiles)");
+  command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });

@@ -37,6 +37,13 @@ def test_Render_EveryMethod_WritesItsOwnPicture(pictures):
     assert all((folder / "frame_0000.png").stat().st_size > 0 for _, folder in pictures.values())
 
 
+def test_Render_LayersByCards_AreSaidToBeLeftOut(scene, tmp_path):
+    done = run("render", scene, "--method", "cards", "--aovs", "--out", tmp_path)
+    assert done.returncode == 0
+    assert "aovs: asked for, but left out: strands are drawn by 'cards'" in done.stderr
+    assert "left out" not in run("render", scene, "--method", "lines", "--aovs", "--out", tmp_path).stderr
+
+
 def test_Render_Costs_NameThePassesOfTheMethodAlone(pictures):
     for method, (costs, _) in pictures.items():
         names = {entry["name"] for entry in costs["passes"]}

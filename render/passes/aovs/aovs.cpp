@@ -7,7 +7,7 @@ namespace cuticle::render::aovs {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "output_aovs", "seen_segments"};
-constexpr std::string_view k_after[] = {"quads", "tiles"};
+constexpr std::string_view k_after[] = {"lines", "quads", "tiles"};
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/aovs/aovs.h>
 #include <cuticle/render/passes/lines/frame_gpu.h>
-#include <cuticle/render/passes/quads/quads.h>
 
 #include <aovs_comp.spv.h>
 #include <aovs_many_comp.spv.h>
@@ -35,7 +34,7 @@ class Aovs : public GpuPass {
     const Push push{glm::mat4(projection_matrix(camera) * view_matrix(camera)),
                     glm::uvec2(camera.resolution),
                     resources.vertices_per_strand,
-                    lines::drawn_part(resources, parameters_of(resources, quads::entry())).segments,
+                    drawn_segments(resources),
                     shadowed ? 1u : 0u,
                     velocities_ ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(std::size_t(push.resolution.x) * push.resolution.y);
@@ -50,6 +49,12 @@ class Aovs : public GpuPass {
   }
 
  private:
+  /// Of each strand, by the pass that drew into a visibility buffer.
+  static std::uint32_t drawn_segments(const FrameResources& resources) {
+    if (!resources.strand_draw) return resources.vertices_per_strand - 1;
+    return lines::drawn_part(resources, parameters_of(resources, *resources.strand_draw->pass)).segments;
+  }
+
   /// Bindings 0 .. 7 of aovs.glsl; what is not there has another in its place.
   std::vector<const gpu::Buffer*> read_buffers(const FrameResources& resources) const {
     const gpu::Buffer* const tangents = resources.tangents;
@@ -75,7 +80,8 @@ class Aovs : public GpuPass {
 /// By what the strands' pass leaves: samples of a visibility buffer, or what each pixel sees.
 Result<gpu::Kernel> make_kernel(gpu::Device& device, const FrameResources& resources) {
   const int samples = resources.seen_samples ? resources.seen_samples->samples() : 1;
-  const std::vector<std::uint32_t> constants = with_channels({std::uint32_t(samples)}, resources.channels);
+  std::vector<std::uint32_t> constants = with_channels({std::uint32_t(samples)}, resources.channels);
+  constants.push_back(std::uint32_t(resources.supersampling));
   if (!resources.seen_samples) return device.make_kernel(aovs_comp, {9, 0, sizeof(Push), constants});
   const gpu::ShaderInterface interface { 8, 1, sizeof(Push), constants };
   return samples > 1 ? device.make_kernel(aovs_many_comp, interface) : device.make_kernel(aovs_one_comp, interface);

@@ -3,6 +3,6 @@
 #include "cuticle/render/passes/aovs/aovs_samples.glsl"
 layout(binding = 8) uniform usampler2D seen;
 
-uint segment_at(ivec2 pixel, int sample_index) { return texelFetch(seen, pixel, 0).r; }
+uint segment_at(ivec2 texel, int sample_index) { return texelFetch(seen, texel, 0).r; }
 
 void main() { write_aovs(invocation()); }

@@ -1,4 +1,5 @@
-// A line's pixel: scattering from lookup tables along the interpolated tangent; CHANNELS as in lines_vertex.glsl.
+// A line's pixel: scattering from lookup tables along the interpolated tangent; CHANNELS as in lines_vertex.glsl. With
+// SAYS_SEEN also which segment a sample sees, into a visibility buffer.
 #extension GL_GOOGLE_include_directive : require
 #include "cuticle/render/passes/lines/lines_frame.glsl"
 
@@ -16,6 +17,10 @@ layout(location = 3) in vec4 reached[2 * CHANNELS];
 layout(location = 3 + 2 * CHANNELS) in vec3 often;
 layout(constant_id = 4) const uint k_dual = 0u;  // 1: `often` in place of the frame's `multiple`
 layout(location = 0) out vec4 color;
+#ifdef SAYS_SEEN
+layout(location = 4 + 2 * CHANNELS) flat in uint id;
+layout(location = 1) out uint seen;
+#endif
 
 vec3 share_of(uint light) {
   vec3 share;
@@ -41,4 +46,7 @@ void main() {
   }
   if (k_dual != 0u) sum += max(often, 0.0);
   color = vec4(held_by_halves(sum * brightness), 1.0);
+#ifdef SAYS_SEEN
+  seen = id;
+#endif
 }

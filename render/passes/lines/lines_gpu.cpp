@@ -9,8 +9,10 @@
 #include <cuticle/strands/packing/packing_gpu.h>
 
 #include <lines_coloured_frag.spv.h>
+#include <lines_coloured_seen_frag.spv.h>
 #include <lines_coloured_vert.spv.h>
 #include <lines_frag.spv.h>
+#include <lines_seen_frag.spv.h>
 #include <lines_vert.spv.h>
 
 namespace cuticle::render::lines {
@@ -19,14 +21,16 @@ namespace {
 
 constexpr std::uint32_t k_corners = 2;  ///< of a segment
 
+std::span<const std::uint32_t> fragment_shader(bool coloured, bool says_seen) {
+  if (coloured) return says_seen ? std::span<const std::uint32_t>(lines_coloured_seen_frag) : lines_coloured_frag;
+  return says_seen ? std::span<const std::uint32_t>(lines_seen_frag) : lines_frag;
+}
+
 void set_shaders(gpu::GraphicsDescription& description, const FrameResources& resources) {
   const bool coloured = resources.channels.count > 1;
   description.vertex_spirv = lines_vert;
-  description.fragment_spirv = lines_frag;
-  if (coloured) {
-    description.vertex_spirv = lines_coloured_vert;
-    description.fragment_spirv = lines_coloured_frag;
-  }
+  if (coloured) description.vertex_spirv = lines_coloured_vert;
+  description.fragment_spirv = fragment_shader(coloured, resources.says_seen);
   std::vector<std::uint32_t> constants =
       dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
   constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
@@ -41,6 +45,7 @@ class Lines : public GpuPass {
 
   void publish(FrameResources& resources) const override {
     resources.strand_draw = StrandDraw{.pass = &entry(), .corners = k_corners, .line_width = line_width_};
+    if (seen_) resources.seen_samples = &seen_;
   }
 
   /// The pipeline that draws lines of this width; made at its first use.
@@ -48,6 +53,7 @@ class Lines : public GpuPass {
     if (const auto made = pipelines_.find(width); made != pipelines_.end()) return &made->second;
     gpu::GraphicsDescription description = target_description(resources);
     set_shaders(description, resources);
+    if (seen_) description.color_formats.push_back(seen_.format());
     description.topology = gpu::Topology::lines;
     description.line_width = width;
     CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device_->make_graphics(description));
@@ -62,7 +68,7 @@ class Lines : public GpuPass {
     frame->packed_vertices = buffers.packed ? 1 : 0;
     CUTICLE_TRY(inputs_.record(commands, resources));
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, widened(line_width_, part.width)));
-    begin_target(commands, resources);
+    begin(commands, resources);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     cull_strands::draw(commands, resources, *pipeline,
                        {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
@@ -76,6 +82,9 @@ class Lines : public GpuPass {
   Result<void> make_parts(const FrameResources& resources) {
     const registry::ParameterValues parameters = parameters_of(resources, entry());
     line_width_ = line_width(resources, parameters);
+    if (resources.says_seen) {
+      CUTICLE_ASSIGN(seen_, make_visibility(*device_, *resources.color));
+    }
     CUTICLE_TRY(pipeline_of(resources, line_width_));
     if (!parameters.boolean("packed")) return {};
     const std::uint32_t size = resources.vertices_per_strand;
@@ -95,7 +104,13 @@ class Lines : public GpuPass {
     return {&packing_->vertices(), &packing_->strands(), true};
   }
 
+  void begin(gpu::Commands& commands, const FrameResources& resources) const {
+    const gpu::Commands::Target targets[] = {color_target(resources), {.color = &seen_}};
+    commands.begin_rendering({targets, seen_ ? 2u : 1u}, resources.depth, resources.keep_target);
+  }
+
   std::shared_ptr<gpu::Device> device_;
+  gpu::Texture seen_;  ///< per sample the segment that it sees, from 1, where that is asked for
   float line_width_ = 1;                              ///< of all strands
   std::map<float, gpu::GraphicsPipeline> pipelines_;  ///< by the width of their lines: few, see drawn_part
   ShadingInputs inputs_;

@@ -27,6 +27,7 @@ layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
 layout(location = 3) out vec4 reached[2 * CHANNELS];
 layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering
+layout(location = 4 + 2 * CHANNELS) flat out uint id;  // of the segment, from 1
 
 vec3 position_of(uint vertex) {
   if (packed_vertices == 0u) return vertices[vertex].xyz;
@@ -60,6 +61,7 @@ vec3 light_scattered_often(uint vertex) {
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = strand_at(segment / drawn_segments), begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
+  id = strand * drawn_segments + begin + 1u;
   position = position_of(vertex);
   tangent = tangent_of(vertex) + tilt_of(strand, variation);
   brightness = brightness_of(strand, variation);

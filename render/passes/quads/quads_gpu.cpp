@@ -32,13 +32,7 @@ class Quads : public GpuPass {
   }
 
   Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
-    const gpu::Texture& color = *resources.color;
-    CUTICLE_ASSIGN(seen_, device.make_texture({.size = color.size(),
-                                               .format = gpu::TextureFormat::r32u,
-                                               .filter = gpu::Filter::nearest,
-                                               .samples = color.samples(),
-                                               .render_target = true,
-                                               .read_samples = color.samples() > 1}));
+    CUTICLE_ASSIGN(seen_, make_visibility(device, *resources.color));
     CUTICLE_TRY(make_taper(device, resources));
     return make_pipelines(device, resources);
   }

@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define CHANNELS 1u
+#define SAYS_SEEN
+#include "cuticle/render/passes/lines/lines_fragment.glsl"
