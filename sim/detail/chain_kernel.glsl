@@ -1,7 +1,7 @@
 // Storage, contact and follow-the-leader of the solvers of rigid links: chain_lanes.h without its lanes, one thread per
 // strand, all substeps of a frame. A solver includes this with k_scratch_rows defined and TOUCHES 0, 1 (spheres) or 2
-// (all colliders; fields only where specialised), and defines `substep`. With ON_SKIN, which touches nothing, every
-// strand has a head of its own.
+// (all colliders; fields only where specialised), and defines `substep`. With ON_SKIN every strand has a head of its own,
+// and colliders are all as those that move by themselves, in the world.
 #ifndef ON_SKIN
 #define ON_SKIN 0
 #endif
@@ -48,9 +48,10 @@ struct SkinStrand {
   vec4 along, across;  // unit, at rest; along.w: whether the strand bends
   uvec4 vertices;      // anchor, farthest, side
 };
-layout(binding = 15) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
-layout(binding = 16) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices at the frame's
-layout(binding = 17) readonly buffer SkinEnd { vec4 skin_end[]; };      // begin and end
+const int k_skin_binding = TOUCHES == 2 ? 19 : 15;
+layout(binding = k_skin_binding) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
+layout(binding = k_skin_binding + 1) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices
+layout(binding = k_skin_binding + 2) readonly buffer SkinEnd { vec4 skin_end[]; };      // at the frame's begin and end
 #endif
 layout(push_constant) uniform Constants {
   uint strand_count, step_count, sphere_count, box_count, field_count, carries;
@@ -100,20 +101,30 @@ void take_normal(uint i, vec3 normal, uint number) {
 }
 
 #if TOUCHES == 2
+// AnchorWay of collider_lanes.h.
+#if ON_SKIN
+vec3 anchor_on_skin(uint moment);
+vec3 anchor_begin(ChainStep s) { return anchor_on_skin(part); }
+vec3 anchor_end(ChainStep s) { return anchor_on_skin(part + 1u); }
+#else
+vec3 anchor_begin(ChainStep s) { return turned_to_begin(s, anchor_place()); }
+vec3 anchor_end(ChainStep s) { return turned_to_end(s, anchor_place()); }
+#endif
+
 LinkBox box_at(ChainStep s, uint k) {
   float first_link = rest[rest_at(1u, k_length)];
-  if (k_some_move) return moved_box(s, boxes[part * box_count + k], anchor_place(), first_link);
+  if (k_some_move) return moved_box(s, boxes[part * box_count + k], anchor_end(s), first_link);
   return link_box(s, boxes[k], anchor_place(), first_link);
 }
 LinkField field_at(ChainStep s, uint k, uint values) {
   float first_link = rest[rest_at(1u, k_length)];
-  if (k_some_move) return moved_field(s, fields[part * field_count + k], values, anchor_place(), first_link);
+  if (k_some_move) return moved_field(s, fields[part * field_count + k], values, anchor_end(s), first_link);
   return link_field(s, fields[k], values, anchor_place(), first_link);
 }
 // Of a box or field (in this order) that moves by itself.
 ColliderCarry carry_at(uint k) { return collider_carries[part * (box_count + field_count) + k]; }
 vec3 carried_by(ChainStep s, uint k, vec3 here) {
-  return turned_along(carry_at(k), here) + carry_offset(s, carry_at(k), anchor_place());
+  return turned_along(carry_at(k), here) + carry_offset(carry_at(k), anchor_begin(s), anchor_end(s));
 }
 uint value_count(uint k) {
   uvec3 nodes = uvec3(fields[k].cells) + 1u;
@@ -377,8 +388,10 @@ vec3 skin_place(uint vertex, float share) { return skinned_place(skin_begin[vert
 vec3 skin_velocity(uint vertex) {
   return frame_time > 0 ? (skin_end[vertex].xyz - skin_begin[vertex].xyz) / frame_time : vec3(0);
 }
+float share_at(uint moment) { return float(moment) / float(max(step_count, 1u)); }
+vec3 anchor_on_skin(uint moment) { return skin_place(on_skin.vertices.x, share_at(moment)); }
 SkinTurn turn_at(uint part) {
-  float share = float(part) / float(max(step_count, 1u));
+  float share = share_at(part);
   vec3 anchor = skin_place(on_skin.vertices.x, share);
   return skin_turn(on_skin.along.xyz, on_skin.across.xyz, skin_place(on_skin.vertices.y, share) - anchor,
                    skin_place(on_skin.vertices.z, share) - anchor, on_skin.along.w > 0);

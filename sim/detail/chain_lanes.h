@@ -108,10 +108,11 @@ template <class Real, class Scalar>
   }
 }
 
-/// The colliders of a substep.
+/// Of a substep and a part of the lanes: the colliders, and the skin's moments from its begin on.
 template <class Scalar>
-[[gnu::always_inline]] inline ChainFrame<Scalar> of_substep(const ChainFrame<Scalar>& frame, int k) {
+[[gnu::always_inline]] inline ChainFrame<Scalar> of_substep(const ChainFrame<Scalar>& frame, int k, int first) {
   ChainFrame<Scalar> now = frame;
+  if (frame.turns) now.turns += first + k * turn_row::count * S;
   if (!frame.carries) return now;
   now.boxes += k * frame.box_count;
   now.fields += k * frame.field_count;
@@ -121,8 +122,8 @@ template <class Scalar>
 
 /// On a skin every strand has a head of its own.
 template <class Real, class Scalar>
-[[gnu::always_inline]] inline void turn_on_skin(ChainStep<Real>& step, const Scalar* turns, int k) {
-  const Scalar *begin = turns + k * turn_row::count * S, *end = begin + turn_row::count * S;
+[[gnu::always_inline]] inline void turn_on_skin(ChainStep<Real>& step, const Scalar* begin) {
+  const Scalar* const end = begin + turn_row::count * S;
   step.begin_x = vector_at<Real>(begin + turn_row::x * S);
   step.begin_y = vector_at<Real>(begin + turn_row::y * S);
   step.begin_z = vector_at<Real>(begin + turn_row::z * S);
@@ -146,8 +147,9 @@ template <class Scalar, class Substep>
     clear_ends<Lanes<Scalar>>(part);
     for (int k = 0; k < frame.count; ++k) {
       ChainStep<Lanes<Scalar>> step = spread<Lanes<Scalar>>(frame.steps[k]);
-      if (frame.turns) turn_on_skin(step, frame.turns + first, k);
-      substep(part, of_substep(frame, k), step);
+      const ChainFrame<Scalar> now = of_substep(frame, k, first);
+      if (now.turns) turn_on_skin(step, now.turns);
+      substep(part, now, step);
     }
   }
 }

@@ -33,7 +33,7 @@ class ChainSolver final : public Solver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, substeps_of(input));
     placing_.advance(parts);
     const std::vector<ChainStep<Real>> steps = clock_.template steps<Real>(settings_, parts);
-    const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size());
+    const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size(), skin_.has_value());
     std::fill(resets_.begin(), resets_.end(), 0);
     if (!clumped_.empty() && !steps.empty()) clumping::aim(chains_, clumped_, clumping::to_rest(parts[0]));
     const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
@@ -65,7 +65,7 @@ class ChainSolver final : public Solver {
     const std::uint32_t count = substeps(settings_, input.duration);
     if (input.skinned.empty()) return motion_.advance(input, count);
     CUTICLE_TRY(check_skinned(input.skinned, rest_.vertex_count()));
-    CUTICLE_TRY(check_on_skin(settings_, input));
+    CUTICLE_TRY(check_on_skin(settings_));
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance_on_skin(input, count));
     if (!skin_) skin_.emplace(rest_, settings_, chains_);
     skin_->advance(input.skinned, parts[0].onto_skin, parts);
@@ -83,8 +83,10 @@ class ChainSolver final : public Solver {
                      const glm::vec4& carry) {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
-    const FrameColliders<Real>& near = room.near;
-    room.find_near(chains_, b, settings_, colliders);
+    FrameColliders<Real>& near = room.near;
+    if (settings_.contact) find_near<Real>(colliders, [&](const LinkSphere<Real>& around) { return may_reach(b, around); }, near);
+    room.values.clear();
+    for (const FieldPointer& field : near.baked) room.values.push_back(field->values.data());
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;
     const std::size_t rows_of_each = collider_row::count + (near.carries.empty() ? 0 : 3);
     room.numbers.resize(scratch + near.count() * rows_of_each * k_lanes);
@@ -98,6 +100,12 @@ class ChainSolver final : public Solver {
                     room.values.data(), near.carries.empty() ? nullptr : near.carries.data(),
                     skin_ ? room.turns.data() : nullptr});
     reset_broken_lanes<Real>(chains_, b, [&](std::size_t lane) { return skin_ ? skin_->placing(b, lane) : placing_; });
+  }
+
+  /// Whether the block's strands can come to a sphere: in the world on a skin, else in rest space.
+  bool may_reach(std::size_t b, const LinkSphere<Real>& around) const {
+    const double pearl = double(settings_.contact->pearl_radius);
+    return skin_ ? skin_->within_reach(chains_, b, around, pearl) : chains_.within_reach(b, around, pearl);
   }
 
   /// The rows that the program adds to a block's vertices.
@@ -190,12 +198,6 @@ class ChainSolver final : public Solver {
     Rows<Real> numbers, turns;
     FrameColliders<Real> near;
     std::vector<const float*> values;  ///< of its fields
-    void find_near(const Chains<Real>& chains, std::size_t b, const ChainSettings& settings,
-                   const FrameColliders<Real>& all) {
-      if (settings.contact) detail::find_near(chains, b, double(settings.contact->pearl_radius), all, near);
-      values.clear();
-      for (const FieldPointer& field : near.baked) values.push_back(field->values.data());
-    }
   };
   ChainSettings settings_;
   strands::Groom rest_;

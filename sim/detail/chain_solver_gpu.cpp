@@ -16,7 +16,7 @@ namespace cuticle::sim::detail {
 namespace {
 
 static_assert(sizeof(SkinStrand) == 48, "the layout of chain_kernel.glsl");
-constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_buffers_on_skin = 18;
+constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_skin_buffers = 3;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
 
@@ -81,7 +81,7 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<Substep> parts, motion_.advance(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
     std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
-    const FrameColliders<float> colliders = frame_colliders<float>(settings_, input, parts.size());
+    const FrameColliders<float> colliders = frame_colliders<float>(settings_, input, parts.size(), false);
     Constants constants{std::uint32_t(rest_.strand_count()),     std::uint32_t(steps.size()),
                         std::uint32_t(colliders.spheres.size()), std::uint32_t(colliders.box_count()),
                         std::uint32_t(colliders.field_count()),  parts[0].carry.w != 1.f};
@@ -103,20 +103,25 @@ class ChainGpuSolver final : public GpuSolver {
 
   Result<void> record_on_skin(gpu::Commands& commands, const FrameInput& input, const gpu::Buffer& skinned) override {
     CUTICLE_EXPECT(skinned.size() >= buffers_.world.size(), "a place per vertex");
-    CUTICLE_TRY(check_on_skin(settings_, input));
+    CUTICLE_TRY(check_on_skin(settings_));
     CUTICLE_ASSIGN(const std::vector<Substep> parts,
                    motion_.advance_on_skin(input, substeps(settings_, input.duration)));
     placing_.advance(parts);
-    if (!on_skin_) CUTICLE_TRY(make_for_skin());
+    if (!buffers_.skin_begin) CUTICLE_TRY(make_for_skin());
     const std::vector<ChainStep<float>> steps = clock_.steps<float>(settings_, parts);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     if (parts[0].onto_skin) commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
+    const FrameColliders<float> colliders = frame_colliders<float>(settings_, input, parts.size(), true);
+    CUTICLE_TRY(upload(colliders));
     Constants constants{.strand_count = std::uint32_t(rest_.strand_count()),
                         .step_count = std::uint32_t(steps.size()),
+                        .box_count = std::uint32_t(colliders.box_count()),
+                        .field_count = std::uint32_t(colliders.field_count()),
                         .carries = parts[0].onto_skin,
                         .frame_time = float(input.duration)};
+    CUTICLE_ASSIGN(const gpu::Kernel* kernel, skin_kernel_for(constants));
     commands.begin_pass(fmt::format("simulate.{}", program_.name));
-    dispatch(commands, on_skin_, constants, &skinned);
+    dispatch(commands, *kernel, constants, &skinned);
     commands.end_pass();
     commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());
     return {};
@@ -173,7 +178,6 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(refill(*device_, buffers_.skin_strands, skin_strands(rest_, settings_)));
     CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place({0, 0, 0, 1}, placing_)));  // which nobody reads
     CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
-    CUTICLE_ASSIGN(on_skin_, kernel_of(program_.on_skin, k_buffers_on_skin));
     return {};
   }
 
@@ -192,6 +196,18 @@ class ChainGpuSolver final : public GpuSolver {
     if (!kernel) {
       CUTICLE_ASSIGN(kernel,
                      kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0, some_move));
+    }
+    return &kernel;
+  }
+
+  /// The same for hair on a skin.
+  Result<const gpu::Kernel*> skin_kernel_for(const Constants& constants) {
+    const bool touches = constants.box_count + constants.field_count > 0;
+    gpu::Kernel& kernel = on_skin_[touches][constants.field_count > 0];
+    if (!kernel) {
+      CUTICLE_ASSIGN(kernel, kernel_of(touches ? program_.on_skin_beside_all : program_.on_skin,
+                                       (touches ? k_buffers_beside_all : k_buffers) + k_skin_buffers,
+                                       constants.field_count > 0, touches));
     }
     return &kernel;
   }
@@ -317,9 +333,10 @@ class ChainGpuSolver final : public GpuSolver {
   Chains<float> chains_;
   ChainGpuProgram program_;
   Buffers buffers_;
-  gpu::Kernel free_, touching_, on_skin_;
+  gpu::Kernel free_, touching_;
   /// By whether colliders move by themselves, and whether there are fields; made with the first such collider.
   std::array<std::array<gpu::Kernel, 2>, 2> beside_all_;
+  std::array<std::array<gpu::Kernel, 2>, 2> on_skin_;                      ///< by whether there are colliders, and fields
   std::vector<FieldPointer> fields_;                                       ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
   std::unique_ptr<clumping::ClumpingGpu> clumping_;                        ///< null without the effect

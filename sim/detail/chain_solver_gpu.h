@@ -10,7 +10,7 @@ struct ChainGpuProgram {
   std::string_view name;
   /// SPIR-V without colliders, with spheres, with all colliders; interface of chain_kernel.glsl.
   std::span<const std::uint32_t> free, touching, beside_all;
-  std::span<const std::uint32_t> on_skin;  ///< without colliders, for hair on a skin
+  std::span<const std::uint32_t> on_skin, on_skin_beside_all;  ///< for hair on a skin, without and with all colliders
   int scratch_rows = scratch_row::count;
   Rows<float> own;  ///< the rows that the solver adds to a vertex of the chains, see ChainProgram
 };

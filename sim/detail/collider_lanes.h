@@ -33,17 +33,31 @@ template <class Scalar>
   return rows_of_collider(frame, collider_count(frame)) + S * 3 * k;
 }
 
+/// Where the anchor stands at the substep's begin and end, relative to the head's translation; on a skin in the world.
+template <class Real>
+struct AnchorWay {
+  Vector<Real> begin, end;
+};
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline AnchorWay<Real> anchor_way(const ChainStep<Real>& step, const ChainFrame<Scalar>& frame,
+                                                         const Vector<Real>& anchor) {
+  if (!frame.turns) return {turned_to_begin(step, anchor), turned_to_end(step, anchor)};
+  const Scalar* const begin = frame.turns + turn_row::root * S;
+  return {vector_at<Real>(begin), vector_at<Real>(begin + turn_row::count * S)};
+}
+
 template <class Real, class Scalar>
 [[gnu::noinline]] void place_moving(const ChainStep<Real>& step, const ChainFrame<Scalar>& frame,
                                     const Vector<Real>& anchor, Real first_link) {
+  const AnchorWay<Real> way = anchor_way(step, frame, anchor);
   const auto keep = [&](int k, const LinkBox<Real>& placed) {
     place(frame, frame.sphere_count + k, placed.centre, placed.radius);
-    put<Real>(carry_rows(frame, k), carry_offset(step, spread<Real>(frame.carries[k]), anchor));
+    put<Real>(carry_rows(frame, k), carry_offset(spread<Real>(frame.carries[k]), way.begin, way.end));
   };
-  for (int k = 0; k < frame.box_count; ++k) keep(k, moved_box(step, spread<Real>(frame.boxes[k]), anchor, first_link));
+  for (int k = 0; k < frame.box_count; ++k) keep(k, moved_box(step, spread<Real>(frame.boxes[k]), way.end, first_link));
   for (int k = 0; k < frame.field_count; ++k)
     keep(frame.box_count + k,
-         moved_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], anchor, first_link).grid);
+         moved_field(step, spread<Real>(frame.fields[k]), frame.field_values[k], way.end, first_link).grid);
 }
 
 /// Spheres, and of boxes and fields what differs from strand to strand.

@@ -54,11 +54,15 @@ struct Movers {
   std::vector<MovingCollider> with_head, spheres;  ///< the latter as boxes
   std::vector<const MovingCollider*> boxes, fields;
 };
-Movers movers_of(const FrameInput& input) {
+Movers movers_of(const FrameInput& input, bool on_skin) {
   Movers movers;
   for (const RoundedBox& box : input.boxes) movers.with_head.push_back({.shape = box, .motion = {}, .on_head = true});
   for (const FieldPointer& field : input.fields)
     movers.with_head.push_back({.shape = field, .motion = {}, .on_head = true});
+  if (on_skin)
+    for (const Sphere& sphere : input.colliders)
+      movers.spheres.push_back(
+          {.shape = make_capsule(sphere.center, sphere.center, sphere.radius), .motion = {}, .on_head = true});
   for (const MovingCollider& moving : input.moving)
     if (const auto* sphere = std::get_if<Sphere>(&moving.shape))
       movers.spheres.push_back(
@@ -92,8 +96,8 @@ void add_substep(std::span<const MovingCollider* const> movers, std::span<const 
 }
 
 template <class Real>
-void add_moving(const FrameInput& input, FrameColliders<Real>& colliders) {
-  const Movers movers = movers_of(input);
+void add_moving(const FrameInput& input, bool on_skin, FrameColliders<Real>& colliders) {
+  const Movers movers = movers_of(input, on_skin);
   std::vector<const MovingCollider*> all = movers.boxes;
   all.insert(all.end(), movers.fields.begin(), movers.fields.end());
   const std::vector<MovingPart> parts = moving_parts(input, all, colliders.substeps);
@@ -140,14 +144,22 @@ void find_near_moving(const FrameColliders<Real>& all, FrameColliders<Real>& nea
 }  // namespace
 
 template <class Real>
-FrameColliders<Real> frame_colliders(const ChainSettings& settings, const FrameInput& input, std::size_t substeps) {
+FrameColliders<Real> frame_colliders(const ChainSettings& settings, const FrameInput& input, std::size_t substeps,
+                                     bool on_skin) {
   FrameColliders<Real> colliders;
   if (!settings.contact) return colliders;
+  if (on_skin) {
+    FrameInput still = input;
+    still.head_begin = still.head_end = glm::dmat4(1);
+    colliders.substeps = substeps;
+    add_moving(still, true, colliders);
+    return colliders;
+  }
   for (const Sphere& sphere : input.colliders)
     colliders.spheres.push_back({glm::vec<3, Real>(sphere.center), Real(sphere.radius)});
   if (!input.moving.empty()) {
     colliders.substeps = substeps;
-    add_moving(input, colliders);
+    add_moving(input, false, colliders);
     return colliders;
   }
   for (const RoundedBox& box : input.boxes) colliders.boxes.push_back(link_box_of<Real>(box));
@@ -155,13 +167,12 @@ FrameColliders<Real> frame_colliders(const ChainSettings& settings, const FrameI
   colliders.baked.assign(input.fields.begin(), input.fields.end());
   return colliders;
 }
-template FrameColliders<float> frame_colliders<float>(const ChainSettings&, const FrameInput&, std::size_t);
-template FrameColliders<double> frame_colliders<double>(const ChainSettings&, const FrameInput&, std::size_t);
+template FrameColliders<float> frame_colliders<float>(const ChainSettings&, const FrameInput&, std::size_t, bool);
+template FrameColliders<double> frame_colliders<double>(const ChainSettings&, const FrameInput&, std::size_t, bool);
 
 template <class Real>
-void find_near(const Chains<Real>& chains, std::size_t block, double pearl, const FrameColliders<Real>& all,
+void find_near(const FrameColliders<Real>& all, const std::function<bool(const LinkSphere<Real>&)>& reached,
                FrameColliders<Real>& near) {
-  const auto reached = [&](const LinkSphere<Real>& around) { return chains.within_reach(block, around, pearl); };
   near.spheres.clear();
   near.boxes.clear();
   near.fields.clear();
@@ -179,9 +190,9 @@ void find_near(const Chains<Real>& chains, std::size_t block, double pearl, cons
     near.baked.push_back(all.baked[k]);
   }
 }
-template void find_near<float>(const Chains<float>&, std::size_t, double, const FrameColliders<float>&,
+template void find_near<float>(const FrameColliders<float>&, const std::function<bool(const LinkSphere<float>&)>&,
                                FrameColliders<float>&);
-template void find_near<double>(const Chains<double>&, std::size_t, double, const FrameColliders<double>&,
+template void find_near<double>(const FrameColliders<double>&, const std::function<bool(const LinkSphere<double>&)>&,
                                 FrameColliders<double>&);
 
 }  // namespace cuticle::sim::detail

@@ -1,12 +1,13 @@
 #pragma once
 // The colliders of a frame as the CPU's units and the kernels take them.
+#include <functional>
 #include <vector>
 
 #include <cuticle/sim/detail/chains.h>
 
 namespace cuticle::sim::detail {
 
-/// None without the effect. Where none moves by itself, all are in rest space and `carries` is empty. Otherwise the
+/// None without the effect. On a skin all are as those that move by themselves, in the world. Where none moves by itself, all are in rest space and `carries` is empty. Otherwise the
 /// spheres that the head takes along are in rest space, those that move by themselves are boxes without size, and boxes
 /// and fields are as ChainFrame::carries says.
 template <class Real>
@@ -23,11 +24,12 @@ struct FrameColliders {
   std::size_t count() const { return spheres.size() + box_count() + field_count(); }
 };
 template <class Real>
-FrameColliders<Real> frame_colliders(const ChainSettings& settings, const FrameInput& input, std::size_t substeps);
+FrameColliders<Real> frame_colliders(const ChainSettings& settings, const FrameInput& input, std::size_t substeps,
+                                     bool on_skin);
 
-/// Those that a block of strands can reach in the frame, in `near`.
+/// Those of which `reached` says that a block of strands can reach a sphere around them in the frame, in `near`.
 template <class Real>
-void find_near(const Chains<Real>& chains, std::size_t block, double pearl, const FrameColliders<Real>& all,
+void find_near(const FrameColliders<Real>& all, const std::function<bool(const LinkSphere<Real>&)>& reached,
                FrameColliders<Real>& near);
 
 }  // namespace cuticle::sim::detail

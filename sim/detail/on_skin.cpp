@@ -54,17 +54,14 @@ std::vector<SkinStrand> skin_strands(const strands::Groom& rest, const ChainSett
   return result;
 }
 
-Result<void> check_on_skin(const ChainSettings& settings, const FrameInput& input) {
+Result<void> check_on_skin(const ChainSettings& settings) {
   std::string_view refused;
   if (settings.interaction) refused = "the effect 'strand_interaction'";
   if (settings.clumping) refused = "the effect 'clumping'";
   if (settings.sleep) refused = "the effect 'sleep'";
-  if (settings.contact &&
-      !(input.colliders.empty() && input.boxes.empty() && input.fields.empty() && input.moving.empty()))
-    refused = "colliders";
   if (refused.empty()) return {};
   return usage_error(fmt::format("skinned: hair on a skin cannot have {} with this solver", refused),
-                     "leave them out, or choose the solver 'classic', which meets spheres there");
+                     "leave it out");
 }
 
 template <class Real>
@@ -89,12 +86,16 @@ void OnSkin<Real>::advance(std::span<const glm::vec3> skinned, bool onto_skin, s
 }
 
 template <class Real>
+glm::dvec3 OnSkin<Real>::place_at(std::uint32_t vertex, double share) const {
+  return skinned_place(glm::dvec3(begin_[vertex]), glm::dvec3(end_[vertex]), share);
+}
+
+template <class Real>
 SkinTurn<double> OnSkin<Real>::turn_at(std::size_t strand, double share) const {
   const SkinStrand& s = strands_[strand];
-  const auto place = [&](std::uint32_t i) { return skinned_place(glm::dvec3(begin_[i]), glm::dvec3(end_[i]), share); };
-  const glm::dvec3 anchor = place(s.anchor);
-  return skin_turn(glm::dvec3(s.along), glm::dvec3(s.across), place(s.farthest) - anchor, place(s.side) - anchor,
-                   s.bends > 0);
+  const glm::dvec3 anchor = place_at(s.anchor, share);
+  return skin_turn(glm::dvec3(s.along), glm::dvec3(s.across), place_at(s.farthest, share) - anchor,
+                   place_at(s.side, share) - anchor, s.bends > 0);
 }
 
 template <class Real>
@@ -111,8 +112,22 @@ void OnSkin<Real>::fill(std::size_t block, Rows<Real>& rows) const {
       put_vector(row + turn_row::y * k_lanes, lane, turn.y);
       put_vector(row + turn_row::z * k_lanes, lane, turn.z);
       put_vector(row + turn_row::step * k_lanes, lane, step);
+      put_vector(row + turn_row::root * k_lanes, lane, place_at(anchor, double(m) / double(steps_)));
     }
   }
+}
+
+template <class Real>
+bool OnSkin<Real>::within_reach(const Chains<Real>& chains, std::size_t block, const LinkSphere<Real>& sphere,
+                                double pearl) const {
+  const Real* const reach = chains.rest_at(block, chains.blocks[block].links, rest_row::reach);
+  for (std::size_t lane = 0; lane < chains.blocks[block].strands; ++lane) {
+    const std::uint32_t anchor = strands_[strand_of_[block * k_lanes + lane]].anchor;
+    const glm::dvec3 begin(begin_[anchor]), end(end_[anchor]);
+    const double most = 1.1 * double(reach[lane]) + double(sphere.radius) + pearl + glm::distance(begin, end);
+    if (!(glm::distance(end, glm::dvec3(sphere.centre)) > most)) return true;
+  }
+  return false;
 }
 
 template <class Real>

@@ -20,8 +20,8 @@ struct SkinStrand {
 /// One per strand; of a strand without links only the anchor counts.
 std::vector<SkinStrand> skin_strands(const strands::Groom& rest, const ChainSettings& settings);
 
-/// Error: usage, naming an effect or colliders that hair on a skin cannot have.
-Result<void> check_on_skin(const ChainSettings& settings, const FrameInput& input);
+/// Error: usage, naming an effect that hair on a skin cannot have.
+Result<void> check_on_skin(const ChainSettings& settings);
 
 /// Follows a skin on the CPU. Strands are carried as rigid bodies; between two frames places lie on straight lines.
 template <class Real>
@@ -32,6 +32,8 @@ class OnSkin {
   void advance(std::span<const glm::vec3> skinned, bool onto_skin, std::span<const Substep> parts);
   /// Of all moments of the frame, turn_row::count rows each.
   void fill(std::size_t block, Rows<Real>& rows) const;
+  /// Whether a strand of the block can come to a sphere in the world in the frame, with a distance to keep.
+  bool within_reach(const Chains<Real>& chains, std::size_t block, const LinkSphere<Real>& sphere, double pearl) const;
   /// Where the strand in a lane is carried at the frame's end, relative to its root.
   Placing placing(std::size_t block, std::size_t lane) const;
   glm::dvec3 place(std::size_t vertex) const { return glm::dvec3(end_[vertex]); }
@@ -39,6 +41,7 @@ class OnSkin {
   glm::dvec3 velocity(std::size_t vertex) const;
 
  private:
+  glm::dvec3 place_at(std::uint32_t vertex, double share) const;
   SkinTurn<double> turn_at(std::size_t strand, double share) const;
 
   std::vector<SkinStrand> strands_;

@@ -1,5 +1,7 @@
 // The kernels of rigid links on a skin whose places are on the device, against the CPU.
 #include <cuticle/sim/classic/test_gpu.h>
+#include <cuticle/sim/colliders/distance_field.h>
+#include <cuticle/sim/colliders/test_meshes.h>
 
 namespace cuticle::sim::on_skin_gpu_test {
 namespace {
@@ -62,6 +64,36 @@ TEST_P(OnSkinKernel, HairPutOntoIt_MovesOnAsHairThatIsNew) {
     ASSERT_TRUE(advance_on(*moved, skinned, input).ok() && advance_on(*made, skinned, input).ok());
     EXPECT_EQ(moved->state()->positions, made->state()->positions) << frame;
   }
+}
+
+TEST_P(OnSkinKernel, BesideColliders_FramesAreThoseOfTheCpu) {
+  const strands::Groom groom = ring(12);
+  const std::string settings = GetParam() == std::string("rod") ? "sag_free=false,fibre_radius=3e-4" : "";
+  const Sphere ball{{0.25, -0.02, 0.01}, 0.06};
+  const RoundedBox slab{{-0.25, 0, 0}, glm::dmat3(1), {0.05, 0.02, 0.1}, 0.01};
+  const FieldPointer mesh = std::make_shared<const DistanceField>(*bake_distance_field(
+      strands::transformed(ball_mesh(0.05, 16), glm::translate(glm::dmat4(1), glm::dvec3(0.01, -0.02, 0.25))), 0.01,
+      "ball"));
+  auto kernel = make_gpu(GetParam(), groom, settings, gravity_and_colliders("friction=1"));
+  auto cpu = make_solver(GetParam(), groom, settings, gravity_and_colliders("friction=1")),
+       free = make_solver(GetParam(), groom, settings, gravity());
+  double apart = 0;
+  for (int frame = 0; frame < 5; ++frame) {
+    std::vector<glm::vec3> skinned = on_turning_roots(groom, frame / 30.0);
+    for (glm::vec3& place : skinned) place += 0.02f * float(frame) * glm::vec3(1, 0, 1);  // rubs along them
+    FrameInput input{.duration = 1.0 / 30, .colliders = {&ball, 1}, .boxes = {&slab, 1}, .fields = {&mesh, 1}};
+    const Result<void> advanced = advance_on(*kernel, skinned, input);
+    ASSERT_TRUE(advanced.ok()) << advanced.error().message;
+    input.skinned = skinned;
+    ASSERT_TRUE(cpu->advance(input).ok());
+    ASSERT_TRUE(free->advance({.duration = 1.0 / 30, .skinned = skinned}).ok());
+    apart = std::max(apart, worst_distance(kernel->state()->positions, cpu->state()->positions));
+  }
+  const double met = worst_distance(kernel->state()->positions, free->state()->positions);
+  std::printf("%s beside colliders on a skin, 5 frames: CPU and GPU %.1e m apart, %.3f m from no colliders\n", GetParam(),
+              apart, met);
+  EXPECT_GT(met, 0.01);
+  EXPECT_LT(apart, 4e-4);  // measured: 7.2e-5, 4.5e-6
 }
 
 TEST_P(OnSkinKernel, Clumping_IsRefused) {

@@ -1,5 +1,4 @@
 // Chains of rigid links on a skin: roots, lengths, root frames, teleports, and what is refused.
-#include <cuticle/sim/colliders/distance_field.h>
 #include <cuticle/sim/detail/test_stability.h>
 
 namespace cuticle::sim::on_skin_test {
@@ -123,16 +122,6 @@ TEST_P(OnSkin, WhatItCannotHave_IsRefused) {
         make_solver(GetParam(), groom, "", {{effect, settings_of(effect)}})->advance({.skinned = skinned}).ok())
         << effect;
   auto solver = make_solver(GetParam(), groom, "", gravity_and_colliders());
-  const Sphere ball{{0, 0, 0}, 0.05};
-  const RoundedBox box{{0, 0, 0}, glm::dmat3(1), glm::dvec3(0.05), 0};
-  const FieldPointer field = std::make_shared<DistanceField>();
-  const MovingCollider moving{ball, {}, false};
-  const FrameInput met[] = {
-      {.colliders = {&ball, 1}}, {.boxes = {&box, 1}}, {.fields = {&field, 1}}, {.moving = {&moving, 1}}};
-  for (FrameInput input : met) {
-    input.skinned = skinned;
-    EXPECT_THAT(solver->advance(input).error().message, ::testing::HasSubstr("colliders")) << &input - met;
-  }
   advance_on(*solver, skinned);
   EXPECT_FALSE(solver->advance({}).ok());
   skinned[3].y = NAN;

@@ -4,6 +4,7 @@
 #include <exact_beside_all.spv.h>
 #include <exact_free.spv.h>
 #include <exact_on_skin.spv.h>
+#include <exact_on_skin_beside_all.spv.h>
 #include <exact_pulled.spv.h>
 #include <exact_pulled_beside_all.spv.h>
 #include <exact_pulled_touching.spv.h>
@@ -21,6 +22,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
                                   .touching = exact_touching,
                                   .beside_all = exact_beside_all,
                                   .on_skin = exact_on_skin,
+                                  .on_skin_beside_all = exact_on_skin_beside_all,
                                   .own = {}};
   if (settings.shape_stiffness > 0 || settings.clumping) {
     program.free = exact_pulled;

@@ -5,6 +5,7 @@
 #include <rod_beside_all.spv.h>
 #include <rod_free.spv.h>
 #include <rod_on_skin.spv.h>
+#include <rod_on_skin_beside_all.spv.h>
 #include <rod_touching.spv.h>
 
 namespace cuticle::sim::rod {
@@ -22,6 +23,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
                                         .touching = rod_touching,
                                         .beside_all = rod_beside_all,
                                         .on_skin = rod_on_skin,
+                                        .on_skin_beside_all = rod_on_skin_beside_all,
                                         .scratch_rows = rod_row::count,
                                         .own = std::move(hinges)});
 }
