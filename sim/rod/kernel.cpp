@@ -40,7 +40,7 @@ struct BandNumber {
       put<Real>(band.rows + row * Real::count, value);
   }
 };
-constexpr int k_band_rows = rod_row::count - rod_row::band;
+constexpr int k_band_rows = rod_row::pushed - rod_row::band;
 
 #define ROWS BandRows<Real>
 #define UNROLLED _Pragma("GCC unroll 9")
@@ -81,11 +81,45 @@ template <bool Pulls, class Real>
   return pulled;
 }
 
+/// What the tensions of the last substep move vertex i.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Vector<Real> pull_of_links(const ChainBlock<Scalar>& block, int i, Real time) {
+  const RodVertex<Real> v(block, i), above(block, i - 1), child(block, i + 1);
+  const Vector<Real> here = v.state_vector(state_row::here);
+  return pulled_by_links(above.state_vector(state_row::here) - here, child.state_vector(state_row::here) - here,
+                         v.state_at(state_row::tension) * (time * time),
+                         child.state_at(state_row::tension) * (time * time), v.rest_at(rest_row::inverse_mass),
+                         Real(0.5) * v.rest_at(rest_row::length));
+}
+
+/// Vertex i, predicted at `predicted`, and the link above it, pushed out of colliders; friction is the band's.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Vector<Real> push(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
+                                                ChainStep<Real> step, const LinkBegin<Real>& here,
+                                                const Vector<Real>& parent, const Vector<Real>& predicted,
+                                                Beside& beside) {
+  const RodVertex<Real> v(block, i), above(block, i - 1);
+  step.friction = Real(0);
+  const Vector<Real> above_pushed = above.scratch_vector(scratch_row::normal);
+  const Touch<Real> touch = pushed_from_all(frame, step, here.child, predicted);
+  keep_touch<Real>(v, frame, touch);
+  const PredictedLink<Real> link =
+      pressed_from_all<Real>(v, above, frame, step, here, parent, Real(0), touch, Real(0.9));
+  const Vector<Real> parent_moved = link.parent - parent;
+  above.put_scratch(rod_row::pushed, above.scratch_vector(rod_row::pushed) + parent_moved);
+  above.put_scratch(scratch_row::normal, above_pushed + push_along(parent_moved, link.parent_normal));
+  v.put_scratch(rod_row::pushed, link.child - predicted);
+  v.put_scratch(scratch_row::normal, push_along(touch.place - predicted, touch.normal) +
+                                         push_along(link.child - touch.place, link.child_normal));
+  if (is_in_contact(touch, link)) beside = {beside.last < 0 ? i - 1 : beside.first, i};
+  return link.child;
+}
+
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void coast(const RodVertex<Real>& v, const RodVertex<Real>& above,
-                                         const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
-                                         const StrandStep<Real>& strand, Real arc, int i, Coasting<Real>& parent,
-                                         Beside& beside) {
+[[gnu::always_inline]] inline void coast(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
+                                         const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
+                                         Coasting<Real>& parent, Beside& beside) {
+  const RodVertex<Real> v(block, i);
   const ChainVertex<Real> vertex = chain_vertex(v);
   const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
   const Displacement<Real> displaced = displacement<Pulls>(v, step, strand, from, drift);
@@ -99,19 +133,10 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
   parent = {vertex.here, c.place, parent.coast + direction * length, parent.predicted};
   v.put_scratch(rod_row::coast, parent.coast);
   v.put_scratch(scratch_row::direction, direction);
-  Vector<Real> wanted = (vertex.here - parent.coast) + c.moved;
-  if constexpr (Touches) {
-    const Vector<Real> predicted = vertex.here + c.moved;
-    const Touch<Real> touch = pushed_from_all(frame, step, vertex.here, predicted);
-    keep_touch<Real>(v, frame, touch);
-    const PredictedLink<Real> link = pressed_from_all<Real>(v, above, frame, step, {here_above, vertex.here},
-                                                            parent.predicted, Real(0), touch, Real(0.9));
-    above.put_scratch(scratch_row::place, above.scratch_vector(scratch_row::place) + (link.parent - parent.predicted));
-    wanted += link.child - predicted;
-    parent.predicted = link.child;
-    if (is_in_contact(touch, link)) beside = {beside.last < 0 ? i - 1 : beside.first, i};
-  }
-  v.put_scratch(scratch_row::place, wanted);
+  if constexpr (Touches)
+    parent.predicted = push(block, i, frame, step, {here_above, vertex.here}, parent.predicted,
+                            vertex.here + c.moved + pull_of_links<Real>(block, i, strand.time), beside);
+  v.put_scratch(scratch_row::place, (vertex.here - parent.coast) + c.moved);
   keep_before(v, vertex, strand, from);
 }
 
@@ -200,22 +225,46 @@ template <class Real>
           v.scratch_at(rod_row::spin), v.hinge_at(hinge_row::inverse_length)};
 }
 
-/// A vertex' rows of the band. `inverse_length`: that of its parent's link, zero at the root.
-template <bool Pulls, bool Touches, class Real>
-[[gnu::always_inline]] inline void assemble(const RodVertex<Real>& v, const RodVertex<Real>& child,
-                                            const RodVertex<Real>& grandchild, Real inverse_length, Real drag,
-                                            Real time, const BandRows<Real>& own) {
-  const BendRow<Real> bends = bend_row(hinge_row_of(v), hinge_row_of(child), hinge_row_of(grandchild), inverse_length);
-  Real inertia = Real(1) + drag * time;
+/// How the band holds vertex i, which touches.
+template <class Real, class Scalar>
+[[gnu::noinline]] Grip<Real> grip(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
+                                  const ChainStep<Real>& step, const StrandStep<Real>& strand, Real mass) {
+  const RodVertex<Real> v(block, i);
+  const Vector<Real> here = v.state_vector(state_row::here), push = v.scratch_vector(scratch_row::normal),
+                     begin = v.state_vector(state_row::before), coast = v.scratch_vector(rod_row::coast);
+  Vector<Real> carried = carried_by_head(step, here);
+  if (frame.carries) carried = carried_by_moving(frame, carried, here, v.scratch_at(scratch_row::touched));
+  const Vector<Real> pushed_to = v.scratch_vector(scratch_row::place) + pull_of_links<Real>(block, i, strand.time) +
+                                 v.scratch_vector(rod_row::pushed);
+  v.put_scratch(scratch_row::normal, direction_or(push, Real(0), Vector<Real>(Real(0))));
+  return gripped(pushed_to, carried - coast, push,
+                 v.state_vector(state_row::velocity_before) * step.duration - (carried - begin), mass, step.friction,
+                 least_slide(step));
+}
+
+/// A vertex' rows of the band.
+template <bool Pulls, bool Touches, class Real, class Scalar>
+[[gnu::always_inline]] inline void assemble(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
+                                            const ChainStep<Real>& step, const StrandStep<Real>& strand,
+                                            const Beside& beside, const BandRows<Real>& own) {
+  const int end = block.links + 1;  // nothing bends past the ends: rows of the end are zero
+  const RodVertex<Real> v(block, i), child(block, i + 1), grandchild(block, i + 2 < end ? i + 2 : end),
+      above(block, i > 1 ? i - 1 : end);
+  const BendRow<Real> bends = bend_row(hinge_row_of(v), hinge_row_of(child), hinge_row_of(grandchild),
+                                       above.hinge_at(hinge_row::inverse_length));
+  const Real squared = strand.time * strand.time;
+  Real inertia = Real(1) + step.drag * strand.time;
   if constexpr (Pulls) inertia = v.scratch_at(rod_row::inertia);
-  const Real mass = v.rest_at(rest_row::mass) * inertia, taut = v.state_at(state_row::tension) * (time * time),
-             taut_below = child.state_at(state_row::tension) * (time * time);
-  const Vector<Real> wanted = v.scratch_vector(scratch_row::place);
-  Vector<Real> contact(Real(0));
-  if constexpr (Touches) contact = v.scratch_vector(scratch_row::normal) * sqrt(contact_weight(mass));
-  put_rows(own, mass + taut + taut_below + bends.diagonal, bends.beside - taut, bends.beyond,
-           v.scratch_vector(scratch_row::direction), contact,
-           wanted * mass + contact * inner(contact, wanted) + bends.force);
+  const Real mass = v.rest_at(rest_row::mass) * inertia, taut = v.state_at(state_row::tension) * squared,
+             taut_below = child.state_at(state_row::tension) * squared;
+  Grip<Real> held{Vector<Real>(Real(0)), Vector<Real>(Real(0)), Real(0)};
+  Vector<Real> wanted = v.scratch_vector(scratch_row::place);
+  if (Touches && beside.contains(i)) {
+    held = grip(block, i, frame, step, strand, mass);
+    wanted += v.scratch_vector(rod_row::pushed);
+  }
+  put_rows(own, mass + taut + taut_below + bends.diagonal + held.along, bends.beside - taut, bends.beyond,
+           v.scratch_vector(scratch_row::direction), held.normal, wanted * mass + held.force + bends.force);
 }
 
 template <int C, class Real>
@@ -228,15 +277,13 @@ template <int C, class Real>
   eliminate_pivot(own, parent, grandparent, C);
 }
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void eliminate_vertex(const ChainBlock<Scalar>& block, int i, const ChainStep<Real>& step,
-                                                    const StrandStep<Real>& strand) {
-  const int end = block.links + 1;  // nothing bends past the ends: rows of the end, and the anchor's band, are zero
-  const RodVertex<Real> v(block, i), parent(block, i - 1), grandparent(block, i > 1 ? i - 2 : 0), child(block, i + 1),
-      grandchild(block, i + 2 < end ? i + 2 : end), above(block, i > 1 ? i - 1 : end);
+[[gnu::always_inline]] inline void eliminate_vertex(const ChainBlock<Scalar>& block, int i,
+                                                    const ChainFrame<Scalar>& frame, const ChainStep<Real>& step,
+                                                    const StrandStep<Real>& strand, const Beside& beside) {
+  const RodVertex<Real> parent(block, i - 1), grandparent(block, i > 1 ? i - 2 : 0), v(block, i);
   Real packs[k_band_rows];
   const BandRows<Real> own{packs, nullptr};
-  assemble<Pulls, Touches>(v, child, grandchild, above.hinge_at(hinge_row::inverse_length), step.drag, strand.time,
-                           own);
+  assemble<Pulls, Touches>(block, i, frame, step, strand, beside, own);
   eliminate_row<0>(own, parent.band(), grandparent.band());
   eliminate_row<1>(own, parent.band(), grandparent.band());
   eliminate_row<2>(own, parent.band(), grandparent.band());
@@ -261,9 +308,7 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
   const Vector<Real> zero(Real(0));
   Coasting<Real> parent{zero, zero, zero, zero};
   Beside beside;
-  for (int i = 1; i <= block.links; ++i)
-    coast<Pulls, Touches>(RodVertex<Real>(block, i), RodVertex<Real>(block, i - 1), frame, step, strand, arc, i, parent,
-                          beside);
+  for (int i = 1; i <= block.links; ++i) coast<Pulls, Touches>(block, i, frame, step, strand, arc, parent, beside);
   return beside;
 }
 
@@ -295,7 +340,7 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   if constexpr (Touches) place_colliders(block, step, frame);
   const Beside beside = coast_all<Pulls, Touches>(block, frame, step, strand);
   bend_all(block, step, strand.time);
-  for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, step, strand);
+  for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, frame, step, strand, beside);
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
   follow_all<Touches>(block, frame, step, strand, beside, [&](int i) -> NewtonPlace<Real> {
     const RodVertex<Real> v(block, i);

@@ -19,7 +19,7 @@ namespace rod_row {
 constexpr int inertia = detail::scratch_row::inverse_mass;  // a row that rods leave free
 constexpr int coast = 16, coasted = 19, director = 22, natural = 25, natural_spin = 28, across = 31, along = 32,
               moment = 33, rounding = 34, angle_coupling = 35, angle_value = 36, pull = 37, gain = 40, spin = 41,
-              spin_pull = 42, band = 45, right = 81, count = 85;
+              spin_pull = 42, band = 45, right = 81, pushed = 85, count = 88;
 static_assert(coast == detail::scratch_row::count);
 }  // namespace rod_row
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 // rod/kernel.cpp without its lanes. Compiled with TOUCHES 0 or 1.
-const uint k_scratch_rows = 85u;
+const uint k_scratch_rows = 88u;
 #include "cuticle/sim/detail/chain_kernel.glsl"
 #include "cuticle/sim/rod/rod_step.glslh"
 
@@ -10,7 +10,8 @@ const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_b
            k_hinge_inverse_length = 5u, k_angle = 6u, k_clamp_direction = 0u, k_clamp_director = 3u;
 const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_natural_spin = 28u, k_across = 31u,
            k_along = 32u, k_moment = 33u, k_rounding = 34u, k_angle_coupling = 35u, k_angle_value = 36u,
-           k_predicted = k_natural, k_pull_row = 37u, k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u;
+           k_predicted = k_natural, k_pull_row = 37u, k_gain = 40u, k_spin = 41u, k_spin_pull = 42u, k_right = 81u,
+           k_pushed = 85u;
 
 #define ROWS uint
 #define ROLLED [[dont_unroll]]
@@ -39,6 +40,43 @@ Displacement displacement(uint i, ChainStep s, StrandStep strand, vec3 from, vec
   return pulled;
 }
 
+#if TOUCHES
+vec3 pull_of_links(uint i, float time) {
+  vec3 here = state_vector(i, k_here);
+  return pulled_by_links(state_vector(i - 1u, k_here) - here, state_vector(i + 1u, k_here) - here,
+                         state[state_at(i, k_tension)] * (time * time),
+                         state[state_at(i + 1u, k_tension)] * (time * time), rest[rest_at(i, k_inverse_mass)],
+                         0.5 * rest[rest_at(i, k_length)]);
+}
+
+void push(uint i, ChainStep s, vec3 predicted) {
+  s.friction = 0.0;
+  vec3 parent = i > 1u ? scratch_vector(i - 1u, k_predicted) : vec3(0),
+       above_pushed = i > 1u ? scratch_vector(i - 1u, k_normal) : vec3(0);
+  put_scratch(i, k_place, predicted);
+  push_out(i, s);
+  vec3 touch = scratch_vector(i, k_place), normal = scratch_vector(i, k_normal);
+  PredictedLink link = pressed_from_all(i, s, parent, touch, 0.0, 0.9);
+  vec3 parent_moved = link.parent - parent;
+  if (i > 1u) {
+    put_scratch(i - 1u, k_pushed, scratch_vector(i - 1u, k_pushed) + parent_moved);
+    put_scratch(i - 1u, k_normal, above_pushed + push_along(parent_moved, link.parent_normal));
+  }
+  put_scratch(i, k_predicted, link.child);
+  put_scratch(i, k_pushed, link.child - predicted);
+  put_scratch(i, k_normal, push_along(touch - predicted, normal) + push_along(link.child - touch, link.child_normal));
+}
+
+Grip grip(uint i, ChainStep s, StrandStep strand, float mass) {
+  vec3 push = scratch_vector(i, k_normal), carried = carried_by_what_touches(s, i, state_vector(i, k_here)),
+       pushed_to = scratch_vector(i, k_place) + pull_of_links(i, strand.time) + scratch_vector(i, k_pushed);
+  put_scratch(i, k_normal, direction_or(push, 0, vec3(0)));
+  return gripped(pushed_to, carried - scratch_vector(i, k_coast), push,
+                 state_vector(i, k_velocity_before) * s.duration - (carried - state_vector(i, k_before)), mass,
+                 s.friction, least_slide(s));
+}
+#endif
+
 void coast(uint i, uint links, ChainStep s, StrandStep strand) {
   ChainVertex v = chain_vertex(i);
   vec3 from = scheme_from(v, strand), drift = coasted(v, strand);
@@ -50,19 +88,13 @@ void coast(uint i, uint links, ChainStep s, StrandStep strand) {
   vec3 before = (v.here - state_vector(i - 1u, k_here)) * rest[rest_at(i, k_inverse_length)];
   vec3 direction = direction_or(c.place - scratch_vector(i - 1u, k_coasted), 1e-3 * rest_length, before);
   put_scratch(i, k_coasted, c.place);
-  vec3 place = scratch_vector(i - 1u, k_coast) + direction * rest_length, predicted = v.here + c.moved;
+  vec3 place = scratch_vector(i - 1u, k_coast) + direction * rest_length;
   put_scratch(i, k_coast, place);
   put_scratch(i, k_direction, direction);
-  put_scratch(i, k_place, predicted);
 #if TOUCHES
-  push_out(i, s);
-  vec3 above = i > 1u ? scratch_vector(i - 1u, k_predicted) : vec3(0);
-  PredictedLink link = pressed_from_all(i, s, above, scratch_vector(i, k_place), 0.0, 0.9);
-  if (i > 1u) put_scratch(i - 1u, k_place, scratch_vector(i - 1u, k_place) + (link.parent - above));
-  put_scratch(i, k_place, link.child);
-  put_scratch(i, k_predicted, link.child);
+  push(i, s, v.here + c.moved + pull_of_links(i, strand.time));
 #endif
-  put_scratch(i, k_place, (v.here - place) + c.moved + (scratch_vector(i, k_place) - predicted));
+  put_scratch(i, k_place, (v.here - place) + c.moved);
   put_state(i, k_before, v.here - strand.root_step);
   put_state(i, k_velocity_before, v.velocity);
   put_state(i, k_velocity, from);  // until the velocity is known
@@ -130,9 +162,13 @@ void assemble(uint i, uint end, ChainStep s, StrandStep strand) {
   float taut = state[state_at(i, k_tension)] * (time * time),
         below = state[state_at(i + 1u, k_tension)] * (time * time);
   vec3 wanted = scratch_vector(i, k_place);
-  vec3 contact = normal_of(i) * sqrt(contact_weight(mass));
-  put_rows(scratch_at(i, 0u), mass + taut + below + bends.diagonal, bends.beside - taut, bends.beyond,
-           scratch_vector(i, k_direction), contact, wanted * mass + contact * inner(contact, wanted) + bends.force);
+  Grip held = Grip(vec3(0), vec3(0), 0);
+#if TOUCHES
+  held = grip(i, s, strand, mass);
+  wanted += scratch_vector(i, k_pushed);
+#endif
+  put_rows(scratch_at(i, 0u), mass + taut + below + bends.diagonal + held.along, bends.beside - taut, bends.beyond,
+           scratch_vector(i, k_direction), held.normal, wanted * mass + held.force + bends.force);
 }
 
 void eliminate_band(uint i) {
