@@ -21,10 +21,11 @@ void main() {
   if (begin == end) return;  // the picture was emptied
   uvec2 corner = corner_of(tile), block = block_of(own_lane(), corner);
   begin_block(block);
-  for (uint first = begin; first < end; first += k_chunk) {
+  uint first = begin;
+  do {
     draw_chunk(first, end, vec2(block + first_pixel()) + 0.5, vec2(corner + first_pixel()));
     looked_at += min(k_chunk, end - first);
-    if (is_closed()) break;
-  }
+    first += k_chunk;
+  } while (first < end && !is_closed());
   end_block(block);
 }
