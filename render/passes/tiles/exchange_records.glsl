@@ -60,9 +60,8 @@ void draw_chunk(uint first, uint end, vec2 first_pixel, vec2 tile_corner) {
   uint left = own_segments(first, end, tile_corner);
   do {
     [[unroll]] for (int k = 0; k < k_unrolled; ++k) {
-      uint entry = left == 0u ? end : first + uint(findLSB(left));
+      if (left != 0u) draw(set_up(first + uint(findLSB(left)), end, tile_corner + 0.5 * float(k_tile)), first_pixel);
       left &= left - 1u;
-      draw(set_up(entry, end, tile_corner + 0.5 * float(k_tile)), first_pixel);
     }
   } while (left != 0u);
 }
