@@ -11,18 +11,21 @@ float averaged(int i, int j, float z) {
   return (push.flags & k_poisson) != 0u ? exponent : exp(exponent);
 }
 
+/// Loops end at their last line: on lavapipe one that asks first runs its body once more, masked.
 float mean_transmittance(vec2 p, float z, float radius) {
   const int reach = disc_reach(radius), j0 = int(floor(p.y));
   float sum = 0.0, weights = 0.0;
-  for (int j = j0 - reach; j <= j0 + reach; ++j) {
+  int j = j0 - reach;
+  do {
     const float half_row = disc_half_row(float(j) + 0.5 - p.y, radius);
     const int last = disc_last(p.x, half_row, radius);
-    for (int i = disc_first(p.x, half_row, radius); i <= last; ++i) {
-      const float weight = disc_weight(length(vec2(i, j) + 0.5 - p), radius);
+    int i = disc_first(p.x, half_row, radius);
+    do {
+      const float weight = i > last ? 0.0 : disc_weight(length(vec2(i, j) + 0.5 - p), radius);
       sum += weight * averaged(i, j, z);
       weights += weight;
-    }
-  }
+    } while (++i <= last);
+  } while (++j <= j0 + reach);
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
 }
 

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation per vertex: the box of all vertices along the light's axes. Minima of integers, so any order gives the same.
+// One invocation per 16 vertices: the box of all vertices along the light's axes. Minima of integers, so any order gives the same.
 layout(local_size_x = 64) in;
 #include "cuticle/shadows/map_geometry.glsl"
 
@@ -9,7 +9,7 @@ layout(std430, binding = 1) buffer Box { uint least[6]; };
 
 shared uint group_least[6];
 
-const uint k_vertices_each = 16u;  // of an invocation; those past the end of the list have none
+const uint k_vertices_each = 16u;  // of an invocation; map_shadow_gpu.h
 const float k_far = 3e38;
 
 void main() {

@@ -15,7 +15,7 @@
 namespace cuticle::shadows {
 namespace {
 
-const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertex};
+const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
 
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
@@ -161,6 +161,8 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass
       return side;
     case MapRun::per_vertex:
       return strands.vertex_count;
+    case MapRun::per_vertices:
+      return (strands.vertex_count + k_vertices_each - 1) / k_vertices_each;
     case MapRun::one_group:
       return gpu::k_threads;
     case MapRun::given:
@@ -175,7 +177,9 @@ void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::
   std::vector<const gpu::Buffer*> bound;
   for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
   const std::uint32_t count = invocations(strands, pass);
-  push.count = pass.run == MapRun::per_counted_segment ? strands.segment_count : count;
+  push.count = pass.run == MapRun::per_counted_segment ? strands.segment_count
+               : pass.run == MapRun::per_vertices      ? strands.vertex_count
+                                                       : count;
   const gpu::Groups groups = gpu::groups_for(count);
   commands.begin_pass(pass.name);
   commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},

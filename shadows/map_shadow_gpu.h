@@ -20,7 +20,17 @@ struct MapBuffer {
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
   bool cleared = true;      ///< else only what is written is read
 };
-enum class MapRun { per_segment, per_counted_segment, per_texel, per_row, per_vertex, one_group, given };
+enum class MapRun {
+  per_segment,
+  per_counted_segment,
+  per_texel,
+  per_row,
+  per_vertex,
+  per_vertices,  ///< k_vertices_each of them
+  one_group,
+  given
+};
+inline constexpr std::uint32_t k_vertices_each = 16;  // of map_fit.comp
 struct MapPass {
   std::string_view name;  ///< "shadow.splat"
   std::span<const std::uint32_t> code;

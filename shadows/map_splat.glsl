@@ -24,10 +24,10 @@ void piece(Footprint footprint) {
   const int last = min(major_end, reach.last);
   int m = max(0, reach.first);
   ivec2 across = minor_reach(footprint, reach, m, minor_end);
-  while (m <= last) {
+  do {
     const int n = across.x;
-    if (n <= across.y) deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
+    if (n <= across.y && m <= last) deposit_at(footprint, reach.steep ? n : m, reach.steep ? m : n);
     across.x = n + 1;
     if (n >= across.y) across = minor_reach(footprint, reach, ++m, minor_end);
-  }
+  } while (m <= last);
 }

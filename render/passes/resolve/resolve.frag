@@ -8,10 +8,12 @@ layout(push_constant) uniform Push {
 layout(location = 0) out vec4 color;
 
 void main() {
-  ivec2 first = ivec2(gl_FragCoord.xy) * supersampling;
+  ivec2 first = ivec2(gl_FragCoord.xy) * supersampling, at = ivec2(0);
   vec4 sum = vec4(0.0);
-  for (int y = 0; y < supersampling; ++y)
-    for (int x = 0; x < supersampling; ++x) sum += texelFetch(supersampled, first + ivec2(x, y), 0);
+  do {  // loops that ask before their first turn run their body once more on lavapipe, masked
+    sum += texelFetch(supersampled, first + at, 0);
+    at = at.x + 1 < supersampling ? ivec2(at.x + 1, at.y) : ivec2(0, at.y + 1);
+  } while (at.y < supersampling);
   vec4 mean = sum / float(supersampling * supersampling);
   color = vec4(mean.rgb + (1.0 - mean.a) * background.rgb, mix(mean.a, 1.0, background.a));
 }

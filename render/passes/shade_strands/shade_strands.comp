@@ -36,8 +36,11 @@ void main() {
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(strand, variation));
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k)
-    sum += lit(arriving_at(vertices[vertex].xyz, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
+  uint k = 0u;
+  do {  // a loop that asks before its first turn runs its body once more on lavapipe, masked
+    if (k < light_count)
+      sum += lit(arriving_at(vertices[vertex].xyz, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
+  } while (++k < light_count);
   vec3 radiance = held_by_halves(sum * brightness_of(strand, variation));
   float kept = tangents[vertex].w <= kept_length(strand, tip_variation) ? 1.0 : 0.0;
   colors[vertex] = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, kept)));

@@ -15,8 +15,8 @@ void see(uint vertex) { atomicOr(visible[vertex >> 5], 1u << (vertex & 31u)); }
 void main() {
   uint segment = invocation();
   if (segment >= push.segment_count) return;
-  uint vertex = segments[segment];
-  vec4 a = vertices[vertex], b = vertices[vertex + 1u];
+  uint vertex = texelFetch(segments, int(segment)).r;
+  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + 1u));
   if (!is_finite(a) || !is_finite(b)) {
     atomicAdd(not_finite, 1u);
     return;

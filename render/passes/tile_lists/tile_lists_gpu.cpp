@@ -101,11 +101,15 @@ class TileListsPass : public GpuPass {
 
 Result<Kernels> make_kernels(gpu::Device& device) {
   constexpr std::uint32_t bytes = sizeof(TilePush);
+  const std::vector<gpu::TexelBinding> walked = {{0, gpu::TextureFormat::rgba32f},
+                                                 {1, gpu::TextureFormat::rgba32f},
+                                                 {2, gpu::TextureFormat::r32u},
+                                                 {3, gpu::TextureFormat::r32f}};  // of tile_walk.glsl
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
-  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {7, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {7, 0, bytes, {}, walked}));
   CUTICLE_ASSIGN(kernels.scan, device.make_kernel(tile_scan_comp, {3, 0, bytes}));
-  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {6, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {6, 0, bytes, {}, walked}));
   return kernels;
 }
 

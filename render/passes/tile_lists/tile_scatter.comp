@@ -15,8 +15,8 @@ void visit(uint tile, uint vertex, float inverse_depth) {
 void main() {
   uint segment = invocation();
   if (segment >= push.segment_count) return;
-  uint vertex = segments[segment];
-  vec4 a = vertices[vertex], b = vertices[vertex + 1u];
+  uint vertex = texelFetch(segments, int(segment)).r;
+  vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + 1u));
   Projected p;
   if (is_finite(a) && is_finite(b) && is_kept(vertex) && project(a, b, p)) walk(vertex, p);
 }

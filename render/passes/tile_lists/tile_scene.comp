@@ -12,10 +12,12 @@ layout(binding = 2) uniform sampler2D scene;
 
 float farthest_in_pixel(uvec2 pixel) {
   float farthest = 0.0;
-  ivec2 first = ivec2(pixel * push.supersampling);
-  for (int y = 0; y < int(push.supersampling); ++y)
-    for (int x = 0; x < int(push.supersampling); ++x)
-      farthest = max(farthest, texelFetch(scene, first + ivec2(x, y), 0).r);
+  int side = int(push.supersampling);
+  ivec2 first = ivec2(pixel) * side, at = ivec2(0);
+  do {  // a loop that asks before its first turn runs its body once more on lavapipe, masked
+    if (side > 0) farthest = max(farthest, texelFetch(scene, first + at, 0).r);
+    at = at.x + 1 < side ? ivec2(at.x + 1, at.y) : ivec2(0, at.y + 1);
+  } while (at.y < side);
   return push.supersampling == 0u ? 0.0 : mix(push.inverse_near, push.inverse_far, farthest);
 }
 
@@ -26,11 +28,12 @@ void main() {
   uvec2 first = uvec2(tile % grid.x, tile / grid.x) * uint(k_tile);
   uvec2 end = min(first + uint(k_tile), push.part);
   float farthest = push.inverse_near;
-  for (uint y = first.y; y < end.y; ++y)
-    for (uint x = first.x; x < end.x; ++x) {
-      float depth = farthest_in_pixel(uvec2(x, y));
-      scene_depth[y * push.part.x + x] = depth;
-      farthest = min(farthest, depth);
-    }
+  uvec2 at = first;
+  do {
+    float depth = farthest_in_pixel(at);
+    scene_depth[at.y * push.part.x + at.x] = depth;
+    farthest = min(farthest, depth);
+    at = at.x + 1u < end.x ? uvec2(at.x + 1u, at.y) : uvec2(first.x, at.y + 1u);
+  } while (at.y < end.y);
   tile_depth[tile] = farthest;
 }

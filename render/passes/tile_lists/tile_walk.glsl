@@ -4,10 +4,10 @@
 #include "cuticle/render/passes/lines/strand_chance.glsl"
 #include "cuticle/render/passes/tile_lists/segment.glsl"
 
-layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
-layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
-layout(std430, binding = 2) readonly buffer Segments { uint segments[]; };
-layout(std430, binding = 3) readonly buffer TileDepth { float tile_depth[]; };  // 1 / distance of the farthest scene
+layout(binding = 0) uniform samplerBuffer vertices;
+layout(binding = 1) uniform samplerBuffer tangents;
+layout(binding = 2) uniform usamplerBuffer segments;
+layout(binding = 3) uniform samplerBuffer tile_depth;  // 1 / distance of the farthest scene
 
 const float k_half_tile = 0.5 * float(k_tile - 1);  // from the middle to the outermost pixel's centre
 const uint k_thinning = 5u;                         // purpose of a chance
@@ -17,11 +17,24 @@ void visit(uint tile, uint vertex, float inverse_depth);
 
 // A segment that chance takes away: the tip of a strand, or one of too many.
 bool is_kept(uint vertex) {
-  return tangents[vertex + 1u].w <= kept_length(vertex / push.vertices_per_strand, push.tip_variation) &&
+  return texelFetch(tangents, int(vertex + 1u)).w <= kept_length(vertex / push.vertices_per_strand, push.tip_variation) &&
          mixed(vertex, k_thinning) < push.kept_share;
 }
 
-// How many tiles were visited.
+bool visits(uint vertex, Projected p, ivec2 at, ivec2 begin, float beyond) {
+  vec2 from_middle = (vec2(at) + 0.5) * float(k_tile) - p.middle;
+  float s = dot(from_middle, p.direction), d = p.direction.x * from_middle.y - p.direction.y * from_middle.x;
+  float on_axis = clamp(s, -p.half_length, p.half_length), inverse_depth = p.inverse_depth + p.depth_slope * on_axis;
+  float nearest = inverse_depth + abs(p.depth_slope) * beyond;
+  float half_width = p.half_width + p.width_slope * on_axis;  // the fine rasteriser's for this tile
+  uint tile = uint((at.y - begin.y) * int(tile_grid().x) + at.x - begin.x);
+  bool visited = abs(d) <= half_width + beyond && abs(s) <= p.half_length + beyond &&
+                 nearest >= texelFetch(tile_depth, int(tile)).r;
+  if (visited) visit(tile, vertex, inverse_depth);
+  return visited;
+}
+
+// How many tiles were visited. The loop ends at its last line: on lavapipe one that asks first runs its body once more.
 uint walk(uint vertex, Projected p) {
   vec2 along = abs(p.direction), across = along.yx;
   float beyond = k_half_tile * (along.x + along.y) + 0.5;
@@ -29,20 +42,12 @@ uint walk(uint vertex, Projected p) {
   vec2 reach = along * (p.half_length + 0.5) + across * (widest + 0.5);
   ivec2 begin = ivec2(first_tile()), grid = ivec2(tile_grid());
   ivec2 least = max(ivec2(floor((p.middle - reach) / float(k_tile))), begin);
-  ivec2 most = min(ivec2(floor((p.middle + reach) / float(k_tile))), begin + grid - 1);
-  uint visits = 0u;
-  for (int y = least.y; y <= most.y; ++y)
-    for (int x = least.x; x <= most.x; ++x) {
-      vec2 from_middle = (vec2(x, y) + 0.5) * float(k_tile) - p.middle;
-      float s = dot(from_middle, p.direction), d = p.direction.x * from_middle.y - p.direction.y * from_middle.x;
-      float at = clamp(s, -p.half_length, p.half_length), inverse_depth = p.inverse_depth + p.depth_slope * at;
-      float nearest = inverse_depth + abs(p.depth_slope) * beyond;
-      float half_width = p.half_width + p.width_slope * at;  // the fine rasteriser's for this tile
-      uint tile = uint((y - begin.y) * grid.x + x - begin.x);
-      if (abs(d) <= half_width + beyond && abs(s) <= p.half_length + beyond && nearest >= tile_depth[tile]) {
-        visit(tile, vertex, inverse_depth);
-        ++visits;
-      }
-    }
-  return visits;
+  ivec2 most = min(ivec2(floor((p.middle + reach) / float(k_tile))), begin + grid - 1), at = least;
+  uint count = 0u;
+  do {
+    if (at.x <= most.x && at.y <= most.y) count += visits(vertex, p, at, begin, beyond) ? 1u : 0u;
+    bool is_last = at.x >= most.x;
+    at = is_last ? ivec2(least.x, at.y + 1) : ivec2(at.x + 1, at.y);
+  } while (at.y <= most.y);
+  return count;
 }

@@ -10,9 +10,8 @@ shared float values[k_lanes];
 
 uint own_lane() { return gl_LocalInvocationID.x; }
 
-void begin_eight(uint first, uint end, vec2 tile_middle) {
+void tell(Prepared own) {
   uint lane = own_lane();
-  Prepared own = set_up(first + lane, end, tile_middle);
   axis[lane] = own.axis;
   extent[lane] = own.extent;
   shade[lane] = own.shade;
@@ -21,8 +20,13 @@ void begin_eight(uint first, uint end, vec2 tile_middle) {
   barrier();
 }
 
-Prepared prepared(uint k, uint first, uint end, vec2 tile_middle) {
-  return Prepared(axis[k], extent[k], shade[k], slope[k], first_vertex[k]);
+const uint k_chunk = k_lanes;
+
+// Each invocation sets up one, all draw all.
+void draw_chunk(uint first, uint end, vec2 first_pixel, vec2 tile_corner) {
+  tell(set_up(first + own_lane(), end, tile_corner + 0.5 * float(k_tile)));
+  [[unroll]] for (uint k = 0u; k < k_lanes; ++k)
+    draw(Prepared(axis[k], extent[k], shade[k], slope[k], first_vertex[k]), first_pixel);
 }
 
 bool is_below_in_all(float own, float limit) {

@@ -16,8 +16,8 @@ namespace {
 
 /// As tiles.frag reads it.
 struct MergePush {
-  std::uint32_t width, supersampling;
-  float inverse_near, inverse_far;
+  std::uint32_t width;
+  float per_sample, inverse_near, inverse_far;
 };
 
 constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
@@ -48,6 +48,7 @@ class Tiles : public GpuPass {
         fine_.prepare,
         {resources.strands.vertices, resources.strand_colors, resources.strands.segments, &fine_.records}, {},
         gpu::bytes_of(push), segments.x, segments.y);
+    for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
     std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : resources.strands.vertices,
                                                resources.strand_colors,
                                                &lists.offsets,
@@ -58,8 +59,7 @@ class Tiles : public GpuPass {
                                                &seen_};
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
     commands.dispatch(fine_.draw, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
-    const MergePush merge{push.part.x, std::uint32_t(resources.supersampling), push.inverse_near,
-                          push.inverse_far};
+    const MergePush merge{push.part.x, 1 / float(resources.supersampling), push.inverse_near, push.inverse_far};
     begin_target(commands, resources);
     commands.draw(merge_, {&picture_, &depth_}, {}, gpu::bytes_of(merge), 3);
     commands.end_rendering();
@@ -115,6 +115,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.vertex_spirv = resolve_vert;
   description.fragment_spirv = tiles_frag;
   description.interface.storage_buffers = 2;
+  description.interface.texels = {{0, gpu::TextureFormat::rgba16f}, {1, gpu::TextureFormat::r32f}};
   description.interface.push_constant_bytes = sizeof(MergePush);
   description.blend = gpu::BlendMode::alpha;
   CUTICLE_ASSIGN(gpu::GraphicsPipeline merge, device->make_graphics(description));

@@ -4,11 +4,11 @@
 // Those of one slice and pixel are blended in the order of the tile's list as they come, which is what blending a list
 // of them afterwards gives; then the slices, from near to far. As many slices at a time as shared memory has room for.
 #include "cuticle/render/passes/tiles/exchange_shared.glsl"
-#include "cuticle/render/passes/tiles/columns.glsl"
+#include "cuticle/render/passes/tiles/blocks.glsl"
 
 layout(std430, binding = 8) readonly buffer DepthRanges { vec2 depth_ranges[]; };  // greatest and least 1 / depth
 
-const uint k_at_once = 16u, k_places = k_at_once * uint(k_tile) * k_lanes;
+const uint k_at_once = 16u, k_places = k_at_once * uint(k_block) * k_lanes;
 shared vec4 slice_light[k_places];  // what it lets through in w
 shared float slice_depth[k_places];
 shared vec2 slice_seen[k_says_seen * (k_places - 1u) + 1u];  // greatest share of the slice, bits of its vertex
@@ -21,29 +21,29 @@ uint slice_of(float inverse_depth) {
   return uint(clamp((nearest - inverse_depth) * slices_per_depth, 0.0, float(push.slices - 1u)));
 }
 
-uint place_of(uint slice, int row) { return (slice * uint(k_tile) + uint(row)) * k_lanes + own_lane(); }
+uint place_of(uint slice, int k) { return (slice * uint(k_block) + uint(k)) * k_lanes + own_lane(); }
 
 bool set_aside(float least, float most) {
   return slice_of(most) >= first_slice + k_at_once || slice_of(least) < first_slice;
 }
 
-void take(int row, uint vertex, float covered, vec3 color, float inverse_depth) {
+void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
   uint slice = slice_of(inverse_depth) - first_slice;  // wraps to a large number below the first
   if (covered <= 0.0 || slice >= k_at_once) return;
-  uint place = place_of(slice, row);
+  uint place = place_of(slice, k);
   vec4 own = slice_light[place];
   float weight = own.w * covered;
   slice_light[place] = own + weight * vec4(color, -1.0);
   slice_depth[place] += weight * inverse_depth;
   if (k_says_seen == 0u) return;
-  samples[row] += 1u;
+  samples[k] += 1u;
   if (weight > slice_seen[place].x) slice_seen[place] = vec2(weight, uintBitsToFloat(vertex));
 }
 
 void empty_slices() {
   for (uint slice = 0u; slice < k_at_once; ++slice)
-    for (int row = 0; row < k_tile; ++row) {
-      uint place = place_of(slice, row);
+    for (int k = 0; k < k_block; ++k) {
+      uint place = place_of(slice, k);
       slice_light[place] = vec4(0.0, 0.0, 0.0, 1.0);
       slice_depth[place] = 0.0;
       if (k_says_seen != 0u) slice_seen[place] = vec2(0.0);
@@ -52,36 +52,37 @@ void empty_slices() {
 
 void blend_slices() {
   for (uint slice = 0u; slice < k_at_once; ++slice)
-    [[unroll]] for (int row = 0; row < k_tile; ++row) {
-      uint place = place_of(slice, row);
+    [[unroll]] for (int k = 0; k < k_block; ++k) {
+      uint place = place_of(slice, k);
       vec4 own = slice_light[place];
-      light[row] += through[row] * own.rgb;
-      depth[row] += through[row] * slice_depth[place];
-      if (k_says_seen != 0u && through[row] * slice_seen[place].x > most_seen[row]) {
-        most_seen[row] = through[row] * slice_seen[place].x;
-        seen_vertex[row] = floatBitsToUint(slice_seen[place].y);
+      light[k] += through[k] * own.rgb;
+      depth[k] += through[k] * slice_depth[place];
+      if (k_says_seen != 0u && through[k] * slice_seen[place].x > most_seen[k]) {
+        most_seen[k] = through[k] * slice_seen[place].x;
+        seen_vertex[k] = floatBitsToUint(slice_seen[place].y);
       }
-      through[row] *= own.w;
+      through[k] *= own.w;
     }
 }
 
 void main() {
-  uint lane = own_lane(), tile = tile_of_group();
+  uint tile = tile_of_group();
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
-  uvec2 corner = corner_of(tile);
-  begin_column(lane, corner);
-  vec2 range = begin < end ? depth_ranges[tile] : vec2(0.0);
+  if (begin == end) return;  // the picture was emptied
+  uvec2 corner = corner_of(tile), block = block_of(own_lane(), corner);
+  begin_block(block);
+  vec2 range = depth_ranges[tile];
   nearest = range.x;
   slices_per_depth = range.x > range.y ? float(push.slices) * 0.99999 / (range.x - range.y) : 0.0;
-  for (first_slice = 0u; first_slice < push.slices && begin < end; first_slice += k_at_once) {
+  for (first_slice = 0u; first_slice < push.slices; first_slice += k_at_once) {
     empty_slices();
-    for (uint first = begin; first < end; first += k_lanes) {
-      draw_eight(lane, first, end, corner);
+    for (uint first = begin; first < end; first += k_chunk) {
+      draw_chunk(first, end, vec2(block + first_pixel()) + 0.5, vec2(corner + first_pixel()));
       barrier();
     }
     looked_at += end - begin;
     blend_slices();
     if (is_closed()) break;
   }
-  end_column(lane, corner);
+  end_block(block);
 }
