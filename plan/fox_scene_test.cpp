@@ -163,6 +163,36 @@ TEST_P(SimulatedFur, InTheRun_StaysRootedOnTheSkinAtItsLength) {
   EXPECT_LT(lag, 0.13);  // of hair up to 0.09 m long, on the feet
 }
 
+/// Hair of a fox that stands, after ten frames.
+sim::State settled(const scene::Scene& scene) {
+  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
+  EXPECT_TRUE(runner) << runner.error().message;
+  for (int frame = 0; frame < 9; ++frame) EXPECT_TRUE((*runner)->run(frame, {.render = false}));
+  return (*runner)->run(9, {.render = false, .read_state = true})->state;
+}
+
+TEST_P(SimulatedFur, BesideABall_StaysOutOfIt) {
+  scene::Scene scene = small_fox_by(GetParam());
+  scene.character->clip.clear();
+  scene.simulation.effects["colliders"] =
+      registry::parse_assignments((*sim::find_effect("colliders"))->entry.parameters, "pearl_radius=0").value();
+  const sim::State free = settled(scene);
+  const strands::Groom rest = build_strand_set(scene)->control;
+  const auto tip = std::size_t(std::ranges::max_element(free.positions, {}, &glm::vec3::y) - free.positions.begin());
+  scene.colliders = {{glm::dvec3(free.positions[tip]), 0.02}};
+  const sim::State beside = settled(scene);
+  double deepest = 0, moved = 0;
+  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+    for (std::size_t i = rest.offsets[s] + 2; i < rest.offsets[s + 1]; ++i) {
+      const double depth = 0.02 - glm::distance(glm::dvec3(beside.positions[i]), scene.colliders[0].center);
+      deepest = std::max(deepest, depth);
+      moved = std::max(moved, double(glm::distance(beside.positions[i], free.positions[i])));
+    }
+  std::printf("%s fur beside a ball: deepest vertex %.1e m, moved by %.3f m\n", GetParam(), deepest, moved);
+  EXPECT_GT(moved, 0.01);
+  EXPECT_LT(deepest, 1e-5);
+}
+
 TEST(FoxFur, Simulated_RunsSkinThenSimulationAsPlanned) {
   auto runner = FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), small_simulated_fox(),
                                     silent_progress());

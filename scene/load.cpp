@@ -73,13 +73,14 @@ Result<void> read_motion(const Reader& root, Scene& scene) {
 
 /// What a character takes the place of, or cannot have yet.
 Result<void> check_character(const Reader& root) {
-  for (const char* key : {"motion", "colliders", "fins"})
+  for (const char* key : {"motion", "fins"})
     if (root.has(key))
       return bad_input(fmt::format("{}: a scene with 'character' has no '{}'", root.where, key),
                        "hair follows the character's skin; leave one of them out");
-  if (root.child("head").has("mesh"))
-    return bad_input(fmt::format("{}: a scene with 'character' has no 'head.mesh'", root.where),
-                     "leave one of them out");
+  for (const auto& [block, key] : {std::pair{"head", "mesh"}, {"colliders", "head"}})
+    if (root.child(block).has(key))
+      return bad_input(fmt::format("{}: a scene with 'character' has no '{}.{}'", root.where, block, key),
+                       "leave one of them out");
   return {};
 }
 

@@ -133,20 +133,22 @@ Spec collider_motion() {
 }
 
 Spec colliders() {
-  Spec sphere = object("", "one sphere, in the head's rest space",
+  Spec sphere = object("", "one sphere, in the head's rest space; with a character in the world",
                        {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
                         required(real("radius_m", 1e-6, k_metres, "radius")), collider_motion()});
-  Spec capsule = object("", "all that is no farther than a radius from a straight line, in the head's rest space",
+  Spec capsule = object("",
+                        "all that is no farther than a radius from a straight line, in the head's rest space; with a "
+                        "character in the world",
                         {required(numbers("from_m", 3, -k_metres, k_metres, "one end of the line")),
                          required(numbers("to_m", 3, -k_metres, k_metres, "its other end")),
                          required(real("radius_m", 1e-6, k_metres, "radius")), collider_motion()});
-  Spec box = object("", "one box, in the head's rest space",
+  Spec box = object("", "one box, in the head's rest space; with a character in the world",
                     {required(numbers("center_m", 3, -k_metres, k_metres, "centre")),
                      required(numbers("size_m", 3, 0, k_metres, "whole edges, without the rounding")),
                      real("rounding_m", 0, k_metres, "what the rounded box is larger by on every side"),
                      numbers("turn_axis", 3, -1e6, 1e6, "axis through the centre about which the box is turned"),
                      real("turn_degrees", -360, 360, "by so much; needs turn_axis"), collider_motion()});
-  Spec mesh = object("", "a closed mesh, in the head's rest space",
+  Spec mesh = object("", "a closed mesh, in the head's rest space; with a character in the world",
                      {required(file("file", "OBJ, or the mesh of a glTF character at rest")),
                       required(real("spacing_m", 1e-6, k_metres, "of the grid on which its distance is stored")),
                       real("metres_per_unit", 1e-6, 1000, "scale of an OBJ"), collider_motion()});

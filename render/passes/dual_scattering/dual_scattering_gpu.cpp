@@ -1,3 +1,6 @@
+#include <deque>
+#include <mutex>
+
 #include <cuticle/bsdf/dual_scattering/dual_scattering.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering.h>
 #include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
@@ -15,11 +18,30 @@ void append(const bsdf::HalfScattering& half, std::vector<glm::vec4>& terms) {
   terms.emplace_back(half.deviation * half.deviation, 0);
 }
 
+struct Known {
+  const bsdf::Model* model;
+  registry::ParameterValues values;
+  bsdf::DualScatteringTable table;
+};
+
+/// The tables of the last materials are kept: one takes seconds, and a picture made anew mostly has the same.
+Result<bsdf::DualScatteringTable> table_of(const bsdf::Model& model, const registry::ParameterValues& values) {
+  constexpr std::size_t k_most = 8;
+  static std::mutex guard;
+  static std::deque<Known> known;
+  const std::lock_guard lock(guard);
+  for (const Known& one : known)
+    if (one.model == &model && one.values == values) return one.table;
+  CUTICLE_ASSIGN(bsdf::DualScatteringTable table, bsdf::dual_scattering_terms(model, values, k_rows));
+  known.push_back({&model, values, table});
+  if (known.size() > k_most) known.pop_front();
+  return table;
+}
+
 Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resources) {
   const lut::TableSet* set = resources.table_set;
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
-                 set ? bsdf::dual_scattering_terms(*set->model, set->values, k_rows)
-                     : bsdf::dual_scattering_terms(*resources.model, *resources.model_values, k_rows));
+                 set ? table_of(*set->model, set->values) : table_of(*resources.model, *resources.model_values));
   const registry::ParameterValues values = parameters_of(resources, entry());
   std::vector<glm::vec4> terms = {glm::vec4(resources.fibre_alpha, 0),
                                   {values.real("forward_density"), values.real("backward_density"), 0, 0}};
