@@ -165,7 +165,8 @@ TEST_P(SimulatedFur, InTheRun_StaysRootedOnTheSkinAtItsLength) {
 
 /// Hair of a fox that stands, after ten frames.
 sim::State settled(const scene::Scene& scene) {
-  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
+  auto runner =
+      FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
   EXPECT_TRUE(runner) << runner.error().message;
   for (int frame = 0; frame < 9; ++frame) EXPECT_TRUE((*runner)->run(frame, {.render = false}));
   return (*runner)->run(9, {.render = false, .read_state = true})->state;

@@ -141,7 +141,7 @@ TEST(FrameRunner, SurfacesInChunks_AreNearlyThoseDrawnAtOnce) {
                with_shadows =
                    mean_difference(frame_of(*runner({k_light, k_shadow, k_tiles, k_both, k_floor}), 0).color, shadowed);
   std::printf("mean difference %.2g, with shadows and a floor %.2g\n", alone, with_shadows);
-  EXPECT_LT(alone, 1e-8);  // measured: 6.1e-9
+  EXPECT_LT(alone, 1e-8);         // measured: 6.1e-9
   EXPECT_LT(with_shadows, 4e-8);  // measured: 2.5e-8
 }
 
@@ -240,8 +240,8 @@ Image numbers_distances_and_tangents(FrameRunner& runner, const Camera& camera) 
   return render::truth::rasterise(camera, {vertices, colors, segments}, {}, {.samples = 1});
 }
 
-// At pixels that hair covers whole. Measured: the same strand in 85 % by lines, which are all equally wide, 92 % by quads
-// and 97 % by tiles, which take the one that most of the pixel sees.
+// At pixels that hair covers whole. Measured: the same strand in 85 % by lines, which are all equally wide, 92 % by
+// quads and 97 % by tiles, which take the one that most of the pixel sees.
 TEST(FrameRunner, Aovs_AreThoseOfTheStrandThatBruteForceSees) {
   for (const auto& [method, least] : {std::pair{k_lines, 0.83}, {k_quads, 0.88}, {k_tiles, 0.88}}) {
     const auto made = runner({k_light, k_shadow, k_wide_strands, method});

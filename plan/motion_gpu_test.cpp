@@ -11,7 +11,7 @@
 namespace cuticle::plan::motion_gpu_test {
 namespace {
 
-constexpr double k_turn = 5;                 // degrees a frame
+constexpr double k_turn = 5;                // degrees a frame
 constexpr int k_moments = 8, k_size = 192;  // of an open shutter; pixels of its picture
 
 std::shared_ptr<gpu::Device> device() {
@@ -86,7 +86,8 @@ TEST_P(Motion, MotionBlur_ComesNearTheMeanOverTheShutter) {
 
 TEST_P(Motion, NothingMoves_ThePictureStays) {
   const Image sharp = frame_of(*runner_of({.method = GetParam()}), 1);
-  EXPECT_EQ(frame_of(*runner_of({.method = GetParam(), .passes = R"("motion_blur": {})", .turn = 1e-12}), 1).pixels, sharp.pixels);
+  EXPECT_EQ(frame_of(*runner_of({.method = GetParam(), .passes = R"("motion_blur": {})", .turn = 1e-12}), 1).pixels,
+            sharp.pixels);
 }
 
 // Tiles find the depth of hair in the layers, which the file then has only where they were asked for.

@@ -63,17 +63,17 @@ struct FrameResources {
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points
   const tile_lists::TileLists* tile_lists = nullptr;  ///< which segments each tile of the screen has to draw
-  std::optional<StrandDraw> strand_draw;                    ///< of the pass that draws strands as triangles or lines
+  std::optional<StrandDraw> strand_draw;              ///< of the pass that draws strands as triangles or lines
   const cull_strands::SeenStrands* seen_strands = nullptr;  ///< which of them it draws; null: all
-  bool says_seen = false;                             ///< whether passes that draw strands fill `seen`
-  const gpu::Buffer* seen = nullptr;                  ///< Seen per pixel of the picture
-  const gpu::Texture* seen_samples = nullptr;         ///< r32u, as large as the targets: per sample the segment, from 1
-  const gpu::Buffer* aovs = nullptr;                  ///< floats per pixel: aovs::k_channels
-  const gpu::Buffer* pixel_depth = nullptr;           ///< float per pixel: 1 / distance of the nearest thing; 0: none
-  std::uint32_t vertices_per_strand = 0;              ///< of the drawn strands, all alike
-  double strand_radius = 35e-6;                       ///< of a drawn strand, metres, at the root
-  const strands::Mesh* head = nullptr;                ///< rest pose
-  const strands::Mesh* scalp = nullptr;               ///< the part of the head where hair grows, rest pose; may be null
+  bool says_seen = false;                                   ///< whether passes that draw strands fill `seen`
+  const gpu::Buffer* seen = nullptr;                        ///< Seen per pixel of the picture
+  const gpu::Texture* seen_samples = nullptr;  ///< r32u, as large as the targets: per sample the segment, from 1
+  const gpu::Buffer* aovs = nullptr;           ///< floats per pixel: aovs::k_channels
+  const gpu::Buffer* pixel_depth = nullptr;    ///< float per pixel: 1 / distance of the nearest thing; 0: none
+  std::uint32_t vertices_per_strand = 0;       ///< of the drawn strands, all alike
+  double strand_radius = 35e-6;                ///< of a drawn strand, metres, at the root
+  const strands::Mesh* head = nullptr;         ///< rest pose
+  const strands::Mesh* scalp = nullptr;        ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
   const gpu::Buffer* control_positions = nullptr;  ///< vec4 per control vertex
   strands::ControlMotion control_motion;           ///< of these; without values where nothing asks how hair moves

@@ -233,10 +233,10 @@ Spec floor() {
 }
 
 Spec outputs() {
-  return object(
-      "outputs", "pictures wanted",
-      {boolean("color", "radiance"), boolean("aovs", "what each pixel sees of the hair, as layers (lines, quads, tiles)"),
-       real("exposure_stops", -20, 20, "for the tone-mapped picture")});
+  return object("outputs", "pictures wanted",
+                {boolean("color", "radiance"),
+                 boolean("aovs", "what each pixel sees of the hair, as layers (lines, quads, tiles)"),
+                 real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 
 Spec render() {

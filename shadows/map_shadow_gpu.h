@@ -9,8 +9,8 @@
 
 namespace cuticle::shadows {
 
-/// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0. Shaders read vertices
-/// and segments as texels (samplerBuffer, usamplerBuffer).
+/// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0. Shaders read
+/// vertices and segments as texels (samplerBuffer, usamplerBuffer).
 enum MapBinding : int { k_vertices = -5, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
 
 /// One of the method's buffers of 32-bit words.
@@ -36,8 +36,8 @@ struct MapPass {
   std::span<const std::uint32_t> code;
   std::vector<int> buffers;  ///< MapBinding, in the order of the shader's bindings
   MapRun run = MapRun::per_segment;
-  bool reads_targets = false;     ///< the targets follow the buffers as textures
-  std::uint32_t invocations = 0;  ///< of MapRun::given
+  bool reads_targets = false;                                  ///< the targets follow the buffers as textures
+  std::uint32_t invocations = 0;                               ///< of MapRun::given
   std::uint32_t (*counted)(std::uint32_t segments) = nullptr;  ///< of MapRun::per_counted_segment
   std::vector<std::uint32_t> texels = {};  ///< further bindings that are read as texels (usamplerBuffer)
 };

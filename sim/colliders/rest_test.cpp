@@ -17,14 +17,11 @@ struct Collider {
 };
 
 FieldPointer ball_field(const glm::dvec3& centre, double radius) {
-  const strands::Mesh mesh =
-      strands::transformed(ball_mesh(radius, 40), glm::translate(glm::dmat4(1), centre));
+  const strands::Mesh mesh = strands::transformed(ball_mesh(radius, 40), glm::translate(glm::dmat4(1), centre));
   return std::make_shared<const DistanceField>(bake_distance_field(mesh, 0.008, "ball").value());
 }
 
-RoundedBox capsule_at(double x, double y, double radius) {
-  return make_capsule({x, y, -0.2}, {x, y, 0.2}, radius);
-}
+RoundedBox capsule_at(double x, double y, double radius) { return make_capsule({x, y, -0.2}, {x, y, 0.2}, radius); }
 
 std::vector<Collider> colliders() {
   const glm::dmat3 edge(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 0, 1)));
@@ -42,8 +39,8 @@ std::vector<Collider> colliders() {
 /// Of the tip, m/s, rms from the fifth to the sixth second.
 double tremble(std::string_view solver, const Collider& c, int links, const std::string& friction) {
   const strands::Groom groom = one(uniform_segments(links, 0.3), {1, 0, 0});
-  const std::string limp = std::string("damping=5,clamped_vertices=1,") +
-                           (solver == "rod" ? "sag_free=false" : "shape_stiffness=0");
+  const std::string limp =
+      std::string("damping=5,clamped_vertices=1,") + (solver == "rod" ? "sag_free=false" : "shape_stiffness=0");
   auto made = make_solver(solver, groom, limp, gravity_and_colliders("pearl_radius=0,friction=" + friction));
   double squares = 0;
   for (int k = 0; k < 360; ++k) {
@@ -54,7 +51,7 @@ double tremble(std::string_view solver, const Collider& c, int links, const std:
   return std::sqrt(squares);
 }
 
-void expect_rest(const char* solver, double Collider::* resting) {
+void expect_rest(const char* solver, double Collider::*resting) {
   std::printf("tip, m/s; 16 links, friction 0, 0.3, 1; 32 links, the same\n");
   for (const Collider& c : colliders()) {
     std::printf("%-5s %-32s", solver, c.name);

@@ -46,16 +46,16 @@ namespace turn_row {
 constexpr int x = 0, y = 3, z = 6, step = 9, root = 12, count = 15;
 }
 
-/// Rows of a collider beside a strand: LinkSphere of its own (a box', a field's grid's); the radius around the whole, and
-/// its centre at the substep's begin.
+/// Rows of a collider beside a strand: LinkSphere of its own (a box', a field's grid's); the radius around the whole,
+/// and its centre at the substep's begin.
 namespace collider_row {
 constexpr int centre = 0, radius = 3, around = 4, begin = 5, count = 8;
 }
 
-/// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: collider_row::count * k_lanes
-/// for each. With `carries`, for boxes and fields that move by themselves: boxes and fields of one substep after the
-/// other, at its end, in the world's axes, relative to the head's translation (on a skin in the world), and what a substep's boxes, then its
-/// fields carry along; 3 * k_lanes more rows for each of these.
+/// The substeps of a frame and the colliders within reach, in rest space; `collider_rows`: collider_row::count *
+/// k_lanes for each. With `carries`, for boxes and fields that move by themselves: boxes and fields of one substep
+/// after the other, at its end, in the world's axes, relative to the head's translation (on a skin in the world), and
+/// what a substep's boxes, then its fields carry along; 3 * k_lanes more rows for each of these.
 template <class Real>
 struct ChainFrame {
   const ChainStep<Real>* steps;

@@ -84,7 +84,9 @@ class ChainSolver final : public Solver {
     if (carry.w != 1.f) turn(b, carry);
     Room& room = room_.local();
     FrameColliders<Real>& near = room.near;
-    if (settings_.contact) find_near<Real>(colliders, [&](const LinkSphere<Real>& around) { return may_reach(b, around); }, near);
+    if (settings_.contact)
+      find_near<Real>(
+          colliders, [&](const LinkSphere<Real>& around) { return may_reach(b, around); }, near);
     room.values.clear();
     for (const FieldPointer& field : near.baked) room.values.push_back(field->values.data());
     const std::size_t scratch = (chains_.blocks[b].links + 2) * std::size_t(program_.scratch_rows) * k_lanes;

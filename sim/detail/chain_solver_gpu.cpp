@@ -336,8 +336,8 @@ class ChainGpuSolver final : public GpuSolver {
   gpu::Kernel free_, touching_;
   /// By whether colliders move by themselves, and whether there are fields; made with the first such collider.
   std::array<std::array<gpu::Kernel, 2>, 2> beside_all_;
-  std::array<std::array<gpu::Kernel, 2>, 2> on_skin_;                      ///< by whether there are colliders, and fields
-  std::vector<FieldPointer> fields_;                                       ///< whose values are on the device
+  std::array<std::array<gpu::Kernel, 2>, 2> on_skin_;  ///< by whether there are colliders, and fields
+  std::vector<FieldPointer> fields_;                   ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
   std::unique_ptr<clumping::ClumpingGpu> clumping_;                        ///< null without the effect
   sleep::Watch watch_;

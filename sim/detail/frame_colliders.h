@@ -7,9 +7,9 @@
 
 namespace cuticle::sim::detail {
 
-/// None without the effect. On a skin all are as those that move by themselves, in the world. Where none moves by itself, all are in rest space and `carries` is empty. Otherwise the
-/// spheres that the head takes along are in rest space, those that move by themselves are boxes without size, and boxes
-/// and fields are as ChainFrame::carries says.
+/// None without the effect. On a skin all are as those that move by themselves, in the world. Where none moves by
+/// itself, all are in rest space and `carries` is empty. Otherwise the spheres that the head takes along are in rest
+/// space, those that move by themselves are boxes without size, and boxes and fields are as ChainFrame::carries says.
 template <class Real>
 struct FrameColliders {
   std::vector<LinkSphere<Real>> spheres = {};

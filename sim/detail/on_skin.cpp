@@ -60,8 +60,7 @@ Result<void> check_on_skin(const ChainSettings& settings) {
   if (settings.clumping) refused = "the effect 'clumping'";
   if (settings.sleep) refused = "the effect 'sleep'";
   if (refused.empty()) return {};
-  return usage_error(fmt::format("skinned: hair on a skin cannot have {} with this solver", refused),
-                     "leave it out");
+  return usage_error(fmt::format("skinned: hair on a skin cannot have {} with this solver", refused), "leave it out");
 }
 
 template <class Real>

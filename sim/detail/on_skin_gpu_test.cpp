@@ -90,8 +90,8 @@ TEST_P(OnSkinKernel, BesideColliders_FramesAreThoseOfTheCpu) {
     apart = std::max(apart, worst_distance(kernel->state()->positions, cpu->state()->positions));
   }
   const double met = worst_distance(kernel->state()->positions, free->state()->positions);
-  std::printf("%s beside colliders on a skin, 5 frames: CPU and GPU %.1e m apart, %.3f m from no colliders\n", GetParam(),
-              apart, met);
+  std::printf("%s beside colliders on a skin, 5 frames: CPU and GPU %.1e m apart, %.3f m from no colliders\n",
+              GetParam(), apart, met);
   EXPECT_GT(met, 0.01);
   EXPECT_LT(apart, 4e-4);  // measured: 7.2e-5, 4.5e-6
 }

@@ -14,7 +14,8 @@ constexpr double k_duration = 1.0 / 30;
 /// One of each kind, all in reach of ring(12).
 struct Colliders {
   Sphere ball{{0.25, -0.02, 0.01}, 0.06};
-  RoundedBox slab{{-0.25, 0, 0}, glm::dmat3(glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(0, 1, 0))), {0.05, 0.02, 0.1}, 0.01};
+  RoundedBox slab{
+      {-0.25, 0, 0}, glm::dmat3(glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(0, 1, 0))), {0.05, 0.02, 0.1}, 0.01};
   FieldPointer mesh = std::make_shared<const DistanceField>(*bake_distance_field(
       strands::transformed(ball_mesh(0.05, 16), glm::translate(glm::dmat4(1), glm::dvec3(0.01, -0.02, 0.25))), 0.01,
       "ball"));
@@ -95,9 +96,8 @@ TEST_P(SkinContact, SkinThatDeforms_LeavesHairOutOfThemAtItsLength) {
     EXPECT_EQ(state.guards_fired, 0u);
     stretched = std::max(stretched, worst_stretch(groom, state));
     if (frame < 30) continue;  // begun inside
-    deep = std::max(deep, deepest_segment(groom, state, [&](const glm::dvec3& place) {
-                      return colliders.depth_at(place, frame);
-                    }));
+    deep = std::max(
+        deep, deepest_segment(groom, state, [&](const glm::dvec3& place) { return colliders.depth_at(place, frame); }));
   }
   std::printf("%s beside colliders on a skin that deforms: deepest segment %.1e m, stretch %.1e\n", GetParam(), deep,
               stretched);
@@ -109,7 +109,8 @@ TEST_P(SkinContact, CollidersOverTheRootsAndFasterThanAStrand_KeepLengths) {
   const strands::Groom groom = ring(6);
   const Sphere over{{0, 0, 0}, 5};
   const RoundedBox box{{0, 0, 0}, glm::dmat3(1), {0.3, 0.3, 0.3}, 0};
-  const MovingCollider fast{Sphere{{0, -0.1, 0}, 0.05}, {{{0, {.position = {-50, 0, 0}}}, {2, {.position = {50, 0, 0}}}}}};
+  const MovingCollider fast{Sphere{{0, -0.1, 0}, 0.05},
+                            {{{0, {.position = {-50, 0, 0}}}, {2, {.position = {50, 0, 0}}}}}};
   const FrameInput inputs[] = {{.colliders = {&over, 1}}, {.boxes = {&box, 1}}, {.moving = {&fast, 1}}};
   for (const FrameInput& kind : inputs) {
     auto solver = make_solver(GetParam(), groom, settings_for(GetParam()), gravity_and_colliders());

@@ -109,7 +109,8 @@ class Cards : public GpuPass {
   /// Whether what the hair about a point scatters stands in place of a diffuse colour, as by the other ways of drawing:
   /// where a material is of a fibre, and hair shadows hair or dual scattering is asked for.
   static bool is_lit_as_strands(const FrameResources& resources) {
-    return resources.model->entry.name != "scheuermann" && (resources.dual_scattering || is_shadowed_by_hair(resources));
+    return resources.model->entry.name != "scheuermann" &&
+           (resources.dual_scattering || is_shadowed_by_hair(resources));
   }
   static bool is_shadowed_by_hair(const FrameResources& resources) {
     return !resources.transmittance.empty() && !resources.of_surfaces_alone;

@@ -74,8 +74,8 @@ TEST(Cards, PixelOfACard_EqualsTheModelWithTexelAndOcclusion) {
   EXPECT_LT(worst, 0.015);
 }
 
-/// A lock of which the share v arrives at v: the card's pixels get dimmer toward the root as its strands do, and all of it
-/// arriving is more light than occlusion leaves.
+/// A lock of which the share v arrives at v: the card's pixels get dimmer toward the root as its strands do, and all of
+/// it arriving is more light than occlusion leaves.
 TEST(Cards, ShadowOfTheirStrands_DimsRowsInPlaceOfOcclusion) {
   Scene scene;
   add_lock(scene.groom, 0.1f, 5);

@@ -96,16 +96,19 @@ Result<Placement> Placement::make(gpu::Device& device, const FrameResources& res
 }
 
 void Placement::record(gpu::Commands& commands, const FrameResources& resources) const {
-  const Push push{glm::mat4(resources.head_transform), rows_, resources.vertices_per_strand,
-                  resources.strands.vertex_count, std::uint32_t(resources.transmittance.size()),
+  const Push push{glm::mat4(resources.head_transform),
+                  rows_,
+                  resources.vertices_per_strand,
+                  resources.strands.vertex_count,
+                  std::uint32_t(resources.transmittance.size()),
                   lights_past_surfaces(resources)};
   if (transmittance_) transmittance_->record(commands, resources);
   const gpu::Groups groups = gpu::groups_for(rows_);
-  commands.dispatch(kernel_,
-                    {resources.strands.vertices, &rests_, &followers_, &placed_,
-                     transmittance_ ? &transmittance_->buffer() : &rests_, &reached_,
-                     resources.surface_shadow ? &resources.surface_shadow->visibility : &rests_},
-                    {}, gpu::bytes_of(push), groups.x, groups.y);
+  commands.dispatch(
+      kernel_,
+      {resources.strands.vertices, &rests_, &followers_, &placed_, transmittance_ ? &transmittance_->buffer() : &rests_,
+       &reached_, resources.surface_shadow ? &resources.surface_shadow->visibility : &rests_},
+      {}, gpu::bytes_of(push), groups.x, groups.y);
 }
 
 }  // namespace cuticle::render::cards

@@ -79,9 +79,8 @@ class CullStrands : public GpuPass {
     commands.dispatch(kernels_.depth, {&buffers_.tile_depth}, {resources.depth}, bytes, tiles.x, tiles.y);
     commands.fill(buffers_.seen, 0);
     commands.fill(buffers_.lost, 0);
-    commands.dispatch(kernels_.see,
-                      {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen, &buffers_.lost}, {}, bytes,
-                      strands.x, strands.y);
+    commands.dispatch(kernels_.see, {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen, &buffers_.lost},
+                      {}, bytes, strands.x, strands.y);
     commands.dispatch(kernels_.list, {&buffers_.seen, &strands_.list, &strands_.numbers}, {}, bytes, 1);
     all_ = push.strand_count;
     corners_ = push.corners * push.drawn_segments;

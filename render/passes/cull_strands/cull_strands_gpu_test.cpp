@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cuticle/render/pass_gpu.h>
 #include <cuticle/render/passes/quads/quads.h>
 #include <cuticle/tests/support/drawn_strands.h>
 
@@ -16,8 +17,8 @@ constexpr std::uint32_t k_vertices = 4;
 
 /// The notes of a frame that culls the strands for `quads`.
 std::vector<std::string> notes_of(const Drawing& drawing) {
-  const gpu::Texture depth =
-      *device()->make_texture({drawing.camera().resolution, gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1, true});
+  const gpu::Texture depth = *device()->make_texture(
+      {drawing.camera().resolution, gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1, true});
   const gpu::Buffer vertices = tests::upload(drawing.vertices), segments = tests::upload(drawing.segments);
   FrameResources resources;
   resources.camera = drawing.camera();
@@ -53,9 +54,8 @@ TEST(CullStrands, NumbersThatAreNone_AreCountedBySegment) {
   drawing.vertices[3].x = nan;                                   // one segment, behind two that are seen
   for (int v = 4; v < 8; ++v) drawing.vertices[v].w = infinity;  // three
   drawing.vertices[9].z = -infinity;                             // two
-  EXPECT_THAT(notes_of(drawing),
-              testing::ElementsAre("cull_strands: 2 of 3 strands drawn, the others are not seen",
-                                   "cull_strands: 6 segments left out: not finite"));
+  EXPECT_THAT(notes_of(drawing), testing::ElementsAre("cull_strands: 2 of 3 strands drawn, the others are not seen",
+                                                      "cull_strands: 6 segments left out: not finite"));
 }
 
 }  // namespace

@@ -110,8 +110,8 @@ class Lines : public GpuPass {
   }
 
   std::shared_ptr<gpu::Device> device_;
-  gpu::Texture seen_;  ///< per sample the segment that it sees, from 1, where that is asked for
-  float line_width_ = 1;                              ///< of all strands
+  gpu::Texture seen_;     ///< per sample the segment that it sees, from 1, where that is asked for
+  float line_width_ = 1;  ///< of all strands
   std::map<float, gpu::GraphicsPipeline> pipelines_;  ///< by the width of their lines: few, see drawn_part
   ShadingInputs inputs_;
   std::optional<strands::GpuPacking> packing_;  ///< where the scene asks for it

@@ -321,7 +321,8 @@ TEST(Lines, LightAlongTheFibre_IsFinite) {
 TEST(Lines, EndThatIsNoNumber_LeavesTheSegmentOut) {
   const double nan = std::nan(""), infinite_in_float = 1e39;
   const auto pixel = [](double end, double radius) {
-    return OneStrand{.tangent = {0, 1, 0}, .lights = {}, .reached = {}, .end = end, .end_radius = radius}.center_pixel();
+    return OneStrand{.tangent = {0, 1, 0}, .lights = {}, .reached = {}, .end = end, .end_radius = radius}
+        .center_pixel();
   };
   EXPECT_EQ(pixel(0.3, 1e-4), glm::vec4(0, 0, 0, 1));
   for (double none : {nan, infinite_in_float}) {

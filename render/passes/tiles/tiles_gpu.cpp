@@ -44,10 +44,9 @@ class Tiles : public GpuPass {
     const tile_lists::TileLists& lists = *resources.tile_lists;
     const tile_lists::TilePush push = push_of(resources, lists);
     const gpu::Groups segments = fine_.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
-    commands.dispatch(
-        fine_.prepare,
-        {resources.strands.vertices, resources.strand_colors, resources.strands.segments, &fine_.records}, {},
-        gpu::bytes_of(push), segments.x, segments.y);
+    commands.dispatch(fine_.prepare,
+                      {resources.strands.vertices, resources.strand_colors, resources.strands.segments, &fine_.records},
+                      {}, gpu::bytes_of(push), segments.x, segments.y);
     for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
     std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : resources.strands.vertices,
                                                resources.strand_colors,
@@ -79,13 +78,13 @@ bool reads_records(const gpu::DeviceInfo& device, std::size_t vertices) {
 }
 
 Result<gpu::Kernel> make_prepare(gpu::Device& device) {
-  return device.make_kernel(tiles_prepare_comp, {4,
-                                                 0,
-                                                 sizeof(tile_lists::TilePush),
-                                                 {},
-                                                 {{0, gpu::TextureFormat::rgba32f},
-                                                  {1, gpu::TextureFormat::rgba16f},
-                                                  {2, gpu::TextureFormat::r32u}}});
+  return device.make_kernel(
+      tiles_prepare_comp,
+      {4,
+       0,
+       sizeof(tile_lists::TilePush),
+       {},
+       {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
 }
 
 /// By slices where the scene asks for them, else as sorted.
@@ -96,7 +95,7 @@ Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
   fine.reads_records = !sliced && reads_records(device.info(), vertices);
   const gpu::TextureFormat form = fine.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), { resources.says_seen ? 1u : 0u }, {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
