@@ -94,6 +94,20 @@ TEST(Tiles, EveryRepeat_HasTheSameBits) {
   }
 }
 
+// The invocations of a tile draw lists of their own; one that is done waits for the others.
+TEST(Tiles, FarthestOfATile_IsBlendedOnceWhereFewerLieBeforeIt) {
+  Drawing drawing;
+  drawing.opacity = 0.4;
+  drawing.strand({{-3, 0, -1}, {3, 0, -1}}, 2, k_red);
+  const float x = 13.5f * drawing.pixel();
+  for (int k = 1; k <= 9; ++k)
+    drawing.strand({{x, -0.6f, 0.01f * float(k)}, {x, 0.6f, 0.01f * float(k)}}, 0.1f, k_green);
+  const Drawn drawn = draw(drawing);
+  EXPECT_GT(drawn.color.at(45, 31, 1), 0.9f);
+  for (int px = 33; px < 40; ++px)
+    for (int c : {0, 3}) EXPECT_NEAR(drawn.color.at(px, 31, c), 0.4f, 1e-4f) << px << " " << c;
+}
+
 TEST(Tiles, Depth_IsThatOfTheStrand) {
   Drawing drawing;
   drawing.strand({{-5, 0, 1}, {5, 0, 1}}, 4 * drawing.pixel(), k_red);
