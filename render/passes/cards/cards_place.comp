@@ -44,22 +44,17 @@ vec3 mean_of_followers(uvec2 list, float v) {
   return sum / float(list.y - list.x);
 }
 
-// What arrives at them there, in the mean, and what of it passes surfaces.
-float mean_transmittance(uvec2 list, float v, uint shadow) {
-  const Step at = step_at(v);
-  float sum = 0.0;
-  for (uint k = list.x; k < list.y; ++k) {
-    const uint vertex = shadow * vertex_count + followers[k] * vertices_per_strand + at.begin;
-    sum += mix(transmittance[vertex], transmittance[vertex + 1u], at.share);
-  }
-  return sum / float(list.y - list.x);
+// Of shadow k: first what arrives, then what of a light passes surfaces.
+float left_at(uint k, uint vertex) {
+  return k < shadows ? transmittance[k * vertex_count + vertex] : visibility[(k - shadows) * vertex_count + vertex];
 }
-float mean_visibility(uvec2 list, float v, uint light) {
+// What of it is left at them there, in the mean.
+float mean_left(uvec2 list, float v, uint shadow) {
   const Step at = step_at(v);
   float sum = 0.0;
   for (uint k = list.x; k < list.y; ++k) {
-    const uint vertex = light * vertex_count + followers[k] * vertices_per_strand + at.begin;
-    sum += mix(visibility[vertex], visibility[vertex + 1u], at.share);
+    const uint vertex = followers[k] * vertices_per_strand + at.begin;
+    sum += mix(left_at(shadow, vertex), left_at(shadow, vertex + 1u), at.share);
   }
   return sum / float(list.y - list.x);
 }
@@ -81,7 +76,5 @@ void main() {
   placed[row].right = vec4(middle + rest.across.w * across, rest.follower_tangent.w);
   placed[row].normal = vec4(cross(tangent, across), 0.0);
   placed[row].tangent = vec4(tangent, 0.0);
-  for (uint k = 0u; k < shadows; ++k) reached[k * row_count + row] = mean_transmittance(rest.followers.xy, v, k);
-  for (uint k = 0u; k < surfaces; ++k)
-    reached[(shadows + k) * row_count + row] = mean_visibility(rest.followers.xy, v, k);
+  for (uint k = 0u; k < shadows + surfaces; ++k) reached[k * row_count + row] = mean_left(rest.followers.xy, v, k);
 }
