@@ -10,9 +10,9 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
-#include <cuticle/bsdf/batch/batch.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/random.h>
+#include "bsdf/batch/batch.h"
+#include "core/json/json.h"
+#include "core/random.h"
 #include "calibration.h"
 #include "operations.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "core/file.h"
+#include "core/json/json.h"
 
 namespace cuticle::bench {
 

@@ -1,9 +1,9 @@
 #pragma once
 // A number that counts the operations done with it. The elementary functions are those of float (BY_REAL would take the
 // standard ones): each is specialised before a formula can ask for it.
-#include <cuticle/core/shared/bessel.glslh>
-#include <cuticle/core/shared/logarithm.glslh>
-#include <cuticle/core/shared/rotation.glslh>
+#include "core/shared/bessel.glslh"
+#include "core/shared/logarithm.glslh"
+#include "core/shared/rotation.glslh"
 
 namespace cuticle::bench {
 

@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/lut/evaluate.h>
+#include "lut/evaluate.h"
 #include "calibration.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <model_of_batch.h>
 
-#include <cuticle/bsdf/shared/directions.glslh>
+#include "bsdf/shared/directions.glslh"
 #include "operations.h"
 
 #define CUTICLE_NAME_OF(name) #name

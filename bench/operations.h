@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/model.h"
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bench {
 

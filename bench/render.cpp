@@ -12,7 +12,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include "calibration.h"
 

@@ -10,9 +10,9 @@
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/sim/telemetry.h>
+#include "sim/telemetry.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/solver_gpu.h"
 #endif
 #include "calibration.h"
 

@@ -9,8 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/formats/formats.h>
+#include "core/file.h"
+#include "strands/formats/formats.h"
 
 namespace {
 

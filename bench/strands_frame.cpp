@@ -7,14 +7,14 @@
 #include <ctime>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/skinning/skinning.h>
-#include <cuticle/strands/spline/vertex_stream.h>
+#include "strands/binding/binding.h"
+#include "strands/skinning/skinning.h"
+#include "strands/spline/vertex_stream.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/gpu/groups.h>
-#include <cuticle/strands/binding/carry_gpu.h>
-#include <cuticle/strands/skinning/skinning_gpu.h>
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "gpu/groups.h"
+#include "strands/binding/carry_gpu.h"
+#include "strands/skinning/skinning_gpu.h"
+#include "strands/spline/smooth_gpu.h"
 
 #include <vertex_stores_comp.spv.h>
 #endif

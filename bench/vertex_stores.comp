@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // What interpolate.comp writes and nothing else: one thread per drawn strand, two vec4 for each of its vertices. The
 // least that a frame which leaves positions and tangents in buffers can cost on a device.
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly buffer Vertices { vec4 vertices[]; };

@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 #include <array>
 #include <atomic>

@@ -9,9 +9,9 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/bsdf/fibre.h>
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/core/result.h>
+#include "bsdf/fibre.h"
+#include "core/registry/entry.h"
+#include "core/result.h"
 
 namespace cuticle::bsdf {
 

@@ -1,11 +1,11 @@
-#include <cuticle/bsdf/model_gpu.h>
+#include "bsdf/model_gpu.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/gpu/groups.h>
+#include "bsdf/shared/batch.h"
+#include "gpu/groups.h"
 
 namespace cuticle::bsdf {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/gpu/device.h>
+#include "bsdf/model.h"
+#include "gpu/device.h"
 
 namespace cuticle::bsdf {
 

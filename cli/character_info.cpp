@@ -1,11 +1,11 @@
-#include <cuticle/cli/character_info.h>
+#include "cli/character_info.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/character/character.h>
-#include <cuticle/strands/motion/bvh.h>
+#include "core/json/json.h"
+#include "strands/character/character.h"
+#include "strands/motion/bvh.h"
 
 namespace cuticle::cli {
 

@@ -2,7 +2,7 @@
 // `cuticle info` of a character.
 #include <string>
 
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 

@@ -1,4 +1,4 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #include <charconv>
 #include <cmath>

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/result.h>
+#include "core/progress.h"
+#include "core/result.h"
 
 namespace cuticle::cli {
 

@@ -1,6 +1,6 @@
-#include <cuticle/cli/groom_options.h>
+#include "cli/groom_options.h"
 
-#include <cuticle/cli/usd_files.h>
+#include "cli/usd_files.h"
 
 namespace cuticle::cli {
 

@@ -1,7 +1,7 @@
 #pragma once
 // What every command that reads a groom does in the same way.
-#include <cuticle/cli/command.h>
-#include <cuticle/strands/formats/formats.h>
+#include "cli/command.h"
+#include "strands/formats/formats.h"
 
 namespace cuticle::cli {
 

@@ -1,4 +1,4 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 void add_all_commands(CLI::App& app, Context& context);

@@ -1,4 +1,4 @@
-#include <cuticle/cli/parameter_help.h>
+#include "cli/parameter_help.h"
 
 #include <fmt/core.h>
 

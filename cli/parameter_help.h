@@ -2,7 +2,7 @@
 // Parameter tables as the text of --help.
 #include <string>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::cli {
 

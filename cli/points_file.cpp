@@ -1,4 +1,4 @@
-#include <cuticle/cli/points_file.h>
+#include "cli/points_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/registry/parameter.h>
+#include "core/file.h"
+#include "core/registry/parameter.h"
 
 namespace cuticle::cli {
 namespace {

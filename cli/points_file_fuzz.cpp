@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/cli/points_file.h>
+#include "cli/points_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr cuticle::cli::PointColumn columns[] = {{"theta_i", -90, 90, "deg"}, {"phi", -360, 360, "deg"}};

@@ -1,4 +1,4 @@
-#include <cuticle/cli/points_file.h>
+#include "cli/points_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
-#include <cuticle/cli/preset_sheet.h>
+#include "cli/preset_sheet.h"
 
 #ifdef CUTICLE_HAS_GPU
 #include <filesystem>
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "cli/shared_files.h"
+#include "plan/frame_runner_gpu.h"
 #endif
 
 namespace cuticle::cli {

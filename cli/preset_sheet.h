@@ -1,6 +1,6 @@
 #pragma once
 // Pictures of grooming specifications side by side.
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 

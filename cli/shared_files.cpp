@@ -1,4 +1,4 @@
-#include <cuticle/cli/shared_files.h>
+#include "cli/shared_files.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/progress.h>
+#include "core/progress.h"
 
 namespace cuticle::cli {
 

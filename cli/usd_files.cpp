@@ -1,12 +1,12 @@
-#include <cuticle/cli/usd_files.h>
+#include "cli/usd_files.h"
 
 #include <filesystem>
 
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/core/file.h>
+#include "cli/shared_files.h"
+#include "core/file.h"
 
 namespace cuticle::cli {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 namespace cuticle::cli {
 

@@ -1,16 +1,6 @@
-# One library per module; one include link per module, so that <cuticle/bsdf/model.h> names bsdf/model.h.
-set(CUTICLE_INCLUDE_DIR ${CMAKE_BINARY_DIR}/include)
-file(MAKE_DIRECTORY ${CUTICLE_INCLUDE_DIR}/cuticle)
+# One library per module. An include names a file from the repository's root: "bsdf/model.h".
+set(CUTICLE_INCLUDE_DIR ${PROJECT_SOURCE_DIR})
 set_property(GLOBAL PROPERTY CUTICLE_TARGETS "")
-
-function(cuticle_include_link MODULE)
-  if(NOT EXISTS ${CUTICLE_INCLUDE_DIR}/cuticle/${MODULE})
-    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${MODULE} ${CUTICLE_INCLUDE_DIR}/cuticle/${MODULE} SYMBOLIC)
-  endif()
-endfunction()
-foreach(module core strands gpu bsdf lut shadows sim render scene plan study viz play cli tests)
-  cuticle_include_link(${module})
-endforeach()
 
 # Parses the standard library and fmt once for all libraries and instantiates their templates there. GCC gains nothing by
 # it, and would no longer notice a file that lacks an include.
@@ -49,7 +39,7 @@ function(cuticle_library NAME)
   cuticle_group_sources(cuticle_${NAME})
   target_compile_features(cuticle_${NAME} PUBLIC cxx_std_20)
   target_include_directories(cuticle_${NAME} PUBLIC
-    $<BUILD_INTERFACE:${CUTICLE_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
+    $<BUILD_INTERFACE:${CUTICLE_INCLUDE_DIR}> $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/cuticle>)
   target_include_directories(cuticle_${NAME} PRIVATE ${CMAKE_BINARY_DIR}/shaders ${CMAKE_BINARY_DIR}/generated)
   target_link_libraries(cuticle_${NAME} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:cuticle_warnings>)
   if(CUTICLE_PRECOMPILED AND NOT ARG_OWN_FLAGS)

@@ -1,4 +1,4 @@
-#include <cuticle/core/file.h>
+#include "core/file.h"
 
 #include <atomic>
 #include <cerrno>

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/mapped_file.h>
+#include "core/file.h"
+#include "core/mapped_file.h"
 
 namespace cuticle::file_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/core/instruction_set.h>
+#include "core/instruction_set.h"
 
 #include <array>
 #include <cstdlib>

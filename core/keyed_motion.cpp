@@ -1,4 +1,4 @@
-#include <cuticle/core/keyed_motion.h>
+#include "core/keyed_motion.h"
 
 #include <algorithm>
 #include <cmath>

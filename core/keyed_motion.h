@@ -6,7 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle {
 

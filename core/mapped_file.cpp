@@ -1,11 +1,11 @@
-#include <cuticle/core/mapped_file.h>
+#include "core/mapped_file.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cuticle/core/file.h>
+#include "core/file.h"
 
 namespace cuticle {
 

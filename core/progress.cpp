@@ -1,4 +1,4 @@
-#include <cuticle/core/progress.h>
+#include "core/progress.h"
 
 #include <chrono>
 #include <mutex>
@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
+#include "core/json/json.h"
 
 namespace cuticle {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/progress.h>
+#include "core/json/json.h"
+#include "core/progress.h"
 
 namespace cuticle::progress_test {
 namespace {

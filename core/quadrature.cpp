@@ -1,4 +1,4 @@
-#include <cuticle/core/quadrature.h>
+#include "core/quadrature.h"
 
 #include <algorithm>
 #include <array>

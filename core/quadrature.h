@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <cuticle/core/expect.h>
+#include "core/expect.h"
 
 namespace cuticle {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/tests/support/csv_table.h>
+#include "core/quadrature.h"
+#include "tests/support/csv_table.h"
 
 namespace cuticle::quadrature_test {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // A stream of random numbers on the CPU, drawn from the counter-based generator that the GPU uses too.
-#include <cuticle/core/shared/philox.glslh>
+#include "core/shared/philox.glslh"
 
 namespace cuticle {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include <cuticle/core/expect.h>
+#include "core/expect.h"
 
 namespace cuticle {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::result_test {
 namespace {

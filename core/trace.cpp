@@ -1,9 +1,9 @@
-#include <cuticle/core/trace.h>
+#include "core/trace.h"
 
 #include <map>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "core/file.h"
+#include "core/json/json.h"
 
 namespace cuticle {
 

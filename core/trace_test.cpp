@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/trace.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "core/trace.h"
 
 namespace cuticle::trace_test {
 namespace {

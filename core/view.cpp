@@ -1,4 +1,4 @@
-#include <cuticle/core/view.h>
+#include "core/view.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/expect.h>
+#include "core/expect.h"
 
 namespace cuticle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/core/view.h>
+#include "core/view.h"
 
 namespace cuticle::view_test {
 namespace {

@@ -13,8 +13,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/core/trace.h>
+#include "core/result.h"
+#include "core/trace.h"
 
 namespace cuticle::gpu {
 

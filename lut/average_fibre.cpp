@@ -1,6 +1,6 @@
 #include <map>
 
-#include <cuticle/lut/evaluate.h>
+#include "lut/evaluate.h"
 
 namespace cuticle::lut {
 

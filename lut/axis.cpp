@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/lut/evaluate.h>
+#include "lut/evaluate.h"
 
 namespace cuticle::lut {
 namespace {

@@ -3,7 +3,7 @@
 // The texels of all tables of a set, for any model: one thread a texel, one row of workgroups a table. What they are of is
 // data (bake_kernel_gpu.h), written once; only the parameters change. model_of_kernel.glslh is written by CMake for each model.
 #include "model_of_kernel.glslh"
-#include "cuticle/bsdf/shared/adaptive_quadrature.glslh"
+#include "bsdf/shared/adaptive_quadrature.glslh"
 
 layout(constant_id = 0) const uint k_words_per_texel = 2u;  // 2: four halves; 5: four floats and whether a caustic lies inside
 const int k_none = -1, k_mean = 1, k_cos_theta_d = 2;

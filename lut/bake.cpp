@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/cell_average.h>
+#include "lut/cell_average.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,10 +1,10 @@
-#include <cuticle/lut/bake_gpu.h>
+#include "lut/bake_gpu.h"
 
 #include <bit>
 #include <chrono>
 
-#include <cuticle/lut/bake_kernel_gpu.h>
-#include <cuticle/lut/evaluate.h>
+#include "lut/bake_kernel_gpu.h"
+#include "lut/evaluate.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Baking on the device: any layout of any registered model, through the model's batch kernel.
-#include <cuticle/gpu/device.h>
-#include <cuticle/lut/table_set.h>
+#include "gpu/device.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

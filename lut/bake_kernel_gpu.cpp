@@ -1,11 +1,11 @@
-#include <cuticle/lut/bake_kernel_gpu.h>
+#include "lut/bake_kernel_gpu.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/lut/cell_average.h>
+#include "gpu/groups.h"
+#include "lut/cell_average.h"
 
 namespace cuticle::lut {
 namespace {

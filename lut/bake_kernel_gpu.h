@@ -1,7 +1,7 @@
 #pragma once
 // Private to lut's GPU half: the kernel of bake.comp with everything on the device that parameters do not change.
-#include <cuticle/gpu/device.h>
-#include <cuticle/lut/table_set.h>
+#include "gpu/device.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

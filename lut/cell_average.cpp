@@ -1,4 +1,4 @@
-#include <cuticle/lut/cell_average.h>
+#include "lut/cell_average.h"
 
 #include <algorithm>
 #include <array>

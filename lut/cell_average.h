@@ -1,6 +1,6 @@
 #pragma once
 // Means of an azimuthal term over intervals of phi, through integrable infinite peaks. For lut and viz.
-#include <cuticle/lut/evaluate.h>
+#include "lut/evaluate.h"
 
 namespace cuticle::lut {
 

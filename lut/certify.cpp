@@ -2,7 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cuticle/lut/comparison.h>
+#include "lut/comparison.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/lut/comparison.h>
+#include "lut/comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <cuticle/lut/cell_average.h>
+#include "lut/cell_average.h"
 
 namespace cuticle::lut {
 namespace {

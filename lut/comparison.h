@@ -3,7 +3,7 @@
 // certify and lut/fit.
 #include <cmath>
 
-#include <cuticle/lut/evaluate.h>
+#include "lut/evaluate.h"
 
 namespace cuticle::lut {
 

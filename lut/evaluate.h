@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include <cuticle/lut/table_set.h>
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

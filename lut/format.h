@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 namespace cuticle::lut {
 

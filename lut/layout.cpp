@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 namespace {

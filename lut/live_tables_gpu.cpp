@@ -1,4 +1,4 @@
-#include <cuticle/lut/live_tables_gpu.h>
+#include "lut/live_tables_gpu.h"
 
 #include <utility>
 

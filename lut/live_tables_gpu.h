@@ -2,7 +2,7 @@
 // Tables whose model's parameters change while frames are drawn from them.
 #include <optional>
 
-#include <cuticle/lut/bake_kernel_gpu.h>
+#include "lut/bake_kernel_gpu.h"
 
 namespace cuticle::lut {
 

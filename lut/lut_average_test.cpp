@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/lut/cell_average.h>
+#include "core/quadrature.h"
+#include "lut/cell_average.h"
 
 namespace cuticle::lut::lut_average_test {
 namespace {

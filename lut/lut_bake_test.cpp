@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/table_set.h>
+#include "lut/table_set.h"
 
 namespace cuticle::lut::lut_bake_test {
 namespace {

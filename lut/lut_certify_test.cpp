@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut::lut_certify_test {
 namespace {

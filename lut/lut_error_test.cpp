@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/comparison.h>
-#include <cuticle/lut/max_error.h>
+#include "lut/comparison.h"
+#include "lut/max_error.h"
 
 namespace cuticle::lut::lut_error_test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/lut/format.h>
+#include "lut/bake_gpu.h"
+#include "lut/format.h"
 
 namespace cuticle::lut::lut_gpu_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/live_tables_gpu.h>
+#include "lut/live_tables_gpu.h"
 
 namespace cuticle::lut::lut_live_test {
 namespace {

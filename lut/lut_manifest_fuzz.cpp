@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/lut/manifest.h>
+#include "lut/manifest.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto manifest = cuticle::lut::parse_manifest({reinterpret_cast<const char*>(data), size}, "fuzz.json");

@@ -6,10 +6,10 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/manifest.h>
-#include <cuticle/lut/table_set.h>
+#include "core/file.h"
+#include "lut/format.h"
+#include "lut/manifest.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut::lut_manifest_schema_test {
 namespace {

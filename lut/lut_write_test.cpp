@@ -7,9 +7,9 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "core/file.h"
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut::lut_write_test {
 namespace {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/probes.h>
-#include <cuticle/lut/table_set.h>
+#include "core/json/json.h"
+#include "lut/format.h"
+#include "lut/probes.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 namespace {

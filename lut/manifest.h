@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::lut {
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/manifest.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "lut/format.h"
+#include "lut/manifest.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,11 +1,11 @@
-#include <cuticle/lut/max_error.h>
+#include "lut/max_error.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/comparison.h>
+#include "lut/comparison.h"
 
 namespace cuticle::lut {
 namespace {

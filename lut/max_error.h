@@ -1,7 +1,7 @@
 #pragma once
 // The smallest tables that reach a wanted error, among axes, sizes and formats.
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

@@ -3,8 +3,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cuticle/lut/comparison.h>
-#include <cuticle/lut/format.h>
+#include "lut/comparison.h"
+#include "lut/format.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,11 +1,11 @@
-#include <cuticle/lut/probes.h>
+#include "lut/probes.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include <cuticle/core/file.h>
+#include "core/file.h"
 
 namespace cuticle::lut {
 namespace {

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/manifest.h>
-#include <cuticle/lut/table_set.h>
+#include "lut/format.h"
+#include "lut/manifest.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/cell_average.h>
-#include <cuticle/lut/comparison.h>
+#include "lut/cell_average.h"
+#include "lut/comparison.h"
 
 namespace cuticle::lut {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <glm/vec2.hpp>
 
-#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/progress.h>
-#include <cuticle/core/registry/entry.h>
+#include "bsdf/dual_scattering/dual_scattering.h"
+#include "bsdf/model.h"
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "core/registry/entry.h"
 
 namespace cuticle::lut {
 
@@ -140,8 +140,8 @@ Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues&
 /// perfect table of points would return.
 double exact_value(const bsdf::Model& model, const registry::ParameterValues& values, const TableLayout& table,
                    const Channel& channel, double u, double v);
-struct Format;  ///< how a file holds the numbers, <cuticle/lut/format.h>
-struct Target;  ///< an engine's own files, <cuticle/lut/target.h>
+struct Format;  ///< how a file holds the numbers, lut/format.h
+struct Target;  ///< an engine's own files, lut/target.h
 /// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
 double sample(const Table& table, int channel, double u, double v);
 /// The same for a level's stored numbers, without the scale.

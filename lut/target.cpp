@@ -1,10 +1,10 @@
-#include <cuticle/lut/target.h>
+#include "lut/target.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/snippets/snippet.h>
+#include "lut/snippets/snippet.h"
 
 namespace cuticle::lut {
 namespace {

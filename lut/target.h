@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/lut/manifest.h>
+#include "lut/manifest.h"
 
 namespace cuticle::lut {
 

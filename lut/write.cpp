@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/probes.h>
-#include <cuticle/lut/snippets/snippet.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/lut/target.h>
+#include "core/file.h"
+#include "lut/format.h"
+#include "lut/probes.h"
+#include "lut/snippets/snippet.h"
+#include "lut/table_set.h"
+#include "lut/target.h"
 
 namespace cuticle::lut {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/plan/camera_path.h>
+#include "plan/camera_path.h"
 
 #include <algorithm>
 #include <cmath>

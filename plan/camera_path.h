@@ -1,8 +1,8 @@
 #pragma once
 // Where the camera is in each frame.
-#include <cuticle/core/view.h>
-#include <cuticle/scene/scene.h>
-#include <cuticle/strands/groom.h>
+#include "core/view.h"
+#include "scene/scene.h"
+#include "strands/groom.h"
 
 namespace cuticle::plan {
 

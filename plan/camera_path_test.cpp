@@ -1,5 +1,5 @@
 // Where the camera is, frame by frame.
-#include <cuticle/plan/camera_path.h>
+#include "plan/camera_path.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // Hair that is lit from one side: how light the other side is, by cards and by tiles.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
-#include <cuticle/bsdf/model.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/render/pass.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/sim/solver.h>
+#include "bsdf/model.h"
+#include "lut/table_set.h"
+#include "plan/plan.h"
+#include "render/pass.h"
+#include "shadows/method.h"
+#include "sim/solver.h"
 
 namespace cuticle::plan {
 

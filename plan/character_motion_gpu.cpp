@@ -1,4 +1,4 @@
-#include <cuticle/plan/character_motion_gpu.h>
+#include "plan/character_motion_gpu.h"
 
 #include <algorithm>
 

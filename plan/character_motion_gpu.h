@@ -2,9 +2,9 @@
 // A character's skin and the control hairs on it, frame by frame; nothing comes back from the device.
 #include <memory>
 
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/strands/binding/carry_gpu.h>
-#include <cuticle/strands/skinning/skinning_gpu.h>
+#include "plan/strand_set.h"
+#include "strands/binding/carry_gpu.h"
+#include "strands/skinning/skinning_gpu.h"
 
 namespace cuticle::plan {
 

@@ -1,15 +1,15 @@
 // Shadows of hair that takes another share of each channel: each is lit as by its own opacity alone, in every way of
 // drawing.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <cmath>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/plan/strand_shadows_gpu.h>
-#include <cuticle/shadows/groom_gpu.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "plan/strand_shadows_gpu.h"
+#include "shadows/groom_gpu.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::plan::coloured_shadow_gpu_test {
 namespace {

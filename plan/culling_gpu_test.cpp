@@ -1,5 +1,5 @@
 // Strands that are not seen are not drawn, and nobody can tell from the picture.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <cstdio>
 

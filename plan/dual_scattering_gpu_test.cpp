@@ -1,5 +1,5 @@
 // Dual scattering in every way of drawing that shades from tables: beside brute force, which is shaded as `tiles` are.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

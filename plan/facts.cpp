@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/plan/plan.h>
-#include <cuticle/shadows/channels.h>
+#include "plan/plan.h"
+#include "shadows/channels.h"
 
 namespace cuticle::plan {
 

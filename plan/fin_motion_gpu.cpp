@@ -1,6 +1,6 @@
-#include <cuticle/plan/fin_motion_gpu.h>
+#include "plan/fin_motion_gpu.h"
 
-#include <cuticle/sim/cloth/cloth.h>
+#include "sim/cloth/cloth.h"
 
 namespace cuticle::plan {
 

@@ -2,10 +2,10 @@
 // Where a scene's fins are in each frame: simulated on the CPU, or carried rigidly by the head; on the device to draw.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/sim/solver.h>
+#include "gpu/device.h"
+#include "plan/plan.h"
+#include "plan/strand_set.h"
+#include "sim/solver.h"
 
 namespace cuticle::plan {
 

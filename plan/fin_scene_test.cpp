@@ -1,5 +1,5 @@
 // The fins of scenes/nalu.json: rigid at the root, soft at the tip, drawn where they are.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/plan/head_path.h>
-#include <cuticle/plan/strand_set.h>
+#include "plan/head_path.h"
+#include "plan/strand_set.h"
 
 namespace cuticle::plan::fin_scene_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/plan/fins.h>
+#include "plan/fins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/strands/formats/formats.h>
+#include "core/image/image.h"
+#include "strands/formats/formats.h"
 
 namespace cuticle::plan {
 namespace {

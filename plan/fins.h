@@ -1,6 +1,6 @@
 #pragma once
 // A scene's fins before the first frame: their mesh and the weight painted on it.
-#include <cuticle/plan/strand_set.h>
+#include "plan/strand_set.h"
 
 namespace cuticle::plan {
 

@@ -1,6 +1,6 @@
 // scenes/fox.json and fox_fur.json with Fox.glb of CUTICLE_TEST_DATA: over the Run clip the fur, carried or simulated,
 // begins on the skin, and the passes are those of the plan.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/binding/nearest_triangle.h>
-#include <cuticle/strands/statistics.h>
+#include "plan/strand_set.h"
+#include "strands/binding/binding.h"
+#include "strands/binding/nearest_triangle.h"
+#include "strands/statistics.h"
 
 namespace cuticle::plan::fox_scene_test {
 namespace {

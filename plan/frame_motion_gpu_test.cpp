@@ -1,5 +1,5 @@
 // How hair moves, as its pixels say: motion vectors by the grid, and the velocities that the solver hands over.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include <cuticle/plan/camera_path.h>
-#include <cuticle/plan/head_path.h>
-#include <cuticle/plan/strand_set.h>
+#include "plan/camera_path.h"
+#include "plan/head_path.h"
+#include "plan/strand_set.h"
 
 namespace cuticle::plan::frame_motion_gpu_test {
 namespace {

@@ -1,13 +1,13 @@
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include <cuticle/plan/camera_path.h>
-#include <cuticle/plan/picture_gpu.h>
-#include <cuticle/plan/strand_motion_gpu.h>
+#include "plan/camera_path.h"
+#include "plan/picture_gpu.h"
+#include "plan/strand_motion_gpu.h"
 
 namespace cuticle::plan {
 

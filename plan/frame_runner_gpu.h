@@ -2,13 +2,13 @@
 // Runs the frames of a scene by its plan on one device.
 #include <memory>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/progress.h>
-#include <cuticle/core/trace.h>
-#include <cuticle/gpu/device.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/sim/solver.h>
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "core/trace.h"
+#include "gpu/device.h"
+#include "lut/table_set.h"
+#include "plan/plan.h"
+#include "sim/solver.h"
 
 namespace cuticle::plan {
 

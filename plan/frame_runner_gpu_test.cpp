@@ -1,5 +1,5 @@
 // Frames of small scenes: what is dispatched equals the plan, frames repeat bit by bit, and the picture is lit hair.
-#include <cuticle/tests/support/small_frames.h>
+#include "tests/support/small_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include <cuticle/plan/head_path.h>
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/render/passes/truth/rasterise.h>
+#include "plan/head_path.h"
+#include "plan/strand_set.h"
+#include "render/passes/truth/rasterise.h"
 
 namespace cuticle::plan::frame_runner_gpu_test {
 namespace {

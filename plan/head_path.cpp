@@ -1,4 +1,4 @@
-#include <cuticle/plan/head_path.h>
+#include "plan/head_path.h"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/scene/scene.h>
-#include <cuticle/strands/motion/bvh.h>
+#include "scene/scene.h"
+#include "strands/motion/bvh.h"
 
 namespace cuticle::plan {
 

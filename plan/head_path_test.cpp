@@ -1,5 +1,5 @@
 // Where the head is, frame by frame.
-#include <cuticle/plan/head_path.h>
+#include "plan/head_path.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // Lamps in whole pictures, by every way of drawing.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <cmath>
 #include <tuple>

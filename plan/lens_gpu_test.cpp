@@ -1,5 +1,5 @@
 // A lens of finite width against what it stands for: the mean of pictures from all over the lens.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/shared/disc.glslh>
+#include "core/shared/disc.glslh"
 
 namespace cuticle::plan::lens_gpu_test {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/plan/plan.h>
-#include <cuticle/shadows/channels.h>
-#include <cuticle/sim/solver.h>
+#include "plan/plan.h"
+#include "shadows/channels.h"
+#include "sim/solver.h"
 
 namespace cuticle::plan {
 

@@ -1,6 +1,6 @@
 // Motion blur against the mean of pictures from all over the shutter;
 // antialiasing over frames against more samples.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
 #include <cmath>

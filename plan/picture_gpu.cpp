@@ -1,4 +1,4 @@
-#include <cuticle/plan/picture_gpu.h>
+#include "plan/picture_gpu.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,20 +6,20 @@
 #include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/render/passes/aovs/aovs.h>
-#include <cuticle/render/passes/bake_tables/bake_tables.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/quads/quads.h>
-#include <cuticle/render/passes/resolve/resolve.h>
-#include <cuticle/render/passes/temporal_antialiasing/pixel_shift_gpu.h>
-#include <cuticle/render/passes/tile_lists/tile_lists.h>
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
-#include <cuticle/render/passes/tiles/tiles.h>
-#include <cuticle/render/passes/truth/rasterise.h>
-#include <cuticle/render/passes/truth/truth.h>
-#include <cuticle/render/passes/velocity/velocity.h>
+#include "lut/bake_gpu.h"
+#include "render/passes/aovs/aovs.h"
+#include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/lines/frame_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/quads/quads.h"
+#include "render/passes/resolve/resolve.h"
+#include "render/passes/temporal_antialiasing/pixel_shift_gpu.h"
+#include "render/passes/tile_lists/tile_lists.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/passes/tiles/tiles.h"
+#include "render/passes/truth/rasterise.h"
+#include "render/passes/truth/truth.h"
+#include "render/passes/velocity/velocity.h"
 
 namespace cuticle::plan {
 

@@ -3,15 +3,15 @@
 #include <memory>
 #include <vector>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/progress.h>
-#include <cuticle/plan/character_motion_gpu.h>
-#include <cuticle/plan/fin_motion_gpu.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/plan/strand_shadows_gpu.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "plan/character_motion_gpu.h"
+#include "plan/fin_motion_gpu.h"
+#include "plan/plan.h"
+#include "plan/strand_set.h"
+#include "plan/strand_shadows_gpu.h"
+#include "render/pass_gpu.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::plan {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/scene/scene.h>
+#include "core/registry/entry.h"
+#include "scene/scene.h"
 
 namespace cuticle::plan {
 

@@ -1,5 +1,5 @@
 // A plan holds what the scene's facts demand, and says why; the rest is left out, with the reason.
-#include <cuticle/plan/plan.h>
+#include "plan/plan.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

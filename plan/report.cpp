@@ -1,8 +1,8 @@
 // A plan as text and as JSON.
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/plan/plan.h>
+#include "core/json/json.h"
+#include "plan/plan.h"
 
 namespace cuticle::plan {
 

@@ -11,7 +11,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include <cuticle/plan/plan.h>
+#include "plan/plan.h"
 
 namespace cuticle::plan::scene_schema_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/plan/strand_motion_gpu.h>
+#include "plan/strand_motion_gpu.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/control/control_gpu.h>
+#include "sim/control/control_gpu.h"
 
 namespace cuticle::plan {
 

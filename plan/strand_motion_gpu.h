@@ -3,13 +3,13 @@
 // skin.
 #include <memory>
 
-#include <cuticle/plan/character_motion_gpu.h>
-#include <cuticle/plan/fin_motion_gpu.h>
-#include <cuticle/plan/head_path.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/plan/strand_set.h>
-#include <cuticle/sim/solver_gpu.h>
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "plan/character_motion_gpu.h"
+#include "plan/fin_motion_gpu.h"
+#include "plan/head_path.h"
+#include "plan/plan.h"
+#include "plan/strand_set.h"
+#include "sim/solver_gpu.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::plan {
 

@@ -1,4 +1,4 @@
-#include <cuticle/plan/strand_set.h>
+#include "plan/strand_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,15 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/plan/fins.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/growing/grow.h>
-#include <cuticle/strands/lod/lod.h>
-#include <cuticle/strands/refine.h>
-#include <cuticle/strands/growing/root_rules.glslh>
+#include "plan/fins.h"
+#include "plan/plan.h"
+#include "sim/colliders/distance_field.h"
+#include "strands/binding/binding.h"
+#include "strands/formats/formats.h"
+#include "strands/growing/grow.h"
+#include "strands/lod/lod.h"
+#include "strands/refine.h"
+#include "strands/growing/root_rules.glslh"
 
 namespace cuticle::plan {
 

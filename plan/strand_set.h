@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/scene/scene.h>
-#include <cuticle/sim/solver.h>
-#include <cuticle/strands/character/character.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/mesh.h>
+#include "core/registry/entry.h"
+#include "scene/scene.h"
+#include "sim/solver.h"
+#include "strands/character/character.h"
+#include "strands/groom.h"
+#include "strands/mesh.h"
 
 namespace cuticle::plan {
 

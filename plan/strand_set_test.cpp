@@ -1,5 +1,5 @@
 // The hair of a scene before its first frame: grown or from a file, with the strands that are drawn between.
-#include <cuticle/plan/strand_set.h>
+#include "plan/strand_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/plan/plan.h>
-#include <cuticle/strands/formats/formats.h>
+#include "plan/plan.h"
+#include "strands/formats/formats.h"
 
 namespace cuticle::plan::strand_set_test {
 namespace {

@@ -1,6 +1,6 @@
-#include <cuticle/plan/strand_shadows_gpu.h>
+#include "plan/strand_shadows_gpu.h"
 
-#include <cuticle/render/lights_gpu.h>
+#include "render/lights_gpu.h"
 
 namespace cuticle::plan {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include <cuticle/plan/plan.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/shadows/channels_gpu.h>
+#include "plan/plan.h"
+#include "render/pass_gpu.h"
+#include "shadows/channels_gpu.h"
 
 namespace cuticle::plan {
 

@@ -1,4 +1,4 @@
-#include <cuticle/play/orbit.h>
+#include "play/orbit.h"
 
 #include <algorithm>
 #include <cmath>

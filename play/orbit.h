@@ -2,7 +2,7 @@
 // A camera moved by hand.
 #include <glm/vec2.hpp>
 
-#include <cuticle/core/view.h>
+#include "core/view.h"
 
 namespace cuticle::play {
 

@@ -1,4 +1,4 @@
-#include <cuticle/play/panel.h>
+#include "play/panel.h"
 
 #include <imgui.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/play/session.h>
+#include "play/session.h"
 
 namespace cuticle::play {
 

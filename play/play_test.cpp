@@ -1,5 +1,5 @@
 // A camera moved by hand, and a session without its window.
-#include <cuticle/play/session.h>
+#include "play/session.h"
 
 #include <limits>
 #include <numbers>

@@ -1,11 +1,11 @@
-#include <cuticle/play/session.h>
+#include "play/session.h"
 
 #include <chrono>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::play {
 

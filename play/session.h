@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/plan/frame_runner_gpu.h>
-#include <cuticle/play/orbit.h>
+#include "plan/frame_runner_gpu.h"
+#include "play/orbit.h"
 
 namespace cuticle::play {
 

@@ -1,4 +1,4 @@
-#include <cuticle/play/window.h>
+#include "play/window.h"
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>

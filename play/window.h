@@ -1,7 +1,7 @@
 #pragma once
 // A live window on a session (GLFW): drag to orbit, with the right button to shift, wheel to come nearer; space pauses,
 // full stop steps, R restarts, Escape closes; controls at the right.
-#include <cuticle/play/panel.h>
+#include "play/panel.h"
 
 namespace cuticle::play {
 

@@ -8,7 +8,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::python {
 

@@ -1,7 +1,7 @@
 #include <nanobind/stl/string.h>
 
-#include <cuticle/study/model_check/registered.h>
-#include <cuticle/study/model_check/report.h>
+#include "study/model_check/registered.h"
+#include "study/model_check/report.h"
 
 #include "arrays.h"
 

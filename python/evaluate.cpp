@@ -5,10 +5,10 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <cuticle/bsdf/fibre/fibres.h>
-#include <cuticle/bsdf/listing/listing.h>
-#include <cuticle/bsdf/model.h>
-#include <cuticle/bsdf/pigment/pigment.h>
+#include "bsdf/fibre/fibres.h"
+#include "bsdf/listing/listing.h"
+#include "bsdf/model.h"
+#include "bsdf/pigment/pigment.h"
 
 #include "arrays.h"
 

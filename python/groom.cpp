@@ -1,7 +1,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 #include "arrays.h"
 

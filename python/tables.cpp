@@ -1,8 +1,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 #include "arrays.h"
 

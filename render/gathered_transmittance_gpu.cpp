@@ -1,4 +1,4 @@
-#include <cuticle/render/gathered_transmittance_gpu.h>
+#include "render/gathered_transmittance_gpu.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 // The transmittance of all lights in one buffer, as render/passes/lines/transmittance.glsl reads it.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Passes that other modules record.
-#include <cuticle/render/pass.h>
+#include "render/pass.h"
 
 namespace cuticle::render {
 

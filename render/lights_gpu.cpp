@@ -1,4 +1,4 @@
-#include <cuticle/render/lights_gpu.h>
+#include "render/lights_gpu.h"
 
 #include <algorithm>
 #include <cmath>

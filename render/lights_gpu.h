@@ -6,8 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include <cuticle/core/view.h>
-#include <cuticle/shadows/light_frame.h>
+#include "core/view.h"
+#include "shadows/light_frame.h"
 
 namespace cuticle::render {
 

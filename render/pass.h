@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/core/result.h>
+#include "core/registry/entry.h"
+#include "core/result.h"
 
 namespace cuticle::render {
 

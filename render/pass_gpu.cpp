@@ -1,4 +1,4 @@
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render {
 

@@ -4,14 +4,14 @@
 #include <memory>
 #include <optional>
 
-#include <cuticle/core/view.h>
-#include <cuticle/gpu/device.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/render/pass.h>
-#include <cuticle/shadows/channels.h>
-#include <cuticle/shadows/method_gpu.h>
-#include <cuticle/strands/mesh.h>
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "core/view.h"
+#include "gpu/device.h"
+#include "lut/table_set.h"
+#include "render/pass.h"
+#include "shadows/channels.h"
+#include "shadows/method_gpu.h"
+#include "strands/mesh.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::render {
 

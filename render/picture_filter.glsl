@@ -4,8 +4,8 @@
 // `resolution` in its push constants.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-#include "cuticle/core/shared/disc.glslh"
-#include "cuticle/gpu/groups.glsl"
+#include "core/shared/disc.glslh"
+#include "gpu/groups.glsl"
 
 layout(std430, binding = 0) readonly buffer PixelDepth { float pixel_depth[]; };  // 1 / distance; 0: nothing seen
 layout(std430, binding = 1) writeonly buffer Filtered { vec4 filtered[]; };

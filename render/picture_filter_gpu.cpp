@@ -1,8 +1,8 @@
-#include <cuticle/render/picture_filter_gpu.h>
+#include "render/picture_filter_gpu.h"
 
 #include <cmath>
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 namespace cuticle::render {
 

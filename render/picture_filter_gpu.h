@@ -1,6 +1,6 @@
 #pragma once
 // A pass that replaces the finished picture by one made from it and from how far away each pixel is.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/render/picture_filter_gpu.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "render/picture_filter_gpu.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::picture_filter_gpu_test {
 namespace {

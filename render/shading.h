@@ -1,6 +1,6 @@
 #pragma once
 // Passes that turn strands into pixels.
-#include <cuticle/render/pass.h>
+#include "render/pass.h"
 
 namespace cuticle::render {
 

@@ -1,6 +1,6 @@
-#include <cuticle/render/tiled_filter_gpu.h>
+#include "render/tiled_filter_gpu.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 namespace cuticle::render {
 

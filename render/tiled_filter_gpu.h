@@ -1,6 +1,6 @@
 #pragma once
 // A picture filter that first finds, for every tile of the picture, how far pixels reach into it from the tiles around.
-#include <cuticle/render/picture_filter_gpu.h>
+#include "render/picture_filter_gpu.h"
 
 namespace cuticle::render {
 

@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/scene/specification.h>
+#include "core/json/json.h"
+#include "scene/specification.h"
 
 namespace cuticle::scene {
 

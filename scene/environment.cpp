@@ -1,4 +1,4 @@
-#include <cuticle/scene/environment.h>
+#include "scene/environment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 // Light from all around, as a few distant lights.
 #include <vector>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/result.h>
-#include <cuticle/core/view.h>
+#include "core/image/image.h"
+#include "core/result.h"
+#include "core/view.h"
 
 namespace cuticle::scene {
 

@@ -1,5 +1,5 @@
 // Lights of a picture of the surroundings: all of its light, from where it shines.
-#include <cuticle/scene/environment.h>
+#include "scene/environment.h"
 
 #include <cmath>
 #include <limits>

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/scene/reader.h>
-#include <cuticle/scene/specification.h>
+#include "core/file.h"
+#include "scene/reader.h"
+#include "scene/specification.h"
 
 namespace cuticle::scene {
 

@@ -1,7 +1,7 @@
 // Reads the camera of a checked scene file.
 #include <numbers>
 
-#include <cuticle/scene/reader.h>
+#include "scene/reader.h"
 
 namespace cuticle::scene {
 

@@ -1,7 +1,7 @@
 // Reads the colliders of a checked scene file.
 #include <glm/trigonometric.hpp>
 
-#include <cuticle/scene/reader.h>
+#include "scene/reader.h"
 
 namespace cuticle::scene {
 

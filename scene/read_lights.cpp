@@ -1,7 +1,7 @@
 #include <glm/trigonometric.hpp>
 
-#include <cuticle/scene/environment.h>
-#include <cuticle/scene/reader.h>
+#include "scene/environment.h"
+#include "scene/reader.h"
 
 namespace cuticle::scene {
 

@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/scene/scene.h>
+#include "core/json/json.h"
+#include "scene/scene.h"
 
 namespace cuticle::scene {
 

@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include <cuticle/core/keyed_motion.h>
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/core/rounded_box.h>
-#include <cuticle/core/view.h>
-#include <cuticle/strands/character/convention.h>
-#include <cuticle/strands/growing/specification.h>
+#include "core/keyed_motion.h"
+#include "core/registry/entry.h"
+#include "core/rounded_box.h"
+#include "core/view.h"
+#include "strands/character/convention.h"
+#include "strands/growing/specification.h"
 
 namespace cuticle::scene {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/scene/scene.h>
+#include "scene/scene.h"
 
 namespace {
 

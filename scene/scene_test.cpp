@@ -1,6 +1,6 @@
 // Every error of a scene file names source, key and what is allowed; what is given is read, what is absent has its
 // default.
-#include <cuticle/scene/scene.h>
+#include "scene/scene.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 namespace cuticle::scene::scene_test {
 namespace {

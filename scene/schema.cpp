@@ -1,7 +1,7 @@
 // The JSON Schema (draft 7) of the scene file, written from its specification.
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/scene/specification.h>
+#include "core/json/json.h"
+#include "scene/specification.h"
 
 namespace cuticle::scene {
 

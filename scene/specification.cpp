@@ -1,8 +1,8 @@
-#include <cuticle/scene/specification.h>
+#include "scene/specification.h"
 
 #include <iterator>
 
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/spline/smooth.h"
 
 namespace cuticle::scene {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/scene/scene.h>
+#include "scene/scene.h"
 
 namespace cuticle::scene {
 

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the transmittance of another opacity.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/shadows/channels.glslh"
+#include "gpu/groups.glsl"
+#include "shadows/channels.glslh"
 
 layout(std430, binding = 0) readonly buffer Root { float root[]; };
 layout(std430, binding = 1) writeonly buffer Other { float other[]; };

@@ -1,8 +1,8 @@
-#include <cuticle/shadows/channels.h>
+#include "shadows/channels.h"
 
 #include <algorithm>
 
-#include <cuticle/shadows/channels.glslh>
+#include "shadows/channels.glslh"
 
 namespace cuticle::shadows {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/method.h>
+#include "shadows/method.h"
 
 namespace cuticle::shadows {
 

@@ -1,6 +1,6 @@
-#include <cuticle/shadows/channels_gpu.h>
+#include "shadows/channels_gpu.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <channel_power_comp.spv.h>
 

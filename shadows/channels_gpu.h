@@ -1,7 +1,7 @@
 #pragma once
 // Transmittance per channel on the device, where a method's optical depth is proportional to opacity.
-#include <cuticle/gpu/device.h>
-#include <cuticle/shadows/channels.h>
+#include "gpu/device.h"
+#include "shadows/channels.h"
 
 namespace cuticle::shadows {
 

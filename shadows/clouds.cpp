@@ -1,4 +1,4 @@
-#include <cuticle/shadows/clouds.h>
+#include "shadows/clouds.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::shadows {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

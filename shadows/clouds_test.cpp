@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/clouds.h>
-#include <cuticle/tests/support/shadow_runs.h>
+#include "shadows/clouds.h"
+#include "tests/support/shadow_runs.h"
 
 namespace cuticle::shadows::clouds_test {
 

@@ -1,9 +1,9 @@
-#include <cuticle/shadows/deposit.h>
+#include "shadows/deposit.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include <cuticle/shadows/splat.glslh>
+#include "shadows/splat.glslh"
 
 namespace cuticle::shadows {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/exact.glslh>
+#include "shadows/exact.glslh"
 
 namespace cuticle::shadows::exact_test {
 

@@ -1,6 +1,6 @@
-#include <cuticle/shadows/footprint.h>
+#include "shadows/footprint.h"
 
-#include <cuticle/strands/statistics.h>
+#include "strands/statistics.h"
 
 namespace cuticle::shadows {
 

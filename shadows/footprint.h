@@ -1,6 +1,6 @@
 #pragma once
 // The area that a transmittance is averaged over.
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

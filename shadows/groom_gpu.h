@@ -5,8 +5,8 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/shadows/method_gpu.h>
+#include "gpu/device.h"
+#include "shadows/method_gpu.h"
 
 namespace cuticle::shadows {
 

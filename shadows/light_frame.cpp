@@ -1,4 +1,4 @@
-#include <cuticle/shadows/light_frame.h>
+#include "shadows/light_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/shadows/light_frame.glslh>
+#include "shadows/light_frame.glslh"
 
 namespace cuticle::shadows {
 

@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
+#include "core/result.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/light_frame.glslh>
+#include "shadows/light_frame.h"
+#include "shadows/light_frame.glslh"
 
 namespace cuticle::shadows::light_frame_test {
 

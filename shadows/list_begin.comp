@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: where its list begins, and where its first fragment is to be written.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) buffer First { uint first[]; };
 layout(std430, binding = 1) readonly buffer Totals { uint totals[]; };

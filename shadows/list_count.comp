@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per segment: how many fragments it leaves in every texel it covers.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_splat.glsl"
+#include "shadows/map_splat.glsl"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) buffer Next { uint next[]; };

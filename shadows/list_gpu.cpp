@@ -1,4 +1,4 @@
-#include <cuticle/shadows/list_gpu.h>
+#include "shadows/list_gpu.h"
 
 #include <list_begin_comp.spv.h>
 #include <list_count_comp.spv.h>

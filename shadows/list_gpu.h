@@ -1,7 +1,7 @@
 #pragma once
 // Lists of fragments on the device (detail/fragment_lists.h): counted, placed, filled and sorted by compute passes.
-#include <cuticle/shadows/detail/fragment_lists.h>
-#include <cuticle/shadows/map_shadow_gpu.h>
+#include "shadows/detail/fragment_lists.h"
+#include "shadows/map_shadow_gpu.h"
 
 namespace cuticle::shadows {
 

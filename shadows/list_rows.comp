@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per push.resolution texels: where their lists would begin if the first of them began at 0.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer Next { uint next[]; };
 layout(std430, binding = 1) writeonly buffer First { uint first[]; };

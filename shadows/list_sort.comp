@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: sorts its list by depth, then deposit (Shell 1959), and turns deposits into sums.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer First { uint first[]; };
 layout(std430, binding = 1) buffer Fragments { uvec2 fragments[]; };

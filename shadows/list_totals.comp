@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation: totals become what lies before each; the last list ends behind the last texel.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) writeonly buffer First { uint first[]; };
 layout(std430, binding = 1) buffer Totals { uint totals[]; };

@@ -1,6 +1,6 @@
 // The mean over a lookup's disc of T, or of the optical depth. The shader that includes this defines exponent_at().
-#include "cuticle/shadows/filter.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/filter.glslh"
+#include "shadows/map_geometry.glsl"
 
 /// -k sigma before depth z (in steps) at a texel of the map.
 float exponent_at(uint texel, float z);

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per 16 vertices: the box of all vertices along the light's axes. Minima of integers, so any order gives the same.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) buffer Box { uint least[6]; };

@@ -1,5 +1,5 @@
 // Push constants of the kernels of maps (MapPush of map_gpu.h, word for word), and the light's view.
-#include "cuticle/shadows/light_frame.glslh"
+#include "shadows/light_frame.glslh"
 
 layout(push_constant) uniform Push {
   vec4 right, up, forward;   // xyz; w: what they give at the world's origin
@@ -21,7 +21,7 @@ const uint k_poisson = 1u;
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair
 
 #ifndef MAP_IS_DRAWN  // by a vertex shader, which has no groups
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 #endif
 
 vec3 in_light_axes(vec3 p) {

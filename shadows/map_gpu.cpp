@@ -1,6 +1,6 @@
-#include <cuticle/shadows/map_gpu.h>
+#include "shadows/map_gpu.h"
 
-#include <cuticle/shadows/splat.glslh>
+#include "shadows/splat.glslh"
 
 #include <map_nearest_comp.spv.h>
 #include <map_scan_comp.spv.h>

@@ -5,8 +5,8 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/shadows/deposit.h>
+#include "gpu/device.h"
+#include "shadows/deposit.h"
 
 namespace cuticle::shadows {
 

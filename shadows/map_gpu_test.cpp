@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/clouds.h>
-#include <cuticle/shadows/groom_gpu.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/opacity_map/map.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/clouds.h"
+#include "shadows/groom_gpu.h"
+#include "shadows/light_frame.h"
+#include "shadows/opacity_map/map.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::map_gpu_test {
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: what lies in each layer becomes what lies before its end, by summing along the depth.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) buffer Sums { uint sums[]; };
 

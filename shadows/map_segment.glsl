@@ -1,6 +1,6 @@
 // A strand segment in the map, for compute and vertex shaders.
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform usamplerBuffer segments;

@@ -1,5 +1,5 @@
 // Walks the pieces of a strand segment. The shader that includes this defines piece(), which is called for each.
-#include "cuticle/shadows/map_segment.glsl"
+#include "shadows/map_segment.glsl"
 
 void piece(Footprint footprint);
 

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per segment: deposits, weighted by functions of depth, by integer sums.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_splat.glsl"
-#include "cuticle/shadows/series.glslh"
+#include "shadows/map_splat.glsl"
+#include "shadows/series.glslh"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then push.layers weights a depth step
 layout(std430, binding = 4) buffer Sums { uint sums[]; };

@@ -1,7 +1,7 @@
-#include <cuticle/shadows/map_series.h>
+#include "shadows/map_series.h"
 
-#include <cuticle/shadows/detail/map_walk.h>
-#include <cuticle/shadows/series.glslh>
+#include "shadows/detail/map_walk.h"
+#include "shadows/series.glslh"
 
 namespace cuticle::shadows {
 

@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/strands/groom.h>
+#include "shadows/map_settings.h"
+#include "shadows/map_view.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

@@ -1,10 +1,10 @@
-#include <cuticle/shadows/map_settings.h>
+#include "shadows/map_settings.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/filter.glslh>
+#include "shadows/filter.glslh"
 
 namespace cuticle::shadows {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
-#include <cuticle/shadows/deposit.h>
+#include "core/registry/parameter.h"
+#include "core/result.h"
+#include "shadows/deposit.h"
 
 namespace cuticle::shadows {
 

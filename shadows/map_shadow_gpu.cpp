@@ -1,13 +1,13 @@
-#include <cuticle/shadows/map_shadow_gpu.h>
+#include "shadows/map_shadow_gpu.h"
 
 #include <algorithm>
 #include <bit>
 
 #include <fmt/core.h>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/shadows/map_series.h>
-#include <cuticle/shadows/series.glslh>
+#include "gpu/groups.h"
+#include "shadows/map_series.h"
+#include "shadows/series.glslh"
 
 #include <map_fit_comp.spv.h>
 #include <map_series_comp.spv.h>

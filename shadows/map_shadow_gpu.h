@@ -2,10 +2,10 @@
 // A method of maps on the device, described by the buffers of its map and the passes that fill it and look it up.
 #include <initializer_list>
 
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/map_gpu.h>
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/method_gpu.h>
+#include "shadows/light_frame.h"
+#include "shadows/map_gpu.h"
+#include "shadows/map_settings.h"
+#include "shadows/method_gpu.h"
 
 namespace cuticle::shadows {
 

@@ -1,5 +1,5 @@
 // Walks the texels that a strand segment covers in part. The shader that includes this defines deposit(), called for each.
-#include "cuticle/shadows/map_segments.glsl"
+#include "shadows/map_segments.glsl"
 
 /// `covered`: index into the table of deposits, above 0.
 void deposit(uint texel, uint covered, uint depth_step);

@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/light_frame.glslh>
+#include "shadows/light_frame.h"
+#include "shadows/light_frame.glslh"
 
 namespace cuticle::shadows {
 

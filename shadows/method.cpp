@@ -1,4 +1,4 @@
-#include <cuticle/shadows/method.h>
+#include "shadows/method.h"
 
 #include <cmath>
 

@@ -8,10 +8,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/core/result.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/strands/groom.h>
+#include "core/registry/entry.h"
+#include "core/result.h"
+#include "shadows/light_frame.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

@@ -1,4 +1,4 @@
-#include <cuticle/shadows/method_gpu.h>
+#include "shadows/method_gpu.h"
 
 #include <fmt/core.h>
 

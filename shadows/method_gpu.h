@@ -3,8 +3,8 @@
 // vertex.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/shadows/method.h>
+#include "gpu/device.h"
+#include "shadows/method.h"
 
 namespace cuticle::shadows {
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/channels.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/channels.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::methods_test {
 

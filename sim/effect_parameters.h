@@ -1,6 +1,6 @@
 #pragma once
 // Rows of the parameter tables of solvers and effects: by type, and those that several solvers have.
-#include <cuticle/core/registry/entry.h>
+#include "core/registry/entry.h"
 
 namespace cuticle::sim {
 

@@ -1,4 +1,4 @@
-#include <cuticle/sim/head_motion.h>
+#include "sim/head_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <cuticle/sim/rest_pose.h>
+#include "sim/rest_pose.h"
 
 #include <algorithm>
 

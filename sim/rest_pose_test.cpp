@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <cuticle/sim/rest_pose.h>
+#include "sim/rest_pose.h"
 
 namespace cuticle::sim::rest_pose_test {
 namespace {

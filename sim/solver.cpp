@@ -1,4 +1,4 @@
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,12 +12,12 @@
 
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/core/keyed_motion.h>
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/core/result.h>
-#include <cuticle/core/rounded_box.h>
-#include <cuticle/core/view.h>
-#include <cuticle/strands/groom.h>
+#include "core/keyed_motion.h"
+#include "core/registry/entry.h"
+#include "core/result.h"
+#include "core/rounded_box.h"
+#include "core/view.h"
+#include "strands/groom.h"
 
 namespace cuticle::sim {
 

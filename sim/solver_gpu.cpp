@@ -1,4 +1,4 @@
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/solver_gpu.h"
 
 #include <fmt/core.h>
 

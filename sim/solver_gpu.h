@@ -2,8 +2,8 @@
 // GPU half: the same solvers on the device; positions stay there for the passes that follow.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/sim/solver.h>
+#include "gpu/device.h"
+#include "sim/solver.h"
 
 namespace cuticle::sim {
 

@@ -1,4 +1,4 @@
-#include <cuticle/sim/strand_buffers_gpu.h>
+#include "sim/strand_buffers_gpu.h"
 
 namespace cuticle::sim {
 

@@ -2,8 +2,8 @@
 // The storage buffers of the strand kernels, in the order of sim/strand_kernel.glsl.
 #include <span>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/sim/rest_pose.h>
+#include "gpu/device.h"
+#include "sim/rest_pose.h"
 
 namespace cuticle::sim {
 

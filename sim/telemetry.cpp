@@ -1,4 +1,4 @@
-#include <cuticle/sim/telemetry.h>
+#include "sim/telemetry.h"
 
 #include <algorithm>
 #include <cmath>

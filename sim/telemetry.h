@@ -2,7 +2,7 @@
 // What a run reports of each frame.
 #include <string>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::sim {
 

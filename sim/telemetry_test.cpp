@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/sim/telemetry.h>
+#include "sim/telemetry.h"
 
 namespace cuticle::sim::telemetry_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/finite.h>
-#include <cuticle/strands/tangent.glslh>
+#include "strands/finite.h"
+#include "strands/tangent.glslh"
 
 namespace cuticle::strands {
 

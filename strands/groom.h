@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands {
 

@@ -6,11 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/mesh.h>
-#include <cuticle/strands/refine.h>
-#include <cuticle/strands/statistics.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/groom.h"
+#include "strands/mesh.h"
+#include "strands/refine.h"
+#include "strands/statistics.h"
+#include "tests/support/synthetic_grooms.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace cuticle::strands::groom_test {

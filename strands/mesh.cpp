@@ -1,4 +1,4 @@
-#include <cuticle/strands/mesh.h>
+#include "strands/mesh.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include <cuticle/strands/refine.h>
+#include "strands/refine.h"
 
 #include <algorithm>
 #include <map>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands {
 

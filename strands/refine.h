@@ -1,6 +1,6 @@
 #pragma once
 // A mesh in smaller triangles.
-#include <cuticle/strands/mesh.h>
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/refusals.h>
+#include "strands/refusals.h"
 
 #include <algorithm>
 #include <bit>

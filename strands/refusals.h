@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/repair.h>
+#include "strands/repair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/finite.h>
+#include "strands/finite.h"
 
 namespace cuticle::strands {
 

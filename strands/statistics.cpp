@@ -1,4 +1,4 @@
-#include <cuticle/strands/statistics.h>
+#include "strands/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include <cuticle/viz/lobe_surface.h>
+#include "viz/lobe_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/lut/cell_average.h>
+#include "lut/cell_average.h"
 
 namespace cuticle::viz {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/viz/viz.h>
+#include "viz/viz.h"
 
 namespace cuticle::viz {
 

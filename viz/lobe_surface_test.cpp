@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/viz/lobe_surface.h>
-#include <cuticle/viz/strand_lines.h>
+#include "viz/lobe_surface.h"
+#include "viz/strand_lines.h"
 
 namespace cuticle::viz::lobe_surface_test {
 namespace {

@@ -16,8 +16,8 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <cuticle/viz/detail/stage.h>
-#include <cuticle/viz/lobe_surface.h>
+#include "viz/detail/stage.h"
+#include "viz/lobe_surface.h"
 
 namespace cuticle::viz {
 namespace {

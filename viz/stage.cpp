@@ -1,4 +1,4 @@
-#include <cuticle/viz/detail/stage.h>
+#include "viz/detail/stage.h"
 
 #include <cstdlib>
 
@@ -20,7 +20,7 @@
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <cuticle/core/file.h>
+#include "core/file.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkRenderingFreeType)

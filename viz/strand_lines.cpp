@@ -1,4 +1,4 @@
-#include <cuticle/viz/strand_lines.h>
+#include "viz/strand_lines.h"
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 namespace cuticle::viz {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // Numbers per vertex that a view of strands is coloured by. Private to viz.
-#include <cuticle/viz/viz.h>
+#include "viz/viz.h"
 
 namespace cuticle::viz {
 

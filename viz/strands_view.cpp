@@ -15,7 +15,7 @@
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
-#include <cuticle/viz/detail/stage.h>
+#include "viz/detail/stage.h"
 
 namespace cuticle::viz {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <glm/vec2.hpp>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/strands/groom.h>
+#include "bsdf/model.h"
+#include "strands/groom.h"
 
 namespace cuticle::viz {
 

@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/batch/batch.h>
+#include "bsdf/batch/batch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cuticle/bsdf/batch/detail/one_by_one.h>
-#include <cuticle/bsdf/batch/detail/padding.h>
-#include <cuticle/bsdf/batch/detail/rows.h>
-#include <cuticle/bsdf/batch/kernel.h>
+#include "bsdf/batch/detail/one_by_one.h"
+#include "bsdf/batch/detail/padding.h"
+#include "bsdf/batch/detail/rows.h"
+#include "bsdf/batch/kernel.h"
 
 namespace cuticle::bsdf {
 namespace batch {

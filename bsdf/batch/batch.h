@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/instruction_set.h>
-#include <cuticle/core/result.h>
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/model.h"
+#include "core/instruction_set.h"
+#include "core/result.h"
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bsdf {
 

@@ -1,5 +1,5 @@
 // Arrays against the scalar formulas for every instruction set of this processor: values, edges, sizes, threads.
-#include <cuticle/bsdf/batch/batch.h>
+#include "bsdf/batch/batch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/tests/support/batch_data.h>
+#include "core/registry/parameter.h"
+#include "tests/support/batch_data.h"
 
 namespace cuticle::bsdf::batch_test {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <model_of_batch.h>
 
-#include <cuticle/bsdf/batch/kernel.h>
-#include <cuticle/core/flush_to_zero.h>
-#include <cuticle/bsdf/shared/directions.glslh>
+#include "bsdf/batch/kernel.h"
+#include "core/flush_to_zero.h"
+#include "bsdf/shared/directions.glslh"
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)

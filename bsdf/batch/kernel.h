@@ -1,7 +1,7 @@
 #pragma once
 // What one instruction set's unit of one model offers: loops over arrays. Included by units that no symbol may leave,
 // so it holds types only.
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bsdf::batch {
 

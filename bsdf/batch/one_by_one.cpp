@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/batch/detail/one_by_one.h>
+#include "bsdf/batch/detail/one_by_one.h"
 
 #include <cmath>
 

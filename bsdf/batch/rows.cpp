@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/batch/detail/rows.h>
+#include "bsdf/batch/detail/rows.h"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/chiang/conversions.h>
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_table.h>
-#include <cuticle/bsdf/chiang/chiang.glslh>
+#include "bsdf/chiang/conversions.h"
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_table.h"
+#include "bsdf/chiang/chiang.glslh"
 
 namespace cuticle::bsdf::chiang {
 namespace {

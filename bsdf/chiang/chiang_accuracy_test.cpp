@@ -7,10 +7,10 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/condition_number.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/bsdf/chiang/chiang.glslh>
+#include "bsdf/model.h"
+#include "tests/support/condition_number.h"
+#include "tests/support/csv_table.h"
+#include "bsdf/chiang/chiang.glslh"
 
 namespace cuticle::bsdf::chiang_accuracy_test {
 namespace {

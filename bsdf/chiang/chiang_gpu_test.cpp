@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/random.h>
-#include <cuticle/tests/support/model_on_device.h>
+#include "core/random.h"
+#include "tests/support/model_on_device.h"
 
 namespace cuticle::bsdf::chiang_gpu_test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/random.h>
+#include "bsdf/model.h"
+#include "core/random.h"
 
 namespace cuticle::bsdf::chiang_sampling_test {
 namespace {

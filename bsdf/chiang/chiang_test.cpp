@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/chiang/conversions.h>
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/hard_cases.h>
+#include "bsdf/chiang/conversions.h"
+#include "bsdf/model.h"
+#include "tests/support/hard_cases.h"
 
 namespace cuticle::bsdf::chiang_test {
 namespace {

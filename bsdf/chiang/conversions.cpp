@@ -1,9 +1,9 @@
-#include <cuticle/bsdf/chiang/conversions.h>
+#include "bsdf/chiang/conversions.h"
 
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/bsdf/chiang/lobes.glslh>
+#include "bsdf/chiang/lobes.glslh"
 
 namespace cuticle::bsdf::chiang {
 namespace {

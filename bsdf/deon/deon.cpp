@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_table.h>
-#include <cuticle/bsdf/shared/rough_packing.h>
-#include <cuticle/bsdf/deon/deon.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_table.h"
+#include "bsdf/shared/rough_packing.h"
+#include "bsdf/deon/deon.glslh"
 
 namespace cuticle::bsdf::deon {
 namespace {

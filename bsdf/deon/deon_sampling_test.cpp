@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/direction_grid.h>
+#include "tests/support/direction_grid.h"
 
 namespace cuticle::bsdf::deon_sampling_test {
 namespace {

@@ -9,12 +9,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/tests/support/condition_number.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/tests/support/hard_cases.h>
-#include <cuticle/bsdf/deon/deon.glslh>
+#include "bsdf/model.h"
+#include "bsdf/shared/batch.h"
+#include "tests/support/condition_number.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/hard_cases.h"
+#include "bsdf/deon/deon.glslh"
 
 namespace cuticle::bsdf::deon_test {
 namespace {

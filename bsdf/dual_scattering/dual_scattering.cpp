@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
+#include "bsdf/dual_scattering/dual_scattering.h"
 
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/bsdf/shared/adaptive_quadrature.glslh>
+#include "core/quadrature.h"
+#include "bsdf/shared/adaptive_quadrature.glslh"
 
 namespace cuticle::bsdf {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
+#include "bsdf/dual_scattering/dual_scattering.h"
 
 namespace cuticle::bsdf::dual_scattering_test {
 namespace {

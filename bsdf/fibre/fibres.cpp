@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/fibre/fibres.h>
+#include "bsdf/fibre/fibres.h"
 
 #include <array>
 

@@ -3,9 +3,9 @@
 #include <span>
 #include <string_view>
 
-#include <cuticle/bsdf/fibre.h>
-#include <cuticle/bsdf/pigment/pigment.h>
-#include <cuticle/core/result.h>
+#include "bsdf/fibre.h"
+#include "bsdf/pigment/pigment.h"
+#include "core/result.h"
 
 namespace cuticle::bsdf {
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Directions drawn from any model for a batch of queries, in the order of bsdf::SampleQuery, with their density and weight;
 // model_of_kernel.glslh is written by CMake for each model and includes its formulas.
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 #include "model_of_kernel.glslh"
 
 layout(local_size_x = 64) in;

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_energy.h>
-#include <cuticle/bsdf/shared/highlight_mixture.h>
-#include <cuticle/bsdf/hairworks/hairworks.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_energy.h"
+#include "bsdf/shared/highlight_mixture.h"
+#include "bsdf/hairworks/hairworks.glslh"
 
 namespace cuticle::bsdf::hairworks {
 namespace {

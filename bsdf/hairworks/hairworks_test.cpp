@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cuticle/bsdf/hairworks/hairworks.glslh"
+#include "bsdf/hairworks/hairworks.glslh"
 
-#include <cuticle/tests/support/model_values.h>
+#include "tests/support/model_values.h"
 
 namespace cuticle::bsdf::hairworks_test {
 namespace {

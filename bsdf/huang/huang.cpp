@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_table.h>
-#include <cuticle/bsdf/huang/huang.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_table.h"
+#include "bsdf/huang/huang.glslh"
 
 namespace cuticle::bsdf::huang {
 namespace {

@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/tests/support/model_values.h>
+#include "bsdf/model.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/model_values.h"
 
 namespace cuticle::bsdf::huang_test {
 namespace {

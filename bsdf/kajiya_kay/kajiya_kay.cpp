@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_energy.h>
-#include <cuticle/bsdf/shared/highlight_mixture.h>
-#include <cuticle/bsdf/kajiya_kay/kajiya_kay.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_energy.h"
+#include "bsdf/shared/highlight_mixture.h"
+#include "bsdf/kajiya_kay/kajiya_kay.glslh"
 
 namespace cuticle::bsdf::kajiya_kay {
 namespace {

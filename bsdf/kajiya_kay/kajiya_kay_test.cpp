@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/model_values.h>
+#include "tests/support/model_values.h"
 
 namespace cuticle::bsdf::kajiya_kay_test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/karis/karis.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/karis/karis.glslh"
 
 namespace cuticle::bsdf::karis {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/model_on_device.h>
+#include "tests/support/model_on_device.h"
 
 namespace cuticle::bsdf::karis_gpu_test {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cuticle/bsdf/karis/karis.glslh"
+#include "bsdf/karis/karis.glslh"
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/quadrature.h>
-#include <cuticle/tests/support/condition_number.h>
-#include <cuticle/tests/support/csv_table.h>
+#include "bsdf/model.h"
+#include "core/quadrature.h"
+#include "tests/support/condition_number.h"
+#include "tests/support/csv_table.h"
 
 namespace cuticle::bsdf::karis::karis_test {
 namespace {

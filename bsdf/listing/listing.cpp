@@ -1,7 +1,7 @@
-#include <cuticle/bsdf/listing/listing.h>
+#include "bsdf/listing/listing.h"
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/json/json.h>
+#include "bsdf/model.h"
+#include "core/json/json.h"
 
 namespace cuticle::bsdf {
 namespace {

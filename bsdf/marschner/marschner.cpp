@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_table.h>
-#include <cuticle/bsdf/marschner/marschner.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_table.h"
+#include "bsdf/marschner/marschner.glslh"
 
 namespace cuticle::bsdf::marschner {
 namespace {

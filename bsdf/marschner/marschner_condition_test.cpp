@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cuticle/bsdf/marschner/marschner.glslh"
+#include "bsdf/marschner/marschner.glslh"
 
-#include <cuticle/tests/support/condition_number.h>
-#include <cuticle/tests/support/csv_table.h>
+#include "tests/support/condition_number.h"
+#include "tests/support/csv_table.h"
 
 namespace cuticle::bsdf::marschner::marschner_condition_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/model_on_device.h>
+#include "tests/support/model_on_device.h"
 
 namespace cuticle::bsdf::marschner_gpu_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
-#include "cuticle/bsdf/marschner/marschner.glslh"
+#include "bsdf/marschner/marschner.glslh"
 
 namespace cuticle::bsdf::marschner::marschner_jet_test {
 namespace {

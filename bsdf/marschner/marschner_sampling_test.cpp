@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/quadrature.h>
+#include "bsdf/model.h"
+#include "core/quadrature.h"
 
 namespace cuticle::bsdf::marschner_sampling_test {
 namespace {

@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/tests/support/hard_cases.h>
+#include "bsdf/model.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/hard_cases.h"
 
 namespace cuticle::bsdf::marschner_test {
 namespace {

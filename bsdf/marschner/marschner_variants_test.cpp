@@ -7,9 +7,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/tests/support/model_values.h>
+#include "bsdf/model.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/model_values.h"
 
 namespace cuticle::bsdf::marschner_variants_test {
 namespace {

@@ -1,5 +1,5 @@
 // The model on solid geometry: the principal tangent's frame, and the wrap term.
-#include "cuticle/bsdf/marschner/wrap.glslh"
+#include "bsdf/marschner/wrap.glslh"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/materialx/document.h>
+#include "bsdf/materialx/document.h"
 
 #include <charconv>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/bsdf/materialx/helpers.h>
-#include <cuticle/core/registry/parameter.h>
+#include "bsdf/materialx/helpers.h"
+#include "core/registry/parameter.h"
 
 namespace cuticle::bsdf::materialx {
 namespace {

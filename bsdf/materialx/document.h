@@ -2,8 +2,8 @@
 // Values of the inputs of hair nodes in a parsed document, through the connections between them.
 #include <pugixml.hpp>
 
-#include <cuticle/bsdf/materialx/nodes.h>
-#include <cuticle/core/result.h>
+#include "bsdf/materialx/nodes.h"
+#include "core/result.h"
 
 namespace cuticle::bsdf::materialx {
 

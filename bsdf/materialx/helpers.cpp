@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/materialx/helpers.h>
+#include "bsdf/materialx/helpers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/chiang/conversions.h>
-#include <cuticle/bsdf/pigment/pigment.h>
+#include "bsdf/chiang/conversions.h"
+#include "bsdf/pigment/pigment.h"
 
 namespace cuticle::bsdf::materialx {
 namespace {

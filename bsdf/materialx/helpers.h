@@ -1,6 +1,6 @@
 #pragma once
 // What the helper nodes compute.
-#include <cuticle/bsdf/materialx/document.h>
+#include "bsdf/materialx/document.h"
 
 namespace cuticle::bsdf::materialx {
 

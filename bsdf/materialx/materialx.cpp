@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/materialx/materialx.h>
+#include "bsdf/materialx/materialx.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/chiang/conversions.h>
-#include <cuticle/bsdf/materialx/document.h>
-#include <cuticle/core/file.h>
+#include "bsdf/chiang/conversions.h"
+#include "bsdf/materialx/document.h"
+#include "core/file.h"
 
 namespace cuticle::bsdf {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include <cuticle/bsdf/fibre.h>
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
+#include "bsdf/fibre.h"
+#include "core/registry/parameter.h"
+#include "core/result.h"
 
 namespace cuticle::bsdf {
 

@@ -1,8 +1,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/bsdf/materialx/materialx.h>
-#include <cuticle/bsdf/model.h>
+#include "bsdf/materialx/materialx.h"
+#include "bsdf/model.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/materialx/materialx.h>
+#include "bsdf/materialx/materialx.h"
 
 #include <cmath>
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::bsdf::materialx_test {
 namespace {

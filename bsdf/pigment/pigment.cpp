@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/pigment/pigment.h>
+#include "bsdf/pigment/pigment.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/core/quadrature.h>
+#include "core/quadrature.h"
 
 namespace cuticle::bsdf {
 namespace {

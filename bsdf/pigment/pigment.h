@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::bsdf {
 

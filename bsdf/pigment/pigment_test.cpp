@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/pigment/pigment.h>
+#include "bsdf/pigment/pigment.h"
 
 #include <cmath>
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/bsdf/scheuermann/shading.h>
-#include <cuticle/tests/support/model_values.h>
+#include "bsdf/scheuermann/shading.h"
+#include "tests/support/model_values.h"
 
 namespace cuticle::bsdf::scheuermann_test {
 namespace {

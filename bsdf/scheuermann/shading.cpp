@@ -1,4 +1,4 @@
-#include <cuticle/bsdf/scheuermann/shading.h>
+#include "bsdf/scheuermann/shading.h"
 
 namespace cuticle::bsdf::scheuermann {
 

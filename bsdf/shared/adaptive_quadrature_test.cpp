@@ -1,5 +1,5 @@
 // The adaptive rule of the shared dialect: polynomials, peaks, edges, and whether its error bounds the true one.
-#include "cuticle/bsdf/shared/adaptive_quadrature.glslh"
+#include "bsdf/shared/adaptive_quadrature.glslh"
 
 #include <cmath>
 #include <random>

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/real.h>
-#include <cuticle/bsdf/shared/evaluation.glslh>
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/model.h"
+#include "core/real.h"
+#include "bsdf/shared/evaluation.glslh"
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bsdf {
 

@@ -9,12 +9,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/tests/support/condition_number.h>
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/bsdf/hairworks/hairworks.glslh>
-#include <cuticle/bsdf/kajiya_kay/kajiya_kay.glslh>
-#include <cuticle/bsdf/scheuermann/scheuermann.glslh>
+#include "bsdf/model.h"
+#include "tests/support/condition_number.h"
+#include "tests/support/csv_table.h"
+#include "bsdf/hairworks/hairworks.glslh"
+#include "bsdf/kajiya_kay/kajiya_kay.glslh"
+#include "bsdf/scheuermann/scheuermann.glslh"
 
 namespace cuticle::bsdf::empirical_models_test {
 namespace {

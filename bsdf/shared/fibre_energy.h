@@ -1,9 +1,9 @@
 #pragma once
 // Where a smooth fibre sends its light at normal incidence: what models without physics are given when they stand for a
 // fibre.
-#include <cuticle/bsdf/fibre.h>
-#include <cuticle/bsdf/shared/quadrature.glslh>
-#include <cuticle/bsdf/shared/refraction.glslh>
+#include "bsdf/fibre.h"
+#include "bsdf/shared/quadrature.glslh"
+#include "bsdf/shared/refraction.glslh"
 
 namespace cuticle::bsdf {
 

@@ -2,7 +2,7 @@
 // What tables of models of physical fibres have in common: parameters, presets, conventions, exceptions.
 #include <array>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::bsdf {
 

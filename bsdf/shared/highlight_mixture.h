@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cuticle/bsdf/shared/highlight_mixture.glslh>
+#include "bsdf/shared/highlight_mixture.glslh"
 
 namespace cuticle::bsdf {
 

@@ -1,13 +1,13 @@
 // Powers of cosines and the energy of the cone highlight against closed forms and direct integration.
 #define GLM_FORCE_XYZW_ONLY
-#include "cuticle/bsdf/shared/highlight.glslh"
+#include "bsdf/shared/highlight.glslh"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/quadrature.h>
+#include "core/quadrature.h"
 
 namespace cuticle::bsdf::highlight_test {
 namespace {

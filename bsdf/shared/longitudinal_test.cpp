@@ -1,13 +1,13 @@
 // The longitudinal term against mpmath, and its energy. Labels: N11 G1 G7.
-#include "cuticle/bsdf/shared/longitudinal.glslh"
+#include "bsdf/shared/longitudinal.glslh"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/tests/support/csv_table.h>
+#include "core/quadrature.h"
+#include "tests/support/csv_table.h"
 
 namespace cuticle::bsdf::longitudinal_test {
 namespace {

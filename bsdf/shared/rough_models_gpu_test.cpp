@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/model_on_device.h>
+#include "tests/support/model_on_device.h"
 
 namespace cuticle::bsdf::rough_models_gpu_test {
 namespace {

@@ -2,7 +2,7 @@
 // Lobes and detectors as packed numbers, four each, in double; rough_packing.glslh reads them.
 #include <cmath>
 
-#include <cuticle/bsdf/shared/rough_packing.glslh>
+#include "bsdf/shared/rough_packing.glslh"
 
 namespace cuticle::bsdf {
 

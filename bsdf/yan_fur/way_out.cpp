@@ -1,12 +1,12 @@
-#include <cuticle/bsdf/yan_fur/way_out.h>
+#include "bsdf/yan_fur/way_out.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/core/real.h>
-#include <cuticle/bsdf/yan_fur/paths.glslh>
+#include "core/quadrature.h"
+#include "core/real.h"
+#include "bsdf/yan_fur/paths.glslh"
 
 namespace cuticle::bsdf::yan_fur {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/shared/batch.h>
-#include <cuticle/bsdf/shared/fibre_table.h>
-#include <cuticle/bsdf/shared/rough_packing.h>
-#include <cuticle/bsdf/yan_fur/way_out.h>
-#include <cuticle/bsdf/yan_fur/yan_fur.glslh>
+#include "bsdf/shared/batch.h"
+#include "bsdf/shared/fibre_table.h"
+#include "bsdf/shared/rough_packing.h"
+#include "bsdf/yan_fur/way_out.h"
+#include "bsdf/yan_fur/yan_fur.glslh"
 
 namespace cuticle::bsdf::yan_fur {
 namespace {

@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/tests/support/direction_grid.h>
-#include <cuticle/tests/support/hard_cases.h>
+#include "tests/support/csv_table.h"
+#include "tests/support/direction_grid.h"
+#include "tests/support/hard_cases.h"
 
 namespace cuticle::bsdf::yan_fur_test {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // The targets of `cuticle check`, one file each.
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 

@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/cli/check/check.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/tests/hard_cases/hard_case_runner.h>
+#include "cli/check/check.h"
+#include "core/json/json.h"
+#include "tests/hard_cases/hard_case_runner.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 #endif
 
 namespace cuticle::cli {

@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/check/check.h>
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/usd_files.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/check/groom_check.h>
-#include <cuticle/strands/refusals.h>
+#include "cli/check/check.h"
+#include "cli/groom_options.h"
+#include "cli/usd_files.h"
+#include "core/json/json.h"
+#include "strands/check/groom_check.h"
+#include "strands/refusals.h"
 
 namespace cuticle::cli {
 namespace {

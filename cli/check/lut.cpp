@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/check/check.h>
-#include <cuticle/lut/check/check.h>
+#include "cli/check/check.h"
+#include "lut/check/check.h"
 
 namespace cuticle::cli {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/check/check.h>
-#include <cuticle/study/model_check/registered.h>
-#include <cuticle/study/model_check/report.h>
+#include "cli/check/check.h"
+#include "study/model_check/registered.h"
+#include "study/model_check/report.h"
 
 namespace cuticle::cli {
 namespace {

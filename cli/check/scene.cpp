@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/check/check.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/plan/plan.h>
+#include "cli/check/check.h"
+#include "core/json/json.h"
+#include "plan/plan.h"
 
 namespace cuticle::cli {
 namespace {

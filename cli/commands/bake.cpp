@@ -1,19 +1,19 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/fit/analytic_fit.h>
-#include <cuticle/lut/fit/texel_fit.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/max_error.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/lut/target.h>
+#include "core/json/json.h"
+#include "lut/fit/analytic_fit.h"
+#include "lut/fit/texel_fit.h"
+#include "lut/format.h"
+#include "lut/max_error.h"
+#include "lut/table_set.h"
+#include "lut/target.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/lut/bake_gpu.h>
+#include "lut/bake_gpu.h"
 #endif
 
 namespace cuticle::cli {

@@ -5,13 +5,13 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/usd_files.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/binding/placement.h>
-#include <cuticle/strands/binding/root_file.h>
-#include <cuticle/strands/character/convention.h>
+#include "cli/groom_options.h"
+#include "cli/usd_files.h"
+#include "core/json/json.h"
+#include "strands/binding/binding.h"
+#include "strands/binding/placement.h"
+#include "strands/binding/root_file.h"
+#include "strands/character/convention.h"
 
 namespace cuticle::cli {
 

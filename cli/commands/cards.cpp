@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/parameter_help.h>
-#include <cuticle/core/file.h>
-#include <cuticle/strands/cards/hair_cards.h>
+#include "cli/command.h"
+#include "cli/groom_options.h"
+#include "cli/parameter_help.h"
+#include "core/file.h"
+#include "strands/cards/hair_cards.h"
 
 namespace cuticle::cli {
 

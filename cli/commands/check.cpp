@@ -1,4 +1,4 @@
-#include <cuticle/cli/check/check.h>
+#include "cli/check/check.h"
 
 namespace cuticle::cli {
 

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/usd_files.h>
+#include "cli/command.h"
+#include "cli/groom_options.h"
+#include "cli/usd_files.h"
 
 namespace cuticle::cli {
 

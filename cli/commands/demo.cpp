@@ -1,10 +1,10 @@
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/shared_files.h>
+#include "cli/groom_options.h"
+#include "cli/shared_files.h"
 
 #include <fmt/core.h>
 
 #ifdef CUTICLE_HAS_DEMO
-#include <cuticle/study/demo/demo.h>
+#include "study/demo/demo.h"
 #endif
 
 namespace cuticle::cli {

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/sim/solver.h>
+#include "cli/command.h"
+#include "sim/solver.h"
 
 namespace cuticle::cli {
 namespace {

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/eval/coordinates.h>
-#include <cuticle/cli/eval/subjects.h>
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "bsdf/model.h"
+#include "cli/command.h"
+#include "cli/eval/coordinates.h"
+#include "cli/eval/subjects.h"
+#include "core/file.h"
+#include "core/json/json.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/bsdf/model_gpu.h>
+#include "bsdf/model_gpu.h"
 #endif
 
 namespace cuticle::cli {

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/eval/coordinates.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/fit/model_fit.h>
+#include "cli/command.h"
+#include "cli/eval/coordinates.h"
+#include "core/json/json.h"
+#include "lut/fit/model_fit.h"
 
 namespace cuticle::cli {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/parameter_help.h>
-#include <cuticle/cli/preset_sheet.h>
-#include <cuticle/cli/usd_files.h>
-#include <cuticle/core/file.h>
-#include <cuticle/strands/growing/grow.h>
+#include "cli/command.h"
+#include "cli/groom_options.h"
+#include "cli/parameter_help.h"
+#include "cli/preset_sheet.h"
+#include "cli/usd_files.h"
+#include "core/file.h"
+#include "strands/growing/grow.h"
 
 namespace cuticle::cli {
 

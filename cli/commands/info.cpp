@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/character_info.h>
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/usd_files.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/refusals.h>
-#include <cuticle/strands/statistics.h>
+#include "cli/character_info.h"
+#include "cli/groom_options.h"
+#include "cli/usd_files.h"
+#include "core/json/json.h"
+#include "strands/refusals.h"
+#include "strands/statistics.h"
 
 namespace cuticle::cli {
 

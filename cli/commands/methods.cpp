@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/plan/plan.h>
+#include "cli/command.h"
+#include "plan/plan.h"
 
 namespace cuticle::cli {
 

@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/listing/listing.h>
-#include <cuticle/bsdf/materialx/materialx.h>
-#include <cuticle/cli/command.h>
-#include <cuticle/cli/eval/subjects.h>
-#include <cuticle/core/file.h>
+#include "bsdf/listing/listing.h"
+#include "bsdf/materialx/materialx.h"
+#include "cli/command.h"
+#include "cli/eval/subjects.h"
+#include "core/file.h"
 
 namespace cuticle::cli {
 namespace {

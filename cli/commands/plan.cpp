@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/plan/strand_set.h>
+#include "cli/command.h"
+#include "plan/plan.h"
+#include "plan/strand_set.h"
 
 namespace cuticle::cli {
 

@@ -1,10 +1,10 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #ifdef CUTICLE_HAS_PLAY
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/play/window.h>
+#include "core/json/json.h"
+#include "play/window.h"
 #endif
 
 namespace cuticle::cli {

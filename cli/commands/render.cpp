@@ -1,14 +1,14 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/plan/frame_runner_gpu.h>
-#include <cuticle/render/passes/velocity/velocity.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "plan/frame_runner_gpu.h"
+#include "render/passes/velocity/velocity.h"
 #endif
 
 namespace cuticle::cli {

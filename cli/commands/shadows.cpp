@@ -3,17 +3,17 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/points_file.h>
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/shadows/channels.h>
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/study/shadows/comparison.h>
+#include "cli/groom_options.h"
+#include "cli/points_file.h"
+#include "cli/shared_files.h"
+#include "core/file.h"
+#include "core/json/json.h"
+#include "shadows/channels.h"
+#include "shadows/footprint.h"
+#include "shadows/light_frame.h"
+#include "study/shadows/comparison.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/study/shadows/device_cost.h>
+#include "study/shadows/device_cost.h"
 #endif
 
 namespace cuticle::cli {

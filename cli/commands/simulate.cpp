@@ -1,4 +1,4 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
@@ -6,12 +6,12 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/plan/frame_runner_gpu.h>
-#include <cuticle/sim/telemetry.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/vtp/vtp.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "plan/frame_runner_gpu.h"
+#include "sim/telemetry.h"
+#include "strands/formats/formats.h"
+#include "strands/formats/vtp/vtp.h"
 #endif
 
 namespace cuticle::cli {

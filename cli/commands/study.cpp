@@ -1,4 +1,4 @@
-#include <cuticle/cli/study/study.h>
+#include "cli/study/study.h"
 
 namespace cuticle::cli {
 

@@ -1,10 +1,10 @@
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 #ifdef CUTICLE_HAS_VTK
 #include <memory>
 #include <numbers>
 
-#include <cuticle/viz/viz.h>
+#include "viz/viz.h"
 #endif
 
 namespace cuticle::cli {

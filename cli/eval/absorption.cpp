@@ -1,11 +1,11 @@
-#include <cuticle/cli/eval/absorption.h>
+#include "cli/eval/absorption.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/pigment/pigment.h>
-#include <cuticle/cli/command.h>
+#include "bsdf/pigment/pigment.h"
+#include "cli/command.h"
 
 namespace cuticle::cli {
 namespace {

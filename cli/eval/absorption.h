@@ -2,7 +2,7 @@
 // Absorption on the command line: by pigments of a named table, or by a colour with the meaning that it is given.
 #include <string>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::cli {
 

@@ -1,11 +1,11 @@
-#include <cuticle/cli/eval/coordinates.h>
+#include "cli/eval/coordinates.h"
 
 #include <algorithm>
 #include <numbers>
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 namespace {

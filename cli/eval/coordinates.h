@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/cli/points_file.h>
+#include "bsdf/model.h"
+#include "cli/points_file.h"
 
 namespace cuticle::cli {
 

@@ -1,10 +1,10 @@
-#include <cuticle/cli/eval/subjects.h>
+#include "cli/eval/subjects.h"
 
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/fibre/fibres.h>
-#include <cuticle/bsdf/materialx/materialx.h>
-#include <cuticle/cli/command.h>
+#include "bsdf/fibre/fibres.h"
+#include "bsdf/materialx/materialx.h"
+#include "cli/command.h"
 
 namespace cuticle::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/cli/eval/absorption.h>
+#include "bsdf/model.h"
+#include "cli/eval/absorption.h"
 
 namespace cuticle::cli {
 

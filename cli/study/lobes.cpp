@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include <cuticle/bsdf/fibre/fibres.h>
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/cli/study/study.h>
-#include <cuticle/study/lobes/lobes_study.h>
+#include "bsdf/fibre/fibres.h"
+#include "cli/shared_files.h"
+#include "cli/study/study.h"
+#include "study/lobes/lobes_study.h"
 
 namespace cuticle::cli {
 namespace {

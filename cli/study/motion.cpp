@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/cli/study/study.h>
-#include <cuticle/study/motion/motion_study.h>
+#include "cli/shared_files.h"
+#include "cli/study/study.h"
+#include "study/motion/motion_study.h"
 
 namespace cuticle::cli {
 namespace {

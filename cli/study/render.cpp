@@ -1,13 +1,13 @@
-#include <cuticle/cli/study/study.h>
+#include "cli/study/study.h"
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/plan/plan.h>
-#include <cuticle/study/render/render_study.h>
+#include "cli/shared_files.h"
+#include "plan/plan.h"
+#include "study/render/render_study.h"
 #endif
 
 namespace cuticle::cli {

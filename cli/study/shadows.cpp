@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/cli/groom_options.h>
-#include <cuticle/cli/shared_files.h>
-#include <cuticle/cli/study/study.h>
-#include <cuticle/core/file.h>
-#include <cuticle/study/shadows/marks.h>
-#include <cuticle/study/shadows/slices_study.h>
+#include "cli/groom_options.h"
+#include "cli/shared_files.h"
+#include "cli/study/study.h"
+#include "core/file.h"
+#include "study/shadows/marks.h"
+#include "study/shadows/slices_study.h"
 
 namespace cuticle::cli {
 namespace {

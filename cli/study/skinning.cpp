@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include <cuticle/cli/study/study.h>
-#include <cuticle/study/skinning/twist_study.h>
+#include "cli/study/study.h"
+#include "study/skinning/twist_study.h"
 
 namespace cuticle::cli {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // `cuticle study`: one file here for each study, each defining a function below.
-#include <cuticle/cli/command.h>
+#include "cli/command.h"
 
 namespace cuticle::cli {
 

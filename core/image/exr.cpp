@@ -10,8 +10,8 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/image/image.h>
+#include "core/file.h"
+#include "core/image/image.h"
 
 namespace cuticle {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle {
 

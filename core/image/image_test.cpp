@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/image/image.h>
+#include "core/file.h"
+#include "core/image/image.h"
 
 namespace cuticle::image_test {
 namespace {

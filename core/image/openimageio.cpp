@@ -4,7 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
-#include <cuticle/core/image/detail/picture_library.h>
+#include "core/image/detail/picture_library.h"
 
 namespace cuticle::detail {
 namespace {

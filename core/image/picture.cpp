@@ -3,8 +3,8 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/image/detail/picture_library.h>
+#include "core/file.h"
+#include "core/image/detail/picture_library.h"
 
 namespace cuticle {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle {
 

@@ -1,4 +1,4 @@
-#include <cuticle/core/json/json.h>
+#include "core/json/json.h"
 
 #include <limits>
 

@@ -1,9 +1,9 @@
-#include <cuticle/core/registry/entry.h>
+#include "core/registry/entry.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <cuticle/core/json/json.h>
+#include "core/json/json.h"
 
 namespace cuticle::registry {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::registry {
 

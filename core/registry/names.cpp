@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::registry {
 namespace {

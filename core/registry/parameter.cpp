@@ -1,4 +1,4 @@
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::registry::parameter_degrees_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/registry/parameter.h>
+#include "core/json/json.h"
+#include "core/registry/parameter.h"
 
 namespace cuticle::registry {
 namespace {

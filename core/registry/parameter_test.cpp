@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/registry/parameter.h>
+#include "core/json/json.h"
+#include "core/registry/parameter.h"
 
 namespace cuticle::registry::parameter_test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/registry/entry.h>
+#include "core/json/json.h"
+#include "core/registry/entry.h"
 
 namespace cuticle::registry::registry_entry_test {
 namespace {

@@ -1,6 +1,6 @@
 // Logarithms of the shared dialect in float against the standard library in double, and their edges.
 #define GLM_FORCE_XYZW_ONLY
-#include "cuticle/core/shared/logarithm.glslh"
+#include "core/shared/logarithm.glslh"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/random.h>
-#include <cuticle/tests/support/csv_table.h>
+#include "core/random.h"
+#include "tests/support/csv_table.h"
 
 namespace cuticle::philox_test {
 namespace {

@@ -1,5 +1,5 @@
 // Cosine and sine together against each alone.
-#include <cuticle/core/shared/rotation.glslh>
+#include "core/shared/rotation.glslh"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/csv_table.h>
-#include <cuticle/core/shared/bessel.glslh>
-#include <cuticle/core/shared/trigonometry.glslh>
+#include "tests/support/csv_table.h"
+#include "core/shared/bessel.glslh"
+#include "core/shared/trigonometry.glslh"
 
 namespace cuticle::special_functions_test {
 namespace {

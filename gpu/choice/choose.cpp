@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/choice.h>
+#include "gpu/detail/choice.h"
 
 namespace cuticle::gpu {
 namespace {

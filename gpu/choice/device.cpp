@@ -1,7 +1,7 @@
 #include <cstdlib>
 
-#include <cuticle/gpu/detail/choice.h>
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/choice.h"
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/gpu/detail/instance.h>
+#include "gpu/detail/instance.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstring>
 #include <utility>
 
-#include <cuticle/gpu/detail/instance.h>
+#include "gpu/detail/instance.h"
 
 namespace cuticle::gpu {
 namespace {

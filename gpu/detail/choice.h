@@ -1,7 +1,7 @@
 #pragma once
 // Private to gpu/ (not installed): what devices there are, and which of them a request means.
-#include <cuticle/gpu/detail/instance.h>
-#include <cuticle/gpu/device.h>
+#include "gpu/detail/instance.h"
+#include "gpu/device.h"
 
 namespace cuticle::gpu {
 

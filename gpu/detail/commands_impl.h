@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include <cuticle/gpu/detail/pipeline.h>
+#include "gpu/detail/pipeline.h"
 
 namespace cuticle::gpu {
 

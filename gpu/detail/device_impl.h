@@ -3,8 +3,8 @@
 #include <atomic>
 #include <functional>
 
-#include <cuticle/gpu/detail/instance.h>
-#include <cuticle/gpu/device.h>
+#include "gpu/detail/instance.h"
+#include "gpu/device.h"
 
 namespace cuticle::gpu {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/vulkan.h>
+#include "gpu/detail/vulkan.h"
 
 namespace cuticle::gpu {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/gpu/detail/vulkan.h>
+#include "gpu/detail/vulkan.h"
 
 namespace cuticle::gpu {
 

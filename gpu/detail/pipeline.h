@@ -2,7 +2,7 @@
 // Private to gpu/ (not installed): pipelines with their layouts.
 #include <array>
 
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 

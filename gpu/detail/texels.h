@@ -1,6 +1,6 @@
 #pragma once
 // Private to gpu/ (not installed): texture formats, and floats as their texels.
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 

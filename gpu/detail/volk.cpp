@@ -1,3 +1,3 @@
 // The one place where volk's own code is compiled.
 #define VOLK_IMPLEMENTATION
-#include <cuticle/gpu/detail/vulkan.h>
+#include "gpu/detail/vulkan.h"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 
 namespace cuticle::gpu {
 

@@ -1,7 +1,7 @@
 #include <bit>
 #include <cmath>
 
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 

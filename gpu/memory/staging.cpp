@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {

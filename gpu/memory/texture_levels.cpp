@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <bit>
 
-#include <cuticle/gpu/detail/commands_impl.h>
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/commands_impl.h"
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/gpu/detail/pipeline.h>
+#include "gpu/detail/pipeline.h"
 
 namespace cuticle::gpu {
 

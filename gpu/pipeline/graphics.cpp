@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/pipeline.h>
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/pipeline.h"
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {

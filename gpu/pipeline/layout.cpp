@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/pipeline.h>
+#include "gpu/detail/pipeline.h"
 
 namespace cuticle::gpu {
 namespace {

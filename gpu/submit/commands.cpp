@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/commands_impl.h>
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/commands_impl.h"
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu {
 namespace {

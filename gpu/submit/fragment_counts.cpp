@@ -1,4 +1,4 @@
-#include <cuticle/gpu/detail/commands_impl.h>
+#include "gpu/detail/commands_impl.h"
 
 namespace cuticle::gpu {
 

@@ -1,4 +1,4 @@
-#include <cuticle/gpu/detail/device_impl.h>
+#include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 namespace {

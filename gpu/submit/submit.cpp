@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cuticle/gpu/detail/commands_impl.h>
+#include "gpu/detail/commands_impl.h"
 
 namespace cuticle::gpu {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/gpu/detail/choice.h>
-#include <cuticle/gpu/detail/texels.h>
+#include "gpu/detail/choice.h"
+#include "gpu/detail/texels.h"
 
 namespace cuticle::gpu::gpu_choice_test {
 namespace {

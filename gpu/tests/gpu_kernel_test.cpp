@@ -1,7 +1,7 @@
 // Kernels, recorded work and what it costs.
 #include <numeric>
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 #include "shared_device.h"
 
 #include <scale_comp.spv.h>

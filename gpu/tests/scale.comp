@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // target[i] = source[i] * factor + offset.
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint k_offset = 0;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 
 namespace cuticle::gpu {
 

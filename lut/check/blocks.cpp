@@ -1,4 +1,4 @@
-#include <cuticle/lut/check/blocks.h>
+#include "lut/check/blocks.h"
 
 #include <algorithm>
 #include <array>

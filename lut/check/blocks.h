@@ -1,5 +1,5 @@
 #pragma once
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 namespace cuticle::lut::check {
 

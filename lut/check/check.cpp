@@ -1,14 +1,14 @@
-#include <cuticle/lut/check/check.h>
+#include "lut/check/check.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/check/mistakes.h>
-#include <cuticle/lut/check/readings.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/probes.h>
+#include "core/json/json.h"
+#include "lut/check/mistakes.h"
+#include "lut/check/readings.h"
+#include "lut/format.h"
+#include "lut/probes.h"
 
 namespace cuticle::lut::check {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/lut/manifest.h>
+#include "core/image/image.h"
+#include "lut/manifest.h"
 
 namespace cuticle::lut::check {
 

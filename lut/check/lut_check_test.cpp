@@ -10,11 +10,11 @@
 #include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/check/blocks.h>
-#include <cuticle/lut/check/check.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
+#include "core/file.h"
+#include "lut/check/blocks.h"
+#include "lut/check/check.h"
+#include "lut/format.h"
+#include "lut/table_set.h"
 
 namespace cuticle::lut::check::lut_check_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/lut/check/mistakes.h>
+#include "lut/check/mistakes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/check/blocks.h>
-#include <cuticle/lut/check/readings.h>
+#include "lut/check/blocks.h"
+#include "lut/check/readings.h"
 
 namespace cuticle::lut::check {
 namespace {

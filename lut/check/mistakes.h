@@ -1,5 +1,5 @@
 #pragma once
-#include <cuticle/lut/check/check.h>
+#include "lut/check/check.h"
 
 namespace cuticle::lut::check {
 

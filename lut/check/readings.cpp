@@ -1,11 +1,11 @@
-#include <cuticle/lut/check/readings.h>
+#include "lut/check/readings.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/table_set.h>
+#include "lut/table_set.h"
 
 namespace cuticle::lut::check {
 namespace {

@@ -2,8 +2,8 @@
 #include <functional>
 #include <string>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/lut/manifest.h>
+#include "core/image/image.h"
+#include "lut/manifest.h"
 
 namespace cuticle::lut::check {
 

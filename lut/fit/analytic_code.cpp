@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/fit/analytic_fit.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "lut/fit/analytic_fit.h"
 
 namespace cuticle::lut {
 namespace {

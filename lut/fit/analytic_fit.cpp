@@ -1,4 +1,4 @@
-#include <cuticle/lut/fit/analytic_fit.h>
+#include "lut/fit/analytic_fit.h"
 
 #include <algorithm>
 #include <cmath>

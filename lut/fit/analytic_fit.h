@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/progress.h>
+#include "bsdf/model.h"
+#include "core/progress.h"
 
 namespace cuticle::lut {
 

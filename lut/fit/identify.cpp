@@ -1,4 +1,4 @@
-#include <cuticle/lut/fit/detail/identify.h>
+#include "lut/fit/detail/identify.h"
 
 #include <algorithm>
 #include <cmath>

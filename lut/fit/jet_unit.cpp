@@ -4,7 +4,7 @@
 #define GLM_FORCE_XYZW_ONLY
 #include <ceres/jet.h>
 
-#include <cuticle/lut/fit/detail/jet_tangents.h>
+#include "lut/fit/detail/jet_tangents.h"
 #include <model_of_jet.h>
 
 namespace cuticle::lut {

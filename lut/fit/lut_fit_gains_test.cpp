@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
-#include <cuticle/lut/comparison.h>
-#include <cuticle/lut/fit/analytic_fit.h>
-#include <cuticle/lut/fit/texel_fit.h>
+#include "lut/comparison.h"
+#include "lut/fit/analytic_fit.h"
+#include "lut/fit/texel_fit.h"
 
 namespace cuticle::lut::lut_fit_gains_test {
 namespace {

@@ -1,8 +1,8 @@
 // Fitted texels keep their promises on small tables; lut_fit_gains_test measures what they gain.
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/fit/detail/texel_problem.h>
-#include <cuticle/lut/fit/texel_fit.h>
+#include "lut/fit/detail/texel_problem.h"
+#include "lut/fit/texel_fit.h"
 
 namespace cuticle::lut::lut_fit_test {
 namespace {

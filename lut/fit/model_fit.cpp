@@ -1,4 +1,4 @@
-#include <cuticle/lut/fit/model_fit.h>
+#include "lut/fit/model_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>
 
-#include <cuticle/lut/fit/detail/identify.h>
-#include <cuticle/lut/fit/detail/tangents.h>
+#include "lut/fit/detail/identify.h"
+#include "lut/fit/detail/tangents.h"
 
 namespace cuticle::lut {
 namespace {

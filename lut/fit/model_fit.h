@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::lut {
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/fit/detail/tangents.h>
+#include "lut/fit/detail/tangents.h"
 
 namespace cuticle::lut::model_fit_test {
 namespace {

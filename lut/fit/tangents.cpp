@@ -1,4 +1,4 @@
-#include <cuticle/lut/fit/detail/tangents.h>
+#include "lut/fit/detail/tangents.h"
 
 #include <algorithm>
 #include <cmath>

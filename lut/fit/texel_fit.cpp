@@ -1,9 +1,9 @@
-#include <cuticle/lut/fit/texel_fit.h>
+#include "lut/fit/texel_fit.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include <cuticle/lut/fit/detail/texel_problem.h>
+#include "lut/fit/detail/texel_problem.h"
 
 namespace cuticle::lut {
 namespace {

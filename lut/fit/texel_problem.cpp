@@ -1,4 +1,4 @@
-#include <cuticle/lut/fit/detail/texel_problem.h>
+#include "lut/fit/detail/texel_problem.h"
 
 #include <algorithm>
 #include <cmath>

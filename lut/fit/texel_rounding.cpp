@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <cuticle/lut/fit/detail/texel_problem.h>
+#include "lut/fit/detail/texel_problem.h"
 
 namespace cuticle::lut {
 namespace {

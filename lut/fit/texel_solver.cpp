@@ -6,8 +6,8 @@
 #include <ceres/ceres.h>
 #include <Eigen/Eigenvalues>
 
-#include <cuticle/core/expect.h>
-#include <cuticle/lut/fit/detail/texel_problem.h>
+#include "core/expect.h"
+#include "lut/fit/detail/texel_problem.h"
 
 namespace cuticle::lut {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::lut {
 

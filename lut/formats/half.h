@@ -6,9 +6,9 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/image/image.h>
-#include <cuticle/lut/formats/bytes.h>
+#include "core/file.h"
+#include "core/image/image.h"
+#include "lut/formats/bytes.h"
 
 namespace cuticle::lut {
 

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/formats/dds/dds.h>
-#include <cuticle/lut/formats/ktx2/ktx2.h>
+#include "core/file.h"
+#include "lut/format.h"
+#include "lut/formats/dds/dds.h"
+#include "lut/formats/ktx2/ktx2.h"
 
 namespace cuticle::lut::lut_formats_test {
 namespace {

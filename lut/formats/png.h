@@ -2,7 +2,7 @@
 // What the PNG formats share: whole numbers of 8 or 16 bits from 0 to 1, no transfer curve.
 #include <cmath>
 
-#include <cuticle/lut/format.h>
+#include "lut/format.h"
 
 namespace cuticle::lut {
 

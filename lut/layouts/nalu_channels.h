@@ -2,7 +2,7 @@
 // What the Nalu layouts share: axes, channels, textures and terms (GPU Gems 2, chapter 23).
 #include <numbers>
 
-#include <cuticle/lut/table_set.h>
+#include "lut/table_set.h"
 
 namespace cuticle::lut {
 

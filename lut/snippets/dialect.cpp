@@ -1,4 +1,4 @@
-#include <cuticle/lut/snippets/dialect.h>
+#include "lut/snippets/dialect.h"
 
 #include <algorithm>
 

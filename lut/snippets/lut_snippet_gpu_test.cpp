@@ -11,11 +11,11 @@
 #include <unistd.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/gpu/device.h>
-#include <cuticle/lut/evaluate.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/snippets/snippet.h>
+#include "core/file.h"
+#include "gpu/device.h"
+#include "lut/evaluate.h"
+#include "lut/format.h"
+#include "lut/snippets/snippet.h"
 
 namespace cuticle::lut::lut_snippet_gpu_test {
 namespace {

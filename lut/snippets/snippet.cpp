@@ -1,4 +1,4 @@
-#include <cuticle/lut/snippets/snippet.h>
+#include "lut/snippets/snippet.h"
 
 #include <algorithm>
 

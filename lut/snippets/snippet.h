@@ -1,7 +1,7 @@
 #pragma once
 // Shader text that reads a folder of tables, from its manifest: the same functions in GLSL, HLSL and WGSL.
-#include <cuticle/lut/manifest.h>
-#include <cuticle/lut/snippets/dialect.h>
+#include "lut/manifest.h"
+#include "lut/snippets/dialect.h"
 
 namespace cuticle::lut::snippets {
 

@@ -1,7 +1,7 @@
 // The exponent of T in the layers of a texel as it is stored, for the lookups of all texels and of tiles.
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_filter.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_filter.glsl"
+#include "shadows/splat.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per segment that is counted: projected length over the depth behind the nearest fibre, each piece counted at its middle.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_segments.glsl"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_segments.glsl"
 
 layout(binding = 3) uniform usamplerBuffer depths;
 layout(std430, binding = 4) buffer Histogram { uint histogram[]; };

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One work group: the ends of the layers, from the histogram of depths or from their shares of the depth.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
 
 layout(std430, binding = 0) readonly buffer Table { uint table[]; };  // deposits, then the layers' shares
 layout(std430, binding = 1) readonly buffer Histogram { uint histogram[]; };

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: looks it up in a map of all texels.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/deep_exponent.glsl"
+#include "shadows/deep_opacity/deep_exponent.glsl"
 
 float exponent_at(uint texel, float z) { return stored_exponent(texel, z); }
 

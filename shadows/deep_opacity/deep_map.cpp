@@ -1,11 +1,11 @@
-#include <cuticle/shadows/deep_opacity/deep_map.h>
+#include "shadows/deep_opacity/deep_map.h"
 
 #include <algorithm>
 #include <functional>
 
-#include <cuticle/shadows/deep_opacity/tiles.h>
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/deep_opacity/tiles.glslh>
+#include "shadows/deep_opacity/tiles.h"
+#include "shadows/detail/map_method.h"
+#include "shadows/deep_opacity/tiles.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/shadows/deep_opacity/layers.glslh>
+#include "shadows/map_settings.h"
+#include "shadows/map_view.h"
+#include "strands/groom.h"
+#include "shadows/deep_opacity/layers.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 

@@ -1,6 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/deep_opacity/deep_map.h>
-#include <cuticle/shadows/detail/map_method.h>
+#include "shadows/deep_opacity/deep_map.h"
+#include "shadows/detail/map_method.h"
 
 namespace cuticle::shadows::deep_opacity {
 namespace {

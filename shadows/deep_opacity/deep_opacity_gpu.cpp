@@ -2,12 +2,12 @@
 // are kept (mark, slots, keep), packing where it is kept in bytes, lookup; the integers of the map equal the CPU's.
 #include <bit>
 
-#include <cuticle/shadows/deep_opacity/deep_map.h>
-#include <cuticle/shadows/deep_opacity/tiles.h>
-#include <cuticle/shadows/map_shadow_gpu.h>
-#include <cuticle/shadows/deep_opacity/layers.glslh>
-#include <cuticle/shadows/deep_opacity/tiles.glslh>
-#include <cuticle/shadows/splat.glslh>
+#include "shadows/deep_opacity/deep_map.h"
+#include "shadows/deep_opacity/tiles.h"
+#include "shadows/map_shadow_gpu.h"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/deep_opacity/tiles.glslh"
+#include "shadows/splat.glslh"
 
 #include <deep_histogram_comp.spv.h>
 #include <deep_layers_comp.spv.h>

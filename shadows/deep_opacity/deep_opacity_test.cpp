@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/shadows/deep_opacity/deep_map.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/deep_opacity/deep_map.h"
+#include "shadows/method.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::deep_opacity_test {
 

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel, which packs words of its number and of every further number of texels: sums become codes of T.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
 
 layout(std430, binding = 0) readonly buffer Table { uint table[]; };  // deposits, shares, exponents, thresholds
 layout(std430, binding = 1) readonly buffer Sums { uint sums[]; };

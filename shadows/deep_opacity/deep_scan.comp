@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: its depths in one word, and what lies in each layer becomes what lies before its end.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer Depths { uint depths[]; };
 layout(std430, binding = 1) writeonly buffer Ranges { uint ranges[]; };

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per segment: deposits into the layers behind each texel's nearest fibre, by integer sums.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/map_splat.glsl"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/map_splat.glsl"
 
 layout(binding = 3) uniform usamplerBuffer table;
 layout(binding = 4) uniform usamplerBuffer depths;

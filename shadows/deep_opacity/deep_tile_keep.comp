@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel of the tiles that there is room for: its range and sums, from those of the whole map.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/layers.glslh"
-#include "cuticle/shadows/deep_opacity/tiles.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/deep_opacity/layers.glslh"
+#include "shadows/deep_opacity/tiles.glslh"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 1) readonly buffer List { uint list[]; };

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: looks it up in a sparse map.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/deep_exponent.glsl"
-#include "cuticle/shadows/deep_opacity/tiles.glslh"
+#include "shadows/deep_opacity/deep_exponent.glsl"
+#include "shadows/deep_opacity/tiles.glslh"
 
 layout(std430, binding = 7) readonly buffer Slots { uint slots[]; };
 

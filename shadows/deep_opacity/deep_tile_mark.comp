@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: marks the tiles that hold hair, by 1 where there was 0.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/tiles.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/deep_opacity/tiles.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
 
 layout(std430, binding = 0) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 1) readonly buffer Depths { uint depths[]; };

@@ -3,8 +3,8 @@
 // One work group: marks of tiles become slots, in the order of the tiles, as far as there is room; and the tile of each
 // slot is listed, with the number of slots behind the list.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_opacity/tiles.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/deep_opacity/tiles.glslh"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer Box { uint least[6]; };
 layout(std430, binding = 1) buffer Slots { uint slots[]; };

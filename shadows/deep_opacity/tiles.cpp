@@ -1,9 +1,9 @@
-#include <cuticle/shadows/deep_opacity/tiles.h>
+#include "shadows/deep_opacity/tiles.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include <cuticle/shadows/deep_opacity/tiles.glslh>
+#include "shadows/deep_opacity/tiles.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 namespace {

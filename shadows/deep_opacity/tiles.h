@@ -1,6 +1,6 @@
 #pragma once
 // Sparse maps: the tiles of a map that hold hair.
-#include <cuticle/shadows/deep_opacity/deep_map.h>
+#include "shadows/deep_opacity/deep_map.h"
 
 namespace cuticle::shadows::deep_opacity {
 

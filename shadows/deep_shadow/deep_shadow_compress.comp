@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per texel: the knots of its visibility function, within the bound, from its sorted list.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/deep_shadow/slopes.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
+#include "shadows/deep_shadow/slopes.glslh"
+#include "shadows/map_geometry.glsl"
 
 layout(std430, binding = 0) readonly buffer First { uint first[]; };
 layout(std430, binding = 1) readonly buffer Fragments { uvec2 fragments[]; };

@@ -1,7 +1,7 @@
 // Deep shadow maps on the GPU: the passes of list_gpu.h, then compression, a texel each, and lookup. The lists equal
 // the CPU's; knots are kept in words only.
-#include <cuticle/shadows/deep_shadow/settings.h>
-#include <cuticle/shadows/list_gpu.h>
+#include "shadows/deep_shadow/settings.h"
+#include "shadows/list_gpu.h"
 
 #include <deep_shadow_compress_comp.spv.h>
 #include <deep_shadow_lookup_comp.spv.h>

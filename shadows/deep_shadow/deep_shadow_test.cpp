@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/shadows/deep_shadow/visibility.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/deep_shadow/visibility.h"
+#include "shadows/method.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::deep_shadow::deep_shadow_test {
 

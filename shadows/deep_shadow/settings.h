@@ -1,7 +1,7 @@
 #pragma once
 // The deep shadow map's parameters.
-#include <cuticle/shadows/deep_shadow/visibility.h>
-#include <cuticle/shadows/map_settings.h>
+#include "shadows/deep_shadow/visibility.h"
+#include "shadows/map_settings.h"
 
 namespace cuticle::shadows::deep_shadow {
 

@@ -1,11 +1,11 @@
-#include <cuticle/shadows/deep_shadow/visibility.h>
+#include "shadows/deep_shadow/visibility.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <cuticle/shadows/detail/map_walk.h>
-#include <cuticle/shadows/deep_shadow/slopes.glslh>
+#include "shadows/detail/map_walk.h"
+#include "shadows/deep_shadow/slopes.glslh"
 
 namespace cuticle::shadows::deep_shadow {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/shadows/detail/fragment_lists.h>
+#include "shadows/detail/fragment_lists.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/detail/map_walk.h>
+#include "shadows/detail/map_walk.h"
 
 namespace cuticle::shadows {
 namespace {

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/strands/groom.h>
+#include "core/result.h"
+#include "shadows/map_settings.h"
+#include "shadows/map_view.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 

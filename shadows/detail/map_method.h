@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/shadows/detail/map_walk.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/method.h>
+#include "shadows/detail/map_walk.h"
+#include "shadows/light_frame.h"
+#include "shadows/map_settings.h"
+#include "shadows/method.h"
 
 namespace cuticle::shadows {
 

@@ -9,10 +9,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/shadows/filter.glslh>
-#include <cuticle/shadows/splat.glslh>
+#include "shadows/map_view.h"
+#include "strands/groom.h"
+#include "shadows/filter.glslh"
+#include "shadows/splat.glslh"
 
 namespace cuticle::shadows {
 

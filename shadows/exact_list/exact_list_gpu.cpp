@@ -1,5 +1,5 @@
 // The sorted lists on the GPU: the passes of list_gpu.h, then lookup; the lists equal the CPU's.
-#include <cuticle/shadows/list_gpu.h>
+#include "shadows/list_gpu.h"
 
 #include <exact_list_lookup_comp.spv.h>
 

@@ -1,7 +1,7 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/fourier/fourier_map.h>
-#include <cuticle/shadows/fourier/fourier.glslh>
+#include "shadows/detail/map_method.h"
+#include "shadows/fourier/fourier_map.h"
+#include "shadows/fourier/fourier.glslh"
 
 namespace cuticle::shadows::fourier {
 namespace {

@@ -1,6 +1,6 @@
 // Fourier opacity maps on the GPU: clear (fills), fit, splat, lookup; the integers of the map equal the CPU's.
-#include <cuticle/shadows/fourier/fourier_map.h>
-#include <cuticle/shadows/map_shadow_gpu.h>
+#include "shadows/fourier/fourier_map.h"
+#include "shadows/map_shadow_gpu.h"
 
 #include <fourier_lookup_comp.spv.h>
 

@@ -1,10 +1,10 @@
-#include <cuticle/shadows/fourier/fourier_map.h>
+#include "shadows/fourier/fourier_map.h"
 
 #include <numbers>
 
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/fourier/fourier.glslh>
-#include <cuticle/shadows/series.glslh>
+#include "shadows/detail/map_method.h"
+#include "shadows/fourier/fourier.glslh"
+#include "shadows/series.glslh"
 
 namespace cuticle::shadows::fourier {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/shadows/map_series.h>
+#include "shadows/map_series.h"
 
 namespace cuticle::shadows::fourier {
 

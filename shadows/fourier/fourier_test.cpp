@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/fourier/fourier_map.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
-#include <cuticle/shadows/fourier/fourier.glslh>
+#include "shadows/fourier/fourier_map.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
+#include "shadows/fourier/fourier.glslh"
 
 namespace cuticle::shadows::fourier_test {
 

@@ -1,8 +1,8 @@
-#include <cuticle/shadows/moments/moment_map.h>
+#include "shadows/moments/moment_map.h"
 
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/moments/moments.glslh>
-#include <cuticle/shadows/series.glslh>
+#include "shadows/detail/map_method.h"
+#include "shadows/moments/moments.glslh"
+#include "shadows/series.glslh"
 
 namespace cuticle::shadows::moments {
 namespace {

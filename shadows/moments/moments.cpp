@@ -1,6 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/moments/moment_map.h>
+#include "shadows/detail/map_method.h"
+#include "shadows/moments/moment_map.h"
 
 namespace cuticle::shadows::moments {
 namespace {

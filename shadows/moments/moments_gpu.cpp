@@ -1,6 +1,6 @@
 // Moments on the GPU: clear (fills), fit, splat, lookup; the integers of the map equal the CPU's.
-#include <cuticle/shadows/map_shadow_gpu.h>
-#include <cuticle/shadows/moments/moment_map.h>
+#include "shadows/map_shadow_gpu.h"
+#include "shadows/moments/moment_map.h"
 
 #include <moments_lookup_comp.spv.h>
 

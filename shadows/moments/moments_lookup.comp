@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma, from each texel's moments.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_filter.glsl"
-#include "cuticle/shadows/moments/moments.glslh"
-#include "cuticle/shadows/series.glslh"
+#include "shadows/map_filter.glsl"
+#include "shadows/moments/moments.glslh"
+#include "shadows/series.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/moments/moment_map.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
-#include <cuticle/shadows/moments/moments.glslh>
+#include "shadows/moments/moment_map.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
+#include "shadows/moments/moments.glslh"
 
 namespace cuticle::shadows::moments::moments_test {
 

@@ -1,5 +1,5 @@
 // No shadow: the transmittance is 1 everywhere. The first line of every comparison.
-#include <cuticle/shadows/method.h>
+#include "shadows/method.h"
 
 namespace cuticle::shadows::none {
 namespace {

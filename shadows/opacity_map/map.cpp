@@ -1,10 +1,10 @@
-#include <cuticle/shadows/opacity_map/map.h>
+#include "shadows/opacity_map/map.h"
 
 #include <bit>
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/detail/map_method.h>
+#include "shadows/detail/map_method.h"
 
 namespace cuticle::shadows::opacity_map {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/strands/groom.h>
+#include "shadows/map_settings.h"
+#include "shadows/map_view.h"
+#include "shadows/method.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows::opacity_map {
 

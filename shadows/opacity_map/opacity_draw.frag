@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // N18: sigma of the segment in this texel, written to the planes behind it; blending adds.
 #define MAP_IS_DRAWN
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(location = 0) flat in vec4 one_end;

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Two triangles a segment: the rectangle of texels whose centres its footprint reaches.
 #define MAP_IS_DRAWN
-#include "cuticle/shadows/map_segment.glsl"
+#include "shadows/map_segment.glsl"
 
 layout(location = 0) flat out vec4 one_end;     // x, y, depth step; half width
 layout(location = 1) flat out vec4 other_end;   // x, y, depth step

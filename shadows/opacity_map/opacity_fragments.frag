@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // N19: T at a point of a segment, by the weights of its own depth or by those that the rasteriser made of the ends'.
 #define MAP_IS_DRAWN
-#include "cuticle/shadows/opacity_map/opacity_planes.glsl"
+#include "shadows/opacity_map/opacity_planes.glsl"
 
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(location = 0) in vec3 position;

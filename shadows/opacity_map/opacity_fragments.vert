@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // N19: two triangles a segment, which cover a row of texels of the fragments' target; tent weights at its ends.
 #define MAP_IS_DRAWN
-#include "cuticle/shadows/filter.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/opacity_map/tent_planes.glsl"
+#include "shadows/filter.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/opacity_map/tent_planes.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform usamplerBuffer segments;

@@ -1,6 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/opacity_map/map.h>
+#include "shadows/detail/map_method.h"
+#include "shadows/opacity_map/map.h"
 
 namespace cuticle::shadows::opacity_map {
 namespace {

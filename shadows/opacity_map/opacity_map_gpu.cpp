@@ -1,7 +1,7 @@
 // N17 on the GPU: clear (fills), fit, splat, scan, lookup; the integers of its map equal the CPU's. N18: fit, draw,
 // lookup. N19: a further lookup where strands are drawn.
-#include <cuticle/shadows/map_shadow_gpu.h>
-#include <cuticle/shadows/opacity_map/map.h>
+#include "shadows/map_shadow_gpu.h"
+#include "shadows/opacity_map/map.h"
 
 #include <opacity_draw_frag.spv.h>
 #include <opacity_draw_vert.spv.h>

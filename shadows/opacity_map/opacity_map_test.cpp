@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/shadows/method.h>
-#include <cuticle/shadows/opacity_map/map.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/method.h"
+#include "shadows/opacity_map/map.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::opacity_map_test {
 

@@ -1,7 +1,7 @@
 // The four targets of a drawn map, and the exponent of T in them: four 4-vector dot products with tent weights, which
 // are the same for all texels. The shader that includes this binds three buffers before.
-#include "cuticle/shadows/map_filter.glsl"
-#include "cuticle/shadows/opacity_map/tent_planes.glsl"
+#include "shadows/map_filter.glsl"
+#include "shadows/opacity_map/tent_planes.glsl"
 
 layout(binding = 3) uniform sampler2D planes_1_to_4;
 layout(binding = 4) uniform sampler2D planes_5_to_8;

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/opacity_map/opacity_planes.glsl"
+#include "shadows/opacity_map/opacity_planes.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

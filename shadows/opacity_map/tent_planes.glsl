@@ -1,5 +1,5 @@
 // Tent weights of the sixteen planes that four four-channel targets hold.
-#include "cuticle/shadows/opacity_map/tent.glslh"
+#include "shadows/opacity_map/tent.glslh"
 
 /// For depth z, in plane spacings; needs map_geometry.glsl.
 vec4[4] tent_weights(float z) {

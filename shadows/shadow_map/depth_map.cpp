@@ -1,7 +1,7 @@
-#include <cuticle/shadows/shadow_map/depth_map.h>
+#include "shadows/shadow_map/depth_map.h"
 
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/shadow_map/depth.glslh>
+#include "shadows/detail/map_method.h"
+#include "shadows/shadow_map/depth.glslh"
 
 namespace cuticle::shadows::shadow_map {
 

@@ -6,9 +6,9 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/shadows/map_view.h>
-#include <cuticle/strands/groom.h>
+#include "shadows/map_settings.h"
+#include "shadows/map_view.h"
+#include "strands/groom.h"
 
 namespace cuticle::shadows::shadow_map {
 

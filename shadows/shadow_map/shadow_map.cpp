@@ -1,6 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/shadow_map/depth_map.h>
+#include "shadows/detail/map_method.h"
+#include "shadows/shadow_map/depth_map.h"
 
 namespace cuticle::shadows::shadow_map {
 namespace {

@@ -1,8 +1,8 @@
 // The shadow map on the GPU: clear (fills), fit, nearest, lookup; the integers of the map equal the CPU's.
-#include <cuticle/shadows/map_shadow_gpu.h>
-#include <cuticle/shadows/shadow_map/depth_map.h>
-#include <cuticle/shadows/shadow_map/depth.glslh>
-#include <cuticle/shadows/splat.glslh>
+#include "shadows/map_shadow_gpu.h"
+#include "shadows/shadow_map/depth_map.h"
+#include "shadows/shadow_map/depth.glslh"
+#include "shadows/splat.glslh"
 
 #include <shadow_map_lookup_comp.spv.h>
 

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the filter's disc of the light behind each texel's nearest fibre.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_filter.glsl"
-#include "cuticle/shadows/shadow_map/depth.glslh"
-#include "cuticle/shadows/splat.glslh"
+#include "shadows/map_filter.glsl"
+#include "shadows/shadow_map/depth.glslh"
+#include "shadows/splat.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/shadow_map/depth_map.h>
-#include <cuticle/tests/support/shadow_runs.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/light_frame.h"
+#include "shadows/shadow_map/depth_map.h"
+#include "tests/support/shadow_runs.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::shadow_map_test {
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cuticle/shadows/method.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/method.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::shadow_truth_test {
 

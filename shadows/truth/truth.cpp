@@ -8,12 +8,12 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/strands/rays/rays.h>
+#include "shadows/footprint.h"
+#include "shadows/light_frame.h"
+#include "shadows/method.h"
+#include "strands/rays/rays.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
-#include <cuticle/core/shared/philox.glslh>
+#include "core/shared/philox.glslh"
 
 namespace cuticle::shadows::truth {
 namespace {

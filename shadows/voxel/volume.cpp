@@ -1,12 +1,12 @@
-#include <cuticle/shadows/voxel/volume.h>
+#include "shadows/voxel/volume.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include <cuticle/shadows/detail/map_walk.h>
-#include <cuticle/core/shared/disc.glslh>
+#include "shadows/detail/map_walk.h"
+#include "core/shared/disc.glslh"
 
 namespace cuticle::shadows::voxel {
 namespace {

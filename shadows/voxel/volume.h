@@ -6,10 +6,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/shadows/map_settings.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/shadows/voxel/volume.glslh>
+#include "shadows/light_frame.h"
+#include "shadows/map_settings.h"
+#include "strands/groom.h"
+#include "shadows/voxel/volume.glslh"
 
 namespace cuticle::shadows::voxel {
 

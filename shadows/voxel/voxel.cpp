@@ -1,6 +1,6 @@
 // The registered method: parameters, demands, and the CPU evaluation.
-#include <cuticle/shadows/detail/map_method.h>
-#include <cuticle/shadows/voxel/volume.h>
+#include "shadows/detail/map_method.h"
+#include "shadows/voxel/volume.h"
 
 namespace cuticle::shadows::voxel {
 namespace {

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per segment: its pieces add to the cells of their middles by integer sums.
 layout(local_size_x = 64) in;
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/splat.glslh"
-#include "cuticle/shadows/voxel/volume.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/splat.glslh"
+#include "shadows/voxel/volume.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform usamplerBuffer segments;

@@ -2,8 +2,8 @@
 // its largest, a cube.
 #include <bit>
 
-#include <cuticle/shadows/map_shadow_gpu.h>
-#include <cuticle/shadows/voxel/volume.h>
+#include "shadows/map_shadow_gpu.h"
+#include "shadows/voxel/volume.h"
 
 #include <voxel_deposit_comp.spv.h>
 #include <voxel_march_comp.spv.h>

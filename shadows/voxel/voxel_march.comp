@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the rays from its disc of T through the volume.
 layout(local_size_x = 64) in;
-#include "cuticle/core/shared/disc.glslh"
-#include "cuticle/shadows/map_geometry.glsl"
-#include "cuticle/shadows/voxel/volume.glslh"
+#include "core/shared/disc.glslh"
+#include "shadows/map_geometry.glsl"
+#include "shadows/voxel/volume.glslh"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(std430, binding = 1) readonly buffer Box { uint least[6]; };

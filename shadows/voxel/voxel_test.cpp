@@ -5,8 +5,8 @@
 #include <tbb/global_control.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/shadows/method.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "shadows/method.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::shadows::voxel_test {
 

@@ -1,12 +1,12 @@
-#include <cuticle/sim/classic/classic.h>
+#include "sim/classic/classic.h"
 
 #include <cmath>
 
 #include <tbb/parallel_for.h>
 
-#include <cuticle/sim/classic/particles.h>
-#include <cuticle/sim/classic/shape_sphere.glslh>
-#include <cuticle/sim/classic/verlet.glslh>
+#include "sim/classic/particles.h"
+#include "sim/classic/shape_sphere.glslh"
+#include "sim/classic/verlet.glslh"
 
 namespace cuticle::sim::classic {
 namespace {

@@ -2,8 +2,8 @@
 // The classic solver on the CPU: position Verlet, iterated length constraints, sphere contact. Twin of the kernels.
 #include <memory>
 
-#include <cuticle/sim/classic/settings.h>
-#include <cuticle/sim/rest_pose.h>
+#include "sim/classic/settings.h"
+#include "sim/rest_pose.h"
 
 namespace cuticle::sim::classic {
 

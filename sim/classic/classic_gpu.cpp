@@ -1,8 +1,8 @@
-#include <cuticle/sim/classic/settings.h>
-#include <cuticle/sim/colliders/contact_gpu.h>
-#include <cuticle/sim/rest_pose.h>
-#include <cuticle/sim/solver_gpu.h>
-#include <cuticle/sim/strand_buffers_gpu.h>
+#include "sim/classic/settings.h"
+#include "sim/colliders/contact_gpu.h"
+#include "sim/rest_pose.h"
+#include "sim/solver_gpu.h"
+#include "sim/strand_buffers_gpu.h"
 
 #include <bit>
 

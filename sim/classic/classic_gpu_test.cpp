@@ -1,8 +1,8 @@
 // The kernels against the CPU twin, against themselves, and their cost against what the registry says.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/control/control_gpu.h>
-#include <cuticle/strands/binding/carry_gpu.h>
-#include <cuticle/strands/skinning/skinning_gpu.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/control/control_gpu.h"
+#include "strands/binding/carry_gpu.h"
+#include "strands/skinning/skinning_gpu.h"
 
 namespace cuticle::sim::classic_gpu_test {
 namespace {

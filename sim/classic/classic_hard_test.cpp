@@ -3,7 +3,7 @@
 
 #include <tbb/global_control.h>
 
-#include <cuticle/sim/classic/test_strands.h>
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::classic_hard_test {
 namespace {

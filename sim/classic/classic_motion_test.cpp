@@ -1,8 +1,8 @@
 // The CPU solver against truths of mechanics.
 #include <cmath>
 
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/rest_pose.h>
+#include "sim/classic/test_strands.h"
+#include "sim/rest_pose.h"
 
 namespace cuticle::sim::classic_motion_test {
 namespace {

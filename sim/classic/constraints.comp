@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/sim/classic/length_constraint.glslh"
-#include "cuticle/sim/turn.glslh"
-#include "cuticle/sim/strand_kernel.glsl"
-#include "cuticle/sim/classic/constraints.glsl"
+#include "sim/classic/length_constraint.glslh"
+#include "sim/turn.glslh"
+#include "sim/strand_kernel.glsl"
+#include "sim/classic/constraints.glsl"
 
 void main() {
   uint strand = gl_GlobalInvocationID.x;

@@ -1,5 +1,5 @@
 // N8, H4 to H6 in the kernels: sweeps over a strand's constraints, and the end of a substep. After sim/strand_kernel.glsl.
-#include "cuticle/sim/classic/shape_sphere.glslh"
+#include "sim/classic/shape_sphere.glslh"
 layout(constant_id = 0) const uint red_black = 0u;
 layout(constant_id = 1) const uint long_range = 1u;
 layout(constant_id = 2) const float sphere_root = 0;
@@ -50,7 +50,7 @@ void sweep_lengths(uint anchor, uint last) {
   for (uint i = anchor + 1u; has_spheres() && i < last; ++i) keep_in_sphere(i);
 }
 
-#include "cuticle/sim/finite.glsl"
+#include "sim/finite.glsl"
 
 bool update_velocity(uint i) {
   vec3 moved = positions[i].xyz - starts[i].xyz + head_step;

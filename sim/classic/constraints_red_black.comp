@@ -2,10 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #define STRAND_THREADS 32
 #define POSITIONS coherent buffer
-#include "cuticle/sim/classic/length_constraint.glslh"
-#include "cuticle/sim/turn.glslh"
-#include "cuticle/sim/strand_kernel.glsl"
-#include "cuticle/sim/classic/constraints.glsl"
+#include "sim/classic/length_constraint.glslh"
+#include "sim/turn.glslh"
+#include "sim/strand_kernel.glsl"
+#include "sim/classic/constraints.glsl"
 
 // A work group per strand, a thread per segment of one colour: the sums are those of sweep_lengths.
 void wait_for_all() {

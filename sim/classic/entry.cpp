@@ -1,5 +1,5 @@
-#include <cuticle/sim/classic/classic.h>
-#include <cuticle/sim/effect_parameters.h>
+#include "sim/classic/classic.h"
+#include "sim/effect_parameters.h"
 
 namespace cuticle::sim::classic {
 namespace {

@@ -3,10 +3,10 @@
 #if ON_SKIN
 #define PLACES buffer
 #endif
-#include "cuticle/sim/classic/length_constraint.glslh"
-#include "cuticle/sim/classic/verlet.glslh"
-#include "cuticle/sim/turn.glslh"
-#include "cuticle/sim/strand_kernel.glsl"
+#include "sim/classic/length_constraint.glslh"
+#include "sim/classic/verlet.glslh"
+#include "sim/turn.glslh"
+#include "sim/strand_kernel.glsl"
 
 #if ON_SKIN
 // H3: every node where the skin carries it, then the free ones simulated.

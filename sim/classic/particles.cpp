@@ -1,8 +1,8 @@
-#include <cuticle/sim/classic/particles.h>
+#include "sim/classic/particles.h"
 
 #include <cmath>
 
-#include <cuticle/sim/classic/verlet.glslh>
+#include "sim/classic/verlet.glslh"
 
 namespace cuticle::sim::classic {
 namespace {

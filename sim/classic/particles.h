@@ -2,9 +2,9 @@
 // The dynamics of particles that strands and sheets share: Verlet steps, distances, what is not finite put back.
 #include <span>
 
-#include <cuticle/sim/classic/settings.h>
-#include <cuticle/sim/classic/length_constraint.glslh>
-#include <cuticle/sim/turn.glslh>
+#include "sim/classic/settings.h"
+#include "sim/classic/length_constraint.glslh"
+#include "sim/turn.glslh"
 
 namespace cuticle::sim::classic {
 

@@ -1,9 +1,9 @@
-#include <cuticle/sim/classic/settings.h>
+#include "sim/classic/settings.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include <cuticle/sim/turn.glslh>
+#include "sim/turn.glslh"
 
 namespace cuticle::sim::classic {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include <cuticle/sim/colliders/contact.h>
-#include <cuticle/sim/head_motion.h>
-#include <cuticle/sim/water/water.h>
+#include "sim/colliders/contact.h"
+#include "sim/head_motion.h"
+#include "sim/water/water.h"
 
 namespace cuticle::sim::classic {
 

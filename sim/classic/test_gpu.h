@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of the kernels share: a device, solvers on it, and what every kernel must hold.
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/classic/test_strands.h"
+#include "sim/solver_gpu.h"
 
 namespace cuticle::sim::testing {
 

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::sim::testing {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/sim/classic/verlet.glslh>
-#include <cuticle/sim/turn.glslh>
+#include "sim/classic/verlet.glslh"
+#include "sim/turn.glslh"
 
 namespace cuticle::sim::verlet_test {
 namespace {

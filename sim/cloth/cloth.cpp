@@ -1,4 +1,4 @@
-#include <cuticle/sim/cloth/cloth.h>
+#include "sim/cloth/cloth.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <fmt/core.h>
 #include <glm/gtc/quaternion.hpp>
 
-#include <cuticle/sim/classic/particles.h>
-#include <cuticle/sim/control/control.h>
-#include <cuticle/sim/colliders/contact.glslh>
+#include "sim/classic/particles.h"
+#include "sim/control/control.h"
+#include "sim/colliders/contact.glslh"
 
 namespace cuticle::sim {
 namespace {

@@ -2,8 +2,8 @@
 // N10: fins. A triangle mesh moved by the particles of `classic`, blended with the skinned mesh by painted weights.
 #include <memory>
 
-#include <cuticle/sim/solver.h>
-#include <cuticle/strands/mesh.h>
+#include "sim/solver.h"
+#include "strands/mesh.h"
 
 namespace cuticle::sim {
 

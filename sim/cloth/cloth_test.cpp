@@ -1,6 +1,6 @@
 // Fins against mechanics, their skin and their weights.
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/cloth/cloth.h>
+#include "sim/classic/test_strands.h"
+#include "sim/cloth/cloth.h"
 
 namespace cuticle::sim::cloth_test {
 namespace {

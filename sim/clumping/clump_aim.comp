@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What every vertex of a clump is pulled to in the frame, from where its guide is. One thread a vertex.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/sim/clumping/clumping.glslh"
+#include "gpu/groups.glsl"
+#include "sim/clumping/clumping.glslh"
 layout(local_size_x = 64) in;
 layout(binding = 0) readonly buffer Numbers { vec4 numbers[]; };  // ClumpedVertex: base, share; between, most_squared
 layout(binding = 1) readonly buffer Rows { uvec4 rows[]; };       // above, below, target

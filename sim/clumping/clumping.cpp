@@ -1,4 +1,4 @@
-#include <cuticle/sim/clumping/clumping.h>
+#include "sim/clumping/clumping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <cuticle/sim/detail/placing.h>
-#include <cuticle/strands/growing/random.h>
-#include <cuticle/sim/clumping/clumping.glslh>
+#include "sim/detail/placing.h"
+#include "strands/growing/random.h"
+#include "sim/clumping/clumping.glslh"
 
 namespace cuticle::sim::clumping {
 namespace {

@@ -2,8 +2,8 @@
 // Clumps: who leads whom, and what of a vertex's aim does not change in motion.
 #include <vector>
 
-#include <cuticle/sim/clumping/settings.h>
-#include <cuticle/sim/detail/chains.h>
+#include "sim/clumping/settings.h"
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::clumping {
 

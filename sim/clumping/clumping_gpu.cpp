@@ -1,9 +1,9 @@
-#include <cuticle/sim/clumping/clumping_gpu.h>
+#include "sim/clumping/clumping_gpu.h"
 
 #include <clump_aim_comp.spv.h>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/sim/solver_gpu.h>
+#include "gpu/groups.h"
+#include "sim/solver_gpu.h"
 
 namespace cuticle::sim::clumping {
 namespace {

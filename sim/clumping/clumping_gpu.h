@@ -1,7 +1,7 @@
 #pragma once
 // GPU half: the aims of all vertices by one dispatch a frame, before the solver's.
-#include <cuticle/gpu/device.h>
-#include <cuticle/sim/clumping/clumping.h>
+#include "gpu/device.h"
+#include "sim/clumping/clumping.h"
 
 namespace cuticle::sim::clumping {
 

@@ -1,6 +1,6 @@
 // The kernel's aims by the frames that follow from them, against those of the CPU, and its dispatches.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/clumping/test_clumps.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/clumping/test_clumps.h"
 
 namespace cuticle::sim::clumping_gpu_test {
 namespace {

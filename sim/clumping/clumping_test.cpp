@@ -1,9 +1,9 @@
 // Clumps against the offset and the critically damped approach that they state, at any frame rate; what must not move;
 // the stability matrix.
-#include <cuticle/sim/clumping/clumping.h>
+#include "sim/clumping/clumping.h"
 
-#include <cuticle/sim/clumping/test_clumps.h>
-#include <cuticle/sim/detail/test_stability.h>
+#include "sim/clumping/test_clumps.h"
+#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::clumping_test {
 namespace {

@@ -2,7 +2,7 @@
 // The parameters of clumping as numbers.
 #include <cstdint>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::sim::clumping {
 

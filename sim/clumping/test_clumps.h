@@ -1,6 +1,6 @@
 #pragma once
 // Clumped strands that the tests of both halves share.
-#include <cuticle/sim/classic/test_strands.h>
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::testing {
 

@@ -1,6 +1,6 @@
 // Capsules and boxes against geometry, for the solvers of rigid links.
-#include <cuticle/sim/detail/test_stability.h>
-#include <cuticle/sim/detail/box_contact.glslh>
+#include "sim/detail/test_stability.h"
+#include "sim/detail/box_contact.glslh"
 
 namespace cuticle::sim::boxes_test {
 namespace {

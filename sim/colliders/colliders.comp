@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/sim/classic/length_constraint.glslh"
-#include "cuticle/sim/colliders/contact.glslh"
-#include "cuticle/sim/turn.glslh"
-#include "cuticle/sim/strand_kernel.glsl"
-#include "cuticle/sim/classic/constraints.glsl"
+#include "sim/classic/length_constraint.glslh"
+#include "sim/colliders/contact.glslh"
+#include "sim/turn.glslh"
+#include "sim/strand_kernel.glsl"
+#include "sim/classic/constraints.glsl"
 
 vec3 push(vec3 place, uint i, uint sphere, vec4 rotation, vec3 anchor, vec3 fallback) {
   float radius = spheres[sphere].w;

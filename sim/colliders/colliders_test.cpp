@@ -1,6 +1,6 @@
 // Spheres with pearls against geometry.
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/colliders/contact.glslh>
+#include "sim/classic/test_strands.h"
+#include "sim/colliders/contact.glslh"
 
 namespace cuticle::sim::colliders_test {
 namespace {

@@ -1,8 +1,8 @@
-#include <cuticle/sim/colliders/contact.h>
+#include "sim/colliders/contact.h"
 
-#include <cuticle/sim/head_motion.h>
-#include <cuticle/sim/colliders/contact.glslh>
-#include <cuticle/sim/turn.glslh>
+#include "sim/head_motion.h"
+#include "sim/colliders/contact.glslh"
+#include "sim/turn.glslh"
 
 namespace cuticle::sim::colliders {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::sim::colliders {
 

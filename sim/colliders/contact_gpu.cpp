@@ -1,8 +1,8 @@
-#include <cuticle/sim/colliders/contact_gpu.h>
+#include "sim/colliders/contact_gpu.h"
 
 #include <colliders_comp.spv.h>
 
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/solver_gpu.h"
 
 namespace cuticle::sim::colliders {
 

@@ -2,7 +2,7 @@
 // The contact kernel; the solver that owns the strands dispatches it.
 #include <string_view>
 
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 
 namespace cuticle::sim::colliders {
 

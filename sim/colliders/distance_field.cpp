@@ -1,4 +1,4 @@
-#include <cuticle/sim/colliders/distance_field.h>
+#include "sim/colliders/distance_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <cuticle/strands/binding/nearest_triangle.h>
-#include <cuticle/sim/colliders/field_sample.glslh>
+#include "strands/binding/nearest_triangle.h"
+#include "sim/colliders/field_sample.glslh"
 
 namespace cuticle::sim {
 namespace {

@@ -1,5 +1,5 @@
-#include <cuticle/sim/effect_parameters.h>
-#include <cuticle/sim/solver.h>
+#include "sim/effect_parameters.h"
+#include "sim/solver.h"
 
 namespace cuticle::sim::colliders {
 namespace {

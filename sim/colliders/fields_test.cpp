@@ -2,10 +2,10 @@
 #include <numbers>
 #include <random>
 
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
-#include <cuticle/sim/detail/test_stability.h>
-#include <cuticle/sim/detail/field_contact.glslh>
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
+#include "sim/detail/test_stability.h"
+#include "sim/detail/field_contact.glslh"
 
 namespace cuticle::sim::fields_test {
 namespace {

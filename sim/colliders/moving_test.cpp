@@ -1,10 +1,10 @@
 // Colliders that move by themselves.
 #include <numbers>
 
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
-#include <cuticle/sim/detail/test_stability.h>
-#include <cuticle/sim/head_motion.h>
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
+#include "sim/detail/test_stability.h"
+#include "sim/head_motion.h"
 
 namespace cuticle::sim::moving_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/strands/mesh.h>
+#include "strands/mesh.h"
 
 namespace cuticle::sim::testing {
 

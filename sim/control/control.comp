@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/sim/control/control.glslh"
+#include "sim/control/control.glslh"
 layout(local_size_x = 64) in;
 layout(binding = 0) readonly buffer Simulated { vec4 simulated[]; };
 layout(binding = 1) readonly buffer Authored { vec4 authored[]; };  // w: its weight

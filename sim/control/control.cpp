@@ -1,12 +1,12 @@
-#include <cuticle/sim/control/control.h>
+#include "sim/control/control.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/sim/rest_pose.h>
-#include <cuticle/sim/control/control.glslh>
+#include "sim/rest_pose.h"
+#include "sim/control/control.glslh"
 
 namespace cuticle::sim::control {
 namespace {

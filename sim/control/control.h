@@ -2,7 +2,7 @@
 // N3: hands back what a solver found, blended with an authored motion.
 #include <memory>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::sim::control {
 

@@ -1,8 +1,8 @@
-#include <cuticle/sim/control/control_gpu.h>
+#include "sim/control/control_gpu.h"
 
 #include <control_comp.spv.h>
 
-#include <cuticle/sim/control/control.h>
+#include "sim/control/control.h"
 
 namespace cuticle::sim::control {
 namespace {

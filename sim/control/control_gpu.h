@@ -1,6 +1,6 @@
 #pragma once
 // GPU half of the manual control: the blended positions stay on the device.
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/solver_gpu.h"
 
 namespace cuticle::sim::control {
 

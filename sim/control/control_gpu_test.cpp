@@ -1,6 +1,6 @@
 // The blend on the device against that on the CPU, and its one dispatch.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/control/control_gpu.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/control/control_gpu.h"
 
 namespace cuticle::sim::control_gpu_test {
 namespace {

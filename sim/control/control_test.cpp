@@ -1,6 +1,6 @@
 // Manual control: the blend, its weights over hair, vertex and time, and that the simulation runs on beneath.
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/control/control.h>
+#include "sim/classic/test_strands.h"
+#include "sim/control/control.h"
 
 namespace cuticle::sim::control_test {
 namespace {

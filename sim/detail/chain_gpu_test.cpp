@@ -1,8 +1,8 @@
 // The kernels of the solvers of rigid links against the CPU, against themselves, and their cost against what the
 // registry says.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
 
 namespace cuticle::sim::chain_gpu_test {
 namespace {

@@ -5,10 +5,10 @@
 #ifndef ON_SKIN
 #define ON_SKIN 0
 #endif
-#include "cuticle/sim/detail/box_contact.glslh"
-#include "cuticle/sim/finite.glsl"
+#include "sim/detail/box_contact.glslh"
+#include "sim/finite.glsl"
 #if ON_SKIN
-#include "cuticle/sim/detail/skin_turn.glslh"
+#include "sim/detail/skin_turn.glslh"
 #endif
 layout(local_size_x = 64) in;
 
@@ -37,7 +37,7 @@ layout(constant_id = 1) const bool k_meets_fields = false;
 layout(constant_id = 2) const bool k_some_move = false;  // colliders by themselves: ChainFrame::carries
 layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
 layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
-#include "cuticle/sim/detail/moving_contact.glslh"
+#include "sim/detail/moving_contact.glslh"
 layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
 layout(binding = 18) readonly buffer Carries { ColliderCarry collider_carries[]; };
 #else

@@ -1,7 +1,7 @@
 #pragma once
 // What the solvers of rigid links do with all lanes of a block, for their units of one instruction set (row_lanes.h).
-#include <cuticle/core/flush_to_zero.h>
-#include <cuticle/sim/detail/contact_lanes.h>
+#include "core/flush_to_zero.h"
+#include "sim/detail/contact_lanes.h"
 
 namespace cuticle::sim::detail {
 namespace {

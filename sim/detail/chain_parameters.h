@@ -1,6 +1,6 @@
 #pragma once
 // What the entries of every solver of rigid links have.
-#include <cuticle/sim/effect_parameters.h>
+#include "sim/effect_parameters.h"
 
 namespace cuticle::sim::detail {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
-#include <cuticle/sim/detail/moving_contact.glslh>
+#include "sim/detail/moving_contact.glslh"
 
 namespace cuticle::sim::detail {
 

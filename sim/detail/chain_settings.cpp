@@ -1,8 +1,8 @@
-#include <cuticle/sim/detail/chain_settings.h>
+#include "sim/detail/chain_settings.h"
 
 #include <fmt/core.h>
 
-#include <cuticle/sim/detail/placing.h>
+#include "sim/detail/placing.h"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include <cuticle/sim/clumping/settings.h>
-#include <cuticle/sim/colliders/contact.h>
-#include <cuticle/sim/head_motion.h>
-#include <cuticle/sim/sleep/sleep.h>
-#include <cuticle/sim/strand_interaction/settings.h>
-#include <cuticle/sim/water/water.h>
-#include <cuticle/sim/wind/wind.h>
-#include <cuticle/sim/detail/chain_step.glslh>
+#include "sim/clumping/settings.h"
+#include "sim/colliders/contact.h"
+#include "sim/head_motion.h"
+#include "sim/sleep/sleep.h"
+#include "sim/strand_interaction/settings.h"
+#include "sim/water/water.h"
+#include "sim/wind/wind.h"
+#include "sim/detail/chain_step.glslh"
 
 namespace cuticle::sim::detail {
 

@@ -1,15 +1,15 @@
-#include <cuticle/sim/detail/chain_solver.h>
+#include "sim/detail/chain_solver.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <cuticle/sim/clumping/clumping.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/detail/frame_colliders.h>
-#include <cuticle/sim/detail/guard.h>
-#include <cuticle/sim/detail/on_skin.h>
-#include <cuticle/sim/detail/sleepers.h>
-#include <cuticle/sim/strand_interaction/strand_interaction.h>
+#include "sim/clumping/clumping.h"
+#include "sim/colliders/distance_field.h"
+#include "sim/detail/frame_colliders.h"
+#include "sim/detail/guard.h"
+#include "sim/detail/on_skin.h"
+#include "sim/detail/sleepers.h"
+#include "sim/strand_interaction/strand_interaction.h"
 
 namespace cuticle::sim::detail {
 namespace {

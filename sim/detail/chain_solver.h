@@ -2,7 +2,7 @@
 // A solver of rigid links on the CPU, 16 strands at a time: what differs between such solvers is their program.
 #include <memory>
 
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::detail {
 

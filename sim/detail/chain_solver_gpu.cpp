@@ -4,13 +4,13 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/sim/clumping/clumping_gpu.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/detail/chain_solver_gpu.h>
-#include <cuticle/sim/detail/frame_colliders.h>
-#include <cuticle/sim/detail/on_skin.h>
-#include <cuticle/sim/detail/placing.h>
-#include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
+#include "sim/clumping/clumping_gpu.h"
+#include "sim/colliders/distance_field.h"
+#include "sim/detail/chain_solver_gpu.h"
+#include "sim/detail/frame_colliders.h"
+#include "sim/detail/on_skin.h"
+#include "sim/detail/placing.h"
+#include "sim/strand_interaction/strand_interaction_gpu.h"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // A solver of rigid links on the device: one thread per strand, all substeps of a frame in one dispatch.
-#include <cuticle/sim/detail/chains.h>
-#include <cuticle/sim/solver_gpu.h>
+#include "sim/detail/chains.h"
+#include "sim/solver_gpu.h"
 
 namespace cuticle::sim::detail {
 

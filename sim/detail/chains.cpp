@@ -3,9 +3,9 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
-#include <cuticle/sim/classic/verlet.glslh>
+#include "sim/classic/verlet.glslh"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -5,10 +5,10 @@
 #include <new>
 #include <vector>
 
-#include <cuticle/sim/detail/chain_settings.h>
-#include <cuticle/strands/groom.h>
+#include "sim/detail/chain_settings.h"
+#include "strands/groom.h"
 
-#include <cuticle/sim/detail/chain_rows.h>
+#include "sim/detail/chain_rows.h"
 
 namespace cuticle::sim::detail {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Where colliders stand beside every lane of a block, and which vertices are so far from all of them that nothing of
 // contacts need be computed, for the units of one instruction set (row_lanes.h).
-#include <cuticle/sim/detail/row_lanes.h>
+#include "sim/detail/row_lanes.h"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // How all lanes of a block meet colliders, for the units of one instruction set (row_lanes.h).
-#include <cuticle/sim/detail/collider_lanes.h>
+#include "sim/detail/collider_lanes.h"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -1,8 +1,8 @@
-#include <cuticle/sim/detail/frame_colliders.h>
+#include "sim/detail/frame_colliders.h"
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/colliders/distance_field.h>
+#include "sim/colliders/distance_field.h"
 
 namespace cuticle::sim::detail {
 namespace {

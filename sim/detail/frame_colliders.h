@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::detail {
 

@@ -1,4 +1,4 @@
-#include <cuticle/sim/detail/guard.h>
+#include "sim/detail/guard.h"
 
 #include <array>
 #include <cmath>

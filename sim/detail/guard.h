@@ -2,9 +2,9 @@
 // What is not finite is put back, strand by strand.
 #include <functional>
 
-#include <cuticle/sim/detail/placing.h>
+#include "sim/detail/placing.h"
 
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::detail {
 

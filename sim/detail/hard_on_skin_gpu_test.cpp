@@ -1,6 +1,6 @@
 // Hair on a skin whose places are on the device, in hard cases.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/detail/test_on_skin.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/detail/test_on_skin.h"
 
 namespace cuticle::sim::hard_on_skin_gpu_test {
 namespace {

@@ -1,5 +1,5 @@
 // Hair on a skin in hard cases, on the CPU.
-#include <cuticle/sim/detail/test_on_skin.h>
+#include "sim/detail/test_on_skin.h"
 
 namespace cuticle::sim::hard_on_skin_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/sim/detail/on_skin.h>
+#include "sim/detail/on_skin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/sim/detail/chains.h>
-#include <cuticle/sim/detail/placing.h>
-#include <cuticle/sim/detail/skin_turn.glslh>
+#include "sim/detail/chains.h"
+#include "sim/detail/placing.h"
+#include "sim/detail/skin_turn.glslh"
 
 namespace cuticle::sim::detail {
 

@@ -1,7 +1,7 @@
 // The kernels of rigid links on a skin whose places are on the device, against the CPU.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
 
 namespace cuticle::sim::on_skin_gpu_test {
 namespace {

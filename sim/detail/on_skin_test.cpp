@@ -1,5 +1,5 @@
 // Chains of rigid links on a skin: roots, lengths, root frames, teleports, and what is refused.
-#include <cuticle/sim/detail/test_stability.h>
+#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::on_skin_test {
 namespace {

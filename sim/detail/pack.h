@@ -9,8 +9,8 @@
 #include <immintrin.h>
 #endif
 
-#include <cuticle/core/shared/trigonometry.glslh>
-#include <cuticle/sim/detail/lanes.glslh>
+#include "core/shared/trigonometry.glslh"
+#include "sim/detail/lanes.glslh"
 
 namespace cuticle::sim::detail {
 namespace {

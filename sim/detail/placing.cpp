@@ -1,4 +1,4 @@
-#include <cuticle/sim/detail/placing.h>
+#include "sim/detail/placing.h"
 
 namespace cuticle::sim::detail {
 

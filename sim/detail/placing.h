@@ -4,7 +4,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include <cuticle/sim/head_motion.h>
+#include "sim/head_motion.h"
 
 namespace cuticle::sim::detail {
 

@@ -2,8 +2,8 @@
 // The rows of a block of strands in packs, for the units of one instruction set of the solvers of rigid links: those
 // are compiled several times with CUTICLE_BATCH, and no symbol may leave them, hence the unnamed namespace. `Real` is a
 // pack of as many strands' numbers as a register holds; a block is walked in so many parts.
-#include <cuticle/sim/detail/chain_rows.h>
-#include <cuticle/sim/detail/pack.h>
+#include "sim/detail/chain_rows.h"
+#include "sim/detail/pack.h"
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)

@@ -1,8 +1,8 @@
 // Colliders beside hair on a skin, which stand in the world: beside those that a head's hair meets, how deep hair goes
 // in, and what they leave of its lengths.
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
-#include <cuticle/sim/detail/test_stability.h>
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
+#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::skin_contact_test {
 namespace {

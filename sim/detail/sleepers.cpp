@@ -1,10 +1,10 @@
-#include <cuticle/sim/detail/sleepers.h>
+#include "sim/detail/sleepers.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
-#include <cuticle/sim/detail/guard.h>
+#include "sim/detail/guard.h"
 
 namespace cuticle::sim::detail {
 namespace {

@@ -3,7 +3,7 @@
 // sleep is not walked at all.
 #include <tbb/enumerable_thread_specific.h>
 
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::detail {
 

@@ -2,7 +2,7 @@
 // Hair on a skin in hard cases, for every solver that follows one, on the CPU and on the device.
 #include <array>
 
-#include <cuticle/sim/detail/test_stability.h>
+#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::testing {
 

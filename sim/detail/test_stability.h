@@ -2,7 +2,7 @@
 // The stability matrix and the balls that the tests of the solvers of rigid links share.
 #include <random>
 
-#include <cuticle/sim/classic/test_strands.h>
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::testing {
 

@@ -1,5 +1,5 @@
-#include <cuticle/sim/detail/chain_parameters.h>
-#include <cuticle/sim/exact/exact.h>
+#include "sim/detail/chain_parameters.h"
+#include "sim/exact/exact.h"
 
 namespace cuticle::sim::exact {
 namespace {

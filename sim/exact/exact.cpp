@@ -1,8 +1,8 @@
-#include <cuticle/sim/exact/exact.h>
+#include "sim/exact/exact.h"
 
-#include <cuticle/core/instruction_set.h>
-#include <cuticle/sim/detail/chain_solver.h>
-#include <cuticle/sim/exact/kernel.h>
+#include "core/instruction_set.h"
+#include "sim/detail/chain_solver.h"
+#include "sim/exact/kernel.h"
 
 namespace cuticle::sim::exact {
 

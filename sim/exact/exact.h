@@ -2,7 +2,7 @@
 // The exact solver on the CPU: chains of rigid links that cannot stretch, 16 strands at a time.
 #include <memory>
 
-#include <cuticle/sim/detail/chain_settings.h>
+#include "sim/detail/chain_settings.h"
 
 namespace cuticle::sim::exact {
 

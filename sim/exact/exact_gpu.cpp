@@ -1,5 +1,5 @@
-#include <cuticle/sim/detail/chain_solver_gpu.h>
-#include <cuticle/sim/exact/exact.h>
+#include "sim/detail/chain_solver_gpu.h"
+#include "sim/exact/exact.h"
 
 #include <exact_beside_all.spv.h>
 #include <exact_free.spv.h>

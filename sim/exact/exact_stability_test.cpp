@@ -2,10 +2,10 @@
 // double.
 #include <tbb/global_control.h>
 
-#include <cuticle/sim/detail/guard.h>
-#include <cuticle/sim/detail/test_stability.h>
-#include <cuticle/sim/exact/exact.h>
-#include <cuticle/sim/exact/kernel.h>
+#include "sim/detail/guard.h"
+#include "sim/detail/test_stability.h"
+#include "sim/exact/exact.h"
+#include "sim/exact/kernel.h"
 
 namespace cuticle::sim::exact_stability_test {
 namespace {

@@ -1,8 +1,8 @@
 // The exact solver against truths of mechanics, each with its error against the time step (printed).
 #include <numbers>
 
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/reference/chain_reference.h>
+#include "sim/classic/test_strands.h"
+#include "sim/reference/chain_reference.h"
 
 namespace cuticle::sim::exact_truth_test {
 namespace {

@@ -1,7 +1,7 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
 #define CUTICLE_ESTIMATES
-#include <cuticle/sim/detail/chain_lanes.h>
-#include <cuticle/sim/exact/kernel.h>
+#include "sim/detail/chain_lanes.h"
+#include "sim/exact/kernel.h"
 
 namespace cuticle::sim::exact {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // What one instruction set's unit offers: substeps of a block of strands.
-#include <cuticle/sim/detail/chain_rows.h>
+#include "sim/detail/chain_rows.h"
 
 namespace cuticle::sim::exact {
 

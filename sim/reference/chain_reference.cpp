@@ -1,4 +1,4 @@
-#include <cuticle/sim/reference/chain_reference.h>
+#include "sim/reference/chain_reference.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include <cuticle/sim/detail/chain_parameters.h>
-#include <cuticle/sim/rod/rod.h>
+#include "sim/detail/chain_parameters.h"
+#include "sim/rod/rod.h"
 
 namespace cuticle::sim::rod {
 namespace {

@@ -1,11 +1,11 @@
-#include <cuticle/sim/rod/hinges.h>
+#include "sim/rod/hinges.h"
 
 #include <array>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/rod/kernel.h>
-#include <cuticle/sim/rod/rod_step.glslh>
+#include "sim/rod/kernel.h"
+#include "sim/rod/rod_step.glslh"
 
 namespace cuticle::sim::rod {
 namespace {

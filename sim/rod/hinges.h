@@ -1,6 +1,6 @@
 #pragma once
 // The hinges of rods at rest: what make_chains is to places.
-#include <cuticle/sim/detail/chains.h>
+#include "sim/detail/chains.h"
 
 namespace cuticle::sim::rod {
 

@@ -1,9 +1,9 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
 #include <utility>
 
-#include <cuticle/sim/detail/chain_lanes.h>
-#include <cuticle/sim/rod/kernel.h>
-#include <cuticle/sim/rod/rod_step.glslh>
+#include "sim/detail/chain_lanes.h"
+#include "sim/rod/kernel.h"
+#include "sim/rod/rod_step.glslh"
 
 namespace cuticle::sim::detail {
 namespace {
@@ -48,7 +48,7 @@ constexpr int k_band_rows = rod_row::pushed - rod_row::band;
 #define AT(rows, row) (BandNumber<Real>{rows, row})
 #define BAND_BEGIN 0
 #define RIGHT_BEGIN (rod_row::right - rod_row::band)
-#include "cuticle/sim/rod/rod_band.glslh"
+#include "sim/rod/rod_band.glslh"
 
 /// A block, and a vertex of it with its hinge.
 template <class Real>

@@ -1,6 +1,6 @@
 #pragma once
 // What one instruction set's unit offers, and the rows that rods add to those of sim/detail/chain_rows.h.
-#include <cuticle/sim/detail/chain_rows.h>
+#include "sim/detail/chain_rows.h"
 
 namespace cuticle::sim::rod {
 

@@ -3,8 +3,8 @@
 #extension GL_EXT_control_flow_attributes : require
 // rod/kernel.cpp without its lanes. Compiled with TOUCHES 0 or 1.
 const uint k_scratch_rows = 88u;
-#include "cuticle/sim/detail/chain_kernel.glsl"
-#include "cuticle/sim/rod/rod_step.glslh"
+#include "sim/detail/chain_kernel.glsl"
+#include "sim/rod/rod_step.glslh"
 
 const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_bend_y = 3u, k_natural_angle = 4u,
            k_hinge_inverse_length = 5u, k_angle = 6u, k_clamp_direction = 0u, k_clamp_director = 3u;
@@ -20,7 +20,7 @@ const uint k_coast = 16u, k_coasted = 19u, k_director = 22u, k_natural = 25u, k_
 #define AT(rows, row) scratch[(rows) + uint(row) * k_lanes]
 #define BAND_BEGIN 45
 #define RIGHT_BEGIN 81
-#include "cuticle/sim/rod/rod_band.glslh"
+#include "sim/rod/rod_band.glslh"
 
 uint hinge_at(uint i, uint row) { return ((first_vertex + i) * k_hinge_rows + row) * k_lanes + lane; }
 float hinge(uint i, uint row) { return own[hinge_at(i, row)]; }

@@ -1,8 +1,8 @@
-#include <cuticle/sim/rod/rod.h>
+#include "sim/rod/rod.h"
 
-#include <cuticle/core/instruction_set.h>
-#include <cuticle/sim/detail/chain_solver.h>
-#include <cuticle/sim/rod/kernel.h>
+#include "core/instruction_set.h"
+#include "sim/detail/chain_solver.h"
+#include "sim/rod/kernel.h"
 
 namespace cuticle::sim::rod {
 

@@ -2,8 +2,8 @@
 // The rod solver: chains that cannot stretch, bend as fibres do, and twist.
 #include <memory>
 
-#include <cuticle/sim/detail/chain_settings.h>
-#include <cuticle/sim/rod/hinges.h>
+#include "sim/detail/chain_settings.h"
+#include "sim/rod/hinges.h"
 
 namespace cuticle::sim::rod {
 

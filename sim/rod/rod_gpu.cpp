@@ -1,6 +1,6 @@
-#include <cuticle/sim/detail/chain_solver_gpu.h>
-#include <cuticle/sim/rod/kernel.h>
-#include <cuticle/sim/rod/rod.h>
+#include "sim/detail/chain_solver_gpu.h"
+#include "sim/rod/kernel.h"
+#include "sim/rod/rod.h"
 
 #include <rod_beside_all.spv.h>
 #include <rod_free.spv.h>

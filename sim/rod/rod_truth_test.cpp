@@ -1,7 +1,7 @@
 // The rod against truths of mechanics.
 #include <numbers>
 
-#include <cuticle/sim/classic/test_strands.h>
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::rod_truth_test {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/sim/sleep/sleep.h>
+#include "sim/sleep/sleep.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // When strands sleep, and what wakes them.
 #include <vector>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::sim::sleep {
 

@@ -1,5 +1,5 @@
 // Sleep on the device: as on the CPU, and skipped within the one dispatch.
-#include <cuticle/sim/classic/test_gpu.h>
+#include "sim/classic/test_gpu.h"
 
 namespace cuticle::sim::sleep_gpu_test {
 namespace {

@@ -1,12 +1,12 @@
 // Strands at rest are left as they are, bit for bit, and wake with the first frame in which anything changes.
 #include <functional>
 
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/colliders/distance_field.h>
-#include <cuticle/sim/colliders/test_meshes.h>
-#include <cuticle/sim/detail/guard.h>
-#include <cuticle/sim/detail/sleepers.h>
-#include <cuticle/sim/exact/exact.h>
+#include "sim/classic/test_strands.h"
+#include "sim/colliders/distance_field.h"
+#include "sim/colliders/test_meshes.h"
+#include "sim/detail/guard.h"
+#include "sim/detail/sleepers.h"
+#include "sim/exact/exact.h"
 
 namespace cuticle::sim::sleep_test {
 namespace {

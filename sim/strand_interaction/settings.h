@@ -1,6 +1,6 @@
 #pragma once
 // The parameters of strand against strand as numbers.
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::sim::strand_interaction {
 

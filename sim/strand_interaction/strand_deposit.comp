@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // What every vertex counts at its eight nodes. Sums of 64 bits as two words: the low word's wraps are carried, and
 // their number does not depend on the order.
-#include "cuticle/sim/strand_interaction/strand_interaction.glsl"
+#include "sim/strand_interaction/strand_interaction.glsl"
 layout(binding = 0) readonly buffer World { vec4 world[]; };
 layout(binding = 1) readonly buffer Velocities { vec4 velocities[]; };
 layout(binding = 2) readonly buffer Masses { uint masses[]; };

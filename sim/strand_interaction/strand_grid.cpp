@@ -1,4 +1,4 @@
-#include <cuticle/sim/strand_interaction/strand_grid.h>
+#include "sim/strand_interaction/strand_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/sim/strand_interaction/strand_grid.glslh>
+#include "sim/strand_interaction/strand_grid.glslh"
 
 namespace cuticle::sim::strand_interaction {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/sim/strand_interaction/strand_interaction.h>
+#include "sim/strand_interaction/strand_interaction.h"
 
 #include <algorithm>
 #include <cmath>

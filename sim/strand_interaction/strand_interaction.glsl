@@ -1,6 +1,6 @@
 // What both kernels share: the frame's constants and where a vertex is in the grid. One thread a vertex.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/sim/strand_interaction/strand_grid.glslh"
+#include "gpu/groups.glsl"
+#include "sim/strand_interaction/strand_grid.glslh"
 layout(local_size_x = 64) in;
 
 layout(push_constant) uniform Constants {

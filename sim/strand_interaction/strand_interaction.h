@@ -4,9 +4,9 @@
 
 #include <glm/mat3x3.hpp>
 
-#include <cuticle/sim/strand_interaction/settings.h>
-#include <cuticle/sim/strand_interaction/strand_grid.h>
-#include <cuticle/sim/strand_interaction/strand_grid.glslh>
+#include "sim/strand_interaction/settings.h"
+#include "sim/strand_interaction/strand_grid.h"
+#include "sim/strand_interaction/strand_grid.glslh"
 
 namespace cuticle::sim::strand_interaction {
 

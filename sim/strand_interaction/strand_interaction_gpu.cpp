@@ -1,11 +1,11 @@
-#include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
+#include "sim/strand_interaction/strand_interaction_gpu.h"
 
 #include <bit>
 
 #include <strand_deposit_comp.spv.h>
 #include <strand_push_comp.spv.h>
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 namespace cuticle::sim::strand_interaction {
 namespace {

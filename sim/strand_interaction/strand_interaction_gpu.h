@@ -1,7 +1,7 @@
 #pragma once
 // GPU half: the same whole-number sums on the device, two dispatches a frame after those of the solver.
-#include <cuticle/sim/solver_gpu.h>
-#include <cuticle/sim/strand_interaction/strand_interaction.h>
+#include "sim/solver_gpu.h"
+#include "sim/strand_interaction/strand_interaction.h"
 
 namespace cuticle::sim::strand_interaction {
 

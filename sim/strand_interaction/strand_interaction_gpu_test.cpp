@@ -1,7 +1,7 @@
 // The kernels' sums against those of the CPU bit by bit, frames against its frames, and their dispatches.
-#include <cuticle/sim/classic/test_gpu.h>
-#include <cuticle/sim/strand_interaction/strand_interaction_gpu.h>
-#include <cuticle/sim/strand_interaction/test_bundle.h>
+#include "sim/classic/test_gpu.h"
+#include "sim/strand_interaction/strand_interaction_gpu.h"
+#include "sim/strand_interaction/test_bundle.h"
 
 namespace cuticle::sim::strand_interaction_gpu_test {
 namespace {

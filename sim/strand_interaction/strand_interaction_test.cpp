@@ -3,7 +3,7 @@
 
 #include <tbb/global_control.h>
 
-#include <cuticle/sim/strand_interaction/test_bundle.h>
+#include "sim/strand_interaction/test_bundle.h"
 
 namespace cuticle::sim::strand_interaction_test {
 namespace {

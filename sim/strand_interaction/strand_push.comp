@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // From the sums at its nodes what a vertex's velocity gains, in the solver's state and in what it hands over.
-#include "cuticle/sim/strand_interaction/strand_interaction.glsl"
+#include "sim/strand_interaction/strand_interaction.glsl"
 layout(binding = 0) readonly buffer World { vec4 world[]; };
 layout(binding = 1) buffer Velocities { vec4 velocities[]; };
 layout(binding = 2) readonly buffer Masses { uint masses[]; };

@@ -2,8 +2,8 @@
 // Strands that the tests of both halves share.
 #include <random>
 
-#include <cuticle/sim/classic/test_strands.h>
-#include <cuticle/sim/strand_interaction/strand_interaction.h>
+#include "sim/classic/test_strands.h"
+#include "sim/strand_interaction/strand_interaction.h"
 
 namespace cuticle::sim::testing {
 

@@ -1,4 +1,4 @@
-#include <cuticle/sim/water/water.h>
+#include "sim/water/water.h"
 
 namespace cuticle::sim::water {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Hair under water: it weighs less, and the water drags it along. The drag is that of moving air (sim/wind), larger.
-#include <cuticle/sim/wind/wind.h>
+#include "sim/wind/wind.h"
 
 namespace cuticle::sim::water {
 

@@ -1,5 +1,5 @@
 // Hair under water against statics.
-#include <cuticle/sim/classic/test_strands.h>
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::water_test {
 namespace {

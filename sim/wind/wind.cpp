@@ -1,4 +1,4 @@
-#include <cuticle/sim/wind/wind.h>
+#include "sim/wind/wind.h"
 
 #include <cmath>
 #include <numbers>

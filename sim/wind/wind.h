@@ -3,7 +3,7 @@
 // strand's mass is, so that it does not depend on how a strand is cut into segments.
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/parameter.h>
+#include "core/registry/parameter.h"
 
 namespace cuticle::sim::wind {
 

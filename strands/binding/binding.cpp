@@ -1,7 +1,7 @@
-#include <cuticle/strands/binding/binding.h>
+#include "strands/binding/binding.h"
 
-#include <cuticle/strands/binding/nearest_triangle.h>
-#include <cuticle/strands/binding/surface_frame.glslh>
+#include "strands/binding/nearest_triangle.h"
+#include "strands/binding/surface_frame.glslh"
 
 namespace cuticle::strands {
 

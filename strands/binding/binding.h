@@ -6,9 +6,9 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/statistics.h>
+#include "core/result.h"
+#include "strands/growing/growing.h"
+#include "strands/statistics.h"
 
 namespace cuticle::strands {
 

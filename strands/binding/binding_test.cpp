@@ -1,5 +1,5 @@
 // Nearest points against all triangles and against dense samples; bound strands against the mesh they follow.
-#include <cuticle/strands/binding/binding.h>
+#include "strands/binding/binding.h"
 
 #include <numbers>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/core/random.h>
-#include <cuticle/strands/binding/nearest_triangle.h>
-#include <cuticle/strands/binding/placement.h>
+#include "core/random.h"
+#include "strands/binding/nearest_triangle.h"
+#include "strands/binding/placement.h"
 
 namespace cuticle::strands::binding_test {
 namespace {

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H2: one thread per control vertex: its place in the frame of its root on the moved mesh.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/binding/surface_frame.glslh"
+#include "gpu/groups.glsl"
+#include "strands/binding/surface_frame.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer MeshPositions { vec4 mesh_positions[]; };

@@ -1,6 +1,6 @@
-#include <cuticle/strands/binding/carry_gpu.h>
+#include "strands/binding/carry_gpu.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <carry_comp.spv.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // GPU half of H2: strands follow a mesh that stays on the device.
-#include <cuticle/gpu/device.h>
-#include <cuticle/strands/binding/binding.h>
+#include "gpu/device.h"
+#include "strands/binding/binding.h"
 
 namespace cuticle::strands {
 

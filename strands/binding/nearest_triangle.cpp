@@ -1,4 +1,4 @@
-#include <cuticle/strands/binding/nearest_triangle.h>
+#include "strands/binding/nearest_triangle.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/strands/mesh.h>
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

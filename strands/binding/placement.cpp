@@ -1,11 +1,11 @@
-#include <cuticle/strands/binding/placement.h>
+#include "strands/binding/placement.h"
 
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/binding/nearest_triangle.h>
+#include "strands/binding/nearest_triangle.h"
 
 namespace cuticle::strands {
 

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/strands/binding/binding.h>
+#include "strands/binding/binding.h"
 
 namespace cuticle::strands {
 

@@ -1,11 +1,11 @@
-#include <cuticle/strands/binding/root_file.h>
+#include "strands/binding/root_file.h"
 
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/formats/words.h>
+#include "core/file.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands {
 

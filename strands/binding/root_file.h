@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/arc_strand.h>
+#include "strands/cards/arc_strand.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include <cuticle/strands/cards/card_builder.h>
+#include "strands/cards/card_builder.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/mesh.h>
-#include <cuticle/strands/spline/frame.glslh>
+#include "strands/mesh.h"
+#include "strands/spline/frame.glslh"
 
 namespace cuticle::strands {
 

@@ -1,7 +1,7 @@
 #pragma once
 // One card from the strands that it stands for.
-#include <cuticle/strands/cards/arc_strand.h>
-#include <cuticle/strands/cards/cards.h>
+#include "strands/cards/arc_strand.h"
+#include "strands/cards/cards.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/card_mesh.h>
+#include "strands/cards/card_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/cards/disjoint_sets.h>
+#include "strands/cards/disjoint_sets.h"
 
 namespace cuticle::strands {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Cards as triangles, in parts that are sorted as wholes.
-#include <cuticle/strands/cards/card_textures.h>
-#include <cuticle/strands/mesh.h>
+#include "strands/cards/card_textures.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

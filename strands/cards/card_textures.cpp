@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/card_textures.h>
+#include "strands/cards/card_textures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include <glm/common.hpp>
 
-#include <cuticle/core/random.h>
-#include <cuticle/strands/cards/k_means.h>
-#include <cuticle/strands/cards/strand_texture.h>
+#include "core/random.h"
+#include "strands/cards/k_means.h"
+#include "strands/cards/strand_texture.h"
 
 namespace cuticle::strands {
 

@@ -1,7 +1,7 @@
 #pragma once
 // A2: textures of hair cards, baked from the strands that the cards stand for.
-#include <cuticle/core/image/image.h>
-#include <cuticle/strands/cards/cards.h>
+#include "core/image/image.h"
+#include "strands/cards/cards.h"
 
 namespace cuticle::strands {
 

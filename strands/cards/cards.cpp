@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/cards.h>
+#include "strands/cards/cards.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/cards/card_builder.h>
-#include <cuticle/strands/cards/k_means.h>
+#include "strands/cards/card_builder.h"
+#include "strands/cards/k_means.h"
 
 namespace cuticle::strands {
 

@@ -5,9 +5,9 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
+#include "core/registry/parameter.h"
+#include "core/result.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -1,5 +1,5 @@
 // Cards of small grooms with a known answer, their textures beside random points, their order beside brute force.
-#include <cuticle/strands/cards/hair_cards.h>
+#include "strands/cards/hair_cards.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/random.h>
-#include <cuticle/strands/cards/k_means.h>
-#include <cuticle/strands/cards/occlusion.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/tests/support/temporary_folder.h>
+#include "core/random.h"
+#include "strands/cards/k_means.h"
+#include "strands/cards/occlusion.h"
+#include "strands/formats/formats.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cuticle::strands::cards_test {
 namespace {

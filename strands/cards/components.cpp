@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/cards/card_mesh.h>
-#include <cuticle/strands/cards/disjoint_sets.h>
+#include "strands/cards/card_mesh.h"
+#include "strands/cards/disjoint_sets.h"
 
 namespace cuticle::strands {
 

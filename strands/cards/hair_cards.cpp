@@ -1,13 +1,13 @@
-#include <cuticle/strands/cards/hair_cards.h>
+#include "strands/cards/hair_cards.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/cards/occlusion.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "strands/cards/occlusion.h"
 
 namespace cuticle::strands {
 

@@ -2,7 +2,7 @@
 // Everything that is made of a groom's cards, and its files.
 #include <string>
 
-#include <cuticle/strands/cards/card_mesh.h>
+#include "strands/cards/card_mesh.h"
 
 namespace cuticle::strands {
 

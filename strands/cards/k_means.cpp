@@ -1,10 +1,10 @@
-#include <cuticle/strands/cards/k_means.h>
+#include "strands/cards/k_means.h"
 
 #include <algorithm>
 #include <limits>
 
-#include <cuticle/core/expect.h>
-#include <cuticle/core/random.h>
+#include "core/expect.h"
+#include "core/random.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/occlusion.h>
+#include "strands/cards/occlusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/spline/frame.glslh>
+#include "strands/spline/frame.glslh"
 
 namespace cuticle::strands {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/mesh.h>
+#include "strands/groom.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/cards.h>
+#include "strands/cards/cards.h"
 
 namespace cuticle::strands {
 

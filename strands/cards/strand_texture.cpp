@@ -1,4 +1,4 @@
-#include <cuticle/strands/cards/strand_texture.h>
+#include "strands/cards/strand_texture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <cuticle/strands/cards/cards.h>
+#include "strands/cards/cards.h"
 
 namespace cuticle::strands {
 

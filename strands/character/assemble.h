@@ -1,6 +1,6 @@
 #pragma once
 // What makes a character of the parts that a file holds, whatever its format.
-#include <cuticle/strands/character/character.h>
+#include "strands/character/character.h"
 
 namespace cuticle::strands {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/character/convention.h>
+#include "strands/character/convention.h"
 
 namespace cuticle::strands {
 

@@ -8,9 +8,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/character/convention.h>
-#include <cuticle/strands/skinning/skinning.h>
+#include "core/result.h"
+#include "strands/character/convention.h"
+#include "strands/skinning/skinning.h"
 
 namespace cuticle::strands {
 

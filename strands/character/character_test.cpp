@@ -1,5 +1,5 @@
 // A small glTF of our own, written here byte by byte: welding, influences, clips, units and what is refused.
-#include <cuticle/strands/character/character.h>
+#include "strands/character/character.h"
 
 #include <cstring>
 #include <numbers>

@@ -1,12 +1,12 @@
-#include <cuticle/strands/character/convention.h>
+#include "strands/character/convention.h"
 
 #include <cmath>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "core/file.h"
+#include "core/json/json.h"
 
 namespace cuticle::strands {
 

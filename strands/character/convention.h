@@ -7,8 +7,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
+#include "core/result.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

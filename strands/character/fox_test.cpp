@@ -5,10 +5,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/binding/nearest_triangle.h>
-#include <cuticle/strands/character/character.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/binding/binding.h"
+#include "strands/binding/nearest_triangle.h"
+#include "strands/character/character.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands::fox_test {
 namespace {

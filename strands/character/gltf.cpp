@@ -12,9 +12,9 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/character/assemble.h>
-#include <cuticle/strands/character/elements.h>
+#include "core/file.h"
+#include "strands/character/assemble.h"
+#include "strands/character/elements.h"
 
 namespace cuticle::strands {
 

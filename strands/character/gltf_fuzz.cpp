@@ -1,7 +1,7 @@
 // Any bytes as glTF: an error, or a character whose indices are in range and whose poses can be computed.
 #include <cstdlib>
 
-#include <cuticle/strands/character/character.h>
+#include "strands/character/character.h"
 
 using namespace cuticle::strands;
 

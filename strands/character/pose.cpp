@@ -6,8 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
-#include <cuticle/strands/character/character.h>
-#include <cuticle/strands/motion/names.h>
+#include "strands/character/character.h"
+#include "strands/motion/names.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/character/assemble.h>
+#include "strands/character/assemble.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <cuticle/strands/check/groom_check.h>
+#include "strands/check/groom_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/statistics.h>
+#include "strands/statistics.h"
 
 namespace cuticle::strands::check {
 namespace {

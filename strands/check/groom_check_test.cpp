@@ -1,5 +1,5 @@
 // A good groom, and one for every mistake, which must be named.
-#include <cuticle/strands/check/groom_check.h>
+#include "strands/check/groom_check.h"
 
 #include <algorithm>
 #include <string>

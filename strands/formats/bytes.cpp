@@ -1,10 +1,10 @@
-#include <cuticle/strands/formats/bytes.h>
+#include "strands/formats/bytes.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/finite.h>
+#include "strands/finite.h"
 
 namespace cuticle::strands {
 

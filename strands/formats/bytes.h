@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/formats/format.h>
-#include <cuticle/strands/large.h>
+#include "core/result.h"
+#include "strands/formats/format.h"
+#include "strands/large.h"
 
 namespace cuticle::strands {
 

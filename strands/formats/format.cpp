@@ -1,11 +1,11 @@
-#include <cuticle/strands/formats/format.h>
+#include "strands/formats/format.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/words.h"
 
 namespace cuticle::strands {
 

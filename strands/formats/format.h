@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
+#include "core/result.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/mapped_file.h>
+#include "core/file.h"
+#include "core/mapped_file.h"
 
 namespace cuticle::strands {
 

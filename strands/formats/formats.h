@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/formats/format.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/mesh.h>
-#include <cuticle/strands/repair.h>
+#include "core/result.h"
+#include "strands/formats/format.h"
+#include "strands/groom.h"
+#include "strands/mesh.h"
+#include "strands/repair.h"
 
 namespace cuticle::strands {
 

@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/tfxproj/project.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
-#include <cuticle/tests/support/temporary_folder.h>
+#include "strands/formats/formats.h"
+#include "strands/formats/tfxproj/project.h"
+#include "tests/support/synthetic_grooms.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cuticle::strands::groom_file_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/formats/formats.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::hair_format_test {
 namespace {

@@ -1,5 +1,5 @@
 // Wavefront OBJ: positions, normals, texture coordinates and faces (fans of triangles). Everything else is skipped.
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 #include <array>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/formats/words.h>
+#include "core/file.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands {
 

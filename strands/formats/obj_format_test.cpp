@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 namespace cuticle::strands::obj_format_test {
 namespace {

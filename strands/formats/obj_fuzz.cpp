@@ -1,7 +1,7 @@
 // Any text: an error or a mesh whose indices are in range.
 #include <cstdlib>
 
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 using namespace cuticle::strands;
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/binding/binding.h>
-#include <cuticle/strands/binding/placement.h>
-#include <cuticle/strands/formats/formats.h>
+#include "strands/binding/binding.h"
+#include "strands/binding/placement.h"
+#include "strands/formats/formats.h"
 
 namespace cuticle::strands::real_grooms_test {
 namespace {

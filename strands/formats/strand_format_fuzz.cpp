@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/formats/format.h>
-#include <cuticle/strands/formats/tfx/bones.h>
-#include <cuticle/strands/repair.h>
+#include "core/file.h"
+#include "strands/formats/format.h"
+#include "strands/formats/tfx/bones.h"
+#include "strands/repair.h"
 
 using namespace cuticle::strands;
 

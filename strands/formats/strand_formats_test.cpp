@@ -3,14 +3,14 @@
 #include <cstring>
 #include <limits>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/curve_basis.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/tfx/bones.h>
-#include <cuticle/strands/refusals.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
-#include <cuticle/tests/support/temporary_folder.h>
+#include "core/file.h"
+#include "strands/formats/bytes.h"
+#include "strands/formats/curve_basis.h"
+#include "strands/formats/formats.h"
+#include "strands/formats/tfx/bones.h"
+#include "strands/refusals.h"
+#include "tests/support/synthetic_grooms.h"
+#include "tests/support/temporary_folder.h"
 
 namespace cuticle::strands::strand_formats_test {
 namespace {

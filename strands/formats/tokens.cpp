@@ -1,4 +1,4 @@
-#include <cuticle/strands/formats/tokens.h>
+#include "strands/formats/tokens.h"
 
 #include <algorithm>
 

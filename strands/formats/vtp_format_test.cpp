@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/formats/vtp/vtp.h>
+#include "strands/formats/vtp/vtp.h"
 
 namespace cuticle::strands::vtp_format_test {
 namespace {

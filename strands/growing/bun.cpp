@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/bun.h>
+#include "strands/growing/bun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/spline/frame.glslh>
+#include "strands/spline/frame.glslh"
 
 namespace cuticle::strands {
 

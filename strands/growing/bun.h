@@ -2,8 +2,8 @@
 // The ring of hair round a tie: where hair runs to, and its way over the ring.
 #include <vector>
 
-#include <cuticle/strands/growing/grooming.h>
-#include <cuticle/strands/mesh.h>
+#include "strands/growing/grooming.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

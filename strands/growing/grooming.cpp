@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/grooming.h>
+#include "strands/growing/grooming.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/strands/mesh.h>
+#include "core/registry/parameter.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

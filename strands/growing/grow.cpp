@@ -1,12 +1,12 @@
-#include <cuticle/strands/growing/grow.h>
+#include "strands/growing/grow.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include <cuticle/strands/growing/head_shape.h>
-#include <cuticle/strands/growing/surface.h>
-#include <cuticle/strands/spline/bezier.glslh>
-#include <cuticle/strands/tangent.glslh>
+#include "strands/growing/head_shape.h"
+#include "strands/growing/surface.h"
+#include "strands/spline/bezier.glslh"
+#include "strands/tangent.glslh"
 
 namespace cuticle::strands {
 

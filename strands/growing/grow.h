@@ -1,7 +1,7 @@
 #pragma once
 // From a grooming specification to hair.
-#include <cuticle/strands/growing/specification.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/growing/specification.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/grower.h>
+#include "strands/growing/grower.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/random.h>
+#include "strands/growing/random.h"
 
 namespace cuticle::strands {
 

@@ -1,8 +1,8 @@
 #pragma once
 // The path of one control hair: planted on a scalp vertex, grown by small steps, combed and kept outside the head.
-#include <cuticle/strands/growing/bun.h>
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/growing/surface.h>
+#include "strands/growing/bun.h"
+#include "strands/growing/growing.h"
+#include "strands/growing/surface.h"
 
 namespace cuticle::strands {
 

@@ -1,13 +1,13 @@
 #pragma once
 // From a scalp to hair: control hairs planted on the vertices along the normals, combed, then interpolated to drawn
 // strands.
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
-#include <cuticle/core/view.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/growing/grooming.h>
-#include <cuticle/strands/growing/roots.h>
-#include <cuticle/strands/mesh.h>
+#include "core/registry/parameter.h"
+#include "core/result.h"
+#include "core/view.h"
+#include "strands/groom.h"
+#include "strands/growing/grooming.h"
+#include "strands/growing/roots.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

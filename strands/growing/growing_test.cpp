@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/growing/head_shape.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/growing/growing.h"
+#include "strands/growing/head_shape.h"
+#include "strands/spline/smooth.h"
 #include <glm/geometric.hpp>
 
 namespace cuticle::strands::growing_test {

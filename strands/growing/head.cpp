@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/growing.h>
+#include "strands/growing/growing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/head_shape.h>
+#include "strands/growing/head_shape.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/head_shape.h>
+#include "strands/growing/head_shape.h"
 
 #include <algorithm>
 #include <cmath>

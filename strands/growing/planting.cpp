@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/grower.h>
-#include <cuticle/strands/growing/random.h>
+#include "strands/growing/grower.h"
+#include "strands/growing/random.h"
 
 namespace cuticle::strands {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Chance in growing: a stream of its own for every purpose and index, the same in any order of asking.
-#include <cuticle/core/random.h>
+#include "core/random.h"
 
 namespace cuticle::strands {
 

@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/roots.h>
+#include "strands/growing/roots.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/random.h>
-#include <cuticle/strands/growing/root_rules.glslh>
+#include "strands/growing/random.h"
+#include "strands/growing/root_rules.glslh"
 
 namespace cuticle::strands {
 

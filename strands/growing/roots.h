@@ -7,8 +7,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/mesh.h>
+#include "core/result.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/growing/roots.h>
+#include "strands/growing/roots.h"
 #include <glm/geometric.hpp>
 
 namespace cuticle::strands::roots_test {

@@ -1,12 +1,12 @@
-#include <cuticle/strands/growing/specification.h>
+#include "strands/growing/specification.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
 

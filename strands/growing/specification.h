@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/shaping/shaping.h>
+#include "strands/growing/growing.h"
+#include "strands/shaping/shaping.h"
 
 namespace cuticle::strands {
 

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/growing/grow.h>
+#include "core/file.h"
+#include "strands/growing/grow.h"
 #include <glm/geometric.hpp>
 
 namespace cuticle::strands::specification_test {

@@ -1,4 +1,4 @@
-#include <cuticle/strands/growing/surface.h>
+#include "strands/growing/surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <cuticle/strands/lod/lod.h>
+#include "strands/lod/lod.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/strands/growing/random.h>
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/strands/lod/lod.glslh>
+#include "strands/growing/random.h"
+#include "strands/spline/smooth.h"
+#include "strands/lod/lod.glslh"
 
 namespace cuticle::strands {
 

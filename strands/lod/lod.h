@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <cuticle/core/view.h>
-#include <cuticle/strands/groom.h>
+#include "core/view.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/lod/lod.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/lod/lod.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::lod_test {
 namespace {

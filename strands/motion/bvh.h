@@ -5,7 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands {
 

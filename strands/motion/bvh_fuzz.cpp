@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <cuticle/strands/motion/bvh.h>
+#include "strands/motion/bvh.h"
 
 using namespace cuticle::strands;
 

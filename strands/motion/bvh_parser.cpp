@@ -1,4 +1,4 @@
-#include <cuticle/strands/motion/bvh.h>
+#include "strands/motion/bvh.h"
 
 #include <array>
 #include <charconv>
@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/strands/motion/names.h>
+#include "core/file.h"
+#include "strands/motion/names.h"
 
 namespace cuticle::strands {
 

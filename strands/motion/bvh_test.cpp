@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/motion/bvh.h>
+#include "strands/motion/bvh.h"
 
 namespace cuticle::strands::bvh_test {
 namespace {

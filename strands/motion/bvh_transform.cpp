@@ -1,4 +1,4 @@
-#include <cuticle/strands/motion/bvh.h>
+#include "strands/motion/bvh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/motion/bvh.h>
+#include "strands/motion/bvh.h"
 
 namespace cuticle::strands::real_motion_test {
 namespace {

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H15: one thread per strand: centre, half extent and largest radius of its vertices, then these in 12 bytes each.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/packing/packing.glslh"
+#include "gpu/groups.glsl"
+#include "strands/packing/packing.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };  // position, radius

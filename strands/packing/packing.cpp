@@ -1,4 +1,4 @@
-#include <cuticle/strands/packing/packing.h>
+#include "strands/packing/packing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/strands/packing/packing.glslh>
+#include "strands/packing/packing.glslh"
 
 namespace cuticle::strands {
 

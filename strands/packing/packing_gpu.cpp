@@ -1,6 +1,6 @@
-#include <cuticle/strands/packing/packing_gpu.h>
+#include "strands/packing/packing_gpu.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <pack_comp.spv.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // GPU half of H15: drawn strands packed where they are made.
-#include <cuticle/gpu/device.h>
-#include <cuticle/strands/packing/packing.h>
+#include "gpu/device.h"
+#include "strands/packing/packing.h"
 
 namespace cuticle::strands {
 

@@ -1,12 +1,12 @@
 // H15 on the device: its packed strands, unpacked by the CPU, against those that were given.
-#include <cuticle/strands/packing/packing_gpu.h>
+#include "strands/packing/packing_gpu.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::packing_gpu_test {
 namespace {

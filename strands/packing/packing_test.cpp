@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/packing/packing.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
-#include <cuticle/strands/packing/packing.glslh>
+#include "strands/packing/packing.h"
+#include "tests/support/synthetic_grooms.h"
+#include "strands/packing/packing.glslh"
 #include <glm/geometric.hpp>
 
 namespace cuticle::strands::packing_test {

@@ -1,4 +1,4 @@
-#include <cuticle/strands/rays/rays.h>
+#include "strands/rays/rays.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/core.h>
 
-#include <cuticle/strands/rays/round_cone.h>
+#include "strands/rays/round_cone.h"
 
 namespace cuticle::strands {
 

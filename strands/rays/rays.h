@@ -6,9 +6,9 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/mesh.h>
+#include "core/result.h"
+#include "strands/groom.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

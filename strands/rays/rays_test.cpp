@@ -1,5 +1,5 @@
 // RayGroom against a brute-force loop over capsules in double, and on strands whose crossings are known.
-#include <cuticle/strands/rays/rays.h>
+#include "strands/rays/rays.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include <cuticle/strands/shaping/shaping.h>
+#include "strands/shaping/shaping.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/random.h>
-#include <cuticle/strands/spline/frames.h>
+#include "strands/growing/random.h"
+#include "strands/spline/frames.h"
 
 namespace cuticle::strands {
 

@@ -7,8 +7,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/entry.h>
-#include <cuticle/strands/groom.h>
+#include "core/registry/entry.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/shaping/shaping.h"
+#include "tests/support/synthetic_grooms.h"
 #include <glm/geometric.hpp>
 
 namespace cuticle::strands::shaping_test {

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // H1: one thread per vertex of the growth mesh.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/skinning/skinning.glslh"
+#include "gpu/groups.glsl"
+#include "strands/skinning/skinning.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; };  // bind pose; w is passed on

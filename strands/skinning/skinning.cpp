@@ -1,4 +1,4 @@
-#include <cuticle/strands/skinning/skinning.h>
+#include "strands/skinning/skinning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include <cuticle/core/expect.h>
+#include "core/expect.h"
 
 namespace cuticle::strands {
 

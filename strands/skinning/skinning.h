@@ -8,8 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include <cuticle/strands/mesh.h>
-#include <cuticle/strands/skinning/skinning.glslh>
+#include "strands/mesh.h"
+#include "strands/skinning/skinning.glslh"
 
 namespace cuticle::strands {
 

@@ -1,6 +1,6 @@
-#include <cuticle/strands/skinning/skinning_gpu.h>
+#include "strands/skinning/skinning_gpu.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <skin_comp.spv.h>
 

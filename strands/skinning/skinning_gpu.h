@@ -2,8 +2,8 @@
 // GPU half of H1: the growth mesh stays on the device; only the joints are sent each frame.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/strands/skinning/skinning.h>
+#include "gpu/device.h"
+#include "strands/skinning/skinning.h"
 
 namespace cuticle::strands {
 

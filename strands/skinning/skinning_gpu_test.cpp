@@ -1,12 +1,12 @@
 // The device's skinning and carrying against the CPU's.
-#include <cuticle/strands/skinning/skinning_gpu.h>
+#include "strands/skinning/skinning_gpu.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/core/random.h>
-#include <cuticle/strands/binding/carry_gpu.h>
+#include "core/random.h"
+#include "strands/binding/carry_gpu.h"
 
 namespace cuticle::strands::skinning_gpu_test {
 namespace {

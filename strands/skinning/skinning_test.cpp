@@ -1,5 +1,5 @@
 // Linear blend and dual quaternions against matrices and closed forms in double.
-#include <cuticle/strands/skinning/skinning.h>
+#include "strands/skinning/skinning.h"
 
 #include <numbers>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/core/random.h>
+#include "core/random.h"
 
 namespace cuticle::strands::skinning_test {
 namespace {

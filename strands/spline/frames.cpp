@@ -1,9 +1,9 @@
-#include <cuticle/strands/spline/frames.h>
+#include "strands/spline/frames.h"
 
 #include <algorithm>
 
-#include <cuticle/strands/spline/frame.glslh>
-#include <cuticle/strands/tangent.glslh>
+#include "strands/spline/frame.glslh"
+#include "strands/tangent.glslh"
 
 namespace cuticle::strands {
 

@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // N5: one thread per run of vertices of a drawn strand: position, radius, tangent and fraction of the length. Within a
 // run each vertex is blended once; the neighbours beyond its ends are blended again, which is cheaper than a barrier.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/spline/bezier.glslh"
-#include "cuticle/strands/tangent.glslh"
+#include "gpu/groups.glsl"
+#include "strands/spline/bezier.glslh"
+#include "strands/tangent.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Smoothed { vec4 smoothed[]; };   // hairs x vertices: position, fraction

@@ -1,9 +1,9 @@
 // N5 and its alternative: strands between smoothed hairs.
 #include <algorithm>
 
-#include <cuticle/strands/spline/frames.h>
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/strands/spline/bezier.glslh>
+#include "strands/spline/frames.h"
+#include "strands/spline/smooth.h"
+#include "strands/spline/bezier.glslh"
 
 namespace cuticle::strands {
 

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // One thread per drawn vertex: its velocity from those of its three smoothed control hairs, as its position is.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/spline/bezier.glslh"
+#include "gpu/groups.glsl"
+#include "strands/spline/bezier.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Smoothed { vec4 smoothed[]; };       // hairs x vertices: velocity

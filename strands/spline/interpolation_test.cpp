@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/spline/frames.h>
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/spline/frames.h"
+#include "strands/spline/smooth.h"
+#include "tests/support/synthetic_grooms.h"
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // N4: one thread per vertex of the smoothed control hairs; the tangents of its segment are computed on the way.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/spline/bezier.glslh"
+#include "gpu/groups.glsl"
+#include "strands/spline/bezier.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };       // hairs + 1
@@ -11,7 +11,7 @@ layout(std430, binding = 2) writeonly buffer Smoothed { vec4 smoothed[]; };    /
 layout(push_constant) uniform Constants { uint hairs; uint vertices; };
 
 vec3 control_at(uint k) { return controls[k].xyz; }
-#include "cuticle/strands/spline/smooth.glsl"
+#include "strands/spline/smooth.glsl"
 
 void main() {
   const uint i = invocation();

@@ -1,12 +1,12 @@
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/spline/smooth.h"
 
 #include <algorithm>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/spline/bezier.glslh>
-#include <cuticle/strands/spline/curves.glslh>
+#include "strands/spline/bezier.glslh"
+#include "strands/spline/curves.glslh"
 
 namespace cuticle::strands {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/strands/groom.h>
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/mesh.h>
+#include "strands/groom.h"
+#include "strands/growing/growing.h"
+#include "strands/mesh.h"
 
 namespace cuticle::strands {
 

@@ -1,10 +1,10 @@
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "strands/spline/smooth_gpu.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <interpolate_comp.spv.h>
 #include <interpolate_velocity_comp.spv.h>

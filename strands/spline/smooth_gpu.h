@@ -2,8 +2,8 @@
 // GPU half of N4 and N5: control positions on the device -> smoothed -> interpolated drawn strands with tangents.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "gpu/device.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/tests/support/synthetic_grooms.h>
+#include "strands/spline/smooth.h"
+#include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::smooth_test {
 namespace {

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // How the vertices of the smoothed control hairs move: the curve through control vertices a moment later less that a
 // moment earlier.
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/strands/spline/bezier.glslh"
+#include "gpu/groups.glsl"
+#include "strands/spline/bezier.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };    // hairs + 1
@@ -19,7 +19,7 @@ vec3 control_at(uint k) {
   if (since > 0.0) return moment == 0.0 ? controls[k].xyz : motion[k].xyz;
   return controls[k].xyz + moment * motion[k].xyz;
 }
-#include "cuticle/strands/spline/smooth.glsl"
+#include "strands/spline/smooth.glsl"
 
 void main() {
   const uint i = invocation();

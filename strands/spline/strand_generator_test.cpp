@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/strands/spline/smooth_gpu.h>
+#include "gpu/device.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::strands::strand_generator_test {
 namespace {

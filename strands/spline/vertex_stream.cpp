@@ -1,4 +1,4 @@
-#include <cuticle/strands/spline/vertex_stream.h>
+#include "strands/spline/vertex_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/large.h>
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/strands/spline/bezier.glslh>
-#include <cuticle/strands/tangent.glslh>
+#include "strands/large.h"
+#include "strands/spline/smooth.h"
+#include "strands/spline/bezier.glslh"
+#include "strands/tangent.glslh"
 
 namespace cuticle::strands {
 

@@ -7,7 +7,7 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

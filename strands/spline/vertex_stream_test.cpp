@@ -1,11 +1,11 @@
 // The per-frame vertex buffer against smoothing, interpolating and taking tangents one after the other.
-#include <cuticle/strands/spline/vertex_stream.h>
+#include "strands/spline/vertex_stream.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/growing/growing.h>
-#include <cuticle/strands/spline/smooth.h>
+#include "strands/growing/growing.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands::vertex_stream_test {
 namespace {

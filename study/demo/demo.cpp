@@ -1,4 +1,4 @@
-#include <cuticle/study/demo/demo.h>
+#include "study/demo/demo.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,14 +6,14 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/image/image.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/plan/frame_runner_gpu.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/tfxproj/project.h>
-#include <cuticle/study/demo/demo_page.h>
-#include <cuticle/study/demo/demo_study.h>
+#include "core/file.h"
+#include "core/image/image.h"
+#include "lut/format.h"
+#include "plan/frame_runner_gpu.h"
+#include "strands/formats/formats.h"
+#include "strands/formats/tfxproj/project.h"
+#include "study/demo/demo_page.h"
+#include "study/demo/demo_study.h"
 
 namespace cuticle::study {
 

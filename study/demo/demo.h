@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/result.h>
-#include <cuticle/core/trace.h>
-#include <cuticle/gpu/device.h>
+#include "core/progress.h"
+#include "core/result.h"
+#include "core/trace.h"
+#include "gpu/device.h"
 
 namespace cuticle::study {
 

@@ -1,7 +1,7 @@
-#include <cuticle/study/demo/demo_page.h>
+#include "study/demo/demo_page.h"
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "core/file.h"
+#include "core/json/json.h"
 
 namespace cuticle::study {
 

@@ -1,11 +1,11 @@
-#include <cuticle/study/demo/demo_study.h>
+#include "study/demo/demo_study.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/study/shadows/slices_study.h>
+#include "core/file.h"
+#include "study/shadows/slices_study.h"
 
 namespace cuticle::study {
 

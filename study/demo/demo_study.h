@@ -2,11 +2,11 @@
 // The demo's study: opacity-map slices against ray-traced truth on the hair that was drawn.
 #include <string>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/result.h>
-#include <cuticle/scene/scene.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/study/demo/demo_page.h>
+#include "core/progress.h"
+#include "core/result.h"
+#include "scene/scene.h"
+#include "strands/groom.h"
+#include "study/demo/demo_page.h"
 
 namespace cuticle::study {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/study/lobes/lobes_study.h>
+#include "study/lobes/lobes_study.h"
 
 namespace cuticle::study {
 namespace {

@@ -1,9 +1,9 @@
-#include <cuticle/study/lobes/lobes_study.h>
+#include "study/lobes/lobes_study.h"
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
+#include "core/file.h"
+#include "core/json/json.h"
 
 namespace cuticle::study {
 namespace {

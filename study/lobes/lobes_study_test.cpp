@@ -1,6 +1,6 @@
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/real.h>
-#include <cuticle/study/lobes/lobes_study.h>
+#include "core/json/json.h"
+#include "core/real.h"
+#include "study/lobes/lobes_study.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include <cuticle/study/luts/luts_study.h>
+#include "study/luts/luts_study.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include <cuticle/lut/fit/texel_fit.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/max_error.h>
+#include "lut/fit/texel_fit.h"
+#include "lut/format.h"
+#include "lut/max_error.h"
 
 namespace cuticle::study {
 namespace {

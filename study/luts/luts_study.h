@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/lut/table_set.h>
+#include "core/progress.h"
+#include "lut/table_set.h"
 
 namespace cuticle::study {
 

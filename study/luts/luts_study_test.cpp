@@ -1,6 +1,6 @@
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/real.h>
-#include <cuticle/study/luts/luts_study.h>
+#include "core/json/json.h"
+#include "core/real.h"
+#include "study/luts/luts_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/evaluate.h>
-#include <cuticle/study/luts/table_sampler.h>
+#include "lut/evaluate.h"
+#include "study/luts/table_sampler.h"
 
 namespace cuticle::study::luts_study_test {
 namespace {

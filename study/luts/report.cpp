@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/study/luts/luts_study.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "study/luts/luts_study.h"
 
 namespace cuticle::study {
 namespace {

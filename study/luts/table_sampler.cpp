@@ -1,4 +1,4 @@
-#include <cuticle/study/luts/table_sampler.h>
+#include "study/luts/table_sampler.h"
 
 #include <algorithm>
 #include <cmath>

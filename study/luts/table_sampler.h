@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <cuticle/lut/table_set.h>
+#include "lut/table_set.h"
 
 namespace cuticle::study {
 

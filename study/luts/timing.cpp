@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include <cuticle/bsdf/batch/batch.h>
-#include <cuticle/study/luts/luts_study.h>
-#include <cuticle/study/luts/table_sampler.h>
+#include "bsdf/batch/batch.h"
+#include "study/luts/luts_study.h"
+#include "study/luts/table_sampler.h"
 
 namespace cuticle::study {
 namespace {

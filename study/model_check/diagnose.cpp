@@ -1,4 +1,4 @@
-#include <cuticle/study/model_check/diagnose.h>
+#include "study/model_check/diagnose.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/study/model_check/checks/checks.h>
-#include <cuticle/study/model_check/checks/chi_square.h>
-#include <cuticle/study/model_check/mean_attenuation.h>
-#include <cuticle/study/model_check/sphere_quadrature.h>
+#include "study/model_check/checks/checks.h"
+#include "study/model_check/checks/chi_square.h"
+#include "study/model_check/mean_attenuation.h"
+#include "study/model_check/sphere_quadrature.h"
 
 namespace cuticle::study::model_check {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // From the verdicts of the checks to the mistake that most likely explains them.
-#include <cuticle/study/model_check/model_check.h>
+#include "study/model_check/model_check.h"
 
 namespace cuticle::study::model_check {
 

@@ -1,10 +1,10 @@
-#include <cuticle/study/model_check/mean_attenuation.h>
+#include "study/model_check/mean_attenuation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/core/quadrature.h>
+#include "core/quadrature.h"
 
 namespace cuticle::study::model_check {
 namespace {

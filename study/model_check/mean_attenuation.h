@@ -1,7 +1,7 @@
 #pragma once
 // What a smooth dielectric cylinder scatters of the light that meets it, from the textbook: the truth of the absorbing
 // furnace, and the same with a mistake built in, by which a model that makes that mistake is recognised.
-#include <cuticle/study/model_check/subject.h>
+#include "study/model_check/subject.h"
 
 namespace cuticle::study::model_check {
 

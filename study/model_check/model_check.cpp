@@ -1,8 +1,8 @@
-#include <cuticle/study/model_check/model_check.h>
+#include "study/model_check/model_check.h"
 
 #include <array>
 
-#include <cuticle/study/model_check/checks/checks.h>
+#include "study/model_check/checks/checks.h"
 
 namespace cuticle::study::model_check {
 namespace {

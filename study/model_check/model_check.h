@@ -1,7 +1,7 @@
 #pragma once
 // `cuticle check model`: what a fibre model must hold whatever its formulas are, each a check with a verdict.
-#include <cuticle/core/progress.h>
-#include <cuticle/study/model_check/subject.h>
+#include "core/progress.h"
+#include "study/model_check/subject.h"
 
 namespace cuticle::study::model_check {
 

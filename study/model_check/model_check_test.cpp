@@ -1,5 +1,5 @@
 // What the checks are made of, each against a known answer.
-#include <cuticle/study/model_check/model_check.h>
+#include "study/model_check/model_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/study/model_check/checks/checks.h>
-#include <cuticle/study/model_check/checks/chi_square.h>
-#include <cuticle/study/model_check/gallery/gallery.h>
-#include <cuticle/study/model_check/mean_attenuation.h>
-#include <cuticle/study/model_check/registered.h>
-#include <cuticle/study/model_check/report.h>
-#include <cuticle/study/model_check/sphere_quadrature.h>
+#include "study/model_check/checks/checks.h"
+#include "study/model_check/checks/chi_square.h"
+#include "study/model_check/gallery/gallery.h"
+#include "study/model_check/mean_attenuation.h"
+#include "study/model_check/registered.h"
+#include "study/model_check/report.h"
+#include "study/model_check/sphere_quadrature.h"
 
 namespace cuticle::study::model_check::model_check_test {
 namespace {

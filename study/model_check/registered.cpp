@@ -1,4 +1,4 @@
-#include <cuticle/study/model_check/registered.h>
+#include "study/model_check/registered.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/random.h>
+#include "core/random.h"
 
 namespace cuticle::study::model_check {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // A registered model as the subject of the checks.
-#include <cuticle/study/model_check/subject.h>
+#include "study/model_check/subject.h"
 
 namespace cuticle::study::model_check {
 

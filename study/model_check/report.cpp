@@ -1,11 +1,11 @@
-#include <cuticle/study/model_check/report.h>
+#include "study/model_check/report.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
+#include "core/json/json.h"
 
 namespace cuticle::study::model_check {
 namespace {

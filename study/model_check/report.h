@@ -1,6 +1,6 @@
 #pragma once
 // The verdicts on one model with its stated exceptions, as text and as JSON: what the program and Python print.
-#include <cuticle/study/model_check/diagnose.h>
+#include "study/model_check/diagnose.h"
 
 namespace cuticle::study::model_check {
 

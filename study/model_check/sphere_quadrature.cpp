@@ -1,12 +1,12 @@
-#include <cuticle/study/model_check/sphere_quadrature.h>
+#include "study/model_check/sphere_quadrature.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 
-#include <cuticle/core/quadrature.h>
-#include <cuticle/study/model_check/checks/checks.h>
+#include "core/quadrature.h"
+#include "study/model_check/checks/checks.h"
 
 namespace cuticle::study::model_check {
 namespace {

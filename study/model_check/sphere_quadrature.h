@@ -2,7 +2,7 @@
 // Integrals over the sphere of incident directions of functions with lobes as narrow as a thousandth of a radian.
 #include <vector>
 
-#include <cuticle/study/model_check/subject.h>
+#include "study/model_check/subject.h"
 
 namespace cuticle::study::model_check {
 

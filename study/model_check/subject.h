@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::study::model_check {
 

@@ -2,7 +2,7 @@
 // Private to study/motion: an effect's parameters from text.
 #include <string>
 
-#include <cuticle/sim/solver.h>
+#include "sim/solver.h"
 
 namespace cuticle::study {
 

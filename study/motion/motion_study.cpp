@@ -1,4 +1,4 @@
-#include <cuticle/study/motion/motion_study.h>
+#include "study/motion/motion_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/study/motion/effect_values.h>
+#include "study/motion/effect_values.h"
 
 namespace cuticle::study {
 namespace {

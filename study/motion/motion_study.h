@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/result.h>
-#include <cuticle/study/motion/truths.h>
+#include "core/progress.h"
+#include "core/result.h"
+#include "study/motion/truths.h"
 
 namespace cuticle::study {
 

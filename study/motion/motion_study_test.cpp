@@ -1,5 +1,5 @@
 // The study of motion in its quick form.
-#include <cuticle/study/motion/motion_study.h>
+#include "study/motion/motion_study.h"
 
 #include <cstdio>
 #include <iterator>

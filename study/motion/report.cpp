@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/study/motion/motion_study.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "study/motion/motion_study.h"
 
 namespace cuticle::study {
 namespace {

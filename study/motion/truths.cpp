@@ -1,4 +1,4 @@
-#include <cuticle/study/motion/truths.h>
+#include "study/motion/truths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/sim/reference/chain_reference.h>
-#include <cuticle/study/motion/effect_values.h>
+#include "sim/reference/chain_reference.h"
+#include "study/motion/effect_values.h"
 
 namespace cuticle::study {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/study/oracle/dielectric_cylinder.h>
+#include "study/oracle/dielectric_cylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/study/oracle/optics.h>
+#include "study/oracle/optics.h"
 
 namespace cuticle::study::oracle {
 namespace {

@@ -1,4 +1,4 @@
-#include <cuticle/study/oracle/dielectric_cylinder.h>
+#include "study/oracle/dielectric_cylinder.h"
 
 #include <cmath>
 #include <numbers>

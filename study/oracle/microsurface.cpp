@@ -1,11 +1,11 @@
-#include <cuticle/study/oracle/microsurface.h>
+#include "study/oracle/microsurface.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/study/oracle/optics.h>
+#include "study/oracle/optics.h"
 
 namespace cuticle::study::oracle {
 namespace {

@@ -4,7 +4,7 @@
 // facet to facet), Dupuy and Benyoub 2023 (visible normals of GGX).
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/random.h>
+#include "core/random.h"
 
 namespace cuticle::study::oracle {
 

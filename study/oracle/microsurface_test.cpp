@@ -1,5 +1,5 @@
 // Facets against the definitions of their distributions (Walter et al. 2007), integrated over slopes.
-#include <cuticle/study/oracle/microsurface.h>
+#include "study/oracle/microsurface.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <cuticle/study/oracle/rough_fibre.h>
+#include "study/oracle/rough_fibre.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/study/oracle/microsurface.h>
+#include "study/oracle/microsurface.h"
 
 namespace cuticle::study::oracle {
 

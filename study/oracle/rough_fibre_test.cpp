@@ -1,4 +1,4 @@
-#include <cuticle/study/oracle/rough_fibre.h>
+#include "study/oracle/rough_fibre.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/study/oracle/dielectric_cylinder.h>
+#include "study/oracle/dielectric_cylinder.h"
 
 namespace cuticle::study::oracle::rough_fibre_test {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/study/demo/demo_page.h>
-#include <cuticle/study/render/render_study.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "study/demo/demo_page.h"
+#include "study/render/render_study.h"
 
 namespace cuticle::study {
 

@@ -1,4 +1,4 @@
-#include <cuticle/study/render/render_study.h>
+#include "study/render/render_study.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/expect.h>
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "core/expect.h"
+#include "plan/frame_runner_gpu.h"
 
 namespace cuticle::study {
 

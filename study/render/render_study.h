@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/progress.h>
-#include <cuticle/gpu/device.h>
-#include <cuticle/scene/scene.h>
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "gpu/device.h"
+#include "scene/scene.h"
 
 namespace cuticle::study {
 

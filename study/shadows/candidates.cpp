@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <cuticle/study/shadows/comparison.h>
+#include "study/shadows/comparison.h"
 
 namespace cuticle::study {
 namespace {

@@ -1,13 +1,13 @@
-#include <cuticle/study/shadows/comparison.h>
+#include "study/shadows/comparison.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/shadows/light_frame.h>
-#include <cuticle/strands/statistics.h>
+#include "shadows/footprint.h"
+#include "shadows/light_frame.h"
+#include "strands/statistics.h"
 
 namespace cuticle::study {
 namespace {

@@ -8,13 +8,13 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/study/shadows/flicker.h>
-#include <cuticle/study/shadows/probes.h>
+#include "core/progress.h"
+#include "core/registry/parameter.h"
+#include "core/result.h"
+#include "shadows/method.h"
+#include "strands/groom.h"
+#include "study/shadows/flicker.h"
+#include "study/shadows/probes.h"
 
 namespace cuticle::study {
 

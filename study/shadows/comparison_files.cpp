@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/study/shadows/comparison.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "study/shadows/comparison.h"
 
 namespace cuticle::study {
 namespace {

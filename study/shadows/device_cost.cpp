@@ -1,8 +1,8 @@
-#include <cuticle/study/shadows/device_cost.h>
+#include "study/shadows/device_cost.h"
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/groom_gpu.h>
+#include "shadows/groom_gpu.h"
 
 namespace cuticle::study {
 namespace {

@@ -2,8 +2,8 @@
 // What the settings of a comparison cost on a device.
 #include <memory>
 
-#include <cuticle/gpu/device.h>
-#include <cuticle/study/shadows/comparison.h>
+#include "gpu/device.h"
+#include "study/shadows/comparison.h"
 
 namespace cuticle::study {
 

@@ -1,13 +1,13 @@
-#include <cuticle/study/shadows/flicker.h>
+#include "study/shadows/flicker.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/study/shadows/comparison.h>
+#include "study/shadows/comparison.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
-#include <cuticle/shadows/map_view.h>
+#include "shadows/map_view.h"
 
 namespace cuticle::study {
 namespace {

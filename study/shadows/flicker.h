@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <cuticle/study/shadows/probes.h>
+#include "study/shadows/probes.h"
 
 namespace cuticle::study {
 

@@ -1,11 +1,11 @@
-#include <cuticle/study/shadows/marks.h>
+#include "study/shadows/marks.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
+#include "core/json/json.h"
 
 namespace cuticle::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/study/shadows/comparison.h>
+#include "study/shadows/comparison.h"
 
 namespace cuticle::study {
 

@@ -5,17 +5,17 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/shadows/clouds.h>
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/growing/grow.h>
-#include <cuticle/strands/growing/specification.h>
-#include <cuticle/study/shadows/marks.h>
-#include <cuticle/study/shadows/slices_study.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "shadows/clouds.h"
+#include "shadows/footprint.h"
+#include "strands/formats/formats.h"
+#include "strands/growing/grow.h"
+#include "strands/growing/specification.h"
+#include "study/shadows/marks.h"
+#include "study/shadows/slices_study.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
-#include <cuticle/core/shared/philox.glslh>
+#include "core/shared/philox.glslh"
 
 namespace cuticle::study {
 namespace {

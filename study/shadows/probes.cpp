@@ -1,12 +1,12 @@
-#include <cuticle/study/shadows/probes.h>
+#include "study/shadows/probes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <cuticle/shadows/light_frame.h>
+#include "shadows/light_frame.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
-#include <cuticle/shadows/light_frame.glslh>
+#include "shadows/light_frame.glslh"
 
 namespace cuticle::study {
 namespace {

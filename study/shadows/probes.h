@@ -5,10 +5,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/registry/parameter.h>
-#include <cuticle/core/result.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/strands/groom.h>
+#include "core/registry/parameter.h"
+#include "core/result.h"
+#include "shadows/method.h"
+#include "strands/groom.h"
 
 namespace cuticle::study {
 

@@ -1,12 +1,12 @@
-#include <cuticle/study/shadows/slices_study.h>
+#include "study/shadows/slices_study.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
 
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/core/shared/philox.glslh>
+#include "shadows/footprint.h"
+#include "core/shared/philox.glslh"
 
 namespace cuticle::study {
 

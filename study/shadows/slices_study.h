@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <cuticle/study/shadows/comparison.h>
+#include "study/shadows/comparison.h"
 
 namespace cuticle::study {
 

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/shadows/footprint.h>
-#include <cuticle/study/shadows/marks.h>
-#include <cuticle/study/shadows/slices_study.h>
+#include "core/file.h"
+#include "core/json/json.h"
+#include "shadows/footprint.h"
+#include "study/shadows/marks.h"
+#include "study/shadows/slices_study.h"
 
 namespace cuticle::study::slices_study_test {
 

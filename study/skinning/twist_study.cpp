@@ -1,4 +1,4 @@
-#include <cuticle/study/skinning/twist_study.h>
+#include "study/skinning/twist_study.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/core/file.h>
+#include "core/file.h"
 
 namespace cuticle::study {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/skinning/skinning.h>
+#include "core/result.h"
+#include "strands/skinning/skinning.h"
 
 namespace cuticle::study {
 

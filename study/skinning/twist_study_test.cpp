@@ -1,5 +1,5 @@
 // The volume that a twist leaves, against the integral over sections.
-#include <cuticle/study/skinning/twist_study.h>
+#include "study/skinning/twist_study.h"
 
 #include <gtest/gtest.h>
 

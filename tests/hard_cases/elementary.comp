@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/tests/hard_cases/elementary.glslh"
-#include "cuticle/core/shared/philox.glslh"
+#include "tests/hard_cases/elementary.glslh"
+#include "core/shared/philox.glslh"
 // results[i] = function(arguments[i]); the function beyond the last one draws a random word instead.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Arguments { vec2 arguments[]; };

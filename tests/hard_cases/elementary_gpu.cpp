@@ -1,4 +1,4 @@
-#include <cuticle/tests/hard_cases/elementary_gpu.h>
+#include "tests/hard_cases/elementary_gpu.h"
 
 #include <bit>
 

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 
 namespace cuticle::hard_cases {
 

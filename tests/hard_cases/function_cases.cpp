@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <array>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/tests/hard_cases/subject.h>
-#include <cuticle/tests/hard_cases/elementary.glslh>
+#include "core/json/json.h"
+#include "tests/hard_cases/subject.h"
+#include "tests/hard_cases/elementary.glslh"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/tests/hard_cases/elementary_gpu.h>
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "tests/hard_cases/elementary_gpu.h"
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

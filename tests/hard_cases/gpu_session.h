@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include <cuticle/bsdf/model_gpu.h>
+#include "bsdf/model_gpu.h"
 
 namespace cuticle::hard_cases {
 

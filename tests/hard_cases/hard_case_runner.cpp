@@ -1,4 +1,4 @@
-#include <cuticle/tests/hard_cases/hard_case_runner.h>
+#include "tests/hard_cases/hard_case_runner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/progress.h>
-#include <cuticle/core/result.h>
+#include "core/progress.h"
+#include "core/result.h"
 
 namespace cuticle::gpu {
 class Device;

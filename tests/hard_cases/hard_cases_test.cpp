@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/hard_cases/hard_case_runner.h>
+#include "tests/hard_cases/hard_case_runner.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/gpu/device.h>
+#include "gpu/device.h"
 #endif
 
 namespace cuticle::hard_cases::hard_cases_test {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "tests/hard_cases/subject.h"
 
 namespace cuticle::hard_cases {
 namespace {

@@ -1,12 +1,12 @@
 // Tables: {"model", "set", "layout", "size", "table", "channel"} sampled at every combination of "u" and "v".
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/table_set.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "lut/format.h"
+#include "lut/table_set.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "lut/bake_gpu.h"
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

@@ -2,11 +2,11 @@
 // direction for each by every number of "u", used for all eight: density and weight.
 #include <numbers>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/json/json.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "bsdf/model.h"
+#include "core/json/json.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/sim/solver.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "sim/solver.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/sim/solver_gpu.h>
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "sim/solver_gpu.h"
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

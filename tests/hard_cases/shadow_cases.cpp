@@ -1,13 +1,13 @@
 // Shadow methods: {"method", "set", "groom", "alpha", "to_light"} gives the transmittance at every vertex of the groom.
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/shadows/method.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "shadows/method.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
 #include <glm/vec4.hpp>
 
-#include <cuticle/shadows/method_gpu.h>
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "shadows/method_gpu.h"
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

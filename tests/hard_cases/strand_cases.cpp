@@ -2,14 +2,14 @@
 // lengths, validate nothing.
 #include <glm/geometric.hpp>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/strands/spline/smooth.h>
-#include <cuticle/tests/hard_cases/subject.h>
+#include "core/json/json.h"
+#include "strands/spline/smooth.h"
+#include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
 #include <glm/vec4.hpp>
 
-#include <cuticle/strands/spline/smooth_gpu.h>
-#include <cuticle/tests/hard_cases/gpu_session.h>
+#include "strands/spline/smooth_gpu.h"
+#include "tests/hard_cases/gpu_session.h"
 #endif
 
 namespace cuticle::hard_cases {

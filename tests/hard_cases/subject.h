@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/json/json.h>
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
-#include <cuticle/tests/hard_cases/hard_case_runner.h>
+#include "core/json/json.h"
+#include "core/result.h"
+#include "strands/groom.h"
+#include "tests/hard_cases/hard_case_runner.h"
 
 namespace cuticle::hard_cases {
 

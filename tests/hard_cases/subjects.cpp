@@ -1,4 +1,4 @@
-#include <cuticle/tests/hard_cases/subject.h>
+#include "tests/hard_cases/subject.h"
 
 #ifdef CUTICLE_HAS_GPU
 #define ON_GPU(run) run

@@ -7,9 +7,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/quadrature.h>
-#include <cuticle/study/oracle/dielectric_cylinder.h>
+#include "bsdf/model.h"
+#include "core/quadrature.h"
+#include "study/oracle/dielectric_cylinder.h"
 
 namespace cuticle::bsdf::deon_oracle_test {
 namespace {

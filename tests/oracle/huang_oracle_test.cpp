@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/study/oracle/rough_fibre.h>
+#include "bsdf/model.h"
+#include "study/oracle/rough_fibre.h"
 
 namespace cuticle::huang_oracle_test {
 namespace {

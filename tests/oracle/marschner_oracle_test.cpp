@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/study/oracle/dielectric_cylinder.h>
+#include "bsdf/model.h"
+#include "study/oracle/dielectric_cylinder.h"
 
 namespace cuticle::marschner_oracle_test {
 namespace {

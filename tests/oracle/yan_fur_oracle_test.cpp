@@ -7,9 +7,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/random.h>
-#include <cuticle/study/oracle/rough_fibre.h>
+#include "bsdf/model.h"
+#include "core/random.h"
+#include "study/oracle/rough_fibre.h"
 
 namespace cuticle::bsdf::yan_fur_oracle_test {
 namespace {

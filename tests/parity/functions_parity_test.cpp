@@ -1,10 +1,10 @@
 // The elementary functions and the random words of core: the device against double on the CPU.
 #include <gtest/gtest.h>
 
-#include <cuticle/core/shared/philox.glslh>
-#include <cuticle/gpu/device.h>
-#include <cuticle/tests/hard_cases/elementary.glslh>
-#include <cuticle/tests/hard_cases/elementary_gpu.h>
+#include "core/shared/philox.glslh"
+#include "gpu/device.h"
+#include "tests/hard_cases/elementary.glslh"
+#include "tests/hard_cases/elementary_gpu.h"
 
 namespace cuticle::hard_cases::functions_parity_test {
 namespace {

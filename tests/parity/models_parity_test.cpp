@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/random.h>
+#include "bsdf/model.h"
+#include "core/random.h"
 #ifdef CUTICLE_HAS_GPU
-#include <cuticle/tests/support/model_on_device.h>
+#include "tests/support/model_on_device.h"
 #endif
 
 namespace cuticle::bsdf::models_parity_test {

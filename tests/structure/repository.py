@@ -6,7 +6,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("CUTICLE_BUILD_DIR", ROOT / "build/release"))
-CODE = (".cpp", ".h", ".glslh", ".comp", ".vert", ".frag", ".py", ".sh")
+CODE = (".cpp", ".h", ".glslh", ".glsl", ".comp", ".vert", ".frag", ".py", ".sh")
 
 # A -> the modules it may include (docs/architecture.md); the closure is taken below.
 ARROWS = {
@@ -50,10 +50,11 @@ def module_of(path):
 
 
 def is_gpu_half(path):
-    return bool(re.search(r"_gpu(_\w+)?\.(h|cpp)$|\.(comp|vert|frag)$", path)) or "/gpu/" in path
+    return bool(re.search(r"_gpu(_\w+)?\.(h|cpp)$|\.(comp|vert|frag|glsl)$", path)) or "/gpu/" in path
 
 
 def includes(path):
     """Names of the form bsdf/model.h that a file includes from this repository."""
     text = (ROOT / path).read_text(errors="replace")
-    return re.findall(r'#\s*include\s*[<"]cuticle/([^>"]+)[>"]', text)
+    named = re.findall(r'#\s*include\s*[<"]([^>"]+)[>"]', text)
+    return [name for name in named if name.split("/")[0] in ARROWS or name.split("/")[0] in LEAVES]

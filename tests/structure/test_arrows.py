@@ -44,7 +44,7 @@ def test_Includes_EveryFile_FollowsTheArrows():
 def test_Includes_AForbiddenArrow_IsNoticed(tmp_path, monkeypatch):
     import repository
     (tmp_path / "bsdf").mkdir()
-    (tmp_path / "bsdf/wrong.h").write_text("#include <cuticle/lut/table_set.h>\n")
+    (tmp_path / "bsdf/wrong.h").write_text("#include <lut/table_set.h>\n")
     monkeypatch.setattr(repository, "ROOT", tmp_path)
     assert violations(["bsdf/wrong.h"]) == ["bsdf/wrong.h includes lut/table_set.h"]
 

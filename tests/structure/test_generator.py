@@ -3,7 +3,7 @@ import subprocess
 
 import pytest
 
-from repository import BUILD, ROOT
+from repository import ROOT
 
 PLACES = {"model": "bsdf", "method": "shadows", "effect": "sim", "pass": "render/passes"}
 
@@ -17,24 +17,19 @@ def test_New_EachKind_MakesAFolderThatCompiles(kind, tmp_path):
     done = make(kind, "toy_thing", tmp_path)
     assert done.returncode == 0, done.stderr
     folder = tmp_path / PLACES[kind] / "toy_thing"
-    link = tmp_path / "include/cuticle" / PLACES[kind]
-    link.parent.mkdir(parents=True)
-    link.symlink_to(folder.parent)
     sources = sorted(folder.glob("*.cpp"))
     assert len(sources) >= 2 and (folder / "README.md").exists() and (folder / "CMakeLists.txt").exists()
     for source in (s for s in sources if not s.name.endswith("_gpu.cpp")):
-        command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", f"-I{tmp_path / 'include'}", f"-I{BUILD / 'include'}", source]
+        command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", f"-I{tmp_path}", f"-I{ROOT}", source]
         compiled = subprocess.run(command, capture_output=True, text=True)
         assert compiled.returncode == 0, compiled.stderr
 
 
 def test_New_Model_CompilesAsAKernel(tmp_path):
     assert make("model", "toy_thing", tmp_path).returncode == 0
-    (tmp_path / "include/cuticle").mkdir(parents=True)
-    (tmp_path / "include/cuticle/bsdf").symlink_to(tmp_path / "bsdf")
-    (tmp_path / "model_of_kernel.glslh").write_text('#include "cuticle/bsdf/toy_thing/toy_thing.glslh"\n')
-    command = ["glslangValidator", "-V", "--quiet", "--target-env", "vulkan1.3", f"-I{tmp_path}", f"-I{tmp_path / 'include'}",
-               f"-I{BUILD / 'include'}", "-o", tmp_path / "toy.spv", ROOT / "bsdf/gpu/evaluate.comp"]
+    (tmp_path / "model_of_kernel.glslh").write_text('#include "bsdf/toy_thing/toy_thing.glslh"\n')
+    command = ["glslangValidator", "-V", "--quiet", "--target-env", "vulkan1.3", f"-I{tmp_path}", f"-I{ROOT}",
+               "-o", tmp_path / "toy.spv", ROOT / "bsdf/gpu/evaluate.comp"]
     compiled = subprocess.run(command, capture_output=True, text=True)
     assert compiled.returncode == 0, compiled.stdout
 

@@ -15,11 +15,11 @@ def included_first(path):
     """Whether the source beside it begins with it, so that the build has compiled it alone."""
     source = (ROOT / path).with_suffix(".cpp")
     first = re.search(r"#\s*include\s*[<\"](.*?)[>\"]", source.read_text()) if source.exists() else None
-    return first is not None and first.group(1) == f"cuticle/{path}"
+    return first is not None and first.group(1) == path
 
 
 def compile_alone(path):
-    command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wno-pragma-once-outside-header", f"-I{BUILD / 'include'}", "-x", "c++",
+    command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wno-pragma-once-outside-header", f"-I{ROOT}", "-x", "c++",
                str(ROOT / path)]
     done = subprocess.run(command, capture_output=True, text=True)
     return "" if done.returncode == 0 else f"{path}: {done.stderr[:400]}"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include <cuticle/bsdf/batch/batch.h>
-#include <cuticle/core/random.h>
+#include "bsdf/batch/batch.h"
+#include "core/random.h"
 
 namespace cuticle::tests {
 

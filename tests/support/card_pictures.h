@@ -1,8 +1,8 @@
 #pragma once
 // Small scenes of cards, drawn on the software device.
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/cards/cards.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+#include "render/pass_gpu.h"
+#include "render/passes/cards/cards.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/cards/hair_cards.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "strands/cards/hair_cards.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::cards_gpu_test {
 

@@ -6,8 +6,8 @@
 
 #include <ceres/jet.h>
 
-#include <cuticle/bsdf/shared/evaluation.glslh>
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/shared/evaluation.glslh"
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::tests {
 

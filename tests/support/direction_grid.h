@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/core/quadrature.h>
+#include "bsdf/model.h"
+#include "core/quadrature.h"
 
 namespace cuticle::tests {
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/core/random.h>
-#include <cuticle/gpu/device.h>
-#include <cuticle/render/passes/truth/rasterise.h>
+#include "core/random.h"
+#include "gpu/device.h"
+#include "render/passes/truth/rasterise.h"
 
 namespace cuticle::tests {
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/tests/support/model_values.h>
+#include "tests/support/model_values.h"
 
 namespace cuticle::tests {
 

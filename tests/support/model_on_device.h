@@ -2,7 +2,7 @@
 // The kernels of models on the device, for tests that compare them with the CPU.
 #include <map>
 
-#include <cuticle/bsdf/model_gpu.h>
+#include "bsdf/model_gpu.h"
 
 namespace cuticle::tests {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/bsdf/model.h>
+#include "bsdf/model.h"
 
 namespace cuticle::tests {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cuticle/shadows/method.h>
+#include "shadows/method.h"
 
 namespace cuticle::tests {
 

@@ -1,10 +1,10 @@
 #pragma once
 // Frames of small scenes, made of parts of a scene file.
-#include <cuticle/plan/frame_runner_gpu.h>
+#include "plan/frame_runner_gpu.h"
 
 #include <gtest/gtest.h>
 
-#include <cuticle/plan/plan.h>
+#include "plan/plan.h"
 
 namespace cuticle::tests {
 

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::tests {
 

@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/tile_lists/tile_lists.h>
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
-#include <cuticle/render/passes/tile_sort/tile_sort.h>
-#include <cuticle/render/passes/tiles/tiles.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "render/pass_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/tile_lists/tile_lists.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/passes/tile_sort/tile_sort.h"
+#include "render/passes/tiles/tiles.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::tests {
 

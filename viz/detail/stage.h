@@ -6,7 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include <cuticle/viz/viz.h>
+#include "viz/viz.h"
 
 namespace cuticle::viz {
 

@@ -1,6 +1,6 @@
 #pragma once
 // A batch without vectors: points through the model's scalar float formulas, one block at a time.
-#include <cuticle/bsdf/batch/batch.h>
+#include "bsdf/batch/batch.h"
 
 namespace cuticle::bsdf::batch {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <cuticle/bsdf/batch/kernel.h>
+#include "bsdf/batch/kernel.h"
 
 namespace cuticle::bsdf::batch {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include <cuticle/bsdf/batch/batch.h>
-#include <cuticle/bsdf/batch/kernel.h>
+#include "bsdf/batch/batch.h"
+#include "bsdf/batch/kernel.h"
 
 namespace cuticle::bsdf::batch {
 

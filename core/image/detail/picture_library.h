@@ -2,7 +2,7 @@
 // What the library of pictures offers, which is loaded with the first picture (picture.cpp).
 #include <string>
 
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 namespace cuticle::detail {
 

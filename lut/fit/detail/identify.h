@@ -3,7 +3,7 @@
 // lut/fit.
 #include <span>
 
-#include <cuticle/lut/fit/detail/tangents.h>
+#include "lut/fit/detail/tangents.h"
 
 namespace cuticle::lut {
 

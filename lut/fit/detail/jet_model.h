@@ -3,8 +3,8 @@
 // of their own (jet_unit.cpp), behind plain arrays.
 #include <span>
 
-#include <cuticle/bsdf/model.h>
-#include <cuticle/lut/fit/detail/jet_tangents.h>
+#include "bsdf/model.h"
+#include "lut/fit/detail/jet_tangents.h"
 
 namespace cuticle::lut {
 

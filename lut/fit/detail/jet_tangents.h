@@ -1,6 +1,6 @@
 #pragma once
 // Numbers with their derivatives, as plain arrays, between the units that know ceres::Jet and the others.
-#include <cuticle/bsdf/shared/packing.glslh>
+#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::lut {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/lut/fit/detail/jet_model.h>
-#include <cuticle/lut/fit/model_fit.h>
+#include "lut/fit/detail/jet_model.h"
+#include "lut/fit/model_fit.h"
 
 namespace cuticle::lut {
 

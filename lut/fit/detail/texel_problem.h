@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include <cuticle/lut/comparison.h>
+#include "lut/comparison.h"
 
 namespace cuticle::lut {
 

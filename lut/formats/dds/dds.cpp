@@ -1,10 +1,10 @@
-#include <cuticle/lut/formats/dds/dds.h>
+#include "lut/formats/dds/dds.h"
 
 #include <algorithm>
 
-#include <cuticle/core/file.h>
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/formats/half.h>
+#include "core/file.h"
+#include "lut/format.h"
+#include "lut/formats/half.h"
 
 namespace cuticle::lut::dds {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/lut/formats/dds/dds.h>
+#include "lut/formats/dds/dds.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto image = cuticle::lut::dds::parse({reinterpret_cast<const std::byte*>(data), size}, "fuzz.dds");

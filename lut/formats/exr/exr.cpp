@@ -1,5 +1,5 @@
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/formats/half.h>
+#include "lut/format.h"
+#include "lut/formats/half.h"
 
 namespace cuticle::lut {
 namespace exr {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include <cuticle/core/image/image.h>
+#include "core/image/image.h"
 
 namespace cuticle::lut::ktx2 {
 

@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <cuticle/lut/formats/ktx2/ktx2.h>
+#include "lut/formats/ktx2/ktx2.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto image = cuticle::lut::ktx2::parse({reinterpret_cast<const std::byte*>(data), size}, "fuzz.ktx2");

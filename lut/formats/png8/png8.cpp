@@ -1,4 +1,4 @@
-#include <cuticle/lut/formats/png.h>
+#include "lut/formats/png.h"
 
 namespace cuticle::lut::png8 {
 

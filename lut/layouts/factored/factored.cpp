@@ -1,5 +1,5 @@
-#include <cuticle/lut/layouts/factored/slices.h>
-#include <cuticle/lut/layouts/nalu_channels.h>
+#include "lut/layouts/factored/slices.h"
+#include "lut/layouts/nalu_channels.h"
 
 namespace cuticle::lut::factored {
 namespace {

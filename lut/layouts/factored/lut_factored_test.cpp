@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cuticle/lut/format.h>
-#include <cuticle/lut/layouts/factored/slices.h>
+#include "lut/format.h"
+#include "lut/layouts/factored/slices.h"
 
 namespace cuticle::lut::factored::lut_factored_test {
 namespace {

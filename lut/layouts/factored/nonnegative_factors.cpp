@@ -1,4 +1,4 @@
-#include <cuticle/lut/layouts/factored/nonnegative_factors.h>
+#include "lut/layouts/factored/nonnegative_factors.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include <cuticle/lut/layouts/factored/slices.h>
+#include "lut/layouts/factored/slices.h"
 
 #include <algorithm>
 #include <cmath>

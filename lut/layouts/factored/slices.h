@@ -1,7 +1,7 @@
 #pragma once
 // S of a model where |theta_d| is one number: rows are pairs (theta_i, theta_o), columns azimuths of three colours.
-#include <cuticle/lut/evaluate.h>
-#include <cuticle/lut/layouts/factored/nonnegative_factors.h>
+#include "lut/evaluate.h"
+#include "lut/layouts/factored/nonnegative_factors.h"
 
 namespace cuticle::lut::factored {
 

@@ -1,4 +1,4 @@
-#include <cuticle/lut/layouts/nalu_channels.h>
+#include "lut/layouts/nalu_channels.h"
 
 namespace cuticle::lut::nalu_borders {
 

@@ -1,7 +1,7 @@
 // Settings by their documented names: Godot 4's ResourceImporterTexture and shading language.
 #include <fmt/format.h>
 
-#include <cuticle/lut/target.h>
+#include "lut/target.h"
 
 namespace cuticle::lut::godot {
 namespace {

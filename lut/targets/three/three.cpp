@@ -1,8 +1,8 @@
 // An ES module for three.js and WebGL 2.
 #include <fmt/format.h>
 
-#include <cuticle/lut/snippets/snippet.h>
-#include <cuticle/lut/target.h>
+#include "lut/snippets/snippet.h"
+#include "lut/target.h"
 
 namespace cuticle::lut::three {
 namespace {

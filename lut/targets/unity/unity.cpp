@@ -1,8 +1,8 @@
 // Settings by their documented names: Unity's TextureImporter, AssetPostprocessor, TextureImporterFormat.
 #include <fmt/format.h>
 
-#include <cuticle/lut/probes.h>
-#include <cuticle/lut/target.h>
+#include "lut/probes.h"
+#include "lut/target.h"
 
 namespace cuticle::lut::unity {
 namespace {

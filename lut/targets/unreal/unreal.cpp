@@ -1,7 +1,7 @@
 // Settings by their documented names: Unreal Engine 5's Python API.
 #include <fmt/format.h>
 
-#include <cuticle/lut/target.h>
+#include "lut/target.h"
 
 namespace cuticle::lut::unreal {
 namespace {

@@ -3,7 +3,7 @@
 // How much of a sphere around each pixel's point lies before the depth that the picture sees, by lines along the view
 // through it. A plane leaves one half open, however it is turned: that counts as all. No normal is needed, which hair
 // has none of.
-#include "cuticle/render/picture_filter.glsl"
+#include "render/picture_filter.glsl"
 layout(binding = 2) uniform sampler2D picture;
 layout(push_constant) uniform Push {
   uvec2 resolution;

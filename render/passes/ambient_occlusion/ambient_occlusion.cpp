@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/ambient_occlusion/ambient_occlusion.h>
+#include "render/passes/ambient_occlusion/ambient_occlusion.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::ambient_occlusion {
 

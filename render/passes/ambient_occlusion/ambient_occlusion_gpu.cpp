@@ -1,5 +1,5 @@
-#include <cuticle/render/passes/ambient_occlusion/ambient_occlusion.h>
-#include <cuticle/render/picture_filter_gpu.h>
+#include "render/passes/ambient_occlusion/ambient_occlusion.h"
+#include "render/picture_filter_gpu.h"
 
 #include <ambient_occlusion_comp.spv.h>
 

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/aovs/aovs.glsl"
+#include "render/passes/aovs/aovs.glsl"
 layout(std430, binding = 8) readonly buffer SeenSegments { Seen seen[]; };
 
 Seen seen_in(uint pixel) { return seen[pixel]; }

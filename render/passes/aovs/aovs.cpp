@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/aovs/aovs.h>
+#include "render/passes/aovs/aovs.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::aovs {
 

@@ -1,9 +1,9 @@
 // One invocation per pixel: from the segment that it sees to numbers, those of the point nearest to the pixel's middle.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/seen.glsl"
-#include "cuticle/render/segment_share.glsl"
+#include "gpu/groups.glsl"
+#include "render/seen.glsl"
+#include "render/segment_share.glsl"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
@@ -25,7 +25,7 @@ layout(push_constant) uniform Push {
 const uint k_channels = 9u;
 
 #define CHANNEL_CONSTANT 1
-#include "cuticle/render/channels.glsl"
+#include "render/channels.glsl"
 
 /// What the shader that includes this finds out; its source stands at binding 8.
 Seen seen_in(uint pixel);

@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include <cuticle/render/pass.h>
+#include "render/pass.h"
 
 namespace cuticle::render::aovs {
 

@@ -1,7 +1,7 @@
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/aovs/aovs.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
+#include "gpu/groups.h"
+#include "render/pass_gpu.h"
+#include "render/passes/aovs/aovs.h"
+#include "render/passes/lines/frame_gpu.h"
 
 #include <aovs_comp.spv.h>
 #include <aovs_many_comp.spv.h>

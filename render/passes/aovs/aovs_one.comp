@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/aovs/aovs_samples.glsl"
+#include "render/passes/aovs/aovs_samples.glsl"
 layout(binding = 8) uniform usampler2D seen;
 
 uint segment_at(ivec2 texel, int sample_index) { return texelFetch(seen, texel, 0).r; }

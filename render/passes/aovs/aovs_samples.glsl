@@ -1,8 +1,8 @@
 // What a pixel sees of a visibility buffer: the strand that most of its samples see, how many see any, how many strands
 // they see.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/aovs/aovs.glsl"
-#include "cuticle/render/passes/lines/segment_ends.glsl"
+#include "render/passes/aovs/aovs.glsl"
+#include "render/passes/lines/segment_ends.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;        // of a texel
 layout(constant_id = 5) const int k_supersampling = 1;  // texels across a pixel

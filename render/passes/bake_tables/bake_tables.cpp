@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/bake_tables/bake_tables.h>
+#include "render/passes/bake_tables/bake_tables.h"
 
 namespace cuticle::render::bake_tables {
 

@@ -1,9 +1,9 @@
-#include <cuticle/render/passes/cards/cards.h>
+#include "render/passes/cards/cards.h"
 
 #include <vector>
 
-#include <cuticle/render/shading.h>
-#include <cuticle/strands/cards/cards.h>
+#include "render/shading.h"
+#include "strands/cards/cards.h"
 
 namespace cuticle::render::cards {
 

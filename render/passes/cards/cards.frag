@@ -1,7 +1,7 @@
 #version 460
 // A card's pixel where its own alpha says so: opaque parts, or the rest.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/cards/cards_shade.glsl"
+#include "render/passes/cards/cards_shade.glsl"
 
 void main() {
   const vec4 texel = texture(atlas_texture, uv_open.xy);

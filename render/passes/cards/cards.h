@@ -1,6 +1,6 @@
 #pragma once
-#include <cuticle/bsdf/model.h>
-#include <cuticle/render/pass.h>
+#include "bsdf/model.h"
+#include "render/pass.h"
 
 namespace cuticle::render::cards {
 

@@ -1,7 +1,7 @@
 #version 460
 // Cards by their index buffer. The position is the same to the bit in every pass: one compares depths for equality.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/cards/cards_frame.glsl"
+#include "render/passes/cards/cards_frame.glsl"
 
 invariant gl_Position;
 layout(location = 0) out vec3 world;

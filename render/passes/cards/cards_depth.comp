@@ -1,9 +1,9 @@
 #version 460
 // Mean depth of each part of the cards, along the camera's axis.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/cards/card_parts.glsl"
-#include "cuticle/render/passes/cards/card_rows.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/cards/card_parts.glsl"
+#include "render/passes/cards/card_rows.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Parts { SortedPart parts[]; };

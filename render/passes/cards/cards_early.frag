@@ -1,7 +1,7 @@
 #version 460
 // A card's pixel where depth has said so beforehand: what is hidden is not shaded.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/cards/cards_shade.glsl"
+#include "render/passes/cards/cards_shade.glsl"
 
 layout(early_fragment_tests) in;
 

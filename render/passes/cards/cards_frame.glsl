@@ -1,6 +1,6 @@
 // What a frame tells the shaders of cards (CardFrame of cards_gpu.cpp, word for word).
-#include "cuticle/render/lights.glsl"
-#include "cuticle/render/passes/cards/card_rows.glsl"
+#include "render/lights.glsl"
+#include "render/passes/cards/card_rows.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Placed { PlacedRow placed[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Rests { CardRest rests[]; };

@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/render/lights_gpu.h>
-#include <cuticle/render/passes/cards/cards.h>
-#include <cuticle/render/passes/cards/placement_gpu.h>
-#include <cuticle/render/passes/cards/sorting_gpu.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
+#include "render/lights_gpu.h"
+#include "render/passes/cards/cards.h"
+#include "render/passes/cards/placement_gpu.h"
+#include "render/passes/cards/sorting_gpu.h"
+#include "render/passes/lines/frame_gpu.h"
+#include "render/passes/lines/lines.h"
 
 #include <cards_early_frag.spv.h>
 #include <cards_frag.spv.h>

@@ -1,5 +1,5 @@
 // Cards: a pixel beside the model in double, the schemes beside each other, the order beside compositing by hand.
-#include <cuticle/tests/support/card_pictures.h>
+#include "tests/support/card_pictures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cuticle/bsdf/scheuermann/shading.h>
-#include <cuticle/render/passes/cards/sorting_gpu.h>
+#include "bsdf/scheuermann/shading.h"
+#include "render/passes/cards/sorting_gpu.h"
 
 namespace cuticle::render::cards_gpu_test {
 namespace {

@@ -1,9 +1,9 @@
 #version 460
 // A card follows some of its strands: each row stands by their mean as it stood at rest, turned with the mean's tangent.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/cards/card_rows.glsl"
-#include "cuticle/strands/spline/frame.glslh"
+#include "gpu/groups.glsl"
+#include "render/passes/cards/card_rows.glsl"
+#include "strands/spline/frame.glslh"
 
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };

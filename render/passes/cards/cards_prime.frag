@@ -1,7 +1,7 @@
 #version 460
 // The depth of opaque parts, by their alpha alone.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/cards/cards_frame.glsl"
+#include "render/passes/cards/cards_frame.glsl"
 
 layout(location = 3) in vec3 uv_open;
 

@@ -1,22 +1,22 @@
 // Scheuermann's shading of a card's pixel: two highlights with tangents shifted along the card's normal, a lerp diffuse
 // term, textures, ambient occlusion, and what the scene's shadow method lets through to the strands of the card.
-#include "cuticle/bsdf/scheuermann/scheuermann.glslh"
-#include "cuticle/render/passes/cards/cards_frame.glsl"
+#include "bsdf/scheuermann/scheuermann.glslh"
+#include "render/passes/cards/cards_frame.glsl"
 
 layout(constant_id = 0) const bool is_opaque = false;
 layout(constant_id = 1) const uint step_number = 0u;
 layout(constant_id = 2) const bool counts = false;
 layout(constant_id = 3) const bool is_shadowed = false;
 #define CHANNEL_CONSTANT 4
-#include "cuticle/render/passes/lines/transmittance.glsl"
-#include "cuticle/render/passes/lines/ambient.glsl"
-#include "cuticle/render/passes/lines/angles.glsl"
+#include "render/passes/lines/transmittance.glsl"
+#include "render/passes/lines/ambient.glsl"
+#include "render/passes/lines/angles.glsl"
 layout(constant_id = 8) const uint scattered_by = 0u;  // as ScatteredBy of cards_gpu.cpp
 const uint k_frame_multiple = 1u, k_dual_scattering = 2u;
 layout(constant_id = 9) const bool is_shadowed_by_hair = false;
 layout(constant_id = 10) const bool surfaces_cast = false;
 #define DUAL_BINDING 6
-#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
+#include "render/passes/dual_scattering/dual_scattering.glsl"
 layout(location = 0) in vec3 world;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 tangent;

@@ -1,8 +1,8 @@
 #version 460
 // The index buffer in the order of this frame: a thread for each part finds where its indices begin and copies them.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/cards/card_parts.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/cards/card_parts.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool groups_alone = false;  // parts of the head's group keep their static order

@@ -1,10 +1,10 @@
-#include <cuticle/render/passes/cards/cards.h>
+#include "render/passes/cards/cards.h"
 
 #include <fmt/core.h>
 
 #include <glm/ext/scalar_constants.hpp>
 
-#include <cuticle/bsdf/pigment/pigment.h>
+#include "bsdf/pigment/pigment.h"
 
 namespace cuticle::render::cards {
 

@@ -1,12 +1,12 @@
-#include <cuticle/render/passes/cards/placement_gpu.h>
+#include "render/passes/cards/placement_gpu.h"
 
 #include <algorithm>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+#include "gpu/groups.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <cards_place_comp.spv.h>
 

@@ -4,8 +4,8 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/render/gathered_transmittance_gpu.h>
-#include <cuticle/strands/cards/hair_cards.h>
+#include "render/gathered_transmittance_gpu.h"
+#include "strands/cards/hair_cards.h"
 
 namespace cuticle::render::cards {
 

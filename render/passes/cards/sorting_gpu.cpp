@@ -1,8 +1,8 @@
-#include <cuticle/render/passes/cards/sorting_gpu.h>
+#include "render/passes/cards/sorting_gpu.h"
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <cards_depth_comp.spv.h>
 #include <cards_sort_comp.spv.h>

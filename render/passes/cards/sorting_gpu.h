@@ -1,7 +1,7 @@
 #pragma once
 // The order in which parts of cards are drawn: the index buffer, static or of this frame.
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/strands/cards/card_mesh.h>
+#include "render/pass_gpu.h"
+#include "strands/cards/card_mesh.h"
 
 namespace cuticle::render::cards {
 

@@ -1,8 +1,8 @@
 // One invocation per tile: 1 / distance of the farthest that the scene shows in it; 0: something is open.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/cull_strands/cull_push.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/cull_strands/cull_push.glsl"
 
 layout(std430, binding = 0) writeonly buffer TileDepth { float tile_depth[]; };
 

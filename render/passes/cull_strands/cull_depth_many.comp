@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/cull_strands/cull_depth.glsl"
+#include "render/passes/cull_strands/cull_depth.glsl"
 layout(constant_id = 0) const int k_samples = 1;
 layout(binding = 1) uniform sampler2DMS depth;
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One workgroup: the strands that are seen, in their order, and what to draw. Every invocation has a run of words.
 layout(local_size_x = 256) in;
-#include "cuticle/render/passes/cull_strands/cull_push.glsl"
+#include "render/passes/cull_strands/cull_push.glsl"
 
 layout(std430, binding = 0) readonly buffer Seen { uint seen[]; };
 layout(std430, binding = 1) writeonly buffer List { uint list[]; };

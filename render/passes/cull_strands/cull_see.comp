@@ -3,10 +3,10 @@
 // One invocation per strand: whether any of its segments may show, and how many have numbers that are none. Wherever it
 // is in doubt a strand is drawn.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/finite.glsl"
-#include "cuticle/render/passes/cull_strands/cull_push.glsl"
-#include "cuticle/render/passes/lines/segment_ends.glsl"
+#include "gpu/groups.glsl"
+#include "render/finite.glsl"
+#include "render/passes/cull_strands/cull_push.glsl"
+#include "render/passes/lines/segment_ends.glsl"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer TileDepth { float tile_depth[]; };

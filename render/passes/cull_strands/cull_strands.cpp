@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/cull_strands/cull_strands.h>
+#include "render/passes/cull_strands/cull_strands.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::cull_strands {
 

@@ -1,13 +1,13 @@
-#include <cuticle/render/passes/cull_strands/cull_strands_gpu.h>
+#include "render/passes/cull_strands/cull_strands_gpu.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/passes/cull_strands/cull_strands.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
+#include "gpu/groups.h"
+#include "render/passes/cull_strands/cull_strands.h"
+#include "render/passes/lines/frame_gpu.h"
 
 #include <cull_depth_many_comp.spv.h>
 #include <cull_depth_one_comp.spv.h>

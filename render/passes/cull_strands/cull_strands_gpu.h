@@ -1,6 +1,6 @@
 #pragma once
 // Which strands a way of drawing has to draw.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::cull_strands {
 

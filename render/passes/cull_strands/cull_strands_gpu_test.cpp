@@ -4,9 +4,9 @@
 
 #include <gmock/gmock.h>
 
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/quads/quads.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "render/pass_gpu.h"
+#include "render/passes/quads/quads.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::cull_strands_gpu_test {
 namespace {

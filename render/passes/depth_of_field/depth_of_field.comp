@@ -3,8 +3,8 @@
 // Each pixel gathers the discs that cover it. What lies before the pixel's own point covers it by the share of its light
 // that falls here; the rest is a mean, to which a disc that lies behind gives no farther than the pixel's own disc
 // reaches, so that what is sharp keeps its edge.
-#include "cuticle/render/picture_filter.glsl"
-#include "cuticle/render/passes/depth_of_field/lens.glsl"
+#include "render/picture_filter.glsl"
+#include "render/passes/depth_of_field/lens.glsl"
 layout(std430, binding = 2) readonly buffer Spread { float spread[]; };
 layout(binding = 3) uniform sampler2D picture;
 

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/depth_of_field/depth_of_field.h>
+#include "render/passes/depth_of_field/depth_of_field.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::depth_of_field {
 

@@ -1,7 +1,7 @@
 #include <glm/geometric.hpp>
 
-#include <cuticle/render/passes/depth_of_field/depth_of_field.h>
-#include <cuticle/render/tiled_filter_gpu.h>
+#include "render/passes/depth_of_field/depth_of_field.h"
+#include "render/tiled_filter_gpu.h"
 
 #include <depth_of_field_comp.spv.h>
 #include <depth_of_field_reach_comp.spv.h>

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per tile: the largest disc of its pixels that can lie before others; the background cannot.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/depth_of_field/lens.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/depth_of_field/lens.glsl"
 
 layout(std430, binding = 0) readonly buffer PixelDepth { float pixel_depth[]; };
 layout(std430, binding = 1) writeonly buffer Reach { float reach[]; };

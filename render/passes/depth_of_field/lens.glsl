@@ -1,7 +1,7 @@
 #ifndef CUTICLE_RENDER_LENS_GLSL
 #define CUTICLE_RENDER_LENS_GLSL
 // The circle of confusion of a thin lens; depth_of_field_gpu.cpp holds the same fields.
-#include "cuticle/render/filter_tile.glsl"
+#include "render/filter_tile.glsl"
 
 layout(push_constant) uniform Push {
   uvec2 resolution;

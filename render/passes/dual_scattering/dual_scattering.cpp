@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/dual_scattering/dual_scattering.h>
+#include "render/passes/dual_scattering/dual_scattering.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::dual_scattering {
 

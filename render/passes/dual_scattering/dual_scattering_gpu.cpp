@@ -1,10 +1,10 @@
 #include <deque>
 #include <mutex>
 
-#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
-#include <cuticle/render/passes/dual_scattering/dual_scattering.h>
-#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+#include "bsdf/dual_scattering/dual_scattering.h"
+#include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 namespace cuticle::render::dual_scattering {
 

@@ -1,6 +1,6 @@
 #pragma once
 // What shaders that include lit.glsl are given.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::dual_scattering {
 

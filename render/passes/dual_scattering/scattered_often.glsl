@@ -4,7 +4,7 @@
 layout(constant_id = DUAL_CONSTANT) const uint k_dual = 0u;  // 1: dual scattering in place of the frame's `multiple`
 layout(constant_id = DUAL_CONSTANT + 1) const uint k_surfaces = 0u;  // 1: surfaces cast too
 layout(std430, set = 0, binding = DUAL_BINDING + 1) readonly buffer Visibility { float visibility[]; };
-#include "cuticle/render/passes/dual_scattering/dual_scattering.glsl"
+#include "render/passes/dual_scattering/dual_scattering.glsl"
 
 // What of a light passes the surfaces to a vertex.
 float past_surfaces(uint light, uint vertex) {

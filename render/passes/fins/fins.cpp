@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/fins/fins.h>
+#include "render/passes/fins/fins.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::fins {
 

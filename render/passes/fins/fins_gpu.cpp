@@ -1,5 +1,5 @@
-#include <cuticle/render/passes/fins/fins.h>
-#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+#include "render/passes/fins/fins.h"
+#include "render/passes/head/mesh_draw_gpu.h"
 
 #include <fins_frag.spv.h>
 

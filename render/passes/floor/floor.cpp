@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/floor/floor.h>
+#include "render/passes/floor/floor.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::floor {
 

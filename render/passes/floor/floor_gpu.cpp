@@ -1,5 +1,5 @@
-#include <cuticle/render/passes/floor/floor.h>
-#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+#include "render/passes/floor/floor.h"
+#include "render/passes/head/mesh_draw_gpu.h"
 
 #include <floor_frag.spv.h>
 

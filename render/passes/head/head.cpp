@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/head/head.h>
+#include "render/passes/head/head.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::head {
 

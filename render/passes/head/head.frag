@@ -3,7 +3,7 @@
 // Diffuse with wrapped light: (wrap + N.L) / (1 + wrap). Light directions come in the mesh's rest frame. THIN: a sheet
 // that is seen from both sides, and that lets a share of the light through. UNDER_SURFACES: what surfaces cast falls on it
 // too; it is none of them.
-#include "cuticle/render/lights.glsl"
+#include "render/lights.glsl"
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 albedo_0, albedo_1;  // w of the first: wrap; of the second: number of lights
   LightRow lights[k_most_lights];
@@ -15,9 +15,9 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
 };
 layout(set = 0, binding = 4) uniform sampler2D hair_map;
 layout(set = 0, binding = 5) uniform sampler2D surface_map;
-#include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
+#include "render/passes/surface_shadow/map_lookup.glsl"
 #define CHANNEL_CONSTANT 0
-#include "cuticle/render/channels.glsl"
+#include "render/channels.glsl"
 
 layout(location = 0) in vec3 rest_normal;
 layout(location = 1) in float mixed;

@@ -3,8 +3,8 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/render/passes/head/head.h>
-#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+#include "render/passes/head/head.h"
+#include "render/passes/head/mesh_draw_gpu.h"
 
 #include <head_frag.spv.h>
 

@@ -1,11 +1,11 @@
-#include <cuticle/render/passes/head/mesh_draw_gpu.h>
+#include "render/passes/head/mesh_draw_gpu.h"
 
 #include <array>
 
 #include <glm/matrix.hpp>
 
-#include <cuticle/render/lights_gpu.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+#include "render/lights_gpu.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <head_vert.spv.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 // A mesh of the scene with wrapped diffuse light: what the passes "head", "fins" and "floor" draw.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::head {
 

@@ -1,5 +1,5 @@
-#include <cuticle/render/generating.h>
-#include <cuticle/render/shading.h>
+#include "render/generating.h"
+#include "render/shading.h"
 
 namespace cuticle::render::interpolate_velocities {
 

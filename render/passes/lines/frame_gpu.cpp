@@ -1,12 +1,12 @@
-#include <cuticle/render/passes/lines/frame_gpu.h>
+#include "render/passes/lines/frame_gpu.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/strands/lod/lod.h>
+#include "strands/lod/lod.h"
 #include <fmt/core.h>
-#include <cuticle/strands/lod/lod.glslh>
+#include "strands/lod/lod.glslh"
 #include <glm/geometric.hpp>
 
 namespace cuticle::render::lines {

@@ -1,7 +1,7 @@
 #pragma once
 // What a frame tells the line shaders (lines_frame.glsl).
-#include <cuticle/render/lights_gpu.h>
-#include <cuticle/render/pass_gpu.h>
+#include "render/lights_gpu.h"
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::lines {
 

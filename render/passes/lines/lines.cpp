@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/lines/lines.h>
+#include "render/passes/lines/lines.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::lines {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <cuticle/render/pass.h>
+#include "render/pass.h"
 
 namespace cuticle::render::lines {
 

@@ -1,4 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define CHANNELS 3u
-#include "cuticle/render/passes/lines/lines_fragment.glsl"
+#include "render/passes/lines/lines_fragment.glsl"

@@ -2,4 +2,4 @@
 #extension GL_GOOGLE_include_directive : require
 #define CHANNELS 3u
 #define SAYS_SEEN
-#include "cuticle/render/passes/lines/lines_fragment.glsl"
+#include "render/passes/lines/lines_fragment.glsl"

@@ -1,14 +1,14 @@
 // A line's pixel: scattering from lookup tables along the interpolated tangent; CHANNELS as in lines_vertex.glsl. With
 // SAYS_SEEN also which segment a sample sees, into a visibility buffer.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/lines/lines_frame.glsl"
+#include "render/passes/lines/lines_frame.glsl"
 
 layout(set = 0, binding = 7) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
 layout(set = 0, binding = 8) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
 layout(set = 0, binding = 9) uniform sampler2D table_n_trt;   // N_TRT rgb
 layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
 #define MIP_LEVELS k_mip_levels
-#include "cuticle/render/passes/lines/scattering.glsl"
+#include "render/passes/lines/scattering.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;

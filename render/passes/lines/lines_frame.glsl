@@ -1,5 +1,5 @@
 // What a frame tells the line shaders; frame_gpu.h holds the same fields in the same order.
-#include "cuticle/render/lights.glsl"
+#include "render/lights.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
   mat4 world_to_clip;
@@ -14,4 +14,4 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   LightRow lights[k_most_lights];
 };
 
-#include "cuticle/render/passes/lines/segment_ends.glsl"
+#include "render/passes/lines/segment_ends.glsl"

@@ -1,12 +1,12 @@
 #include <map>
 #include <optional>
 
-#include <cuticle/render/passes/bake_tables/bake_tables.h>
-#include <cuticle/render/passes/cull_strands/cull_strands_gpu.h>
-#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/lines/shading_inputs_gpu.h>
-#include <cuticle/strands/packing/packing_gpu.h>
+#include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/cull_strands/cull_strands_gpu.h"
+#include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/lines/shading_inputs_gpu.h"
+#include "strands/packing/packing_gpu.h"
 
 #include <lines_coloured_frag.spv.h>
 #include <lines_coloured_seen_frag.spv.h>

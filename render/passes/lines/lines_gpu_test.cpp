@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/lut/live_tables_gpu.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/strands/lod/lod.h>
+#include "lut/bake_gpu.h"
+#include "lut/live_tables_gpu.h"
+#include "render/pass_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "strands/lod/lod.h"
 
 namespace cuticle::render::lines_gpu_test {
 namespace {

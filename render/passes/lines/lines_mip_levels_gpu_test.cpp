@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/bake_tables/bake_tables.h>
-#include <cuticle/render/passes/lines/lines.h>
+#include "lut/bake_gpu.h"
+#include "render/pass_gpu.h"
+#include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/lines/lines.h"
 
 namespace cuticle::render::lines_mip_levels_gpu_test {
 namespace {

@@ -1,10 +1,10 @@
 // Strands as lines: two vertices a segment, pulled from the drawn strands' buffers, in full or packed. Transmittance
 // comes per strand vertex, in CHANNELS numbers a light: 1, or 3 where channels are shadowed apart.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/strands/packing/packing.glslh"
-#include "cuticle/render/finite.glsl"
-#include "cuticle/render/passes/lines/lines_frame.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
+#include "strands/packing/packing.glslh"
+#include "render/finite.glsl"
+#include "render/passes/lines/lines_frame.glsl"
+#include "render/passes/lines/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
@@ -12,15 +12,15 @@ layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[];
 layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 #define CHANNEL_CONSTANT 0
-#include "cuticle/render/passes/lines/transmittance.glsl"
-#include "cuticle/render/passes/lines/angles.glsl"
+#include "render/passes/lines/transmittance.glsl"
+#include "render/passes/lines/angles.glsl"
 #define DUAL_CONSTANT 4
 #define DUAL_BINDING 4
-#include "cuticle/render/passes/dual_scattering/scattered_often.glsl"
+#include "render/passes/dual_scattering/scattered_often.glsl"
 
 #define LISTED_CONSTANT 7
 #define LISTED_BINDING 6
-#include "cuticle/render/passes/cull_strands/listed_strand.glsl"
+#include "render/passes/cull_strands/listed_strand.glsl"
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;

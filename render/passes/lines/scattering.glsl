@@ -3,8 +3,8 @@
 // Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M
 // (docs/conventions.md). Before this stand lines_frame.glsl and the samplers table_m (M_R, M_TT, M_TRT, cos theta_d),
 // table_n_tt_r (N_TT rgb, N_R) and table_n_trt (N_TRT rgb).
-#include "cuticle/render/passes/lines/ambient.glsl"
-#include "cuticle/render/passes/lines/angles.glsl"
+#include "render/passes/lines/ambient.glsl"
+#include "render/passes/lines/angles.glsl"
 
 //
 // With mip levels a lookup reads a mean over what lies between it and those of the next pixels, where the tangent is

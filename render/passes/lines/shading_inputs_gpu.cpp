@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/lines/shading_inputs_gpu.h>
+#include "render/passes/lines/shading_inputs_gpu.h"
 
-#include <cuticle/render/passes/lines/lines.h>
+#include "render/passes/lines/lines.h"
 
 namespace cuticle::render::lines {
 

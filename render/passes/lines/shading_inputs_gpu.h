@@ -1,8 +1,8 @@
 #pragma once
 // What the shaders that shade strands read in a frame: constants, the transmittance of all lights in one buffer,
 // tables.
-#include <cuticle/render/gathered_transmittance_gpu.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
+#include "render/gathered_transmittance_gpu.h"
+#include "render/passes/lines/frame_gpu.h"
 
 namespace cuticle::render::lines {
 

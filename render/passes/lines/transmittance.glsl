@@ -1,6 +1,6 @@
 // What of a light arrives at a vertex, per channel: light by light `transmittance` holds a float per vertex for each
 // different opacity. Before this stand that buffer, vertex_count and CHANNEL_CONSTANT.
-#include "cuticle/render/channels.glsl"
+#include "render/channels.glsl"
 
 vec3 transmitted(uint light, uint vertex) {
   const uint first = light * k_different * vertex_count + vertex;

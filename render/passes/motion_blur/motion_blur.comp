@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Each pixel at moments of the open shutter. At each of them it sees what its own motion brings, unless that is hidden
 // now; or, before that, what comes along the largest motion near it and lies nearer.
-#include "cuticle/render/picture_filter.glsl"
-#include "cuticle/render/passes/motion_blur/shutter.glsl"
+#include "render/picture_filter.glsl"
+#include "render/passes/motion_blur/shutter.glsl"
 layout(std430, binding = 2) readonly buffer Spread { vec2 spread[]; };
 layout(std430, binding = 3) readonly buffer Vectors { vec2 vectors[]; };
 layout(binding = 4) uniform sampler2D picture;

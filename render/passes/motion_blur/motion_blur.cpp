@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/motion_blur/motion_blur.h>
+#include "render/passes/motion_blur/motion_blur.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::motion_blur {
 

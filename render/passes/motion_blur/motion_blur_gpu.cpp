@@ -1,5 +1,5 @@
-#include <cuticle/render/passes/motion_blur/motion_blur.h>
-#include <cuticle/render/tiled_filter_gpu.h>
+#include "render/passes/motion_blur/motion_blur.h"
+#include "render/tiled_filter_gpu.h"
 
 #include <motion_blur_comp.spv.h>
 #include <motion_blur_reach_comp.spv.h>

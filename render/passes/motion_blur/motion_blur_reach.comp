@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per tile: the largest motion of its pixels.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/motion_blur/shutter.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/motion_blur/shutter.glsl"
 
 layout(std430, binding = 0) readonly buffer Vectors { vec2 vectors[]; };
 layout(std430, binding = 1) writeonly buffer Reach { vec2 reach[]; };

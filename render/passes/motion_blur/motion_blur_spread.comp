@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per tile: the largest motion that reaches into it from the tiles around.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/motion_blur/shutter.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/motion_blur/shutter.glsl"
 
 layout(std430, binding = 0) readonly buffer Reach { vec2 reach[]; };
 layout(std430, binding = 1) writeonly buffer Spread { vec2 spread[]; };

@@ -1,7 +1,7 @@
 #ifndef CUTICLE_RENDER_SHUTTER_GLSL
 #define CUTICLE_RENDER_SHUTTER_GLSL
 // What a pixel moves by while the shutter is open; motion_blur_gpu.cpp holds the same fields.
-#include "cuticle/render/filter_tile.glsl"
+#include "render/filter_tile.glsl"
 
 layout(push_constant) uniform Push {
   uvec2 resolution;

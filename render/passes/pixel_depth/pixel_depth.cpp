@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/pixel_depth/pixel_depth.h>
+#include "render/passes/pixel_depth/pixel_depth.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::pixel_depth {
 

@@ -2,7 +2,7 @@
 // that is linear in the stored depth, finite where nothing is seen (0), and what blur goes by.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 
 layout(std430, binding = 0) readonly buffer Aovs { float aovs[]; };  // the first of each pixel's: distance along the view
 layout(std430, binding = 1) writeonly buffer PixelDepth { float pixel_depth[]; };

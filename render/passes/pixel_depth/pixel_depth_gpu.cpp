@@ -1,6 +1,6 @@
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/aovs/aovs.h>
+#include "gpu/groups.h"
+#include "render/pass_gpu.h"
+#include "render/passes/aovs/aovs.h"
 
 #include <pixel_depth_many_comp.spv.h>
 #include <pixel_depth_one_comp.spv.h>

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/quads/quads.h>
+#include "render/passes/quads/quads.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::quads {
 

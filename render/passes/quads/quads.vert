@@ -2,16 +2,16 @@
 // A segment as two triangles that face the camera. Their sides stand across the strand's tangent, so that neighbours
 // share an edge.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/finite.glsl"
-#include "cuticle/render/passes/lines/lines_frame.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
+#include "render/finite.glsl"
+#include "render/passes/lines/lines_frame.glsl"
+#include "render/passes/lines/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
 layout(set = 0, binding = 5) uniform sampler2D taper;  // factor on the width, root to tip
 #define LISTED_CONSTANT 0
 #define LISTED_BINDING 4
-#include "cuticle/render/passes/cull_strands/listed_strand.glsl"
+#include "render/passes/cull_strands/listed_strand.glsl"
 layout(push_constant) uniform Push { float width; };   // factor on all
 
 layout(location = 0) flat out uint id;  // of the segment, from 1

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include <cuticle/render/passes/cull_strands/cull_strands_gpu.h>
-#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
-#include <cuticle/render/passes/lines/shading_inputs_gpu.h>
-#include <cuticle/render/passes/quads/quads.h>
+#include "render/passes/cull_strands/cull_strands_gpu.h"
+#include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "render/passes/lines/shading_inputs_gpu.h"
+#include "render/passes/quads/quads.h"
 
 #include <quads_frag.spv.h>
 #include <quads_shade_many_frag.spv.h>

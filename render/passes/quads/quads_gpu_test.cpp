@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/quads/quads.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "lut/bake_gpu.h"
+#include "render/pass_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/quads/quads.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::quads_gpu_test {
 namespace {

@@ -1,9 +1,9 @@
 // A pixel's strands, each shaded once and counted as often as samples see it. The sum goes to the samples that see hair.
 // Before this stand the version, and after it `seen`, the visibility buffer, at binding 9.
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/lines/lines_frame.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
-#include "cuticle/render/segment_share.glsl"
+#include "render/passes/lines/lines_frame.glsl"
+#include "render/passes/lines/strand_chance.glsl"
+#include "render/segment_share.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
@@ -13,11 +13,11 @@ layout(set = 0, binding = 6) uniform sampler2D table_m;
 layout(set = 0, binding = 7) uniform sampler2D table_n_tt_r;
 layout(set = 0, binding = 8) uniform sampler2D table_n_trt;
 #define CHANNEL_CONSTANT 1
-#include "cuticle/render/passes/lines/transmittance.glsl"
-#include "cuticle/render/passes/lines/scattering.glsl"
+#include "render/passes/lines/transmittance.glsl"
+#include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 5
 #define DUAL_BINDING 4
-#include "cuticle/render/passes/dual_scattering/lit.glsl"
+#include "render/passes/dual_scattering/lit.glsl"
 
 layout(location = 0) out vec4 color;
 

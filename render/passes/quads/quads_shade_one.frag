@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "cuticle/render/passes/quads/quads_shade.glsl"
+#include "render/passes/quads/quads_shade.glsl"
 layout(set = 0, binding = 9) uniform usampler2D seen;
 
 uint segment_at(ivec2 pixel, int sample_index) { return texelFetch(seen, pixel, 0).r; }

@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/resolve/resolve.h>
+#include "render/passes/resolve/resolve.h"
 
 namespace cuticle::render::resolve {
 

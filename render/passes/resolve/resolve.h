@@ -1,8 +1,8 @@
 #pragma once
 #include <glm/vec3.hpp>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/render/pass.h>
+#include "core/image/image.h"
+#include "render/pass.h"
 
 namespace cuticle::render::resolve {
 

@@ -1,5 +1,5 @@
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/resolve/resolve.h>
+#include "render/pass_gpu.h"
+#include "render/passes/resolve/resolve.h"
 
 #include <resolve_frag.spv.h>
 #include <resolve_vert.spv.h>

@@ -3,7 +3,7 @@
 // One invocation per strand: how many shading points it has, by its length on the screen were it drawn across the view
 // where it is nearest, and which of them are next to a vertex that is seen.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Visible { uint visible[]; };    // a bit per vertex
@@ -15,7 +15,7 @@ layout(push_constant) uniform Push {
   uint strand_count, vertices_per_strand;
   uint only_visible;
 };
-#include "cuticle/render/passes/shade_strands/shading_points.glsl"
+#include "render/passes/shade_strands/shading_points.glsl"
 
 bool is_seen(uint vertex) { return only_visible == 0u || (visible[vertex >> 5] >> (vertex & 31u) & 1u) != 0u; }
 

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the colours of those that are seen and not shaded, from the shading points beside them.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/lines/strand_chance.glsl"
 
 layout(std430, binding = 0) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, binding = 1) readonly buffer Visible { uint visible[]; };
@@ -14,7 +14,7 @@ layout(push_constant) uniform Push {
   float tip_variation;
   uint only_visible;
 };
-#include "cuticle/render/passes/shade_strands/shading_points.glsl"
+#include "render/passes/shade_strands/shading_points.glsl"
 
 vec3 color_of(uint vertex) { return vec3(unpackHalf2x16(colors[vertex].x), unpackHalf2x16(colors[vertex].y).x); }
 

@@ -3,9 +3,9 @@
 // Shading in strand space: one invocation per vertex, of all or of a list; segments interpolate between the colours of
 // their ends.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/lines/lines_frame.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/lines/lines_frame.glsl"
+#include "render/passes/lines/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
@@ -21,11 +21,11 @@ layout(push_constant) uniform Push {
   uint listed;  // 1: the vertices of the list `shaded`
 };
 #define CHANNEL_CONSTANT 2
-#include "cuticle/render/passes/lines/transmittance.glsl"
-#include "cuticle/render/passes/lines/scattering.glsl"
+#include "render/passes/lines/transmittance.glsl"
+#include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 0
 #define DUAL_BINDING 7
-#include "cuticle/render/passes/dual_scattering/lit.glsl"
+#include "render/passes/dual_scattering/lit.glsl"
 
 void main() {
   uint vertex = invocation();

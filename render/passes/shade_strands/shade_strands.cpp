@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/shade_strands/shade_strands.h>
+#include "render/passes/shade_strands/shade_strands.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::shade_strands {
 

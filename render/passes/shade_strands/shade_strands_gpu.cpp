@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/passes/dual_scattering/dual_scattering_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/lines/shading_inputs_gpu.h>
-#include <cuticle/render/passes/shade_strands/shade_strands.h>
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+#include "gpu/groups.h"
+#include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/lines/shading_inputs_gpu.h"
+#include "render/passes/shade_strands/shade_strands.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
 
 #include <shade_choose_comp.spv.h>
 #include <shade_fill_comp.spv.h>

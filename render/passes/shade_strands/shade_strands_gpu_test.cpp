@@ -7,13 +7,13 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/bsdf/dual_scattering/dual_scattering.h>
-#include <cuticle/lut/bake_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/shade_strands/shade_strands.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "bsdf/dual_scattering/dual_scattering.h"
+#include "lut/bake_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/shade_strands/shade_strands.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::shade_strands_gpu_test {
 namespace {

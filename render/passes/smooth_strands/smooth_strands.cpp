@@ -1,4 +1,4 @@
-#include <cuticle/render/generating.h>
+#include "render/generating.h"
 
 namespace cuticle::render::smooth_strands {
 

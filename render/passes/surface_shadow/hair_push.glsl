@@ -1,6 +1,6 @@
 // What is drawn of the hair's maps: which opacity a channel has is of no matter here.
 #define CHANNEL_CONSTANT 0
-#include "cuticle/render/channels.glsl"
+#include "render/channels.glsl"
 layout(push_constant) uniform Push {
   uint vertices_per_strand;
   float width;  // factor on the radii

@@ -3,9 +3,9 @@
 // A strand covers a texel with its crossing's opacity as the chance, so that the share of texels which none of n strands
 // covers is (1 - alpha)^n in the mean.
 #define MAPS_BINDING 0
-#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
-#include "cuticle/render/passes/surface_shadow/hair_push.glsl"
+#include "render/passes/surface_shadow/surface_maps.glsl"
+#include "render/passes/lines/strand_chance.glsl"
+#include "render/passes/surface_shadow/hair_push.glsl"
 layout(location = 0) flat in uint light;
 layout(location = 1) flat in uint strand;
 layout(location = 2) flat in uint opacity;

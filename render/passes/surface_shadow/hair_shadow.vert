@@ -2,11 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 // Segments as two triangles each that face the light, an instance per light and opacity.
 #define MAPS_BINDING 0
-#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
-#include "cuticle/render/finite.glsl"
+#include "render/passes/surface_shadow/surface_maps.glsl"
+#include "render/finite.glsl"
 layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Segments { uint segments[]; };
-#include "cuticle/render/passes/surface_shadow/hair_push.glsl"
+#include "render/passes/surface_shadow/hair_push.glsl"
 layout(location = 0) flat out uint light;
 layout(location = 1) flat out uint strand;
 layout(location = 2) flat out uint opacity;

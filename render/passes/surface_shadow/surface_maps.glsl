@@ -1,5 +1,5 @@
 // The lights' maps side by side; surface_shadow_gpu.h holds the same fields. Before this: MAPS_BINDING.
-#include "cuticle/render/lights.glsl"
+#include "render/lights.glsl"
 layout(std430, set = 0, binding = MAPS_BINDING) readonly buffer Maps {
   mat4 world_to_map[k_most_lights];
   vec4 map_sight[k_most_lights];  // xyz + w * point: away from the light, of any length

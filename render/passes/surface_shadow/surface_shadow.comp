@@ -3,10 +3,10 @@
 // What surfaces leave of a light at each vertex of the strands, beside what hair leaves of it.
 #define MAPS_BINDING 0
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/finite.glsl"
-#include "cuticle/render/passes/surface_shadow/map_lookup.glsl"
-#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+#include "gpu/groups.glsl"
+#include "render/finite.glsl"
+#include "render/passes/surface_shadow/map_lookup.glsl"
+#include "render/passes/surface_shadow/surface_maps.glsl"
 layout(std430, set = 0, binding = 1) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 2) writeonly buffer Visibility { float visibility[]; };
 layout(std430, set = 0, binding = 3) buffer Transmittance { float transmittance[]; };
@@ -14,7 +14,7 @@ layout(std430, set = 0, binding = 4) buffer OfSecond { float of_second[]; };  //
 layout(std430, set = 0, binding = 5) buffer OfThird { float of_third[]; };
 layout(set = 0, binding = 6) uniform sampler2D map;
 #define CHANNEL_CONSTANT 0
-#include "cuticle/render/channels.glsl"
+#include "render/channels.glsl"
 layout(push_constant) uniform Push {
   uint vertex_count, light;
   float half_side;

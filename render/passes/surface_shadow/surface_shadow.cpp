@@ -1,8 +1,8 @@
-#include <cuticle/render/passes/surface_shadow/surface_shadow.h>
+#include "render/passes/surface_shadow/surface_shadow.h"
 
 #include <vector>
 
-#include <cuticle/shadows/method.h>
+#include "shadows/method.h"
 
 namespace cuticle::render::surface_shadow {
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define MAPS_BINDING 0
-#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+#include "render/passes/surface_shadow/surface_maps.glsl"
 layout(location = 0) flat in uint light;
 
 void main() {

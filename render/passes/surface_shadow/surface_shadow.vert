@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Surfaces as the lights see them, an instance per light.
 #define MAPS_BINDING 0
-#include "cuticle/render/passes/surface_shadow/surface_maps.glsl"
+#include "render/passes/surface_shadow/surface_maps.glsl"
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Indices { uint indices[]; };
 layout(push_constant) uniform Push { mat4 rest_to_world; };

@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow.h>
-#include <cuticle/shadows/light_frame.h>
+#include "gpu/groups.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
+#include "shadows/light_frame.h"
 
 #include <hair_shadow_frag.spv.h>
 #include <hair_shadow_vert.spv.h>

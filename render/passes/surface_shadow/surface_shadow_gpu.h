@@ -2,7 +2,7 @@
 // Depth as each light sees it, the lights' maps side by side in one texture.
 #include <array>
 
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::surface_shadow {
 

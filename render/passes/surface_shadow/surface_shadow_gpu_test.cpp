@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include <cuticle/render/passes/head/head.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow.h>
-#include <cuticle/render/passes/surface_shadow/surface_shadow_gpu.h>
-#include <cuticle/tests/support/drawn_strands.h>
+#include "render/passes/head/head.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
+#include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::surface_shadow_gpu_test {
 namespace {

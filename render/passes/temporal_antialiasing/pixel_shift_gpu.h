@@ -1,6 +1,6 @@
 #pragma once
 // Where inside a pixel the camera of a frame looks.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::temporal_antialiasing {
 

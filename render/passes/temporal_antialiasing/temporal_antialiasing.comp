@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Each pixel: its picture, and what was there in the pictures before, kept within what the pixels around it now show.
-#include "cuticle/render/picture_filter.glsl"
+#include "render/picture_filter.glsl"
 layout(std430, binding = 2) readonly buffer Vectors { vec2 vectors[]; };   // pixels since the frame before
 layout(std430, binding = 3) readonly buffer History { vec4 history[]; };  // the frame before, after this pass
 layout(binding = 4) uniform sampler2D picture;

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/temporal_antialiasing/temporal_antialiasing.h>
+#include "render/passes/temporal_antialiasing/temporal_antialiasing.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::temporal_antialiasing {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include <cuticle/render/passes/temporal_antialiasing/pixel_shift_gpu.h>
-#include <cuticle/render/passes/temporal_antialiasing/temporal_antialiasing.h>
-#include <cuticle/render/picture_filter_gpu.h>
+#include "render/passes/temporal_antialiasing/pixel_shift_gpu.h"
+#include "render/passes/temporal_antialiasing/temporal_antialiasing.h"
+#include "render/picture_filter_gpu.h"
 
 #include <temporal_antialiasing_comp.spv.h>
 

@@ -1,6 +1,6 @@
 // A strand's segment on the screen. Depth is kept as 1 / distance along the view, which is linear on the screen.
-#include "cuticle/render/finite.glsl"
-#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+#include "render/finite.glsl"
+#include "render/passes/tile_lists/tile_push.glsl"
 
 struct Projected {
   vec2 direction, middle;  // of its axis, pixels; unit

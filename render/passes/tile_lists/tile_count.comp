@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Coarse rasteriser, first half: how many segments each tile has, and which vertices are seen.
 layout(local_size_x = 64) in;
-#include "cuticle/render/passes/tile_lists/tile_walk.glsl"
+#include "render/passes/tile_lists/tile_walk.glsl"
 
 layout(std430, binding = 4) buffer Counts { uint counts[]; };
 layout(std430, binding = 5) buffer Visible { uint visible[]; };

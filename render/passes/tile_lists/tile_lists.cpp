@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/tile_lists/tile_lists.h>
+#include "render/passes/tile_lists/tile_lists.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::tile_lists {
 

@@ -1,16 +1,16 @@
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+#include "render/passes/tile_lists/tile_lists_gpu.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/passes/lines/frame_gpu.h>
-#include <cuticle/render/passes/lines/lines.h>
-#include <cuticle/render/passes/tile_lists/tile_lists.h>
-#include <cuticle/render/passes/tile_sort/tile_sort.h>
-#include <cuticle/render/passes/tiles/tiles.h>
+#include "gpu/groups.h"
+#include "render/passes/lines/frame_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/tile_lists/tile_lists.h"
+#include "render/passes/tile_sort/tile_sort.h"
+#include "render/passes/tiles/tiles.h"
 
 #include <tile_count_comp.spv.h>
 #include <tile_scan_comp.spv.h>

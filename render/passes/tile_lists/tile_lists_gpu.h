@@ -1,6 +1,6 @@
 #pragma once
 // Which segments each tile of the screen has to draw: buffers that the tile passes share.
-#include <cuticle/render/pass_gpu.h>
+#include "render/pass_gpu.h"
 
 namespace cuticle::render::tile_lists {
 

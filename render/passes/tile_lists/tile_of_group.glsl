@@ -1,5 +1,5 @@
 // Kernels of one workgroup per tile.
-#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+#include "render/passes/tile_lists/tile_push.glsl"
 
 const uint k_stride = 7919u;  // a prime: neighbouring tiles, which cost alike, go to different threads of the device
 

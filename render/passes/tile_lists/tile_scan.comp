@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // One workgroup: where each tile's list begins. Every invocation adds up a run of tiles, one of them the runs' sums.
 layout(local_size_x = 256) in;
-#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+#include "render/passes/tile_lists/tile_push.glsl"
 
 layout(std430, binding = 0) buffer Counts { uint counts[]; };  // in: per tile; out: where its next entry goes
 layout(std430, binding = 1) writeonly buffer Offsets { uint offsets[]; };  // one more than tiles

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Coarse rasteriser, second half: each tile's segments, in an order that the sort makes definite.
 layout(local_size_x = 64) in;
-#include "cuticle/render/passes/tile_lists/tile_walk.glsl"
+#include "render/passes/tile_lists/tile_walk.glsl"
 
 layout(std430, binding = 4) buffer Counts { uint counts[]; };  // where the tile's next entry goes
 layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };  // 1 / depth, first vertex

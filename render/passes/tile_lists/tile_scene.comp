@@ -3,8 +3,8 @@
 // One invocation per tile: the scene's depth in each pixel and the farthest in the tile, as 1 / distance. A pixel takes
 // the farthest of its texels, so that hair in front of an edge is whole; behind one the merge decides texel by texel.
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/tile_lists/tile_push.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/tile_lists/tile_push.glsl"
 
 layout(std430, binding = 0) writeonly buffer SceneDepth { float scene_depth[]; };
 layout(std430, binding = 1) writeonly buffer TileDepth { float tile_depth[]; };

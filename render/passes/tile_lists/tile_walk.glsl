@@ -1,8 +1,8 @@
 // One invocation per segment: visits the tiles that it may cover in front of the scene. The shader that includes this
 // defines visit().
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/lines/strand_chance.glsl"
-#include "cuticle/render/passes/tile_lists/segment.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/lines/strand_chance.glsl"
+#include "render/passes/tile_lists/segment.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform samplerBuffer tangents;

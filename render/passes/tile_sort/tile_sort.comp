@@ -5,7 +5,7 @@
 // so that many entries at one depth stay affordable. With slices, these are the bins, and within each the order is that
 // of the vertices: near segments come early, so that few are looked at where they hide the others.
 layout(local_size_x = 8) in;
-#include "cuticle/render/passes/tile_lists/tile_of_group.glsl"
+#include "render/passes/tile_lists/tile_of_group.glsl"
 
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };
 layout(binding = 1) uniform usamplerBuffer entries;  // 1 / depth, first vertex: two texels each

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/tile_sort/tile_sort.h>
+#include "render/passes/tile_sort/tile_sort.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::tile_sort {
 

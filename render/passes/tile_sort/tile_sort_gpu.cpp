@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
+#include "render/passes/tile_lists/tile_lists_gpu.h"
 
 #include <tile_sort_comp.spv.h>
 

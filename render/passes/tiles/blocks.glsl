@@ -4,9 +4,9 @@
 // or exchange_records.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "cuticle/render/passes/tile_lists/tile_of_group.glsl"
-#include "cuticle/render/passes/tiles/stroke.glsl"
-#include "cuticle/render/seen.glsl"
+#include "render/passes/tile_lists/tile_of_group.glsl"
+#include "render/passes/tiles/stroke.glsl"
+#include "render/seen.glsl"
 
 layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
 

@@ -5,8 +5,8 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
-#include "cuticle/render/passes/tiles/prepared.glsl"
-#include "cuticle/render/passes/tiles/stroke.glsl"
+#include "render/passes/tiles/prepared.glsl"
+#include "render/passes/tiles/stroke.glsl"
 
 layout(binding = 0) uniform usamplerBuffer records;
 

@@ -1,7 +1,7 @@
 #ifndef CUTICLE_RENDER_STROKE_GLSL
 #define CUTICLE_RENDER_STROKE_GLSL
 // A segment as it is drawn in any tile.
-#include "cuticle/render/passes/tile_lists/segment.glsl"
+#include "render/passes/tile_lists/segment.glsl"
 
 // The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Widths and 1 / depth are at its middle,
 // and change per pixel; colours are at its ends.

@@ -1,5 +1,5 @@
 // Segments from their vertices.
-#include "cuticle/render/passes/tiles/stroke.glsl"
+#include "render/passes/tiles/stroke.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
 layout(binding = 1) uniform samplerBuffer colors;

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/tiles/tiles.h>
+#include "render/passes/tiles/tiles.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::tiles {
 

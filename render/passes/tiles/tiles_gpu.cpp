@@ -1,7 +1,7 @@
-#include <cuticle/render/passes/tile_lists/tile_lists_gpu.h>
-#include <cuticle/render/passes/tile_sort/tile_sort.h>
+#include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/passes/tile_sort/tile_sort.h"
 
-#include <cuticle/gpu/groups.h>
+#include "gpu/groups.h"
 
 #include <resolve_vert.spv.h>
 #include <tiles_comp.spv.h>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include <cuticle/strands/lod/lod.h>
-#include <cuticle/tests/support/tile_passes.h>
+#include "strands/lod/lod.h"
+#include "tests/support/tile_passes.h"
 #include <gtest/gtest.h>
 
 namespace cuticle::render::tiles_gpu_test {

@@ -3,8 +3,8 @@
 // One invocation per segment: what the tiles that it lies in need of it, so that none projects it again.
 #extension GL_EXT_control_flow_attributes : require
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
-#include "cuticle/render/passes/tiles/stroke_vertices.glsl"
+#include "gpu/groups.glsl"
+#include "render/passes/tiles/stroke_vertices.glsl"
 
 layout(binding = 2) uniform usamplerBuffer segments;
 layout(std430, binding = 3) writeonly buffer Records { uvec4 records[]; };

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <glm/common.hpp>
 
-#include <cuticle/tests/support/tile_passes.h>
+#include "tests/support/tile_passes.h"
 
 namespace cuticle::render::tiles_sliced_gpu_test {
 namespace {

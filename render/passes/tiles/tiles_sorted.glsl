@@ -1,5 +1,5 @@
 // Fine rasteriser: blends each tile's segments from near to far, as they were sorted, with pixels in registers.
-#include "cuticle/render/passes/tiles/blocks.glsl"
+#include "render/passes/tiles/blocks.glsl"
 
 bool set_aside(float least, float most) { return false; }
 

@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/truth/rasterise.h>
+#include "render/passes/truth/rasterise.h"
 
 #include <algorithm>
 #include <cmath>

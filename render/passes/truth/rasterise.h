@@ -5,8 +5,8 @@
 
 #include <glm/vec4.hpp>
 
-#include <cuticle/core/image/image.h>
-#include <cuticle/core/view.h>
+#include "core/image/image.h"
+#include "core/view.h"
 
 namespace cuticle::render::truth {
 

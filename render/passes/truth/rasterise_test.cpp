@@ -1,5 +1,5 @@
 // Brute force against closed forms: areas of bands in a pixel, the projected area of strands, compositing by hand.
-#include <cuticle/render/passes/truth/rasterise.h>
+#include "render/passes/truth/rasterise.h"
 
 #include <cmath>
 #include <limits>

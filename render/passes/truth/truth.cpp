@@ -1,4 +1,4 @@
-#include <cuticle/render/passes/truth/truth.h>
+#include "render/passes/truth/truth.h"
 
 namespace cuticle::render::truth {
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Each pixel that sees hair, or anything where pixel_depth is made: by its depth to the world, by the grid to where that
 // was a frame ago, by the camera of then to the screen.
-#include "cuticle/render/passes/velocity/velocity.glsl"
+#include "render/passes/velocity/velocity.glsl"
 layout(std430, binding = 1) readonly buffer Grid { vec4 grid[]; };
 layout(std430, binding = 2) readonly buffer Aovs { float aovs[]; };  // the first of each pixel's: distance along the view
 layout(std430, binding = 3) writeonly buffer Vectors { vec2 vectors[]; };  // pixels since the frame before

@@ -1,6 +1,6 @@
-#include <cuticle/render/passes/velocity/velocity.h>
+#include "render/passes/velocity/velocity.h"
 
-#include <cuticle/render/shading.h>
+#include "render/shading.h"
 
 namespace cuticle::render::velocity {
 

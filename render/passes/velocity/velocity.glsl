@@ -2,7 +2,7 @@
 // frame, metres.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
-#include "cuticle/gpu/groups.glsl"
+#include "gpu/groups.glsl"
 
 layout(std430, binding = 0) readonly buffer Frame {
   mat4 world_to_clip_before;  // of the frame before

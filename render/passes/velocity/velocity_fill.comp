@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Nodes that no vertex was near take the mean of those around them that have a value.
-#include "cuticle/render/passes/velocity/velocity.glsl"
+#include "render/passes/velocity/velocity.glsl"
 layout(std430, binding = 1) readonly buffer From { vec4 from[]; };
 layout(std430, binding = 2) writeonly buffer To { vec4 to[]; };
 

@@ -2,10 +2,10 @@
 
 #include <glm/geometric.hpp>
 
-#include <cuticle/gpu/groups.h>
-#include <cuticle/render/pass_gpu.h>
-#include <cuticle/render/passes/aovs/aovs.h>
-#include <cuticle/render/passes/velocity/velocity.h>
+#include "gpu/groups.h"
+#include "render/pass_gpu.h"
+#include "render/passes/aovs/aovs.h"
+#include "render/passes/velocity/velocity.h"
 
 #include <velocity_comp.spv.h>
 #include <velocity_fill_comp.spv.h>

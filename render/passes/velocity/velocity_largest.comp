@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The largest component of any vertex's displacement: the unit of the sums of integers.
-#include "cuticle/render/passes/velocity/velocity.glsl"
-#include "cuticle/render/finite.glsl"
+#include "render/passes/velocity/velocity.glsl"
+#include "render/finite.glsl"
 layout(std430, binding = 1) readonly buffer Now { vec4 now[]; };
 layout(std430, binding = 2) readonly buffer Motion { vec4 motion[]; };
 layout(std430, binding = 3) buffer Largest { uint largest; };  // bits of a float that is not negative: these order alike

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Sums to means; w: 1 where any vertex was near.
-#include "cuticle/render/passes/velocity/velocity.glsl"
+#include "render/passes/velocity/velocity.glsl"
 layout(std430, binding = 1) readonly buffer Sums { int sums[]; };
 layout(std430, binding = 2) readonly buffer Largest { float largest; };
 layout(std430, binding = 3) writeonly buffer Grid { vec4 grid[]; };

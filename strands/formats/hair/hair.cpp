@@ -1,11 +1,11 @@
 // Cem Yuksel's .hair: a header of 128 bytes, then the arrays that its bits announce.
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
+#include "strands/formats/bytes.h"
 
 namespace cuticle::strands {
 

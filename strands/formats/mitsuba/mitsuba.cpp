@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::mitsuba {
 

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <zip.h>
 
-#include <cuticle/strands/formats/npz/detail/archive.h>
+#include "strands/formats/npz/detail/archive.h"
 
 namespace cuticle::strands::npz {
 

@@ -4,9 +4,9 @@
 #include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/npz/detail/arrays.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/npz/detail/arrays.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::npz {
 

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/finite.h>
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/npz/detail/archive.h>
-#include <cuticle/strands/formats/npz/detail/arrays.h>
+#include "strands/finite.h"
+#include "strands/formats/bytes.h"
+#include "strands/formats/npz/detail/archive.h"
+#include "strands/formats/npz/detail/arrays.h"
 
 namespace cuticle::strands::npz {
 

@@ -8,10 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/curve_basis.h>
-#include <cuticle/strands/formats/tokens.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/curve_basis.h"
+#include "strands/formats/tokens.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::pbrt {
 

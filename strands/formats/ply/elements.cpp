@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/ply/detail/elements.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/ply/detail/elements.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::ply {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/ply/detail/layouts.h>
+#include "strands/formats/ply/detail/layouts.h"
 
 namespace cuticle::strands::ply {
 

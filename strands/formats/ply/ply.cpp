@@ -5,10 +5,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/finite.h>
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/ply/detail/layouts.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/finite.h"
+#include "strands/formats/bytes.h"
+#include "strands/formats/ply/detail/layouts.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::ply {
 

@@ -1,11 +1,11 @@
-#include <cuticle/strands/formats/tfx/bones.h>
+#include "strands/formats/tfx/bones.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
+#include "strands/formats/bytes.h"
 
 namespace cuticle::strands {
 

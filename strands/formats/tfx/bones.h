@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/formats/format.h>
+#include "core/result.h"
+#include "strands/formats/format.h"
 
 namespace cuticle::strands {
 

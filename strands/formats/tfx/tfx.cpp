@@ -1,15 +1,15 @@
 // TressFX .tfx, versions 3 (float3 positions at byte 296) and 4 (float4 positions and root uv at stated offsets).
-#include <cuticle/strands/formats/formats.h>
+#include "strands/formats/formats.h"
 
 #include <filesystem>
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/mapped_file.h>
-#include <cuticle/strands/finite.h>
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/tfx/bones.h>
+#include "core/file.h"
+#include "core/mapped_file.h"
+#include "strands/finite.h"
+#include "strands/formats/bytes.h"
+#include "strands/formats/tfx/bones.h"
 
 namespace cuticle::strands {
 

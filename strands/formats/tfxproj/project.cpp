@@ -1,4 +1,4 @@
-#include <cuticle/strands/formats/tfxproj/project.h>
+#include "strands/formats/tfxproj/project.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,10 +7,10 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/file.h>
-#include <cuticle/core/mapped_file.h>
-#include <cuticle/strands/formats/formats.h>
-#include <cuticle/strands/formats/words.h>
+#include "core/file.h"
+#include "core/mapped_file.h"
+#include "strands/formats/formats.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands {
 

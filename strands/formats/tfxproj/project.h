@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/formats/format.h>
+#include "core/result.h"
+#include "strands/formats/format.h"
 
 namespace cuticle::strands {
 

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <cuticle/strands/formats/tfxproj/project.h>
+#include "strands/formats/tfxproj/project.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto parts =

@@ -1,7 +1,7 @@
 // USC-HairSalon's .data: i32 strands, then per strand i32 points and three f32 a point, little-endian.
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
+#include "strands/formats/bytes.h"
 
 namespace cuticle::strands::usc_data {
 

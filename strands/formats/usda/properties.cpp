@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/tokens.h>
-#include <cuticle/strands/formats/usda/detail/properties.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/tokens.h"
+#include "strands/formats/usda/detail/properties.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::usda {
 

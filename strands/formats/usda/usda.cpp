@@ -7,11 +7,11 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/finite.h>
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/curve_basis.h>
-#include <cuticle/strands/formats/usda/detail/properties.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/finite.h"
+#include "strands/formats/bytes.h"
+#include "strands/formats/curve_basis.h"
+#include "strands/formats/usda/detail/properties.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::usda {
 

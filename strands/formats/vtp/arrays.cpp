@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/vtp/detail/arrays.h>
+#include "strands/formats/vtp/detail/arrays.h"
 
 namespace cuticle::strands {
 

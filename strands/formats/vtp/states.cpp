@@ -1,10 +1,10 @@
-#include <cuticle/strands/formats/vtp/vtp.h>
+#include "strands/formats/vtp/vtp.h"
 
 #include <iterator>
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/vtp/detail/arrays.h>
+#include "strands/formats/vtp/detail/arrays.h"
 
 namespace cuticle::strands {
 

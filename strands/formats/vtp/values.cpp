@@ -2,7 +2,7 @@
 // or of 3 + n numbers where they are compressed: blocks, bytes of a block, bytes of the last where it is shorter (else
 // 0), compressed bytes of each. Then the data. Base64 runs over both at once, or over each by itself where it is
 // compressed.
-#include <cuticle/strands/formats/vtp/detail/values.h>
+#include "strands/formats/vtp/detail/values.h"
 
 #include <array>
 #include <optional>
@@ -10,8 +10,8 @@
 #include <fmt/core.h>
 #include <zlib.h>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/words.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/words.h"
 
 namespace cuticle::strands::vtp {
 

@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/strands/formats/bytes.h>
-#include <cuticle/strands/formats/vtp/detail/arrays.h>
-#include <cuticle/strands/formats/vtp/detail/values.h>
+#include "strands/formats/bytes.h"
+#include "strands/formats/vtp/detail/arrays.h"
+#include "strands/formats/vtp/detail/values.h"
 
 namespace cuticle::strands::vtp {
 

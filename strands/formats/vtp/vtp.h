@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/core/result.h>
-#include <cuticle/strands/groom.h>
+#include "core/result.h"
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

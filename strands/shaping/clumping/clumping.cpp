@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/clumping/clumping.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/clumping/clumping.glslh"
 
 namespace cuticle::strands::clumping {
 

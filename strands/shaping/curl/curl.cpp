@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/curl/curl.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/curl/curl.glslh"
 
 namespace cuticle::strands::curl {
 

@@ -3,8 +3,8 @@
 
 #include <glm/common.hpp>
 
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/cut/cut.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/cut/cut.glslh"
 
 namespace cuticle::strands::cut {
 

@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/stray/stray.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/stray/stray.glslh"
 
 namespace cuticle::strands::stray {
 

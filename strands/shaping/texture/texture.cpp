@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/texture/texture.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/texture/texture.glslh"
 
 namespace cuticle::strands::texture {
 

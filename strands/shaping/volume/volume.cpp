@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/volume/volume.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/volume/volume.glslh"
 
 namespace cuticle::strands::volume {
 

@@ -1,5 +1,5 @@
-#include <cuticle/strands/shaping/shaping.h>
-#include <cuticle/strands/shaping/waviness/waviness.glslh>
+#include "strands/shaping/shaping.h"
+#include "strands/shaping/waviness/waviness.glslh"
 
 namespace cuticle::strands::waviness {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/study/model_check/checks/checks.h>
-#include <cuticle/study/model_check/mean_attenuation.h>
-#include <cuticle/study/model_check/sphere_quadrature.h>
+#include "study/model_check/checks/checks.h"
+#include "study/model_check/mean_attenuation.h"
+#include "study/model_check/sphere_quadrature.h"
 
 namespace cuticle::study::model_check {
 namespace {

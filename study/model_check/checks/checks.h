@@ -2,7 +2,7 @@
 // The checks, one file each, and what they share.
 #include <numbers>
 
-#include <cuticle/study/model_check/model_check.h>
+#include "study/model_check/model_check.h"
 
 namespace cuticle::study::model_check {
 

@@ -1,5 +1,5 @@
 // The samples against their density: narrow and wide lobes, tilted.
-#include <cuticle/study/model_check/checks/chi_square.h>
+#include "study/model_check/checks/chi_square.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/study/model_check/checks/checks.h>
-#include <cuticle/study/model_check/sphere_quadrature.h>
+#include "study/model_check/checks/checks.h"
+#include "study/model_check/sphere_quadrature.h"
 
 namespace cuticle::study::model_check {
 namespace {

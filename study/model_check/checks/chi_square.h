@@ -1,6 +1,6 @@
 #pragma once
 // The chi-square statistic of a sampler against its density, for the check and for the diagnosis.
-#include <cuticle/study/model_check/subject.h>
+#include "study/model_check/subject.h"
 
 namespace cuticle::study::model_check {
 

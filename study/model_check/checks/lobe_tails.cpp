@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/study/model_check/checks/checks.h>
+#include "study/model_check/checks/checks.h"
 
 namespace cuticle::study::model_check {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/random.h>
-#include <cuticle/study/model_check/checks/checks.h>
+#include "core/random.h"
+#include "study/model_check/checks/checks.h"
 
 namespace cuticle::study::model_check {
 namespace {

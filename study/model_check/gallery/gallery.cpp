@@ -1,4 +1,4 @@
-#include <cuticle/study/model_check/gallery/gallery.h>
+#include "study/model_check/gallery/gallery.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <cuticle/core/random.h>
+#include "core/random.h"
 
 namespace cuticle::study::model_check {
 namespace {

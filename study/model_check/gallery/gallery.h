@@ -1,6 +1,6 @@
 #pragma once
 // Models broken on purpose, each with one mistake that published renderers have had, and the same model whole.
-#include <cuticle/study/model_check/gallery/textbook_fibre.h>
+#include "study/model_check/gallery/textbook_fibre.h"
 
 namespace cuticle::study::model_check {
 

@@ -1,5 +1,5 @@
 // Every model of the gallery is named by what is wrong with it, and the whole one passes.
-#include <cuticle/study/model_check/gallery/gallery.h>
+#include "study/model_check/gallery/gallery.h"
 
 #include <algorithm>
 

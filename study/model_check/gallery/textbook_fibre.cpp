@@ -1,10 +1,10 @@
-#include <cuticle/study/model_check/gallery/textbook_fibre.h>
+#include "study/model_check/gallery/textbook_fibre.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <cuticle/study/model_check/checks/checks.h>
+#include "study/model_check/checks/checks.h"
 
 namespace cuticle::study::model_check {
 namespace {

@@ -3,7 +3,7 @@
 // at a time can be built: the reference of the checks, and what they must recognise.
 #include <array>
 
-#include <cuticle/study/model_check/diagnose.h>
+#include "study/model_check/diagnose.h"
 
 namespace cuticle::study::model_check {
 

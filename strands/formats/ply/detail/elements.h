@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands::ply {
 

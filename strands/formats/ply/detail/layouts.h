@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <cuticle/strands/formats/ply/detail/elements.h>
+#include "strands/formats/ply/detail/elements.h"
 
 namespace cuticle::strands::ply {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <cuticle/strands/groom.h>
+#include "strands/groom.h"
 
 namespace cuticle::strands {
 

@@ -8,7 +8,7 @@
 
 #include <pugixml.hpp>
 
-#include <cuticle/core/result.h>
+#include "core/result.h"
 
 namespace cuticle::strands::vtp {
 
