@@ -193,6 +193,7 @@ Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
+  for (const std::string& sentence : study::left_out_of(methods, sweep)) progress.message(sentence);
   return study::compare_with_truth(request, progress);
 }
 

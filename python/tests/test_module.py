@@ -48,9 +48,9 @@ def test_Eval_Precisions_AgreeToFloat():
 
 
 def test_Eval_PresetAndSet_SetGoesOver():
-    blonde = cuticle.eval("marschner", "A", "TT", preset="blonde")
-    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blonde")
-    assert blonde[0] > blonde[2] and clear[0] == clear[2] > blonde[0]
+    blond = cuticle.eval("marschner", "A", "TT", preset="blond")
+    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blond")
+    assert blond[0] > blond[2] and clear[0] == clear[2] > blond[0]
 
 
 def test_Eval_Hair_IsTheMappingsSettings():
