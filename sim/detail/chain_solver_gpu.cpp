@@ -15,7 +15,7 @@
 namespace cuticle::sim::detail {
 namespace {
 
-static_assert(sizeof(SkinStrand) == 48, "the layout of chain_kernel.glsl");
+static_assert(sizeof(SkinStrand) == 48, "the layout of chain_storage.glsl");
 constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_skin_buffers = 3;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
@@ -27,7 +27,7 @@ struct Constants {
   float sleep_speed = 0, sleep_time = 0, frame_time = 0;
 };
 
-/// FramePlace of chain_kernel.glsl: columns of three matrices, then two vectors.
+/// FramePlace of chain_storage.glsl: columns of three matrices, then two vectors.
 std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placing) {
   std::vector<glm::vec4> place;
   const glm::dmat3 carried = matrix_of(carry);
