@@ -70,7 +70,7 @@ int check_model(const ModelOptions& options, const Context& context) {
 
 void add_check_model(CLI::App& check, Context& context) {
   auto* command =
-      check.add_subcommand("model", "energy, reciprocity, density, samples, tails and finiteness of a fibre model");
+      check.add_subcommand("model", "check energy, reciprocity, density, samples and tails of a fibre model, and that nothing is NaN");
   auto options = std::make_shared<ModelOptions>();
   command->add_option("model", options->name, "a model (cuticle models), or all")->required();
   add_parameter_options(*command, options->parameters);

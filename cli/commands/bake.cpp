@@ -240,7 +240,7 @@ int bake(BakeOptions options, const Context& context) {
 }  // namespace
 
 void add_bake(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("bake", "lookup textures of a model's terms, with their measured error");
+  CLI::App* command = app.add_subcommand("bake", "bake lookup textures of a model, with their measured error");
   auto options = std::make_shared<BakeOptions>();
   command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
   add_parameter_options(*command, options->parameters);

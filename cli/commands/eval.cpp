@@ -165,7 +165,7 @@ void add_coordinate_options(CLI::App& command, CoordinateRequest& request) {
 }  // namespace
 
 void add_eval(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("eval", "models' terms at points or on a grid, as CSV; angles in degrees");
+  CLI::App* command = app.add_subcommand("eval", "evaluate models at points or on a grid, as CSV; angles in degrees");
   auto options = std::make_shared<EvalOptions>();
   options->coordinates.quantity = "S";
   add_subject_options(*command, options->subjects);

@@ -22,7 +22,7 @@ struct ViewOptions {
 };
 
 void add_target(CLI::App& command, const std::shared_ptr<ViewOptions>& options) {
-  command.add_option("--screenshot", options->target.screenshot, "write a PNG and leave, in place of a window");
+  command.add_option("--screenshot", options->target.screenshot, "write a PNG and exit instead of opening a window");
   command.add_option("--size", options->size, "width and height in pixels")->expected(2)->check(CLI::Range(64, 8192));
 }
 
@@ -86,7 +86,7 @@ void add_strands(CLI::App& app, Context& context) {
 }  // namespace
 
 void add_view(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("view", "lobes and strands in a window or as a picture (needs a display)");
+  CLI::App* command = app.add_subcommand("view", "view lobes and strands in a window or as a picture (needs a display)");
   command->require_subcommand(1);
   command->fallthrough();
   add_lobes(*command, context);
