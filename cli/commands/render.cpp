@@ -192,7 +192,7 @@ int act(const RenderOptions& options, Context& context) {
 
 void add_render(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
-      "render", "pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
+      "render", "render pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
