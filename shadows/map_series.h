@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "shadows/detail/own_fibre.h"
+#include "shadows/own_fibre.h"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
 #include "strands/groom.h"

@@ -7,9 +7,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "shadows/detail/map_method.h"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 #include "shadows/deep_opacity/layers.glslh"
 

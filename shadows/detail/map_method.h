@@ -27,12 +27,6 @@ inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& sett
   return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson};
 }
 
-/// What a lookup is asked: receivers, and the groom whose strands they name.
-struct Asked {
-  const strands::Groom& groom;
-  const Receivers& receivers;
-};
-
 /// Transmittance at the receivers. at_depth(i, z) gives, for receiver i, a function of a texel and of what the
 /// receiver's own fibre has left there: the exponent of T before depth z without that; depths are limited to 0 ..
 /// deepest, in steps. Pieces of fibres are at most 1 / steps_to_pieces steps deep. Error: usage, for a filter too wide

@@ -9,7 +9,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "shadows/detail/own_fibre.h"
+#include "shadows/own_fibre.h"
 #include "shadows/map_view.h"
 #include "strands/groom.h"
 #include "shadows/filter.glslh"

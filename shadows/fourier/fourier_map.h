@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "shadows/detail/map_method.h"
 #include "shadows/map_series.h"
+#include "shadows/own_fibre.h"
 
 namespace cuticle::shadows::fourier {
 

@@ -6,9 +6,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "shadows/detail/map_method.h"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows::shadow_map {

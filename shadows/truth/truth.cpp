@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
-#include "shadows/detail/own_fibre.h"
+#include "shadows/own_fibre.h"
 #include "shadows/footprint.h"
 #include "shadows/light_frame.h"
 #include "shadows/method.h"

@@ -6,9 +6,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "shadows/detail/map_method.h"
 #include "shadows/light_frame.h"
 #include "shadows/map_settings.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 #include "shadows/voxel/volume.glslh"
 
