@@ -1,11 +1,11 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
 #include <utility>
 
-#include "sim/detail/chain_lanes.h"
+#include "sim/chains/lanes/chain_lanes.h"
 #include "sim/rod/kernel.h"
 #include "sim/rod/rod_step.glslh"
 
-namespace cuticle::sim::detail {
+namespace cuticle::sim::chains {
 namespace {
 /// Round-off is that of the numbers in the pack.
 template <class Number, int N>
@@ -13,12 +13,12 @@ template <class Number, int N>
   return sim::smallest_pivot(Number(1)) * size;
 }
 }  // namespace
-}  // namespace cuticle::sim::detail
+}  // namespace cuticle::sim::chains
 
 namespace cuticle::sim::rod {
 namespace {
 
-using namespace detail;
+using namespace chains;
 
 /// The band's numbers of a vertex: rows in memory, or packs of which every index is known, which need no memory.
 template <class Real>
@@ -148,9 +148,9 @@ struct Bending {
 /// The clamp's direction and director stand where a vertex has its own.
 template <class Real>
 [[gnu::always_inline]] inline Bending<Real> clamped(const RodVertex<Real>& root, const ChainStep<Real>& step) {
-  const Vector<Real> direction = turned_to_end(step, root.hinge_vector(hinge_row::direction));
+  const Vector<Real> direction = turned_to_end(step, root.hinge_vector(clamp_row::direction));
   root.put_scratch(scratch_row::direction, direction);
-  return {direction, turned_to_end(step, root.hinge_vector(hinge_row::director)),
+  return {direction, turned_to_end(step, root.hinge_vector(clamp_row::director)),
           sane_angle(root.hinge_at(hinge_row::angle))};
 }
 
