@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include "cli/suggest.h"
+
 namespace cuticle::cli {
 
 void add_all_commands(CLI::App& app, Context& context);
@@ -95,6 +97,7 @@ int run(int argc, char** argv) {
   CLI::App app{"Cuticle: hair reflectance and hair shadowing"};
   app.require_subcommand(1);
   app.fallthrough();
+  app.set_version_flag("--version", "cuticle " CUTICLE_VERSION, "print the version");
   Context context;
   std::string progress = "auto";
   app.add_flag("--json", context.json, "print JSON instead of text");
@@ -106,6 +109,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::optional<Error> misspelt = error.get_exit_code() == 0 ? std::nullopt : find_misspelt(app, argc, argv);
+    if (misspelt) return report(*misspelt);
     return app.exit(error) == 0 ? Exit::ok : Exit::usage;
   }
   const ProgressStyle style = progress == "bar" ? ProgressStyle::bar : progress == "json" ? ProgressStyle::json

@@ -1,56 +1,83 @@
 #include "core/file.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/core.h>
+
+#include "core/memory_limit.h"
 
 namespace cuticle {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string last_reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+/// An open file, closed at the end.
+class OpenFile {
+ public:
+  OpenFile(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (is_open()) ::close(number_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+  /// False with errno where the system could not keep what was written.
+  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
-/// A name beside `path` that no other process or thread uses, with the same extension.
-std::string temporary_name(const std::string& path) {
-  static std::atomic<unsigned> counter{0};
-  const fs::path target(path);
-  const std::string name = fmt::format(".{}.{}-{}{}", target.stem().string(), ::getpid(), counter++, target.extension().string());
-  return (target.parent_path() / name).string();
-}
-
-void remove_quietly(const std::string& path) {
-  std::error_code ignored;
-  fs::remove(path, ignored);
-}
+ private:
+  int number_;
+};
 
 Result<void> write_bytes(const std::string& path, std::span<const std::byte> bytes) {
-  errno = 0;
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  if (stream) stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-  if (stream) stream.close();
-  if (!stream) return bad_input(fmt::format("{}: cannot write ({})", path, last_reason()), "check the folder and the free space");
-  return {};
+  const auto failed = [&] {
+    return bad_input(fmt::format("{}: cannot write ({})", path, std::strerror(errno)), "check the folder and the free space");
+  };
+  OpenFile file(path, O_WRONLY | O_TRUNC);
+  if (!file.is_open()) return failed();
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file.number(), bytes.data(), bytes.size());
+    if (put < 0 && errno != EINTR) return failed();
+    if (put > 0) bytes = bytes.subspan(std::size_t(put));
+  }
+  return file.close() ? Result<void>() : Result<void>(failed());
+}
+
+/// Up to the end, whatever length the system states: of a pipe and of files in /proc it is 0.
+template <class Container>
+Result<Container> read_to_end(int file, std::size_t expected, const std::string& path) {
+  constexpr std::size_t least = 1 << 16;
+  Container bytes(expected + 1, {});
+  for (std::size_t size = 0;;) {
+    const ssize_t got = ::read(file, bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return bad_input(fmt::format("{}: cannot read ({})", path, std::strerror(errno)));
+    size += std::size_t(got);
+    if (got == 0) bytes.resize(size);
+    if (got == 0) return bytes;
+    if (size < bytes.size()) continue;
+    CUTICLE_TRY(require_memory(path, {2 * size}));
+    bytes.resize(std::max(2 * size, least));
+  }
 }
 
 template <class Container>
 Result<Container> read_whole(const std::string& path) {
-  errno = 0;
-  std::error_code failed;
-  if (fs::is_directory(path, failed)) return bad_input(fmt::format("{}: is a folder, not a file", path));
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  if (!stream) return bad_input(fmt::format("{}: cannot open ({})", path, last_reason()), "check the name");
-  Container bytes(std::size_t(stream.tellg()), {});
-  stream.seekg(0);
-  stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
-  if (!stream) return bad_input(fmt::format("{}: cannot read ({})", path, last_reason()));
-  return bytes;
+  const OpenFile file(path, O_RDONLY);
+  if (!file.is_open()) return bad_input(fmt::format("{}: cannot open ({})", path, std::strerror(errno)), "check the name");
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) return bad_input(fmt::format("{}: cannot read ({})", path, std::strerror(errno)));
+  if (S_ISDIR(status.st_mode)) return bad_input(fmt::format("{}: is a folder, not a file", path));
+  const std::uint64_t expected = S_ISREG(status.st_mode) ? std::uint64_t(status.st_size) : 0;
+  CUTICLE_TRY(require_memory(path, {expected}));
+  return read_to_end<Container>(file.number(), expected, path);
 }
 
 }  // namespace
@@ -59,25 +86,8 @@ Result<std::vector<std::byte>> read_file(const std::string& path) { return read_
 
 Result<std::string> read_text_file(const std::string& path) { return read_whole<std::string>(path); }
 
-Result<void> write_through_temporary(const std::string& path, const std::function<Result<void>(const std::string&)>& write) {
-  const std::string temporary = temporary_name(path);
-  if (Result<void> written = write(temporary); !written) {
-    remove_quietly(temporary);
-    return written;
-  }
-  std::error_code failed;
-  fs::rename(temporary, path, failed);
-  if (!failed) return {};
-  remove_quietly(temporary);
-  return bad_input(fmt::format("{}: cannot write ({})", path, failed.message()));
-}
-
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
-  Result<void> written = write_through_temporary(path, [&](const std::string& name) { return write_bytes(name, bytes); });
-  if (written) return written;
-  const std::string folder = fs::path(path).parent_path().string();
-  if (folder.empty() || fs::is_directory(folder)) return written;
-  return bad_input(fmt::format("{}: cannot write (no folder {})", path, folder), "make the folder first");
+  return write_through_temporary(path, [&](const std::string& name) { return write_bytes(name, bytes); });
 }
 
 Result<void> write_text_file(const std::string& path, std::string_view text) {
@@ -87,7 +97,7 @@ Result<void> write_text_file(const std::string& path, std::string_view text) {
 Result<void> make_folder(const std::string& path) {
   std::error_code failed;
   fs::create_directories(path, failed);
-  if (failed || !fs::is_directory(path))
+  if (failed || !fs::is_directory(path, failed))
     return bad_input(fmt::format("{}: cannot make the folder ({})", path, failed ? failed.message() : "a file has this name"));
   return {};
 }

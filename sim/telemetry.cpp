@@ -48,7 +48,7 @@ Result<void> check_finite(const strands::Groom& rest, const State& state, int fr
 }
 
 std::string telemetry_header() {
-  return "frame,time,max_stretch,mean_stretch,max_tension,max_curvature,guards_fired,wall_ms\n";
+  return "frame,time_s,max_stretch,mean_stretch,max_tension_m2_per_s2,max_curvature_per_m,guards_fired,wall_ms\n";
 }
 
 std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms) {

@@ -29,7 +29,7 @@ int run(const study::DemoOptions& options, Context& context) {
 
 void add_demo(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("demo", "the main job on a small scene: bake, grow, simulate, shadow, render, study");
+      app.add_subcommand("demo", "run the main job on a small scene: bake, grow, simulate, shadow, render, study");
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
   command->add_option("--groom", options->groom_file,

@@ -113,7 +113,7 @@ int show_info(const std::string& path, const strands::ReadOptions& options, bool
 void add_info(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "info",
-      "what a groom or character file holds: strands, lengths, spacing, units; joints, clips, weights; what is amiss");
+      "describe a groom or character file: strands, lengths, spacing, units; joints, clips, weights; what is wrong");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
   command->add_option("file", *path, groom_help(false) + "; character: .glb or .gltf")->required();

@@ -193,6 +193,7 @@ Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
+  for (const std::string& sentence : study::left_out_of(methods, sweep)) progress.message(sentence);
   return study::compare_with_truth(request, progress);
 }
 
@@ -300,9 +301,9 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command.add_flag("--quick", options.quick, "at most 300 receivers");
   command.add_option("--receivers", options.receivers, "strand vertices that are compared")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--budget-ms", options.request.budget_ms, "most time of build + lookup at every vertex")
+  command.add_option("--budget-ms", options.request.budget_ms, "milliseconds for build and lookup at every vertex, at most")
       ->check(CLI::Range(0.0, infinity));
-  command.add_option("--max-error", options.request.max_error, "largest mean error of transmittance")
+  command.add_option("--max-error", options.request.max_error, "mean error of transmittance, at most")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--at", options.points,
                      "CSV with columns x,y,z in metres: print each method's transmittance there");
@@ -317,7 +318,7 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
 
 void add_shadows(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
+      app.add_subcommand("shadows", "compare shadow methods on a groom with ray-traced truth: error, time, bytes");
   auto options = std::make_shared<ShadowsOptions>();
   add_options(*command, *options);
   command->callback([&context, options] {

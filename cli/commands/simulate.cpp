@@ -160,13 +160,13 @@ int act(const SimulateOptions& options, Context& context) {
 
 void add_simulate(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("simulate", "states of a scene's control hairs, frame by frame, with telemetry.csv");
+      app.add_subcommand("simulate", "simulate a scene's control hairs; write their states frame by frame, and telemetry.csv");
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
   command->add_option("--format", options->format, "vtp (with states.pvd), hair, or both: vtp,hair");
   command->add_option("--out", options->out, "folder to write (default: simulation)");
-  command->add_option("--max-gb", options->max_gigabytes, "refuse to write more than this")
+  command->add_option("--max-gb", options->max_gigabytes, "gigabytes to write, at most")
       ->check(CLI::Range(0.0, 1e6));
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }

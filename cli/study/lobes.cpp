@@ -37,7 +37,10 @@ Result<study::LobesStudy> run_lobes(const LobesOptions& options, Progress& progr
 int study_lobes(const LobesOptions& options, Context& context) {
   const auto lobes = run_lobes(options, *context.progress);
   if (!lobes) return report(lobes.error());
-  fmt::print("{}", context.json ? study::to_json(*lobes) : study::to_csv(*lobes));
+  if (context.json)
+    fmt::print("{}", study::to_json(*lobes));
+  else
+    print_rows(study::to_csv(*lobes), options.out + "/study.csv");
   return make_page("", options.out, *context.progress);
 }
 

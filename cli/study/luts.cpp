@@ -31,7 +31,10 @@ int study_luts(const LutsOptions& options, Context& context) {
   if (!luts) return report(luts.error());
   const auto written = study::write_luts_study(*luts, options.out);
   if (!written) return report(written.error());
-  fmt::print("{}", context.json ? study::to_json(*luts) : study::to_csv(*luts));
+  if (context.json)
+    fmt::print("{}", study::to_json(*luts));
+  else
+    print_rows(study::to_csv(*luts), options.out + "/study.csv");
   return make_page("", options.out, *context.progress);
 }
 

@@ -22,7 +22,7 @@ Result<study::MotionStudy> run_motion(const MotionOptions& options, Progress& pr
 int study_motion(const MotionOptions& options, Context& context) {
   const auto motion = run_motion(options, *context.progress);
   if (!motion) return report(motion.error());
-  fmt::print("{}", study::motion_csv(*motion));
+  print_rows(study::motion_csv(*motion), options.out + "/study.csv");
   return make_page("", options.out, *context.progress);
 }
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json/position.h"
+
 namespace cuticle {
 
 using Library = nlohmann::ordered_json;
@@ -114,7 +116,9 @@ Result<Json> Json::parse(std::string_view text) {
   try {
     return Convert::from(Library::parse(text, is_shallow));
   } catch (const Library::parse_error& error) {
-    return bad_input("not JSON at byte " + std::to_string(error.byte), "check commas, quotes and brackets there");
+    const TextPosition place = position_of(text, std::max<std::size_t>(error.byte, 1) - 1);
+    return bad_input("not JSON at line " + std::to_string(place.line) + ", column " + std::to_string(place.column),
+                     "check commas, quotes and brackets there");
   } catch (const std::exception& error) {
     return bad_input(error.what());
   }

@@ -51,7 +51,7 @@ class Json {
   static Json list(std::initializer_list<Json> items = {});
   static Json object();
 
-  /// One whole JSON text. Error: bad_input, with the byte where it is none; more than 256 levels
+  /// One whole JSON text. Error: bad_input, with line and column where it is none; more than 256 levels
   /// are too deep.
   static Result<Json> parse(std::string_view text);
   /// indent < 0: one line. Numbers are written so that they read back equal, infinite ones and NaN as null; bytes that

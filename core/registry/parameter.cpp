@@ -28,12 +28,24 @@ std::string range_words(const Parameter& parameter) {
   return fmt::format("{:g} .. {:g}{}", parameter.minimum, parameter.maximum, unit);
 }
 
+constexpr std::string_view degree_suffix = "_deg";
+constexpr double radians_per_degree = 0.017453292519943295;
+
+/// An angle beyond its range in radians that lies within it in degrees was most likely typed in degrees.
+Error angle_refusal(const Parameter& parameter, std::string_view text, double value) {
+  Error error = refusal(parameter, text, "within " + range_words(parameter));
+  const double radians = value * radians_per_degree;
+  if (parameter.unit == "rad" && radians >= parameter.minimum && radians <= parameter.maximum)
+    error.hint = fmt::format("{} degrees is {}{}={} or {}={:.4g}", text, parameter.name, degree_suffix, text,
+                             parameter.name, radians);
+  return error;
+}
+
 Result<double> parse_component(const Parameter& parameter, std::string_view text) {
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return refusal(parameter, text, "a number");
-  if (!(value >= parameter.minimum && value <= parameter.maximum))
-    return refusal(parameter, text, "within " + range_words(parameter));
+  if (!(value >= parameter.minimum && value <= parameter.maximum)) return angle_refusal(parameter, text, value);
   return value;
 }
 
@@ -80,9 +92,6 @@ std::string_view trimmed(std::string_view text) {
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
-
-constexpr std::string_view degree_suffix = "_deg";
-constexpr double radians_per_degree = 0.017453292519943295;
 
 /// The angle that `name` means in degrees: "alpha_deg" for a real parameter "alpha" in radians; null for any other name.
 const Parameter* find_angle(ParameterTable table, std::string_view name) {

@@ -1,12 +1,23 @@
 """The compiled module against the formulas that it must give, and its errors."""
 import os
 import pathlib
+import subprocess
 import threading
 
 import numpy
 import pytest
 
 import cuticle
+
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def test_Import_ByThePythonThatSetupMakes_NeedsNoPath():
+    """scripts/setup.sh tells .venv where the module is."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    done = subprocess.run([ROOT / ".venv/bin/python", "-c", "import cuticle; print(len(cuticle.models()))"], capture_output=True, text=True, env=environment)
+    assert done.returncode == 0 and int(done.stdout) >= 9, done.stderr
 
 
 def bessel_i0e(x):
@@ -48,9 +59,9 @@ def test_Eval_Precisions_AgreeToFloat():
 
 
 def test_Eval_PresetAndSet_SetGoesOver():
-    blonde = cuticle.eval("marschner", "A", "TT", preset="blonde")
-    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blonde")
-    assert blonde[0] > blonde[2] and clear[0] == clear[2] > blonde[0]
+    blond = cuticle.eval("marschner", "A", "TT", preset="blond")
+    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blond")
+    assert blond[0] > blond[2] and clear[0] == clear[2] > blond[0]
 
 
 def test_Eval_Hair_IsTheMappingsSettings():
