@@ -8,6 +8,7 @@
 #include "plan/camera_path.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
+#include "plan/traced_frame_gpu.h"
 
 namespace cuticle::plan {
 
@@ -18,6 +19,7 @@ namespace {
 std::string entry_name(const std::string& recorded, const scene::Scene& scene) {
   if (recorded == "generate.smooth") return "smooth_strands";
   if (recorded == "generate.interpolate") return "interpolate_strands";
+  if (recorded == "generate.place") return "place_strands";
   if (recorded.starts_with("shadow.") && scene.shadow) return scene.shadow->name;
   const std::size_t dot = recorded.find('.');
   return dot == std::string::npos ? recorded : recorded.substr(dot + 1);
@@ -55,10 +57,16 @@ struct FrameRunner::Impl {
   Result<void> build(Progress& progress) {
     CUTICLE_ASSIGN(set, build_strand_set(scene));
     for (const std::string& note : set.notes) progress.message(note);
+    leave_out_missing_head();
     rest_bounds = strands::bounds(set.control);
     CUTICLE_TRY(check_size(shape()));
     plan = make_plan(scene, shape());
     return make(true, scene.outputs.color, progress);
+  }
+
+  /// A head that could not be fitted to the hair: the set's notes say why.
+  void leave_out_missing_head() {
+    if (set.head.triangles.empty()) scene.head.present = false;
   }
 
   registry::FrameShape shape() const {
@@ -87,7 +95,8 @@ struct FrameRunner::Impl {
     const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
                        next.render_method != scene.render_method;
     scene::Scene scene_before = std::exchange(scene, next);
-    Plan plan_before = std::exchange(plan, make_plan(next, shape()));
+    leave_out_missing_head();
+    Plan plan_before = std::exchange(plan, make_plan(scene, shape()));
     Result<void> made = make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);
@@ -112,7 +121,7 @@ struct FrameRunner::Impl {
         "lower strand_count or strand_vertices");
   }
 
-  Result<void> paint(int frame, FrameResult& result) {
+  Result<void> paint(int frame, const FrameOptions& options, FrameResult& result) {
     CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
                                                                .control_motion = motion->control_motion(),
                                                                .bounds = motion->bounds(),
@@ -126,9 +135,21 @@ struct FrameRunner::Impl {
                                                               trace));
     painted = frame;
     add_cost(cost, scene, result.cost);
+    if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
     result.notes = picture->notes();
+    return {};
+  }
+
+  Result<void> trace_paths(int frame, const FrameOptions& options, FrameResult& result) {
+    CUTICLE_ASSIGN(strands::Groom hair, picture->read_strands());
+    Progress& progress = options.progress ? *options.progress : silent_progress();
+    CUTICLE_ASSIGN(TracedFrame traced, trace_frame(*device, scene, set, *motion, std::move(hair), camera(frame),
+                                                   options.path_state, progress));
+    result.color = std::move(traced.color);
+    result.aovs = std::move(traced.layers);
+    result.notes = {traced.note};
     return {};
   }
 };
@@ -157,6 +178,7 @@ const strands::Mesh* FrameRunner::fins() const {
   return impl_->motion->fins() ? &impl_->motion->fins()->mesh() : nullptr;
 }
 const strands::Groom& FrameRunner::control_groom() const { return impl_->set.control; }
+const std::vector<std::string>& FrameRunner::notes() const { return impl_->set.notes; }
 
 const lut::TableSet& FrameRunner::tables() const {
   static const lut::TableSet none;
@@ -168,7 +190,7 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   FrameResult result;
   CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace));
   add_cost(cost, impl_->scene, result.cost);
-  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, result));
+  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());
   }

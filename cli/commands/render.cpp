@@ -2,12 +2,14 @@
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "core/file.h"
 #include "core/json/json.h"
 #include "plan/frame_runner_gpu.h"
+#include "render/passes/reference/reference_entry.h"
 #include "render/passes/velocity/velocity.h"
 #endif
 
@@ -19,6 +21,9 @@ namespace {
 struct RenderOptions {
   std::string scene, frames = "0:0", method, out = "render";
   bool aovs = false, velocity = false;
+  std::optional<std::int64_t> samples, bounces;
+  std::optional<double> max_error;
+  std::string state;
 };
 
 /// Sums over the frames, per pass.
@@ -114,7 +119,8 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
                      double exposure_stops, Progress& progress, std::pair<int, int> frames) {
   Costs costs;
   for (int frame = frames.first; frame <= frames.second; ++frame) {
-    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
+    const std::string state = options.state.empty() ? std::string() : fmt::format("{}.{:04d}", options.state, frame);
+    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
     costs.add(result.cost);
     for (const std::string& note : result.notes) progress.message(note);
     CUTICLE_TRY(write_frame(options.out, frame, result, exposure_stops));
@@ -134,10 +140,27 @@ void tell_left_out(const plan::Plan& plan, Progress& progress) {
         progress.message(fmt::format("{}: asked for, but left out: {}", left.entry->name, left.reason));
 }
 
+/// The options that only paths know, as parameters of the pass 'reference'.
+Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene) {
+  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty();
+  if (asks && scene.render_method != "reference")
+    return usage_error(fmt::format("--samples, --bounces, --max-error and --state are of the method 'reference', and "
+                                   "strands are drawn by '{}'",
+                                   scene.render_method),
+                       "add --method reference");
+  const registry::ParameterTable table = render::reference::entry().entry.parameters;
+  auto& values = scene.passes.try_emplace("reference", registry::default_values(table)).first->second;
+  if (options.samples) values.set("samples", *options.samples);
+  if (options.bounces) values.set("bounces", *options.bounces);
+  if (options.max_error) values.set("max_error", *options.max_error);
+  return {};
+}
+
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   if (!options.method.empty()) scene.render_method = options.method;
+  CUTICLE_TRY(set_path_options(options, scene));
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
   if (options.velocity)
     scene.passes.try_emplace("velocity", registry::default_values(render::velocity::entry().entry.parameters));
@@ -178,6 +201,15 @@ void add_render(CLI::App& app, Context& context) {
       ->check(CLI::IsMember(methods));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
+  command->add_option("--samples", options->samples, "reference: paths of a pixel (default 64)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--bounces", options->bounces, "reference: scatterings of a path; 1: direct light alone; 0: all (default)")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--max-error", options->max_error,
+                      "reference: relative standard error of a pixel at which its tile rests (default 0: none does)")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--state", options->state,
+                      "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }
