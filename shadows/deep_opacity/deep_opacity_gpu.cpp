@@ -135,9 +135,9 @@ MapDescription describe(const Settings& settings) {
   MapPass lookup{
       "shadow.lookup",
       deep_lookup_comp,
-      {k_vertices, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums, k_deposits, k_transmittance},
+      {k_vertices, k_segments, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums, k_deposits, k_transmittance},
       MapRun::per_vertex};
-  lookup.texels = {2, 3, 4, 5};
+  lookup.texels = {3, 4, 5, 6};
   if (settings.sparse) {
     lookup.code = deep_tile_lookup_comp;
     lookup.buffers.push_back(k_slots);
