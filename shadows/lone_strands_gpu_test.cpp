@@ -31,12 +31,18 @@ double light_left(const std::string& method, const std::string& set, double alph
 TEST(LoneStrandsGpu, AnyMethodFilterAndOpacity_AreLit) {
   const struct {
     std::string method, set;
-  } settings[] = {{"opacity_map", "slices=16"},       {"opacity_map", "slices=17,form=graphics_8bit"},
-                  {"opacity_map", "form=graphics_half"}, {"deep_opacity", "layers=8"},
-                  {"deep_opacity", "storage=bytes"},  {"deep_opacity", "tiles=sparse"},
-                  {"exact_list", "room_mib=16"},      {"deep_shadow", "room_mib=16"},
-                  {"moments", "basis=power_4"},       {"moments", "basis=trigonometric_4"},
-                  {"fourier", "harmonics=3"},         {"shadow_map", "bias_mm=1"}};
+  } settings[] = {{"opacity_map", "slices=16"},
+                  {"opacity_map", "slices=17,form=graphics_8bit"},
+                  {"opacity_map", "form=graphics_half"},
+                  {"deep_opacity", "layers=8"},
+                  {"deep_opacity", "storage=bytes"},
+                  {"deep_opacity", "tiles=sparse"},
+                  {"exact_list", "room_mib=16"},
+                  {"deep_shadow", "room_mib=16"},
+                  {"moments", "basis=power_4"},
+                  {"moments", "basis=trigonometric_4"},
+                  {"fourier", "harmonics=3"},
+                  {"shadow_map", "bias_mm=1"}};
   for (const auto& [method, set] : settings)
     for (const std::string map : {"resolution=256,filter_texels=2.5", "resolution=768"})
       for (const double alpha : {1.0, 0.4}) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/support/lone_strands.h"
 #include "tests/support/shadow_runs.h"
@@ -106,7 +106,8 @@ TEST(LoneStrands, AStrandThatTurnsBack_ShadowsItself) {
   const Lone lone = tests::hairpin();
   for (const std::string method : {"opacity_map", "deep_opacity", "exact_list", "deep_shadow", "fourier"}) {
     const auto values = tests::values_of(method, method == "opacity_map" ? "slices=64" : "").value();
-    const auto result = (*find_method(method))->evaluate({&lone.groom, 0.4, {0, 1, 0}}, {lone.groom.positions, lone.strands}, values);
+    const auto result =
+        (*find_method(method))->evaluate({&lone.groom, 0.4, {0, 1, 0}}, {lone.groom.positions, lone.strands}, values);
     ASSERT_TRUE(result);
     EXPECT_NEAR(result->values[10], 0.6, 0.05) << method;
     EXPECT_GT(result->values.back(), 0.97f) << method;

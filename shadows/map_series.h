@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "shadows/own_fibre.h"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows {

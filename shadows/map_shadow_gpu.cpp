@@ -285,7 +285,10 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
   };
   map.buffers = {{std::uint64_t(settings.resolution) * settings.resolution * functions}};
   map.passes = {{"shadow.splat", map_series_comp, {k_vertices, k_segments, k_box, k_deposits, k_own}},
-                {"shadow.lookup", lookup, {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance}, MapRun::per_vertex}};
+                {"shadow.lookup",
+                 lookup,
+                 {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
+                 MapRun::per_vertex}};
   return map;
 }
 

@@ -52,9 +52,9 @@ void OwnFibre::find(const MapView& view, const strands::Groom& groom, const OwnV
                     const glm::vec2& at, float disc_radius, float steps_to_pieces) {
   pieces_.clear();
   const float half_width = groom.radii[own.vertex] * view.scale.x * view_scale(seen, view.axes.reach);
-  const OwnStretch stretch =
-      own_stretch(own, double(own_reach(disc_radius, half_width)), double(own_slack(half_width)),
-                  [&](std::uint32_t v) { return double(glm::distance(at, glm::vec2(to_map(view, groom.positions[v])))); });
+  const OwnStretch stretch = own_stretch(
+      own, double(own_reach(disc_radius, half_width)), double(own_slack(half_width)),
+      [&](std::uint32_t v) { return double(glm::distance(at, glm::vec2(to_map(view, groom.positions[v])))); });
   for (std::uint32_t v = stretch.begin; v < stretch.end; ++v)
     for_each_piece(view, groom, v, v == own.first, v + 1 == own.last, steps_to_pieces,
                    [&](const Footprint<float>& footprint) { add(footprint); });

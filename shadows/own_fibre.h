@@ -10,9 +10,9 @@
 
 #include "shadows/map_view.h"
 #include "shadows/method.h"
-#include "strands/groom.h"
 #include "shadows/own_fibre.glslh"
 #include "shadows/splat.glslh"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 
@@ -26,8 +26,8 @@ struct Asked {
 struct OwnVertex {
   std::uint32_t vertex = 0, first = 0, last = 0;
 };
-/// Where on its strand a receiver lies: at the vertex, or on the segment that begins there. None where receivers name no
-/// strands. Without Receivers::vertices the nearest segment of the strand is searched.
+/// Where on its strand a receiver lies: at the vertex, or on the segment that begins there. None where receivers name
+/// no strands. Without Receivers::vertices the nearest segment of the strand is searched.
 std::optional<OwnVertex> own_vertex(const strands::Groom& groom, const Receivers& receivers, std::size_t i);
 
 /// Segments of the strand, by their first vertices begin .. end - 1, that do not shadow the vertex (own_fibre.glslh);

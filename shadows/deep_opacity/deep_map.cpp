@@ -4,9 +4,9 @@
 #include <array>
 #include <functional>
 
+#include "shadows/deep_opacity/tiles.glslh"
 #include "shadows/deep_opacity/tiles.h"
 #include "shadows/detail/map_method.h"
-#include "shadows/deep_opacity/tiles.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
@@ -122,8 +122,8 @@ OwnLayers own_layers(const Map& map, std::span<const Layer> layers, Word range, 
   return result;
 }
 
-/// The exponent at depth z of a texel as it is stored, without the receiver's own fibre; exponent_before(i, own): at the
-/// end of number i of the map, of which `own` is left out.
+/// The exponent at depth z of a texel as it is stored, without the receiver's own fibre; exponent_before(i, own): at
+/// the end of number i of the map, of which `own` is left out.
 float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t texel, float z,
                   std::span<const OwnDeposit> own, const auto& exponent_before) {
   const Word range = map.ranges[texel];
@@ -145,13 +145,12 @@ float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t tex
 Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, const Asked& asked,
                                       const auto& exponent_before) {
   const std::vector<Layer> layers = layer_table(map.ends);
-  return look_up_receivers(
-      map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z) {
-        return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
-          const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
-          return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
-        };
-      });
+  return look_up_receivers(map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z) {
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
+      return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
+    };
+  });
 }
 
 /// How many of the thresholds, which fall, are not below the sum.
@@ -250,8 +249,7 @@ std::vector<Word> pack(const Map& map, double k) {
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   if (settings.bytes) return look_up_packed(map, settings, asked);
   const float per_unit = exponent_per_unit(settings.map, map.scale);
-  return look_up_by(map, settings, asked,
-                    [&](std::size_t i, Word own) { return per_unit * float(map.sums[i] - own); });
+  return look_up_by(map, settings, asked, [&](std::size_t i, Word own) { return per_unit * float(map.sums[i] - own); });
 }
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -7,11 +7,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "shadows/deep_opacity/layers.glslh"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
 #include "shadows/own_fibre.h"
 #include "strands/groom.h"
-#include "shadows/deep_opacity/layers.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 

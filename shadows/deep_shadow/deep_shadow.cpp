@@ -1,7 +1,7 @@
 // The registered method: parameters, demands, and the CPU evaluation.
+#include "shadows/deep_shadow/own_steps.glslh"
 #include "shadows/deep_shadow/settings.h"
 #include "shadows/detail/map_method.h"
-#include "shadows/deep_shadow/own_steps.glslh"
 
 namespace cuticle::shadows::deep_shadow {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "shadows/detail/map_walk.h"
 #include "shadows/deep_shadow/own_steps.glslh"
 #include "shadows/deep_shadow/slopes.glslh"
+#include "shadows/detail/map_walk.h"
 
 namespace cuticle::shadows::deep_shadow {
 namespace {
@@ -140,7 +140,8 @@ PackedFunctions pack(const FragmentLists& lists, float per_unit, double bound, s
 
 float depth_rounding(const PackedFunctions& functions, std::size_t texel) {
   const std::size_t column = texel % functions.columns, row = texel / functions.columns;
-  return functions.storage == KnotStorage::words ? 0 : 0.5f * float(functions.tiles[tile_at(functions, column, row)].step);
+  return functions.storage == KnotStorage::words ? 0
+                                                 : 0.5f * float(functions.tiles[tile_at(functions, column, row)].step);
 }
 
 float visibility_at(const PackedFunctions& functions, std::size_t texel, float depth) {

@@ -9,11 +9,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "shadows/own_fibre.h"
-#include "shadows/map_view.h"
-#include "strands/groom.h"
 #include "shadows/filter.glslh"
+#include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "shadows/splat.glslh"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 
@@ -128,9 +128,9 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
       const float weight = disc_weight(std::sqrt(beside * beside + away * away), filter.radius);
       const bool outside = i < 0 || j < 0 || i >= int(view.columns) || j >= int(view.rows);
       const bool may_own = i >= own.first && i <= own.last;
-      const float value = outside ? 0.0f
-                                  : exponent(texel_index(view, i, j),
-                                             may_own ? own_fibre.deposits(i) : std::span<const OwnDeposit>());
+      const float value =
+          outside ? 0.0f
+                  : exponent(texel_index(view, i, j), may_own ? own_fibre.deposits(i) : std::span<const OwnDeposit>());
       sum += weight * (filter.poisson ? value : value == 0 ? 1.0f : std::exp(value));  // many texels are free
       weights += weight;
     }

@@ -1,8 +1,8 @@
 // Every fragment of every texel, sorted by depth: the ceiling of what a map of the light's view can do.
 #include <algorithm>
 
-#include "shadows/fragment_lists.h"
 #include "shadows/detail/map_method.h"
+#include "shadows/fragment_lists.h"
 
 namespace cuticle::shadows::exact_list {
 namespace {
@@ -25,8 +25,7 @@ float sum_before(const FragmentLists& lists, std::size_t texel, float z, std::sp
 
 MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
 
-Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings,
-                                   const Asked& asked) {
+Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings, const Asked& asked) {
   const float per_unit = exponent_per_unit(settings, lists.scale);
   return look_up_receivers(lists.view, settings, k_behind_lists, k_list_pieces_per_step, asked,
                            [&](std::size_t, float z) {

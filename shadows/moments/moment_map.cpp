@@ -9,7 +9,8 @@ namespace {
 
 float share_before(const SeriesMap& map, const Settings& settings, std::size_t texel, float depth,
                    std::span<const OwnDeposit> own) {
-  const float whole = map.sum(texel, 0, own), bias = float(settings.bias), overestimation = float(settings.overestimation);
+  const float whole = map.sum(texel, 0, own), bias = float(settings.bias),
+              overestimation = float(settings.overestimation);
   const auto moment = [&](std::size_t i) { return map.sum(texel, i, own) / whole; };
   if (settings.basis == Basis::trigonometric_4)
     return circle_share(glm::vec2(moment(1), moment(2)), glm::vec2(moment(3), moment(4)), bias, depth, overestimation);

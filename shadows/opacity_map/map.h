@@ -9,8 +9,8 @@
 
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
-#include "shadows/own_fibre.h"
 #include "shadows/method.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows::opacity_map {

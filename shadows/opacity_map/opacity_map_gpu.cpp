@@ -47,7 +47,10 @@ MapDescription describe(const Settings& settings) {
   map.passes = {
       {"shadow.splat", opacity_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}, MapRun::per_segment},
       {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
-      {"shadow.lookup", opacity_lookup_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance}, MapRun::per_vertex}};
+      {"shadow.lookup",
+       opacity_lookup_comp,
+       {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
+       MapRun::per_vertex}};
   return map;
 }
 

@@ -1,7 +1,7 @@
 // The shadow map on the GPU: clear (fills), fit, nearest, lookup; the integers of the map equal the CPU's.
 #include "shadows/map_shadow_gpu.h"
-#include "shadows/shadow_map/depth_map.h"
 #include "shadows/shadow_map/depth.glslh"
+#include "shadows/shadow_map/depth_map.h"
 #include "shadows/splat.glslh"
 
 #include <shadow_map_lookup_comp.spv.h>

@@ -8,10 +8,10 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
-#include "shadows/own_fibre.h"
 #include "shadows/footprint.h"
 #include "shadows/light_frame.h"
 #include "shadows/method.h"
+#include "shadows/own_fibre.h"
 #include "strands/rays/rays.h"
 #include "strands/rays/round_cone.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.

@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "shadows/detail/map_method.h"
 #include "core/shared/disc.glslh"
+#include "shadows/detail/map_method.h"
 
 namespace cuticle::shadows::voxel {
 namespace {
@@ -136,8 +136,11 @@ Result<Volume> build_volume(const strands::Groom& groom, double alpha, const Lig
                             const Settings& settings) {
   if (axes.reach > 0) return lamp_refused("voxel");
   const strands::Bounds box = strands::bounds(groom);
-  Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution), axes, {},
-                units_per_crossing(alpha, settings), crossing_met_at_random(alpha, settings)};
+  Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution),
+                axes,
+                {},
+                units_per_crossing(alpha, settings),
+                crossing_met_at_random(alpha, settings)};
   const glm::vec3& size = volume.placement.size;
   volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
   for_each_index(groom.strand_count(), [&](std::size_t s) {

@@ -9,8 +9,8 @@
 #include "shadows/light_frame.h"
 #include "shadows/map_settings.h"
 #include "shadows/own_fibre.h"
-#include "strands/groom.h"
 #include "shadows/voxel/volume.glslh"
+#include "strands/groom.h"
 
 namespace cuticle::shadows::voxel {
 

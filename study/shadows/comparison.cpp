@@ -44,6 +44,7 @@ Comparison describe(const ComparisonRequest& request, std::size_t receivers) {
   comparison.footprint_radius =
       request.footprint_radius > 0 ? request.footprint_radius : shadows::default_footprint_radius(*request.groom);
   comparison.rays = request.rays;
+  comparison.at_pixels = request.to_camera.has_value();
   comparison.receivers = receivers;
   return comparison;
 }
@@ -126,6 +127,12 @@ double excess(const ComparisonRow& row, const Request& request) {
 }
 
 }  // namespace
+
+double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera) {
+  const shadows::LightBox box = shadows::light_box(shadows::light_axes(to_camera), groom.positions);
+  const glm::vec3 size = box.upper - box.lower;
+  return 0.5 * double(std::max(size.x, size.y)) / 1024;
+}
 
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half) {
   CUTICLE_EXPECT(values.size() == truth.size(), "one value per truth");

@@ -129,8 +129,8 @@ Result<shadows::Transmittance> evaluate_with_tents(const Candidate& candidate, c
     return usage_error("no tent weights of planes: not looked up per vertex");
   registry::ParameterValues values = candidate.values;
   values.set("weights", std::string("per_vertex"));
-  return candidate.method->evaluate(casters, {probes.points, probes.strands, places_of(*casters.groom, probes), probes.vertices},
-                                    values);
+  return candidate.method->evaluate(
+      casters, {probes.points, probes.strands, places_of(*casters.groom, probes), probes.vertices}, values);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ inline void add_vertex(Lone& lone, const glm::dvec3& p, float radius) {
 }
 inline void end_strand(Lone& lone) { lone.groom.offsets.push_back(std::uint32_t(lone.groom.positions.size())); }
 
-/// 36 strands of 24 vertices, 6 cm long, in a grid of 12 cm; tilted to the light from square on to along it, every other
-/// one bent to an arc of half a radian. Fibre radius 0.5 mm.
+/// 36 strands of 24 vertices, 6 cm long, in a grid of 12 cm; tilted to the light from square on to along it, every
+/// other one bent to an arc of half a radian. Fibre radius 0.5 mm.
 inline Lone lone_strands() {
   constexpr int k_vertices = 24;
   Lone lone;
