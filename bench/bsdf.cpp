@@ -13,8 +13,8 @@
 #include "bsdf/batch/batch.h"
 #include "core/json/json.h"
 #include "core/random.h"
-#include "calibration.h"
-#include "operations.h"
+#include "bench/calibration.h"
+#include "bench/operations.h"
 
 namespace {
 

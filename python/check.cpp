@@ -3,7 +3,7 @@
 #include "study/model_check/registered.h"
 #include "study/model_check/report.h"
 
-#include "arrays.h"
+#include "python/arrays.h"
 
 namespace cuticle::python {
 namespace {

@@ -10,7 +10,7 @@
 #include "bsdf/model.h"
 #include "bsdf/pigment/pigment.h"
 
-#include "arrays.h"
+#include "python/arrays.h"
 
 namespace cuticle::python {
 namespace {

@@ -4,7 +4,7 @@
 #include "lut/format.h"
 #include "lut/table_set.h"
 
-#include "arrays.h"
+#include "python/arrays.h"
 
 namespace cuticle::python {
 namespace {

@@ -69,8 +69,8 @@ TEST(JsonPosition, OfKeysAndItems_CountsLinesAndSkipsComments) {
   };
   EXPECT_EQ(place({}), std::pair(1ul, 1ul));
   EXPECT_EQ(place({"a", "b"}), std::pair(3ul, 9ul));
-  EXPECT_EQ(place({"list", "1", "1"}), std::pair(4ul, 18ul));
-  EXPECT_EQ(place({"list", "2", "b"}), std::pair(4ul, 23ul));
+  EXPECT_EQ(place({"list", "1", "1"}), std::pair(4ul, 19ul));
+  EXPECT_EQ(place({"list", "2", "b"}), std::pair(4ul, 24ul));
   EXPECT_EQ(place({"a", "none"}), std::pair(3ul, 3ul));
 }
 

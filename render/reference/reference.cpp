@@ -149,8 +149,8 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   return hash.value();
 }
 
-Result<Picture> render(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
-                       Progress& progress) {
+Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
+                              Progress& progress) {
   CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
   Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
   const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);

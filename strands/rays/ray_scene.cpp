@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "strands/rays/embree_curves.h"
+#include "strands/rays/detail/embree_curves.h"
 #include "strands/rays/round_cone.h"
 
 namespace cuticle::strands {

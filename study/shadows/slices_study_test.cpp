@@ -187,6 +187,26 @@ TEST(CompareWithTruth, AFilterAsWideAsTheFootprint_FinerMapsAreNoWorse) {
   for (std::size_t i = 0; i < std::size(methods); ++i) expect_no_rise(*comparison, 4 * i, 4);
 }
 
+// What pictures use: a filter of one texel, and a footprint as small as a pixel. A strand that shadowed itself would
+// make every map darker the finer it is. A volume's cells blur a receiver's surroundings, so it comes along without.
+TEST(CompareWithTruth, AFilterOfOneTexelAtAPixel_FinerMapsAreBetter) {
+  const strands::Groom groom = study_coat(2000);
+  ComparisonRequest request = footprint_request(groom);
+  request.footprint_radius = 2e-4;
+  request.rays = 64;
+  request.receivers = 600;
+  const std::string methods[] = {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"};
+  request.candidates = candidates_of(methods, {{16}, {64, 256, 1024}, {}, {}, false, {1}}).value();
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  ASSERT_EQ(comparison->rows.size() % 3, 0u);
+  for (std::size_t i = 0; i < comparison->rows.size(); i += 3) {
+    expect_no_rise(*comparison, i, 3);
+    const auto& rows = comparison->rows;
+    std::printf("bias %+.4f, %+.4f, %+.4f\n", rows[i].error.bias, rows[i + 1].error.bias, rows[i + 2].error.bias);
+  }
+}
+
 // What a texel knows of its nearest and farthest fibre keeps few layers from growing worse where texels hold one or
 // two.
 TEST(CompareWithTruth, AFilterAsWideAsTheFootprint_FewLayersAreNoWorseInFineMaps) {

@@ -3,7 +3,7 @@
 namespace cuticle::lut::unity {
 
 // Unity leaves out the 1 / pi of a diffuse surface, so that its light colours are irradiance / pi.
-const char* const k_urp_material = R"(// Written by cuticle @VERSION@. Hair by the tables, for strips or cards whose mesh tangent runs from root to tip.
+const char* const k_urp_material = R"shader(// Written by cuticle @VERSION@. Hair by the tables, for strips or cards whose mesh tangent runs from root to tip.
 Shader "Cuticle/Hair (URP)"
 {
     Properties
@@ -57,10 +57,10 @@ Shader "Cuticle/Hair (URP)"
         }
     }
 }
-)";
+)shader";
 
 // Positions are relative to the camera; colours are multiplied by the exposure of the frame.
-const char* const k_hdrp_material = R"(// Written by cuticle @VERSION@. Hair by the tables, for strips or cards whose mesh tangent runs from root to tip.
+const char* const k_hdrp_material = R"shader(// Written by cuticle @VERSION@. Hair by the tables, for strips or cards whose mesh tangent runs from root to tip.
 // Directional lights, without shadows.
 Shader "Cuticle/Hair (HDRP)"
 {
@@ -110,7 +110,7 @@ Shader "Cuticle/Hair (HDRP)"
         }
     }
 }
-)";
+)shader";
 
 const char* const k_readme = R"(# Hair tables for Unity
 
