@@ -2,23 +2,30 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
+
+#include "cli/boundary.h"
+#include "core/memory_limit.h"
+#include "core/text.h"
 
 namespace cuticle::cli {
 
 void add_all_commands(CLI::App& app, Context& context);
 
 int report(const Error& error) {
-  fmt::print(stderr, "cuticle: error: {}\n", error.message);
-  if (!error.hint.empty()) fmt::print(stderr, "cuticle: try: {}\n", error.hint);
+  std::string text = "cuticle: error: " + printable(error.message) + "\n";
+  if (!error.hint.empty()) text += "cuticle: try: " + printable(error.hint) + "\n";
+  std::fwrite(text.data(), 1, text.size(), stderr);
   switch (error.kind) {
     case ErrorKind::usage: return Exit::usage;
     case ErrorKind::bad_input: return Exit::bad_input_code;
     case ErrorKind::no_device:
     case ErrorKind::out_of_memory: return Exit::no_device;
+    case ErrorKind::interrupted: return Exit::interrupted;
     case ErrorKind::internal: break;
   }
   return Exit::internal;
@@ -102,6 +109,8 @@ int run(int argc, char** argv) {
   app.add_option("--threads", context.threads, "CPU threads, 0 = all")->check(CLI::Range(0, 1024));
   app.add_option("--trace", context.trace_file, "write a Chrome trace (JSON) of the work to this file");
   app.add_option("--progress", progress, "auto, bar, json or none")->check(CLI::IsMember({"auto", "bar", "json", "none"}));
+  std::string memory;
+  app.add_option("--max-memory", memory, "most memory, such as 8G; what a file unfolds to is refused beyond it (default: half of the machine's)");
   add_all_commands(app, context);
   try {
     app.parse(argc, argv);
@@ -111,6 +120,11 @@ int run(int argc, char** argv) {
   const ProgressStyle style = progress == "bar" ? ProgressStyle::bar : progress == "json" ? ProgressStyle::json
                               : progress == "none" ? ProgressStyle::silent : ProgressStyle::automatic;
   context.progress = make_progress(style);
+  if (!memory.empty()) {
+    const auto bytes = parse_memory(memory);
+    if (!bytes) return report(bytes.error());
+    if (const auto limited = limit_memory(*bytes); !limited) return report(limited.error());
+  }
   std::optional<tbb::global_control> limit;
   if (context.threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(context.threads));
   return context.action ? context.action() : Exit::usage;

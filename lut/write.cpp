@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -22,29 +21,32 @@ namespace fs = std::filesystem;
 /// A folder beside the final files that vanishes unless its files were moved out.
 class Staging {
  public:
-  explicit Staging(const std::string& folder)
-      : target_(folder), path_(target_ / fmt::format(".cuticle-{}", ::getpid())) {
+  explicit Staging(std::string target) : target_(std::move(target)) {
     std::error_code code;
     existed_ = fs::exists(target_, code);
   }
   ~Staging() {
+    folder_.reset();
     std::error_code code;
-    fs::remove_all(path_, code);
     if (!existed_ && !moved_) fs::remove(target_, code);  // only if empty
   }
-  Result<void> make() { return make_folder(path_.string()); }
-  std::string folder() const { return path_.string(); }
-  std::string file(std::string_view name) const { return (path_ / name).string(); }
-  /// Renames every file to its place; takes back what was moved when one cannot be.
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  Result<void> make() {
+    CUTICLE_TRY(make_folder(target_));
+    CUTICLE_ASSIGN(Temporary folder, Temporary::folder(target_));
+    folder_.emplace(std::move(folder));
+    return {};
+  }
+  const std::string& folder() const { return folder_->path(); }
+  std::string file(std::string_view name) const { return (fs::path(folder()) / name).string(); }
+  /// Moves every file to its place; takes back what was moved when one cannot be.
   Result<void> move_out() {
     std::vector<fs::path> done;
     for (const fs::path& name : names()) {
-      std::error_code code;
-      fs::rename(path_ / name, target_ / name, code);
-      if (code) {
+      if (const Result<void> moved = move_into_place(file(name.string()), (target_ / name).string()); !moved) {
         for (const fs::path& each : done) fs::remove(target_ / each);
-        return bad_input(fmt::format("{}: {}", (target_ / name).string(), code.message()),
-                         "choose another folder by --out");
+        return bad_input(moved.error().message, "choose another folder by --out");
       }
       done.push_back(name);
     }
@@ -53,12 +55,15 @@ class Staging {
   }
 
  private:
+  /// The manifest last: it holds the digests of the others, so that a set whose writing was killed does not pass for one.
   std::vector<fs::path> names() const {
     std::vector<fs::path> result;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) result.push_back(entry.path().filename());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder())) result.push_back(entry.path().filename());
+    std::ranges::sort(result, {}, [](const fs::path& name) { return std::pair(name == "manifest.json", name); });
     return result;
   }
-  fs::path target_, path_;
+  fs::path target_;
+  std::optional<Temporary> folder_;
   bool existed_ = false, moved_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <zip.h>
 
+#include "core/memory_limit.h"
 #include "strands/formats/npz/detail/archive.h"
 
 namespace cuticle::strands::npz {
@@ -41,6 +42,7 @@ Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t ar
   if (stat.size > k_most_shrinking * archive_bytes + k_least_bytes)
     return bad_input(
         fmt::format("{}: member {} claims {} bytes, more than the file can hold", where, stat.name, stat.size));
+  CUTICLE_TRY(require_memory(fmt::format("{}: member {}", where, stat.name), {stat.size}));
   const Owned<zip_file_t> file(zip_fopen_index(archive, index, 0));
   if (!file) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_strerror(archive)));
   Member member{stat.name, std::vector<std::byte>(stat.size)};
@@ -88,6 +90,7 @@ Result<std::vector<Member>> read_archive(std::span<const std::byte> bytes, const
     total += member.bytes.size();
     if (total > k_most_shrinking * bytes.size() + k_least_bytes)
       return bad_input(fmt::format("{}: members claim {} bytes, more than the file can hold", where, total));
+    CUTICLE_TRY(require_memory(fmt::format("{}: what its members hold", where), {total}));
     members.push_back(std::move(member));
   }
   return members;
