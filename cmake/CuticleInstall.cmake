@@ -9,7 +9,7 @@ install(TARGETS cuticle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT cuticleTargets NAMESPACE cuticle:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/cuticle)
 foreach(module core strands gpu bsdf lut shadows sim render scene plan study)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION include/cuticle
-    FILES_MATCHING PATTERN "*.h" PATTERN "*.glslh")
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.glslh" PATTERN detail EXCLUDE PATTERN tests EXCLUDE PATTERN "test_*.h" EXCLUDE)
 endforeach()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/cuticleConfig.cmake.in
   ${CMAKE_BINARY_DIR}/cuticleConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/cuticle)

@@ -1,6 +1,6 @@
 #pragma once
 // Lists of fragments on the device (detail/fragment_lists.h): counted, placed, filled and sorted by compute passes.
-#include "shadows/detail/fragment_lists.h"
+#include "shadows/fragment_lists.h"
 #include "shadows/map_shadow_gpu.h"
 
 namespace cuticle::shadows {

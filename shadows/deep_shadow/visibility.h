@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "shadows/detail/fragment_lists.h"
+#include "shadows/fragment_lists.h"
 
 namespace cuticle::shadows::deep_shadow {
 

@@ -1,7 +1,7 @@
 // Every fragment of every texel, sorted by depth: the ceiling of what a map of the light's view can do.
 #include <algorithm>
 
-#include "shadows/detail/fragment_lists.h"
+#include "shadows/fragment_lists.h"
 #include "shadows/detail/map_method.h"
 
 namespace cuticle::shadows::exact_list {

@@ -10,18 +10,18 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "sim/detail/placing.h"
-#include "strands/growing/random.h"
+#include "sim/chains/placing.h"
 #include "sim/clumping/clumping.glslh"
+#include "strands/growing/random.h"
 
 namespace cuticle::sim::clumping {
 namespace {
 
-using detail::k_lanes;
+using chains::k_lanes;
 using strands::Chance;
 using strands::random_stream;
-namespace rest_row = detail::rest_row;
-namespace state_row = detail::state_row;
+namespace rest_row = chains::rest_row;
+namespace state_row = chains::state_row;
 
 glm::dvec3 root_of(const strands::Groom& rest, std::uint32_t strand) { return glm::dvec3(rest.strand(strand)[0]); }
 
@@ -67,17 +67,17 @@ void lead_by_chance(const strands::Groom& rest, const Settings& settings, const 
 /// A strand's chain with its numbers at rest.
 template <class Real>
 struct Chain {
-  const detail::Chains<Real>& chains;
-  const detail::ChainPlace& place;
+  const chains::Chains<Real>& chains;
+  const chains::ChainPlace& place;
   std::size_t links() const { return chains.blocks[place.block].links; }
   glm::dvec3 anchor() const {
-    return detail::vector_at(chains.strand_at(place.block, detail::strand_row::anchor), place.lane);
+    return chains::vector_at(chains.strand_at(place.block, chains::strand_row::anchor), place.lane);
   }
   double number(std::size_t vertex, int row) const {
     return double(chains.rest_at(place.block, vertex, std::size_t(row))[place.lane]);
   }
   glm::dvec3 target(std::size_t vertex) const {
-    return detail::vector_at(chains.rest_at(place.block, vertex, rest_row::target), place.lane);
+    return chains::vector_at(chains.rest_at(place.block, vertex, rest_row::target), place.lane);
   }
   std::uint32_t index(std::size_t vertex, int row, int rows) const {
     const std::size_t first = chains.blocks[place.block].first_vertex + vertex;
@@ -104,7 +104,7 @@ bool find_on_guide(const Chain<Real>& guide, double arc, ClumpedVertex& vertex, 
 double share_of(double rate, double other) { return rate > 0 ? 1 / (1 + (other / rate) * (other / rate)) : 0; }
 
 template <class Real>
-void join(detail::Chains<Real>& chains, const detail::ChainPlace& follower, const detail::ChainPlace& leader,
+void join(chains::Chains<Real>& chains, const chains::ChainPlace& follower, const chains::ChainPlace& leader,
           const Settings& settings, double tightness, std::vector<ClumpedVertex>& vertices) {
   const Chain<Real> own{chains, follower}, guide{chains, leader};
   const double length = own.number(own.links(), rest_row::reach);
@@ -147,7 +147,7 @@ std::vector<std::uint32_t> guides_of(const strands::Groom& rest, const Settings&
 }
 
 template <class Real>
-std::vector<ClumpedVertex> join_clumps(detail::Chains<Real>& chains, const strands::Groom& rest,
+std::vector<ClumpedVertex> join_clumps(chains::Chains<Real>& chains, const strands::Groom& rest,
                                        const Settings& settings) {
   std::vector<ClumpedVertex> vertices;
   if (!(settings.rate > 0)) return vertices;
@@ -160,16 +160,16 @@ std::vector<ClumpedVertex> join_clumps(detail::Chains<Real>& chains, const stran
   }
   return vertices;
 }
-template std::vector<ClumpedVertex> join_clumps<float>(detail::Chains<float>&, const strands::Groom&, const Settings&);
-template std::vector<ClumpedVertex> join_clumps<double>(detail::Chains<double>&, const strands::Groom&,
+template std::vector<ClumpedVertex> join_clumps<float>(chains::Chains<float>&, const strands::Groom&, const Settings&);
+template std::vector<ClumpedVertex> join_clumps<double>(chains::Chains<double>&, const strands::Groom&,
                                                         const Settings&);
 
 glm::dmat3 to_rest(const Substep& first) {
-  return glm::transpose(detail::matrix_of(first.rotation_begin)) * detail::matrix_of(first.carry);
+  return glm::transpose(chains::matrix_of(first.rotation_begin)) * chains::matrix_of(first.carry);
 }
 
 template <class Real>
-void aim(detail::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest) {
+void aim(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest) {
   using Vector = glm::vec<3, Real>;
   const auto place = [&](std::uint32_t at) {
     return Vector(chains.state[at], chains.state[at + k_lanes], chains.state[at + 2 * k_lanes]);
@@ -183,7 +183,7 @@ void aim(detail::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertice
     for (int c = 0; c < 3; ++c) chains.rest[v.target + std::uint32_t(c * k_lanes)] = aim[c];
   });
 }
-template void aim<float>(detail::Chains<float>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
-template void aim<double>(detail::Chains<double>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
+template void aim<float>(chains::Chains<float>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
+template void aim<double>(chains::Chains<double>&, const std::vector<ClumpedVertex>&, const glm::dmat3&);
 
 }  // namespace cuticle::sim::clumping

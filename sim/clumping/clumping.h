@@ -2,8 +2,8 @@
 // Clumps: who leads whom, and what of a vertex's aim does not change in motion.
 #include <vector>
 
+#include "sim/chains/chains.h"
 #include "sim/clumping/settings.h"
-#include "sim/detail/chains.h"
 
 namespace cuticle::sim::clumping {
 
@@ -25,7 +25,7 @@ struct ClumpedVertex {
 /// The vertices of followers, none past the end of their guide. Their pull in `chains` becomes that of both springs:
 /// a critically damped one of rate sqrt(pull^2 + rate^2) towards the mean of both aims, weighted by the squares.
 template <class Real>
-std::vector<ClumpedVertex> join_clumps(detail::Chains<Real>& chains, const strands::Groom& rest,
+std::vector<ClumpedVertex> join_clumps(chains::Chains<Real>& chains, const strands::Groom& rest,
                                        const Settings& settings);
 
 /// Columns of the rotation from the state's axes, before a frame's first substep, to rest space.
@@ -33,6 +33,6 @@ glm::dmat3 to_rest(const Substep& first);
 
 /// New targets from where the guides are.
 template <class Real>
-void aim(detail::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest);
+void aim(chains::Chains<Real>& chains, const std::vector<ClumpedVertex>& vertices, const glm::dmat3& to_rest);
 
 }  // namespace cuticle::sim::clumping

@@ -2,8 +2,8 @@
 // the stability matrix.
 #include "sim/clumping/clumping.h"
 
+#include "sim/chains/test_stability.h"
 #include "sim/clumping/test_clumps.h"
-#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::clumping_test {
 namespace {
@@ -186,7 +186,7 @@ TEST(ClumpGuides, Chance_MakesOneOfSoManyAGuideAndStrandsFollowTheNearest) {
 TEST(ClumpAims, Noise_LoosensEachStrandByItsChance) {
   const strands::Groom groom = ring(40);
   const auto kept = [&](double noise) {  // of strands' offsets at the tip, over those at rest
-    detail::Chains<double> chains = detail::make_chains<double>(groom, detail::ChainSettings{});
+    chains::Chains<double> chains = chains::make_chains<double>(groom, chains::ChainSettings{});
     const clumping::Settings settings{.rate = 1e6, .tightness = 0.8, .noise = noise, .strands_per_clump = 8};
     const auto vertices = clumping::join_clumps(chains, groom, settings);
     const auto guides = clumping::guides_of(groom, settings);
@@ -214,7 +214,7 @@ TEST(ClumpAims, Noise_LoosensEachStrandByItsChance) {
 
 TEST(ClumpAims, GuideThatIsNoNumber_LeavesTheAimAsItIs) {
   const strands::Groom groom = three();
-  detail::Chains<float> chains = detail::make_chains<float>(groom, detail::ChainSettings{});
+  chains::Chains<float> chains = chains::make_chains<float>(groom, chains::ChainSettings{});
   const auto vertices = clumping::join_clumps(chains, groom, {.rate = 10, .tightness = 1});
   ASSERT_EQ(vertices.size(), 32u);
   clumping::aim(chains, vertices, glm::dmat3(1));

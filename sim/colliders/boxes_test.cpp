@@ -1,6 +1,6 @@
 // Capsules and boxes against geometry, for the solvers of rigid links.
-#include "sim/detail/test_stability.h"
-#include "sim/detail/box_contact.glslh"
+#include "sim/chains/contact/box_contact.glslh"
+#include "sim/chains/test_stability.h"
 
 namespace cuticle::sim::boxes_test {
 namespace {

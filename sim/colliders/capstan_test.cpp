@@ -1,7 +1,7 @@
 // A rope over a horizontal capsule against the capstan's law, e^(friction times angle), the rope's own weight included.
 #include <numbers>
 
-#include "sim/detail/test_stability.h"
+#include "sim/chains/test_stability.h"
 
 namespace cuticle::sim::capstan_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include "strands/binding/nearest_triangle.h"
 #include "sim/colliders/field_sample.glslh"
+#include "strands/binding/nearest_triangle.h"
 
 namespace cuticle::sim {
 namespace {
@@ -61,34 +61,34 @@ std::vector<std::uint32_t> first_at_place(const strands::Mesh& mesh) {
 }
 
 /// An edge between two places, and the triangles that run along it less those that run against it.
-struct Edge {
+struct DirectedEdge {
   std::uint32_t from = 0, to = 0;
   int balance = 0;
 };
 
 /// Edges where the triangles of both ways are not equally many.
-std::vector<Edge> open_edges(const strands::Mesh& mesh) {
+std::vector<DirectedEdge> open_edges(const strands::Mesh& mesh) {
   const std::vector<std::uint32_t> first = first_at_place(mesh);
-  std::vector<Edge> edges;
+  std::vector<DirectedEdge> edges;
   for (const Triangle& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = first[t[k]], b = first[t[(k + 1) % 3]];
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
-  std::ranges::sort(edges, {}, [](const Edge& e) { return std::tuple(e.from, e.to); });
-  std::vector<Edge> open;
-  for (const Edge& edge : edges) {
+  std::ranges::sort(edges, {}, [](const DirectedEdge& e) { return std::tuple(e.from, e.to); });
+  std::vector<DirectedEdge> open;
+  for (const DirectedEdge& edge : edges) {
     if (!open.empty() && open.back().from == edge.from && open.back().to == edge.to)
       open.back().balance += edge.balance;
     else
       open.push_back(edge);
   }
-  std::erase_if(open, [](const Edge& e) { return e.balance == 0; });
+  std::erase_if(open, [](const DirectedEdge& e) { return e.balance == 0; });
   return open;
 }
 
 Result<void> check_closed(const strands::Mesh& mesh, const std::string& where) {
-  const std::vector<Edge> open = open_edges(mesh);
+  const std::vector<DirectedEdge> open = open_edges(mesh);
   if (open.empty()) return {};
   const glm::vec3 &a = mesh.positions[open[0].from], &b = mesh.positions[open[0].to];
   return bad_input(fmt::format("{}: {} open edges, allowed 0: the first from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, "

@@ -2,10 +2,10 @@
 #include <numbers>
 #include <random>
 
+#include "sim/chains/contact/field_contact.glslh"
+#include "sim/chains/test_stability.h"
 #include "sim/colliders/distance_field.h"
 #include "sim/colliders/test_meshes.h"
-#include "sim/detail/test_stability.h"
-#include "sim/detail/field_contact.glslh"
 
 namespace cuticle::sim::fields_test {
 namespace {

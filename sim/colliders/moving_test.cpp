@@ -1,9 +1,9 @@
 // Colliders that move by themselves.
 #include <numbers>
 
+#include "sim/chains/test_stability.h"
 #include "sim/colliders/distance_field.h"
 #include "sim/colliders/test_meshes.h"
-#include "sim/detail/test_stability.h"
 #include "sim/head_motion.h"
 
 namespace cuticle::sim::moving_test {

@@ -1,7 +1,7 @@
 // Whether hair that lies on a collider comes to rest there.
+#include "sim/chains/test_stability.h"
 #include "sim/colliders/distance_field.h"
 #include "sim/colliders/test_meshes.h"
-#include "sim/detail/test_stability.h"
 
 namespace cuticle::sim::rest_test {
 namespace {

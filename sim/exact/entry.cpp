@@ -1,12 +1,12 @@
-#include "sim/detail/chain_parameters.h"
+#include "sim/chains/chain_parameters.h"
 #include "sim/exact/exact.h"
 
 namespace cuticle::sim::exact {
 namespace {
 
 constexpr registry::Parameter k_parameters[] = {
-    detail::k_inner_step, k_max_substeps, k_damping,          k_shape_stiffness,
-    k_shape_tip,          k_sag_free,     k_clamped_vertices, detail::k_double_precision,
+    chains::k_inner_step, k_max_substeps, k_damping,          k_shape_stiffness,
+    k_shape_tip,          k_sag_free,     k_clamped_vertices, chains::k_double_precision,
 };
 constexpr std::string_view k_systems[] = {"N6", "N8"};
 
@@ -23,9 +23,9 @@ const Effect& entry() {
                                           .demands = k_solver_demands,
                                           .stage = registry::Stage::simulate,
                                           .systems = k_systems,
-                                          .dispatches = detail::one_dispatch},
+                                          .dispatches = chains::one_dispatch},
                                 .create = create,
-                                .substeps = detail::substeps,
+                                .substeps = chains::substeps,
                                 .fuses_effects = true,
                                 .follows_skin = true};
   return effect;

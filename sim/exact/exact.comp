@@ -3,7 +3,7 @@
 #extension GL_EXT_control_flow_attributes : require
 // exact/kernel.cpp without its lanes. Compiled with PULLS and TOUCHES 0, 1 or 2.
 const uint k_scratch_rows = 16u;
-#include "sim/detail/chain_kernel.glsl"
+#include "sim/chains/device/chain_kernel.glsl"
 
 // Tip to root.
 void predict(uint i, ChainStep s, StrandStep strand, inout TensionCarry below) {

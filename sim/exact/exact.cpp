@@ -1,7 +1,7 @@
 #include "sim/exact/exact.h"
 
 #include "core/instruction_set.h"
-#include "sim/detail/chain_solver.h"
+#include "sim/chains/chain_solver.h"
 #include "sim/exact/kernel.h"
 
 namespace cuticle::sim::exact {
@@ -16,8 +16,8 @@ const Kernels& best_kernels() {
 #endif
 }
 
-detail::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  detail::ChainSettings settings = detail::make_chain_settings(solver, effects);
+chains::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  chains::ChainSettings settings = chains::make_chain_settings(solver, effects);
   settings.shape_stiffness = solver.real("shape_stiffness");
   settings.shape_tip = solver.real("shape_tip");
   return settings;
@@ -26,14 +26,14 @@ detail::ChainSettings make_settings(const registry::ParameterValues& solver, con
 Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
                                        const EffectBlocks& effects) {
   CUTICLE_TRY(strands::validate(rest));
-  const detail::ChainSettings settings = make_settings(solver, effects);
+  const chains::ChainSettings settings = make_settings(solver, effects);
   const Kernels& kernels = best_kernels();
   if (settings.double_precision)
-    return detail::make_chain_solver<double>(
-        rest, settings, detail::make_chains<double>(rest, settings),
+    return chains::make_chain_solver<double>(
+        rest, settings, chains::make_chains<double>(rest, settings),
         {.free = kernels.advance_double, .touching = kernels.advance_double, .own = {}});
   const auto& advance = kernels.advance[settings.shape_stiffness > 0 || settings.clumping];
-  return detail::make_chain_solver<float>(rest, settings, detail::make_chains<float>(rest, settings),
+  return chains::make_chain_solver<float>(rest, settings, chains::make_chains<float>(rest, settings),
                                           {.free = advance[0], .touching = advance[1], .own = {}});
 }
 

@@ -2,12 +2,12 @@
 // The exact solver on the CPU: chains of rigid links that cannot stretch, 16 strands at a time.
 #include <memory>
 
-#include "sim/detail/chain_settings.h"
+#include "sim/chains/chain_settings.h"
 
 namespace cuticle::sim::exact {
 
 /// The solver's parameters and those of its effects as numbers.
-detail::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+chains::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
 
 /// A solver for these strands, in metres. Effects that are read: "gravity", "colliders" (spheres, with friction),
 /// "wind", "water". Runs blocks of strands in parallel; the result is bit-identical at any number of threads, and a

@@ -1,4 +1,4 @@
-#include "sim/detail/chain_solver_gpu.h"
+#include "sim/chains/device/chain_solver_gpu.h"
 #include "sim/exact/exact.h"
 
 #include <exact_beside_all.spv.h>
@@ -15,9 +15,9 @@ namespace {
 
 Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
                                               const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  const detail::ChainSettings settings = make_settings(solver, effects);
-  CUTICLE_TRY(detail::check_for_gpu(rest, settings));
-  detail::ChainGpuProgram program{.name = "exact",
+  const chains::ChainSettings settings = make_settings(solver, effects);
+  CUTICLE_TRY(chains::check_for_gpu(rest, settings));
+  chains::ChainGpuProgram program{.name = "exact",
                                   .free = exact_free,
                                   .touching = exact_touching,
                                   .beside_all = exact_beside_all,
@@ -29,7 +29,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
     program.touching = exact_pulled_touching;
     program.beside_all = exact_pulled_beside_all;
   }
-  return detail::make_chain_solver_gpu(std::move(device), rest, settings, detail::make_chains<float>(rest, settings),
+  return chains::make_chain_solver_gpu(std::move(device), rest, settings, chains::make_chains<float>(rest, settings),
                                        std::move(program));
 }
 

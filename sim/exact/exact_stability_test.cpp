@@ -2,8 +2,8 @@
 // double.
 #include <tbb/global_control.h>
 
-#include "sim/detail/guard.h"
-#include "sim/detail/test_stability.h"
+#include "sim/chains/guard.h"
+#include "sim/chains/test_stability.h"
 #include "sim/exact/exact.h"
 #include "sim/exact/kernel.h"
 
@@ -49,24 +49,24 @@ TEST(ExactHard, FoldAlongGravity_Opens) {
 }
 
 TEST(ExactHard, LaneThatIsNotANumber_IsResetAndTouchesNoOther) {
-  const detail::ChainSettings parameters = exact::make_settings(settings_of("exact"), gravity());
-  detail::Chains<float> good = detail::make_chains<float>(ring(16), parameters), broken = good;
-  broken.state_at(0, 2, detail::state_row::velocity)[3] = NAN;
+  const chains::ChainSettings parameters = exact::make_settings(settings_of("exact"), gravity());
+  chains::Chains<float> good = chains::make_chains<float>(ring(16), parameters), broken = good;
+  broken.state_at(0, 2, chains::state_row::velocity)[3] = NAN;
   Substep part;
   part.duration = 1.f / 480;
-  detail::ChainClock clock;
+  chains::ChainClock clock;
   const auto steps = clock.steps<float>(parameters, {&part, 1});
-  std::vector<float> scratch(std::size_t(good.longest + 2) * detail::scratch_row::count * detail::k_lanes, 0.f),
+  std::vector<float> scratch(std::size_t(good.longest + 2) * chains::scratch_row::count * chains::k_lanes, 0.f),
       other = scratch;
-  const detail::ChainFrame<float> frame{steps.data(), 1, nullptr, 0, nullptr, 0, nullptr};
+  const chains::ChainFrame<float> frame{steps.data(), 1, nullptr, 0, nullptr, 0, nullptr};
   exact::best_kernels().advance[1][0](good.block(0, scratch.data()), frame);
   exact::best_kernels().advance[1][0](broken.block(0, other.data()), frame);
-  detail::Placing placing;
+  chains::Placing placing;
   placing.advance({&part, 1});
-  detail::reset_broken_lanes<float>(broken, 0, [&](std::size_t) { return placing; });
-  for (std::size_t lane = 0; lane < std::size_t(detail::k_lanes); ++lane) {
-    EXPECT_EQ(broken.strand_at(0, detail::strand_row::guarded)[lane] == float(detail::k_was_reset), lane == 3);
-    for (std::size_t k = lane; k < broken.state.size(); k += detail::k_lanes) {
+  chains::reset_broken_lanes<float>(broken, 0, [&](std::size_t) { return placing; });
+  for (std::size_t lane = 0; lane < std::size_t(chains::k_lanes); ++lane) {
+    EXPECT_EQ(broken.strand_at(0, chains::strand_row::guarded)[lane] == float(chains::k_was_reset), lane == 3);
+    for (std::size_t k = lane; k < broken.state.size(); k += chains::k_lanes) {
       EXPECT_TRUE(std::isfinite(broken.state[k]));
       if (lane != 3) {
         EXPECT_EQ(broken.state[k], good.state[k]);

@@ -1,12 +1,12 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
 #define CUTICLE_ESTIMATES
-#include "sim/detail/chain_lanes.h"
 #include "sim/exact/kernel.h"
+#include "sim/chains/lanes/chain_lanes.h"
 
 namespace cuticle::sim::exact {
 namespace {
 
-using namespace detail;
+using namespace chains;
 
 /// Tip to root: the scheme's prediction, and the lagged tensions' elimination.
 template <bool Pulls, class Real>

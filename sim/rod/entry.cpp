@@ -1,11 +1,11 @@
-#include "sim/detail/chain_parameters.h"
+#include "sim/chains/chain_parameters.h"
 #include "sim/rod/rod.h"
 
 namespace cuticle::sim::rod {
 namespace {
 
 constexpr registry::Parameter k_parameters[] = {
-    detail::k_inner_step,
+    chains::k_inner_step,
     k_max_substeps,
     k_damping,
     real_parameter("young_modulus", "Pa", 0, 1e20, "3.9e9", "E of the fibre; 0: it does not bend back"),
@@ -17,7 +17,7 @@ constexpr registry::Parameter k_parameters[] = {
         "sag_free", "true",
         "the groom is combed under gravity: the natural shape is the one that gravity bends into the rest pose"),
     clamped_vertices("1", "first vertices of a strand that the head carries; the rod is clamped at the last of them"),
-    detail::k_double_precision,
+    chains::k_double_precision,
 };
 constexpr std::string_view k_systems[] = {"N6", "N8"};
 
@@ -35,9 +35,9 @@ const Effect& entry() {
                 .demands = k_solver_demands,
                 .stage = registry::Stage::simulate,
                 .systems = k_systems,
-                .dispatches = detail::one_dispatch},
+                .dispatches = chains::one_dispatch},
       .create = create,
-      .substeps = detail::substeps,
+      .substeps = chains::substeps,
       .fuses_effects = true,
       .follows_skin = true};
   return effect;

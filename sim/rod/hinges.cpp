@@ -10,7 +10,7 @@
 namespace cuticle::sim::rod {
 namespace {
 
-using detail::k_lanes;
+using chains::k_lanes;
 
 constexpr double k_shortest = 1e-3;  // of the strand, for bending
 
@@ -28,8 +28,8 @@ glm::dvec3 any_across(const glm::dvec3& direction) {
 }
 
 template <class Real>
-RestRod rest_rod(const detail::Chains<Real>& chains, std::size_t block, std::size_t lane) {
-  namespace rest_row = detail::rest_row;
+RestRod rest_rod(const chains::Chains<Real>& chains, std::size_t block, std::size_t lane) {
+  namespace rest_row = chains::rest_row;
   const std::size_t links = chains.blocks[block].links;
   const auto number = [&](std::size_t i, int row) { return double(chains.rest_at(block, i, std::size_t(row))[lane]); };
   RestRod rod{{glm::dvec3(0)}, {glm::dvec3(0)}, {0}, {0}, {0}};
@@ -37,7 +37,7 @@ RestRod rest_rod(const detail::Chains<Real>& chains, std::size_t block, std::siz
   rod.mean = reach / double(links);
   glm::dvec3 parent(0);
   for (std::size_t i = 1; i <= links; ++i) {
-    const glm::dvec3 place = detail::vector_at(chains.rest_at(block, i, rest_row::target), lane);
+    const glm::dvec3 place = chains::vector_at(chains.rest_at(block, i, rest_row::target), lane);
     rod.directions.push_back(glm::normalize(place - parent));
     rod.lengths.push_back(number(i, rest_row::length));
     rod.bending_lengths.push_back(std::max(rod.lengths[i], k_shortest * reach));
@@ -102,7 +102,7 @@ void fill_hinge(const RestRod& rod, std::size_t i, const Stiffness& stiffness, c
 }
 
 template <class Real>
-void fill_lane(detail::Rows<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod,
+void fill_lane(chains::Rows<Real>& hinges, std::size_t first, std::size_t lane, const RestRod& rod,
                const Stiffness& stiffness, const glm::dvec3& gravity) {
   const auto at = [&](std::size_t i, std::size_t row) -> Real& {
     return hinges[((first + i) * hinge_row::count + row) * k_lanes + lane];
@@ -122,15 +122,15 @@ void fill_lane(detail::Rows<Real>& hinges, std::size_t first, std::size_t lane, 
 }  // namespace
 
 template <class Real>
-detail::Rows<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
+chains::Rows<Real> make_hinges(const chains::Chains<Real>& chains, const Stiffness& stiffness,
                                const glm::dvec3& gravity) {
-  detail::Rows<Real> hinges(chains.rest.size() / detail::rest_row::count * hinge_row::count, Real(0));
+  chains::Rows<Real> hinges(chains.rest.size() / chains::rest_row::count * hinge_row::count, Real(0));
   for (std::size_t b = 0; b < chains.blocks.size(); ++b)
     for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
       fill_lane(hinges, chains.blocks[b].first_vertex, lane, rest_rod(chains, b, lane), stiffness, gravity);
   return hinges;
 }
-template detail::Rows<float> make_hinges<float>(const detail::Chains<float>&, const Stiffness&, const glm::dvec3&);
-template detail::Rows<double> make_hinges<double>(const detail::Chains<double>&, const Stiffness&, const glm::dvec3&);
+template chains::Rows<float> make_hinges<float>(const chains::Chains<float>&, const Stiffness&, const glm::dvec3&);
+template chains::Rows<double> make_hinges<double>(const chains::Chains<double>&, const Stiffness&, const glm::dvec3&);
 
 }  // namespace cuticle::sim::rod

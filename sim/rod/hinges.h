@@ -1,6 +1,6 @@
 #pragma once
 // The hinges of rods at rest: what make_chains is to places.
-#include "sim/detail/chains.h"
+#include "sim/chains/chains.h"
 
 namespace cuticle::sim::rod {
 
@@ -14,7 +14,7 @@ struct Stiffness {
 /// of the strand. Without `gravity` (m/s^2, rest space) the rest pose is the natural shape; with it the natural shape
 /// is the one that gravity bends and twists into the rest pose, hinge by hinge from the tip, exactly.
 template <class Real>
-detail::Rows<Real> make_hinges(const detail::Chains<Real>& chains, const Stiffness& stiffness,
+chains::Rows<Real> make_hinges(const chains::Chains<Real>& chains, const Stiffness& stiffness,
                                const glm::dvec3& gravity);
 
 }  // namespace cuticle::sim::rod

@@ -1,11 +1,11 @@
 // Substeps of blocks of strands for one instruction set: compiled several times (CMakeLists.txt) with CUTICLE_BATCH.
 #include <utility>
 
-#include "sim/detail/chain_lanes.h"
+#include "sim/chains/lanes/chain_lanes.h"
 #include "sim/rod/kernel.h"
 #include "sim/rod/rod_step.glslh"
 
-namespace cuticle::sim::detail {
+namespace cuticle::sim::chains {
 namespace {
 /// Round-off is that of the numbers in the pack.
 template <class Number, int N>
@@ -13,12 +13,12 @@ template <class Number, int N>
   return sim::smallest_pivot(Number(1)) * size;
 }
 }  // namespace
-}  // namespace cuticle::sim::detail
+}  // namespace cuticle::sim::chains
 
 namespace cuticle::sim::rod {
 namespace {
 
-using namespace detail;
+using namespace chains;
 
 /// The band's numbers of a vertex: rows in memory, or packs of which every index is known, which need no memory.
 template <class Real>

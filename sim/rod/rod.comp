@@ -3,7 +3,7 @@
 #extension GL_EXT_control_flow_attributes : require
 // rod/kernel.cpp without its lanes. Compiled with TOUCHES 0 or 1.
 const uint k_scratch_rows = 88u;
-#include "sim/detail/chain_kernel.glsl"
+#include "sim/chains/device/chain_kernel.glsl"
 #include "sim/rod/rod_step.glslh"
 
 const uint k_hinge_rows = 7u, k_stiffness = 0u, k_twist = 1u, k_bend_x = 2u, k_bend_y = 3u, k_natural_angle = 4u,

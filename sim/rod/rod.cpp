@@ -1,7 +1,7 @@
 #include "sim/rod/rod.h"
 
 #include "core/instruction_set.h"
-#include "sim/detail/chain_solver.h"
+#include "sim/chains/chain_solver.h"
 #include "sim/rod/kernel.h"
 
 namespace cuticle::sim::rod {
@@ -20,11 +20,11 @@ const Kernels& best_kernels() {
 
 template <class Real>
 Result<std::unique_ptr<Solver>> make(const strands::Groom& rest, const Settings& settings,
-                                     const detail::Advance<Real> (&variants)[2][2]) {
+                                     const chains::Advance<Real> (&variants)[2][2]) {
   const auto& advance = variants[settings.chain.clumping.has_value()];
-  detail::Chains<Real> chains = detail::make_chains<Real>(rest, settings.chain);
-  detail::Rows<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
-  return detail::make_chain_solver<Real>(rest, settings.chain, std::move(chains),
+  chains::Chains<Real> chains = chains::make_chains<Real>(rest, settings.chain);
+  chains::Rows<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  return chains::make_chain_solver<Real>(rest, settings.chain, std::move(chains),
                                          {.free = advance[0],
                                           .touching = advance[1],
                                           .scratch_rows = rod_row::count,
@@ -35,7 +35,7 @@ Result<std::unique_ptr<Solver>> make(const strands::Groom& rest, const Settings&
 }  // namespace
 
 Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  Settings settings{.chain = detail::make_chain_settings(solver, effects), .stiffness = {}};
+  Settings settings{.chain = chains::make_chain_settings(solver, effects), .stiffness = {}};
   const double radius = solver.real("fibre_radius"), density = solver.real("density");
   settings.stiffness.bending = solver.real("young_modulus") * radius * radius / (4 * density);
   settings.stiffness.twisting = solver.real("shear_modulus") * radius * radius / (2 * density);

@@ -2,14 +2,14 @@
 // The rod solver: chains that cannot stretch, bend as fibres do, and twist.
 #include <memory>
 
-#include "sim/detail/chain_settings.h"
+#include "sim/chains/chain_settings.h"
 #include "sim/rod/hinges.h"
 
 namespace cuticle::sim::rod {
 
 /// The solver's parameters and those of its effects as numbers.
 struct Settings {
-  detail::ChainSettings chain;
+  chains::ChainSettings chain;
   Stiffness stiffness;
   glm::dvec3 balanced_gravity{0};  ///< that the natural shape holds up; zero unless sag_free
 };

@@ -1,4 +1,4 @@
-#include "sim/detail/chain_solver_gpu.h"
+#include "sim/chains/device/chain_solver_gpu.h"
 #include "sim/rod/kernel.h"
 #include "sim/rod/rod.h"
 
@@ -14,10 +14,10 @@ namespace {
 Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> device, const strands::Groom& rest,
                                               const registry::ParameterValues& solver, const EffectBlocks& effects) {
   const Settings settings = make_settings(solver, effects);
-  CUTICLE_TRY(detail::check_for_gpu(rest, settings.chain));
-  detail::Chains<float> chains = detail::make_chains<float>(rest, settings.chain);
-  detail::Rows<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
-  return detail::make_chain_solver_gpu(std::move(device), rest, settings.chain, std::move(chains),
+  CUTICLE_TRY(chains::check_for_gpu(rest, settings.chain));
+  chains::Chains<float> chains = chains::make_chains<float>(rest, settings.chain);
+  chains::Rows<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  return chains::make_chain_solver_gpu(std::move(device), rest, settings.chain, std::move(chains),
                                        {.name = "rod",
                                         .free = rod_free,
                                         .touching = rod_touching,

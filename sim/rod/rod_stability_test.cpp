@@ -1,5 +1,5 @@
 // The rod in the cases in which strand solvers are known to break.
-#include "sim/detail/test_stability.h"
+#include "sim/chains/test_stability.h"
 
 namespace cuticle::sim::rod_stability_test {
 namespace {

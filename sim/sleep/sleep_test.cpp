@@ -1,11 +1,11 @@
 // Strands at rest are left as they are, bit for bit, and wake with the first frame in which anything changes.
 #include <functional>
 
+#include "sim/chains/guard.h"
+#include "sim/chains/sleepers.h"
 #include "sim/classic/test_strands.h"
 #include "sim/colliders/distance_field.h"
 #include "sim/colliders/test_meshes.h"
-#include "sim/detail/guard.h"
-#include "sim/detail/sleepers.h"
 #include "sim/exact/exact.h"
 
 namespace cuticle::sim::sleep_test {
@@ -129,14 +129,14 @@ TEST_P(Sleep, StrandThatSwingsAmongSleepers_MovesAsIfNobodySlept) {
 }
 
 TEST(SleepingStrands, ResetInAFrame_StayAwakeInIt) {
-  const detail::ChainSettings settings = exact::make_settings(settings_of("exact"), with_sleep(gravity(), "time=0.5"));
-  detail::Chains<float> chains = detail::make_chains<float>(ring(16), settings);
-  chains.strand_at(0, detail::strand_row::guarded)[3] = float(detail::k_was_reset);
-  detail::Sleepers<float> sleepers(*settings.sleep);
+  const chains::ChainSettings settings = exact::make_settings(settings_of("exact"), with_sleep(gravity(), "time=0.5"));
+  chains::Chains<float> chains = chains::make_chains<float>(ring(16), settings);
+  chains.strand_at(0, chains::strand_row::guarded)[3] = float(chains::k_was_reset);
+  chains::Sleepers<float> sleepers(*settings.sleep);
   EXPECT_TRUE(sleepers.begin(chains, 0, true, {}));
   sleepers.end(chains, 0, 1, {});
   EXPECT_EQ(sleepers.count(chains), 15u);
-  EXPECT_EQ(chains.strand_at(0, detail::strand_row::quiet)[3], 0.f);
+  EXPECT_EQ(chains.strand_at(0, chains::strand_row::quiet)[3], 0.f);
 }
 
 TEST(SleepingStrands, ThatInteract_AreRefusedByName) {

@@ -1,0 +1,134 @@
+#include "sim/chains/chain_settings.h"
+
+#include <fmt/core.h>
+
+#include "sim/chains/placing.h"
+
+namespace cuticle::sim::chains {
+namespace {
+
+std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
+  return static_cast<std::uint32_t>(values.integer(name));
+}
+
+/// Steps whose durations differ more than this start anew with the first order: BDF2 loses its stability past 1 +
+/// sqrt 2.
+constexpr double k_largest_ratio = 2;
+
+template <class Real>
+void set_scheme(ChainStep<Real>& step, double duration, double previous) {
+  const double ratio = previous > 0 ? duration / previous : 0;
+  const bool second = ratio >= 1 / k_largest_ratio && ratio <= k_largest_ratio;
+  step.duration = Real(duration);
+  step.per_second = Real(1 / duration);
+  step.first_order = second ? Real(0) : Real(1);
+  step.history = Real(ratio * ratio / (1 + 2 * ratio));
+  step.gain = Real((1 + ratio) / (1 + 2 * ratio));
+}
+
+template <class Real>
+void set_rotations(ChainStep<Real>& step, const glm::dmat3& begin, const glm::dmat3& end) {
+  using Vector = glm::vec<3, Real>;
+  step.begin_x = Vector(begin[0]);
+  step.begin_y = Vector(begin[1]);
+  step.begin_z = Vector(begin[2]);
+  step.end_x = Vector(end[0]);
+  step.end_y = Vector(end[1]);
+  step.end_z = Vector(end[2]);
+}
+
+/// The pull towards the rest pose carries the weight that the strand has there; the head turns that force along.
+glm::dvec3 unbalanced_gravity(const ChainSettings& settings, const glm::dmat3& rotation) {
+  const bool balanced = settings.sag_free && settings.shape_stiffness > 0;
+  return balanced ? settings.gravity - rotation * settings.gravity : settings.gravity;
+}
+
+wind::Push fluid_push(const ChainSettings& settings, double time) {
+  wind::Push push = settings.wind ? wind::push_at(*settings.wind, time) : wind::Push{};
+  if (settings.water) {
+    const wind::Push current = wind::push_at(settings.water->current, time);
+    push.acceleration += current.acceleration;
+    push.drag += current.drag;
+  }
+  return push;
+}
+
+}  // namespace
+
+std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
+  return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
+}
+std::uint32_t substeps(const ChainSettings& settings, double duration) {
+  return inner_steps(duration, settings.inner_step, settings.max_substeps);
+}
+
+ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+  ChainSettings settings;
+  settings.inner_step = solver.real("inner_step");
+  settings.max_substeps = whole(solver, "max_substeps");
+  settings.clamped_vertices = whole(solver, "clamped_vertices");
+  settings.damping = solver.real("damping");
+  settings.sag_free = solver.boolean("sag_free");
+  settings.double_precision = solver.boolean("double_precision");
+  if (auto gravity = effects.find("gravity"); gravity != effects.end())
+    settings.gravity = gravity->second.rgb("acceleration");
+  if (auto wind = effects.find("wind"); wind != effects.end()) settings.wind = wind::make_wind(wind->second);
+  if (auto water = effects.find("water"); water != effects.end()) {
+    settings.water = water::make_water(water->second);
+    settings.gravity *= 1 - settings.water->buoyancy;
+  }
+  if (auto contact = effects.find("colliders"); contact != effects.end())
+    settings.contact = colliders::make_contact_settings(contact->second);
+  if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
+    settings.interaction = strand_interaction::make_settings(interaction->second);
+  if (auto sleep = effects.find("sleep"); sleep != effects.end()) settings.sleep = sleep::make_settings(sleep->second);
+  if (auto clumping = effects.find("clumping"); clumping != effects.end())
+    settings.clumping = clumping::make_settings(clumping->second);
+  return settings;
+}
+
+Result<void> check(const ChainSettings& settings) {
+  if (!settings.sleep || (!settings.interaction && !settings.clumping)) return {};
+  return usage_error(fmt::format("the effects 'sleep' and '{}' exclude each other",
+                                 settings.interaction ? "strand_interaction" : "clumping"),
+                     "leave one of them out: strands that move each other are not at rest one by one");
+}
+
+template <class Real>
+std::vector<ChainStep<Real>> ChainClock::steps(const ChainSettings& settings, std::span<const Substep> parts) {
+  using Vector = glm::vec<3, Real>;
+  std::vector<ChainStep<Real>> steps;
+  for (const Substep& part : parts) {
+    const double duration = double(part.duration);
+    if (!(duration > 0)) continue;
+    time_ += duration;
+    const wind::Push push = fluid_push(settings, time_);
+    const glm::dmat3 end = matrix_of(part.rotation_end);
+    ChainStep<Real> step{};
+    set_scheme(step, duration, previous_duration_);
+    set_rotations(step, matrix_of(part.rotation_begin), end);
+    step.head_step = Vector(part.translation_step);
+    step.acceleration = Vector(unbalanced_gravity(settings, end) + push.acceleration);
+    step.drag = Real(settings.damping + push.drag);
+    if (settings.contact) {
+      step.friction = Real(settings.contact->friction);
+      step.pearl = Real(settings.contact->pearl_radius);
+    }
+    previous_duration_ = duration;
+    steps.push_back(step);
+  }
+  return steps;
+}
+template std::vector<ChainStep<float>> ChainClock::steps<float>(const ChainSettings&, std::span<const Substep>);
+template std::vector<ChainStep<double>> ChainClock::steps<double>(const ChainSettings&, std::span<const Substep>);
+
+template <class Real>
+std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps) {
+  std::vector<sleep::Push> pushes;
+  for (const ChainStep<Real>& step : steps) pushes.push_back({glm::dvec3(step.acceleration), double(step.drag)});
+  return pushes;
+}
+template std::vector<sleep::Push> pushes_of<float>(std::span<const ChainStep<float>>);
+template std::vector<sleep::Push> pushes_of<double>(std::span<const ChainStep<double>>);
+
+}  // namespace cuticle::sim::chains

@@ -1,0 +1,84 @@
+// Buffers of the solvers of rigid links, and the rows of their vertices.
+#include "sim/chains/contact/box_contact.glslh"
+#include "sim/finite.glsl"
+#if ON_SKIN
+#include "sim/chains/skin/skin_turn.glslh"
+#endif
+layout(local_size_x = 64) in;
+
+layout(binding = 0) readonly buffer Places {
+  uvec4 places[];
+};  // per strand: block, lane, anchor, whether it has links
+layout(binding = 1) readonly buffer Blocks { uvec4 blocks[]; };  // links, first vertex
+layout(binding = 2) readonly buffer Offsets { uint offsets[]; };
+layout(binding = 3) readonly buffer Vertices { uvec4 vertices[]; };  // bits of the rest place; the vertex of the chain
+layout(binding = 4) readonly buffer Rest { float rest[]; };          // rows of chain_rows.h
+layout(binding = 5) buffer States { float state[]; };
+layout(binding = 6) buffer Strands { float strands[]; };
+layout(binding = 7) buffer Scratch { float scratch[]; };
+layout(binding = 8) readonly buffer Steps { ChainStep steps[]; };
+layout(binding = 9) readonly buffer Spheres { LinkSphere spheres[]; };
+struct FramePlace {
+  vec4 carry_x, carry_y, carry_z, turn_x, turn_y, turn_z, turning_x, turning_y, turning_z, translation, moving;
+};
+layout(binding = 10) readonly buffer Frame { FramePlace frame; };
+layout(binding = 11) writeonly buffer World { vec4 world[]; };
+layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
+layout(binding = 13) writeonly buffer Resets { uint resets[]; };
+layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
+#if TOUCHES == 2
+layout(constant_id = 1) const bool k_meets_fields = false;
+layout(constant_id = 2) const bool k_some_move = false;  // colliders by themselves: ChainFrame::carries
+layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
+layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
+#include "sim/chains/contact/moving_contact.glslh"
+layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
+layout(binding = 18) readonly buffer Carries { ColliderCarry collider_carries[]; };
+#else
+const bool k_some_move = false;
+#endif
+#if ON_SKIN
+struct SkinStrand {
+  vec4 along, across;  // unit, at rest; along.w: whether the strand bends
+  uvec4 vertices;      // anchor, farthest, side
+};
+const int k_skin_binding = TOUCHES == 2 ? 19 : 15;
+layout(binding = k_skin_binding) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
+layout(binding = k_skin_binding + 1) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices
+layout(binding = k_skin_binding + 2) readonly buffer SkinEnd { vec4 skin_end[]; };      // at the frame's begin and end
+#endif
+layout(push_constant) uniform Constants {
+  uint strand_count, step_count, sphere_count, box_count, field_count, carries;
+  uint still;                                // whether nothing acts that did not in the frame before
+  float sleep_speed, sleep_time, frame_time;  // of k_sleeps: m/s, s, s
+};
+layout(constant_id = 0) const bool k_sleeps = false;
+
+const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 5u;
+const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3u, k_mass_ratio = 4u, k_reach = 5u,
+           k_pull = 6u, k_target = 7u;
+const uint k_here = 0u, k_before = 3u, k_velocity = 6u, k_velocity_before = 9u, k_tension = 12u;
+const uint k_place = 0u, k_direction = 3u, k_weight = 6u, k_coupling = 7u, k_value = 8u, k_follows = 9u, k_normal = 10u,
+           k_begin_pushed = 13u, k_touched = k_follows;
+const uint k_guarded = 3u, k_quiet = 4u;
+
+uint first_vertex, lane, strand_base, part;  // of the frame's substeps
+
+uint rest_at(uint i, uint row) { return ((first_vertex + i) * k_rest_rows + row) * k_lanes + lane; }
+uint state_at(uint i, uint row) { return ((first_vertex + i) * k_state_rows + row) * k_lanes + lane; }
+uint scratch_at(uint i, uint row) { return ((first_vertex + i) * k_scratch_rows + row) * k_lanes + lane; }
+#define VECTOR_AT(rows, at) vec3(rows[at], rows[(at) + k_lanes], rows[(at) + 2u * k_lanes])
+#define PUT_VECTOR(rows, at, v) \
+  rows[at] = (v).x;             \
+  rows[(at) + k_lanes] = (v).y; \
+  rows[(at) + 2u * k_lanes] = (v).z
+vec3 state_vector(uint i, uint row) { return VECTOR_AT(state, state_at(i, row)); }
+void put_state(uint i, uint row, vec3 v) { PUT_VECTOR(state, state_at(i, row), v); }
+vec3 scratch_vector(uint i, uint row) { return VECTOR_AT(scratch, scratch_at(i, row)); }
+void put_scratch(uint i, uint row, vec3 v) { PUT_VECTOR(scratch, scratch_at(i, row), v); }
+vec3 target_of(uint i) { return VECTOR_AT(rest, rest_at(i, k_target)); }
+vec3 anchor_place() { return VECTOR_AT(strands, strand_base); }
+ChainVertex chain_vertex(uint i) {
+  return ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
+                     state_vector(i, k_velocity_before));
+}
