@@ -13,8 +13,8 @@
 #include "bsdf/batch/batch.h"
 #include "core/json/json.h"
 #include "core/random.h"
-#include "calibration.h"
-#include "operations.h"
+#include "bench/calibration.h"
+#include "bench/operations.h"
 
 namespace {
 
@@ -350,7 +350,7 @@ int main(int argc, char** argv) {
   CLI::App app("Cost and error of fibre models on one core");
   app.add_option("--models", options.models, "only these")->delimiter(',');
   app.add_option("--set", options.set, "settings for all of them, as of cuticle eval");
-  app.add_option("--preset", options.preset, "blonde, brown or black");
+  app.add_option("--preset", options.preset, "blond, brown or black");
   app.add_flag("--tiers", options.tiers, "also every tier of accuracy that a model names");
   app.add_option("--reference", options.reference, "bench/reference.json: times are scaled to that machine too");
   app.add_option("--format", options.format)->check(CLI::IsMember({"text", "csv", "json"}));

@@ -2,7 +2,7 @@
 // for bounds in ms.
 #include <fmt/core.h>
 
-#include "calibration.h"
+#include "bench/calibration.h"
 
 using cuticle::Json;
 

@@ -7,7 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "lut/evaluate.h"
-#include "calibration.h"
+#include "bench/calibration.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // Compiled once for each model with batch kernels (CMakeLists.txt): CUTICLE_BATCH_MODEL, <model_of_batch.h>.
-#include "counted.h"
+#include "bench/counted.h"
 
 #include <model_of_batch.h>
 
 #include "bsdf/shared/directions.glslh"
-#include "operations.h"
+#include "bench/operations.h"
 
 #define CUTICLE_NAME_OF(name) #name
 #define CUTICLE_NAME(name) CUTICLE_NAME_OF(name)

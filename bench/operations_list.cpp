@@ -1,7 +1,7 @@
 #include <map>
 #include <string>
 
-#include "operations.h"
+#include "bench/operations.h"
 
 namespace cuticle::bench {
 namespace {

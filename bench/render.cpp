@@ -14,7 +14,7 @@
 
 #include "plan/frame_runner_gpu.h"
 
-#include "calibration.h"
+#include "bench/calibration.h"
 
 namespace {
 

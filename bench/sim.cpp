@@ -14,7 +14,7 @@
 #ifdef CUTICLE_HAS_GPU
 #include "sim/solver_gpu.h"
 #endif
-#include "calibration.h"
+#include "bench/calibration.h"
 
 namespace {
 

@@ -18,7 +18,7 @@
 
 #include <vertex_stores_comp.spv.h>
 #endif
-#include "calibration.h"
+#include "bench/calibration.h"
 
 namespace {
 

@@ -16,7 +16,7 @@
 namespace cuticle::bsdf {
 
 enum class Precision { f32, f64, gpu };
-/// S: scattering function [1/rad^2-ish, see the model]; M: longitudinal; N: azimuthal (far field); A: attenuation of
+/// S: scattering function [1/sr]; M: longitudinal [1/rad]; N: azimuthal, far field [1/rad]; A: attenuation of
 /// the path at offset h; albedo: energy scattered for a given theta_o, integrated over the sphere of incident
 /// directions; pdf: density of `sample` per steradian of incident directions (of one lobe: of that lobe's samples
 /// alone); error: the model's own bound on the absolute error of S where it is a quadrature, 0 where it is a closed
@@ -89,7 +89,7 @@ struct Model {
   void (*sample_f64)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
   /// What the model's GLSL `evaluate_packed` reads (CUTICLE_PACKED_COUNT floats).
   std::vector<float> (*pack)(const registry::ParameterValues&) = nullptr;
-  /// Named starting points, "blonde" -> "eta=1.55,sigma_a=...".
+  /// Named starting points, "blond" -> "eta=1.55,sigma_a=...".
   std::span<const registry::StudyCase> presets = {};
   /// Whether these values make it a near-field model, a function of h; null: never.
   bool (*near_field)(const registry::ParameterValues&) = nullptr;

@@ -47,7 +47,8 @@ Error current_error() {
   } catch (const std::filesystem::filesystem_error& error) {
     return bad_input(fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::system_error& error) {
-    return bad_input(fmt::format("cannot read or write ({})", error.code().message()), "check standard output and the disk");
+    return bad_input(fmt::format("cannot read or write ({})", error.code().message()),
+                     "check standard output and the disk");
   } catch (const Json::Mismatch& error) {
     return bad_input(error.what());
   } catch (const std::exception& error) {
@@ -111,10 +112,9 @@ void watch_signals() {
 /// What was printed may still wait in memory; only now is it known whether it could be written.
 int flushed(int code) {
   errno = 0;
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || code != Exit::ok) return code;
   const std::string reason = errno != 0 ? std::error_code(errno, std::generic_category()).message() : "an error before";
-  const int failed = report(bad_input(fmt::format("standard output: cannot write ({})", reason), "check where it leads to"));
-  return code == Exit::ok ? failed : code;
+  return report(bad_input(fmt::format("standard output: cannot write ({})", reason), "check where it leads to"));
 }
 
 }  // namespace

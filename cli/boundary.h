@@ -8,8 +8,8 @@
 namespace cuticle::cli {
 
 /// Runs the program's work and gives its exit code. An exception becomes a message and the code 3, 4 or 5; so does
-/// standard output that is closed or full, if all else went well. An interrupt (SIGINT, SIGTERM, SIGHUP) removes what is
-/// half written and gives 128 + its number; work that can stop between two steps is asked to do so first.
+/// standard output that is closed or full, if all else went well. An interrupt (SIGINT, SIGTERM, SIGHUP) removes what
+/// is half written and gives 128 + its number; work that can stop between two steps is asked to do so first.
 int guarded(const std::function<int()>& work);
 
 /// The most bytes that the program and what it reads may take (--max-memory).

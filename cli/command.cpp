@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <set>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
 #include "cli/boundary.h"
+#include "cli/suggest.h"
+#include "core/interrupt.h"
 #include "core/memory_limit.h"
 #include "core/text.h"
 
@@ -20,12 +23,12 @@ int report(const Error& error) {
   std::string text = "cuticle: error: " + printable(error.message) + "\n";
   if (!error.hint.empty()) text += "cuticle: try: " + printable(error.hint) + "\n";
   std::fwrite(text.data(), 1, text.size(), stderr);
+  if (was_asked_to_stop()) return Exit::interrupted;
   switch (error.kind) {
     case ErrorKind::usage: return Exit::usage;
     case ErrorKind::bad_input: return Exit::bad_input_code;
     case ErrorKind::no_device:
     case ErrorKind::out_of_memory: return Exit::no_device;
-    case ErrorKind::interrupted: return Exit::interrupted;
     case ErrorKind::internal: break;
   }
   return Exit::internal;
@@ -98,10 +101,34 @@ Result<std::pair<int, int>> parse_frames(const std::string& text) {
   return std::pair<int, int>(int(first), int(last));
 }
 
+namespace {
+
+/// Of "a=1,b=2,a=3", what is wrong with it; empty: nothing.
+std::string names_given_twice(const std::string& settings) {
+  std::set<std::string> names;
+  for (const std::string& part : split_list(settings)) {
+    std::string name = part.substr(0, part.find('='));
+    std::erase(name, ' ');
+    if (!name.empty() && !names.insert(name).second) return "'" + printable(name, 60) + "' is given twice";
+  }
+  return {};
+}
+
+/// Wherever settings are given: the last of two would win in silence.
+void refuse_names_given_twice(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->check_lname("set") || option->check_lname("strands"))
+      option->check(CLI::Validator(names_given_twice, "", "names once"));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) refuse_names_given_twice(*command);
+}
+
+}  // namespace
+
 int run(int argc, char** argv) {
   CLI::App app{"Cuticle: hair reflectance and hair shadowing"};
   app.require_subcommand(1);
   app.fallthrough();
+  app.set_version_flag("--version", "cuticle " CUTICLE_VERSION, "print the version");
   Context context;
   std::string progress = "auto";
   app.add_flag("--json", context.json, "print JSON instead of text");
@@ -112,9 +139,12 @@ int run(int argc, char** argv) {
   std::string memory;
   app.add_option("--max-memory", memory, "most memory, such as 8G; what a file unfolds to is refused beyond it (default: half of the machine's)");
   add_all_commands(app, context);
+  refuse_names_given_twice(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::optional<Error> misspelt = error.get_exit_code() == 0 ? std::nullopt : find_misspelt(app, argc, argv);
+    if (misspelt) return report(*misspelt);
     return app.exit(error) == 0 ? Exit::ok : Exit::usage;
   }
   const ProgressStyle style = progress == "bar" ? ProgressStyle::bar : progress == "json" ? ProgressStyle::json

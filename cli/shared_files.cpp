@@ -1,5 +1,6 @@
 #include "cli/shared_files.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -71,6 +72,16 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
   std::vector<std::string> all = {python_program(), "-I", "-c", start, fs::absolute(share_file("python")).string(), module};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
+}
+
+void print_rows(const std::string& csv, const std::string& file) {
+  constexpr int shown = 20;
+  std::size_t end = 0;
+  for (int line = 0; line <= shown && end < csv.size(); ++line) end = std::min(csv.find('\n', end), csv.size() - 1) + 1;
+  if (::isatty(STDOUT_FILENO) == 0) end = csv.size();
+  fmt::print("{}", csv.substr(0, end));
+  if (const auto more = std::count(csv.begin() + std::ptrdiff_t(end), csv.end(), '\n'); more > 0)
+    fmt::print("... {} more rows in {}\n", more, file);
 }
 
 int make_page(const std::string& mode, const std::string& folder, Progress& progress) {

@@ -14,6 +14,9 @@ std::string share_file(const std::string& name);
 /// among the arguments must be absolute. Its exit code; 127 where Python cannot be started.
 int run_python(const std::string& module, const std::vector<std::string>& arguments);
 
+/// Writes rows of CSV to stdout: all of them to a file or pipe, the first twenty to a terminal, with where the rest is.
+void print_rows(const std::string& csv, const std::string& file);
+
 /// Runs `python -m cuticle_report [mode] folder`, which makes index.html and the plots from the data there. Where Python or the package
 /// is missing, says so and leaves the data. Gives the exit code 0, also then.
 int make_page(const std::string& mode, const std::string& folder, Progress& progress);

@@ -59,7 +59,8 @@ Result<std::vector<std::string>> write_groom_file(const std::string& path, const
   if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
   CUTICLE_ASSIGN(const Temporary folder, folder_for_text());
   CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text_in(folder), groom, metres_per_unit));
-  CUTICLE_TRY(write_through_temporary(path, [&](const std::string& name) { return convert(text_in(folder), name, path); }));
+  CUTICLE_TRY(
+      write_through_temporary(path, [&](const std::string& name) { return convert(text_in(folder), name, path); }));
   return lost;
 }
 

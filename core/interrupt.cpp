@@ -16,4 +16,6 @@ bool StopsBetweenSteps::is_asked() const { return asked; }
 
 bool ask_to_stop() { return alive > 0 && !asked.exchange(true); }
 
+bool was_asked_to_stop() { return asked; }
+
 }  // namespace cuticle

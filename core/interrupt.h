@@ -17,4 +17,7 @@ class StopsBetweenSteps {
 /// For whoever receives the signals: asks the work to stop. False where none can, or where it was asked before.
 bool ask_to_stop();
 
+/// Whether work was asked to stop: what it then reports is no fault of its own.
+bool was_asked_to_stop();
+
 }  // namespace cuticle

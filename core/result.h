@@ -9,9 +9,8 @@
 
 namespace cuticle {
 
-/// What went wrong; the command line turns it into its exit codes (docs/cli.md): usage 2, bad_input 3, no_device and
-/// out_of_memory 4, internal 5, interrupted 130.
-enum class ErrorKind { usage, bad_input, no_device, out_of_memory, internal, interrupted };
+/// What went wrong; the command line turns it into its exit codes (docs/cli.md): usage 2, bad_input 3, no_device 4, internal 5.
+enum class ErrorKind { usage, bad_input, no_device, out_of_memory, internal };
 
 struct Error {
   ErrorKind kind = ErrorKind::internal;

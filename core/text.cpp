@@ -51,4 +51,6 @@ std::string printable(std::string_view text, std::size_t most) {
   return shown;
 }
 
+std::string in_quotes(std::string_view word) { return fmt::format("'{}'", printable(word, 60)); }
+
 }  // namespace cuticle

@@ -12,6 +12,6 @@ namespace cuticle {
 std::string printable(std::string_view text, std::size_t most = 2000);
 
 /// A word that a file gave, short enough to stand in a message: cut at 60 bytes.
-inline std::string quoted(std::string_view word) { return "'" + printable(word, 60) + "'"; }
+std::string in_quotes(std::string_view word);
 
 }  // namespace cuticle

@@ -8,13 +8,20 @@ namespace cuticle::text_test {
 namespace {
 
 TEST(Printable, WordsOfEveryScript_AreKept) {
-  for (const char* text : {"", "hair.tfx: 7 strands", "Häärchen 毛 \xf0\x9f\x92\x87", "a\\b 'c' \"d\""}) EXPECT_EQ(printable(text), text);
+  for (const char* text : {"", "hair.tfx: 7 strands", "Häärchen 毛 \xf0\x9f\x92\x87", "a\\b 'c' \"d\""})
+    EXPECT_EQ(printable(text), text);
 }
 
 TEST(Printable, WhatATerminalObeys_IsShownAsNumbers) {
   EXPECT_EQ(printable("\x1b[31mred\r\n\x7f"), "\\x1b[31mred\\x0d\\n\\x7f");
-  EXPECT_EQ(printable("\xc2\x9b" "31m"), "\\u009b31m") << "CSI as one character";
-  EXPECT_EQ(printable("a\xe2\x80\xae" "b"), "a\\u202eb") << "right to left from here";
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\\u009b31m")
+      << "CSI as one character";
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b"),
+            "a\\u202eb")
+      << "right to left from here";
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
 }
 

@@ -11,17 +11,17 @@ namespace cuticle::lut::lut_bake_test {
 namespace {
 
 const bsdf::Model& marschner() { return *bsdf::find_model("marschner").value(); }
-registry::ParameterValues blonde() {
+registry::ParameterValues blond() {
   return registry::parse_assignments(marschner().entry.parameters, "eta=1.55,sigma_a=0.1/0.2/0.4").value();
 }
 const Layout& layout(const char* name) { return *find_layout(name).value(); }
 TableSet bake_set(const char* layout_name, int size) {
-  return bake(marschner(), blonde(), layout(layout_name), size, silent_progress()).value();
+  return bake(marschner(), blond(), layout(layout_name), size, silent_progress()).value();
 }
 double model_value(bsdf::Quantity quantity, const char* lobe, const bsdf::Point& point, int component) {
   glm::dvec3 value;
   const bsdf::Request request{quantity, bsdf::find_lobe(marschner(), lobe).value(), std::span(&point, 1)};
-  EXPECT_TRUE(bsdf::evaluate(marschner(), blonde(), bsdf::Precision::f64, request, std::span(&value, 1)).ok());
+  EXPECT_TRUE(bsdf::evaluate(marschner(), blond(), bsdf::Precision::f64, request, std::span(&value, 1)).ok());
   return value[component];
 }
 double stored(const Table& table, int x, int y, int channel) {
@@ -149,7 +149,7 @@ TEST(Bake, AnyTexel_IsFiniteAndNotNegative) {
 
 TEST(Bake, SizeOutOfRange_IsRefusedWithTheRange) {
   for (int size : {-1, 0, 15, 1025}) {
-    const auto result = bake(marschner(), blonde(), layout("nalu"), size, silent_progress());
+    const auto result = bake(marschner(), blond(), layout("nalu"), size, silent_progress());
     ASSERT_FALSE(result.ok()) << size;
     EXPECT_THAT(result.error().message, testing::HasSubstr("16 .. 1024"));
   }
@@ -158,7 +158,7 @@ TEST(Bake, SizeOutOfRange_IsRefusedWithTheRange) {
 TEST(ExactValue, FractionsOfTheAxes_AreTheModelAtThem) {
   const TableLayout& n = layout("nalu").tables[1];
   const bsdf::Point point{.theta_d = std::acos(0.75), .phi = std::acos(-0.5)};
-  EXPECT_EQ(exact_value(marschner(), blonde(), n, n.channels[1], 0.25, 0.75),
+  EXPECT_EQ(exact_value(marschner(), blond(), n, n.channels[1], 0.25, 0.75),
             model_value(bsdf::Quantity::N, "TT", point, 1));
 }
 

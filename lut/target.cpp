@@ -44,6 +44,13 @@ Result<void> check_readable(const Manifest& manifest, std::string_view target,
       "--format exr");
 }
 
+std::string names_of_tables(const Manifest& manifest) {
+  std::string names;
+  for (std::size_t i = 0; i < manifest.tables.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == manifest.tables.size() ? " and " : ", ") + manifest.tables[i].file;
+  return names;
+}
+
 std::string filled(std::string text, std::span<const std::pair<std::string_view, std::string>> values) {
   for (const auto& [key, value] : values) {
     const std::string mark = fmt::format("@{}@", key);

@@ -13,12 +13,12 @@ namespace cuticle::lut {
 struct TextFile {
   std::string name, text;
 };
-/// What makes an engine import a folder right by itself: linear, clamped, no mip maps, no compression; with the shader
-/// include and the probe check in the engine's terms.
+/// What makes an engine import a folder of tables right by itself (linear, clamped, no mip maps, no compression), a hair
+/// material that shades with them, the functions for a shader of one's own, a check, and a README of three steps.
 struct Target {
   std::string_view name;     ///< as --target takes it, "unity"
   std::string_view summary;  ///< of what it writes
-  /// Its files for a manifest. Error: usage when the engine cannot read the manifest's format.
+  /// Its files for a manifest, to stand beside the tables in a folder of the engine's own. Error: usage when the engine cannot read the manifest's format.
   Result<std::vector<TextFile>> (*files)(const Manifest& manifest);
 };
 std::span<const Target* const> targets();
@@ -30,6 +30,8 @@ Result<std::string> engine_snippet(const Manifest& manifest, std::string_view di
 /// Error: usage unless the manifest's format is one of these.
 Result<void> check_readable(const Manifest& manifest, std::string_view target,
                             std::span<const std::string_view> formats);
+/// The tables' files in words: "M.exr, N_TT_R.exr and N_TRT.exr".
+std::string names_of_tables(const Manifest& manifest);
 /// A text in which every @KEY@ is replaced.
 std::string filled(std::string text, std::span<const std::pair<std::string_view, std::string>> values);
 

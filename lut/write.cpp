@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "core/image/text.h"
+#include "core/json/json.h"
 #include "lut/format.h"
 #include "lut/probes.h"
 #include "lut/snippets/snippet.h"
@@ -44,6 +46,8 @@ class Staging {
   Result<void> move_out() {
     std::vector<fs::path> done;
     for (const fs::path& name : names()) {
+      std::error_code code;
+      fs::create_directories((target_ / name).parent_path(), code);
       if (const Result<void> moved = move_into_place(file(name.string()), (target_ / name).string()); !moved) {
         for (const fs::path& each : done) fs::remove(target_ / each);
         return bad_input(moved.error().message, "choose another folder by --out");
@@ -55,10 +59,12 @@ class Staging {
   }
 
  private:
-  /// The manifest last: it holds the digests of the others, so that a set whose writing was killed does not pass for one.
+  /// The manifest last: it holds the digests of the others, so that a set whose writing was killed does not pass for
+  /// one.
   std::vector<fs::path> names() const {
     std::vector<fs::path> result;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder())) result.push_back(entry.path().filename());
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder()))
+      if (entry.is_regular_file()) result.push_back(fs::relative(entry.path(), folder()));
     std::ranges::sort(result, {}, [](const fs::path& name) { return std::pair(name == "manifest.json", name); });
     return result;
   }
@@ -84,12 +90,42 @@ Image preview_of(const Table& table, int first, int count) {
   return picture;
 }
 
-/// Each table's first three channels in colour and its fourth in grey.
+/// The picture enlarged to at least 256 pixels each way, under lines that say what it shows.
+Image labelled(const Image& picture, const std::vector<std::string>& lines) {
+  constexpr int least = 256, margin = 4;
+  const int x_scale = std::max(1, least / picture.width), y_scale = std::max(1, least / picture.height);
+  const int top = int(lines.size()) * k_text_height + 2 * margin;
+  Image sheet = make_image(picture.width * x_scale + 2 * margin, picture.height * y_scale + top + margin, {"R", "G", "B"});
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    draw_text(sheet, margin, margin + int(i) * k_text_height, lines[i], 0.9F);
+  for (int y = 0; y < picture.height * y_scale; ++y)
+    for (int x = 0; x < picture.width * x_scale; ++x)
+      for (int c = 0; c < 3; ++c) sheet.at(x + margin, y + top, c) = picture.at(x / x_scale, y / y_scale, c);
+  return sheet;
+}
+
+std::string names_of(const TableLayout& table, int first, int count) {
+  std::string names;
+  for (int c = first; c < first + count; ++c)
+    names += fmt::format("{}{}", names.empty() ? "" : " ", table.channels[std::size_t(c)].name);
+  return names;
+}
+
+Image labelled_preview(const Table& table, int first, int count) {
+  const TableLayout& layout = *table.layout;
+  const std::vector<std::string> lines = {
+      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as red green blue" : ""),
+      fmt::format("right {} {:.3g} .. {:.3g}", axis_info(layout.u.quantity).name, layout.u.lower, layout.u.upper),
+      fmt::format("down {} {:.3g} .. {:.3g}", axis_info(layout.v.quantity).name, layout.v.lower, layout.v.upper)};
+  return labelled(tone_map(preview_of(table, first, count)), lines);
+}
+
+/// Each table's first three channels in colour and its fourth in grey, each with its name and axes.
 Image preview(const TableSet& set) {
   std::vector<Image> pictures;
   for (const Table& table : set.tables) {
-    pictures.push_back(tone_map(preview_of(table, 0, std::min(3, table.image.channels()))));
-    if (table.image.channels() > 3) pictures.push_back(tone_map(preview_of(table, 3, 1)));
+    pictures.push_back(labelled_preview(table, 0, std::min(3, table.image.channels())));
+    if (table.image.channels() > 3) pictures.push_back(labelled_preview(table, 3, 1));
   }
   return contact_sheet(pictures, int(pictures.size()));
 }
@@ -102,22 +138,30 @@ Image engine_image(const Table& table) {
   return image;
 }
 
-Result<void> write_texts(const std::vector<TextFile>& files, const Staging& staging) {
-  for (const TextFile& file : files) CUTICLE_TRY(write_text_file(staging.file(file.name), file.text));
+/// An engine's folder: a copy of the tables and the manifest, and what the engine needs beside them.
+Result<void> write_folder(const Target& target, const Manifest& manifest, const Staging& staging) {
+  CUTICLE_ASSIGN(const std::vector<TextFile> files, target.files(manifest));
+  CUTICLE_TRY(make_folder(staging.file(target.name)));
+  const auto file = [&](const std::string& name) { return staging.file(fmt::format("{}/{}", target.name, name)); };
+  for (const TextFile& text : files) CUTICLE_TRY(write_text_file(file(text.name), text.text));
+  std::vector<std::string> copied = {"manifest.json"};
+  for (const ManifestTable& table : manifest.tables) copied.push_back(table.file);
+  for (const std::string& name : copied) {
+    std::error_code code;
+    fs::copy_file(staging.file(name), file(name), code);
+    if (code) return bad_input(fmt::format("{}: {}", file(name), code.message()), "choose another folder by --out");
+  }
   return {};
 }
 
-/// The shader functions, and what each engine needs beside the tables.
+/// The shader functions, and a folder for each engine.
 Result<void> write_for_engines(const Manifest& manifest, std::span<const Target* const> targets,
                                const Staging& staging) {
   for (const snippets::Dialect& dialect : snippets::dialects()) {
     CUTICLE_ASSIGN(const std::string text, snippets::snippet(manifest, dialect));
     CUTICLE_TRY(write_text_file(staging.file(fmt::format("cuticle_hair.{}", dialect.extension)), text));
   }
-  for (const Target* target : targets) {
-    CUTICLE_ASSIGN(const std::vector<TextFile> files, target->files(manifest));
-    CUTICLE_TRY(write_texts(files, staging));
-  }
+  for (const Target* target : targets) CUTICLE_TRY(write_folder(*target, manifest, staging));
   return {};
 }
 
@@ -128,6 +172,9 @@ Result<void> write_all(const TableSet& set, const Format& format, std::span<cons
     CUTICLE_TRY(format.write(staging.file(file_name(table, format)), engine_image(table), manifest));
   CUTICLE_ASSIGN(const std::string complete, with_digests(manifest, staging.folder()));
   CUTICLE_TRY(write_text_file(staging.file("manifest.json"), complete));
+  // Apart from all else, which is the same whenever the same tables are baked.
+  const Json timings = {{"bake_ms", set.bake_ms}};
+  CUTICLE_TRY(write_text_file(staging.file("timings.json"), timings.dump(2) + "\n"));
   CUTICLE_ASSIGN(const Manifest parsed, parse_manifest(complete, "manifest.json"));
   CUTICLE_TRY(write_for_engines(parsed, targets, staging));
   return write_png(staging.file("preview.png"), preview(set));

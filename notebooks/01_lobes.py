@@ -28,7 +28,7 @@ import cuticle
 figures = pathlib.Path(os.environ.get("CUTICLE_FIGURES", "figures"))
 figures.mkdir(parents=True, exist_ok=True)
 HAIR = {"eta": 1.55, "sigma_a": 0.2}
-LOBES = {"R": "#3378bf", "TT": "#d98a1e", "TRT": "#bf3845"}
+LOBES = {"R": "#3378bf", "TT": "#ed9921", "TRT": "#bf3845"}
 
 # %% [markdown]
 # ## Longitudinal: where along the fibre

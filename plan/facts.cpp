@@ -95,10 +95,12 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   const std::string why = fmt::format("strands are drawn by '{}'", scene.render_method);
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
+  const bool traced = scene.render_method == "reference";
+  const bool on_device = scene.render_method != "truth" && !traced;
   facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
-  facts["seen_segments"] = {scene.render_method != "cards" && scene.render_method != "truth", why};
-  facts["drawn_on_device"] = {scene.render_method != "truth", why};
-  facts["shaded_from_tables"] = {scene.render_method != "cards", why};
+  facts["seen_segments"] = {scene.render_method != "cards" && on_device, why};
+  facts["drawn_on_device"] = {on_device, why};
+  facts["shaded_from_tables"] = {scene.render_method != "cards" && !traced, why};
 }
 
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
@@ -147,6 +149,13 @@ void add_layers(const scene::Scene& scene, registry::Facts& facts) {
   facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
 }
 
+/// Paths find light, shadow and surfaces by themselves, and write layers of their own.
+void leave_to_paths(registry::Facts& facts) {
+  for (const char* fact : {"shadow_method", "coloured_shadow", "head", "floor", "surfaces", "fins_drawn",
+                           "dual_scattering", "surface_shadow", "depth_of_field", "output_aovs", "output_velocity"})
+    if (facts[fact].holds) facts[fact] = {false, "the reference traces paths"};
+}
+
 }  // namespace
 
 registry::Facts facts_of(const scene::Scene& scene) {
@@ -177,6 +186,8 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["movement"] = movement_fact(scene);
   add_picture_filters(scene, facts);
   add_layers(scene, facts);
+  facts["fins_drawn"] = facts["fins"];
+  if (scene.render_method == "reference") leave_to_paths(facts);
   return facts;
 }
 

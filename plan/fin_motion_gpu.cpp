@@ -15,12 +15,9 @@ Result<std::unique_ptr<FinMotion>> FinMotion::create(std::shared_ptr<gpu::Device
 
 Result<void> FinMotion::restart(const sim::EffectBlocks& effects) {
   cloth_.reset();
-  const PlannedPass* planned = find_pass(plan_, "cloth");
-  if (!planned) return {};
-  const auto given = scene_.simulation.effects.find(planned->entry->name);
-  const registry::ParameterValues values =
-      given == scene_.simulation.effects.end() ? registry::default_values(planned->entry->parameters) : given->second;
-  CUTICLE_ASSIGN(cloth_, sim::make_cloth(set_.fins, set_.fin_weights, values, effects));
+  if (!find_pass(plan_, sim::cloth::Cloth::name)) return {};
+  const auto given = sim::find_effect<sim::cloth::Cloth>(scene_.simulation.effects);
+  CUTICLE_ASSIGN(cloth_, sim::make_cloth(set_.fins, set_.fin_weights, given.value_or(sim::cloth::Cloth{}), effects));
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include "plan/camera_path.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
+#include "plan/traced_frame_gpu.h"
 
 namespace cuticle::plan {
 
@@ -112,7 +113,7 @@ struct FrameRunner::Impl {
         "lower strand_count or strand_vertices");
   }
 
-  Result<void> paint(int frame, FrameResult& result) {
+  Result<void> paint(int frame, const FrameOptions& options, FrameResult& result) {
     CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
                                                                .control_motion = motion->control_motion(),
                                                                .bounds = motion->bounds(),
@@ -126,9 +127,21 @@ struct FrameRunner::Impl {
                                                               trace));
     painted = frame;
     add_cost(cost, scene, result.cost);
+    if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
     result.notes = picture->notes();
+    return {};
+  }
+
+  Result<void> trace_paths(int frame, const FrameOptions& options, FrameResult& result) {
+    CUTICLE_ASSIGN(strands::Groom hair, picture->read_strands());
+    Progress& progress = options.progress ? *options.progress : silent_progress();
+    CUTICLE_ASSIGN(TracedFrame traced, trace_frame(*device, scene, set, *motion, std::move(hair), camera(frame),
+                                                   options.path_state, progress));
+    result.color = std::move(traced.color);
+    result.aovs = std::move(traced.layers);
+    result.notes = {traced.note};
     return {};
   }
 };
@@ -168,7 +181,7 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   FrameResult result;
   CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace));
   add_cost(cost, impl_->scene, result.cost);
-  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, result));
+  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());
   }

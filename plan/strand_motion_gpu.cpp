@@ -80,8 +80,8 @@ Result<void> StrandMotion::restart() {
   const sim::EffectBlocks effects = planned_effects(scene_, plan_);
   CUTICLE_ASSIGN(solver_, effect->create(device_, set_.control, block.values, effects));
   if (fins_) CUTICLE_TRY(fins_->restart(effects));
-  if (const auto control = effects.find("control"); control != effects.end()) {
-    CUTICLE_ASSIGN(solver_, sim::control::controlled_gpu(device_, std::move(solver_), set_.control, control->second));
+  if (const auto control = sim::find_effect<sim::control::Control>(effects)) {
+    CUTICLE_ASSIGN(solver_, sim::control::controlled_gpu(device_, std::move(solver_), set_.control, *control));
   }
   return settle();
 }

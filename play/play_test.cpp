@@ -30,8 +30,8 @@ std::shared_ptr<gpu::Device> device() {
   return *opened;
 }
 
-std::unique_ptr<Session> session(int frames = 10) {
-  auto made = Session::create(device(), small_scene(), frames, silent_progress());
+std::unique_ptr<Session> session(int frames = 10, int first = 0) {
+  auto made = Session::create(device(), small_scene(), FrameRange{first, first + frames - 1}, silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }

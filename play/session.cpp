@@ -49,8 +49,9 @@ Result<void> set_method(scene::Scene& scene, const std::string& method) {
 }  // namespace
 
 Result<std::unique_ptr<Session>> Session::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
-                                                 int frames, Progress& progress) {
-  if (frames < 1) return usage_error(fmt::format("frames = {} is below 1", frames));
+                                                 FrameRange frames, Progress& progress) {
+  if (frames.first < 0 || frames.last < frames.first)
+    return usage_error(fmt::format("frames {}:{} are not 0 <= first <= last", frames.first, frames.last));
   if (!scene.outputs.color) return usage_error("outputs.color = false leaves nothing to show");
   std::unique_ptr<Session> session(new Session(scene, frames, progress));
   CUTICLE_ASSIGN(session->runner_, plan::FrameRunner::create(std::move(device), scene, progress));
@@ -95,8 +96,9 @@ Result<std::optional<scene::Scene>> Session::change(const Actions& actions) {
 }
 
 int Session::next_frame(const Actions& actions) const {
-  if (actions.restart || frame_ < 0) return 0;
-  return paused_ && !actions.step ? frame_ : (frame_ + 1) % frames_;
+  if (actions.restart || frame_ < 0) return frames_.first;
+  if (paused_ && !actions.step) return frame_;
+  return frame_ == frames_.last ? frames_.first : frame_ + 1;
 }
 
 Result<bool> Session::advance(const Actions& actions) {

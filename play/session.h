@@ -32,18 +32,24 @@ struct Actions {
   std::vector<ParameterChange> changes = {};
 };
 
+/// Both included.
+struct FrameRange {
+  int first = 0, last = 0;
+  int count() const { return last - first + 1; }
+};
+
 struct SessionCost {
   double frame_ms = 0;   ///< wall clock of the last frame, changes included
   double change_ms = 0;  ///< of the last change of parameters or method: tables, pipelines, replay
 };
 
-/// Shows frames 0, 1, ... up to the last of a loop, then 0 again. A picture is at every moment the one that `render`
+/// Shows the frames of a range in a loop. A picture is at every moment the one that `render`
 /// makes of the changed scene at that frame: after a change of the simulation its frames run anew from the first.
 class Session {
  public:
-  /// Errors: those of FrameRunner::create; usage for a scene without a picture or fewer than 1 frames.
+  /// Errors: those of FrameRunner::create; usage for a scene without a picture or a range that is not 0 <= first <= last.
   static Result<std::unique_ptr<Session>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
-                                                 int frames, Progress& progress);
+                                                 FrameRange frames, Progress& progress);
   /// Does the actions, goes one frame on unless paused, and draws if anything is new; true where it did.
   /// Error: usage naming an unknown group, parameter or method, or a value out of range; nothing has changed then.
   Result<bool> advance(const Actions& actions);
@@ -59,7 +65,7 @@ class Session {
   std::vector<ParameterGroup> groups() const;
 
  private:
-  Session(const scene::Scene& scene, int frames, Progress& progress)
+  Session(const scene::Scene& scene, FrameRange frames, Progress& progress)
       : scene_(scene), progress_(progress), frames_(frames) {}
   /// The scene with the actions done to it.
   Result<scene::Scene> changed(const Actions& actions) const;
@@ -71,7 +77,8 @@ class Session {
   std::unique_ptr<plan::FrameRunner> runner_;
   plan::FrameResult shown_;
   SessionCost cost_;
-  int frames_, frame_ = -1;
+  FrameRange frames_;
+  int frame_ = -1;  ///< before the first picture
   bool paused_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "arrays.h"
+#include "python/arrays.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "strands/formats/formats.h"
 
-#include "arrays.h"
+#include "python/arrays.h"
 
 namespace cuticle::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "arrays.h"
+#include "python/arrays.h"
 
 NB_MODULE(_cuticle, module) {
   module.doc() = "The compiled half of the package cuticle.";

@@ -6,18 +6,40 @@
 #include <fmt/ranges.h>
 
 #include "core/json/json.h"
+#include "core/json/position.h"
+#include "core/text.h"
 #include "scene/specification.h"
 
 namespace cuticle::scene {
 
 namespace {
 
-/// Where a value stands: the source, and the path of keys to it.
+/// Where a value stands: the source and its text, and the path of keys to it.
 struct Place {
-  std::string source, path;
-  Place at(const std::string& key) const { return {source, path.empty() ? key : path + "." + key}; }
-  Place at(std::size_t index) const { return {source, fmt::format("{}[{}]", path, index)}; }
-  std::string text() const { return path.empty() ? source : source + ": " + path; }
+  std::string source;
+  std::string_view document;
+  std::string path = {};
+  std::vector<std::string> steps = {};
+
+  Place at(const std::string& key) const { return child(path.empty() ? key : path + "." + key, key); }
+  Place at(std::size_t index) const { return child(fmt::format("{}[{}]", path, index), std::to_string(index)); }
+  Place child(std::string child_path, std::string step) const {
+    Place place{source, document, std::move(child_path), steps};
+    place.steps.push_back(std::move(step));
+    return place;
+  }
+  /// "scene.json:12:5: lights[0].irradiance": line and column as compilers write them.
+  std::string text() const {
+    const TextPosition at = position_of(document, find_in_json(document, steps));
+    const std::string where = fmt::format("{}:{}:{}", source, at.line, at.column);
+    return path.empty() ? where : where + ": " + path;
+  }
+  /// This place, with the line and column of one of its keys.
+  std::string text_at(const std::string& key) const {
+    Place place = at(key);
+    place.path = path;
+    return place.text();
+  }
 };
 
 Result<void> check_value(const Spec& spec, const Json& value, const Place& place);
@@ -28,7 +50,7 @@ Error wrong_type(const Place& place, std::string_view expected, const Json& valu
 
 Error unknown_key(const Place& place, const std::string& key, std::span<const std::string_view> known) {
   const std::string near = registry::nearest_name(key, known);
-  return bad_input(fmt::format("{}: unknown key '{}'; allowed: {}", place.text(), key, fmt::join(known, ", ")),
+  return bad_input(fmt::format("{}: unknown key {}; allowed: {}", place.text_at(key), in_quotes(key), fmt::join(known, ", ")),
                    near.empty() ? "" : fmt::format("write '{}'", near));
 }
 
@@ -67,9 +89,11 @@ Result<void> check_text(const Spec& spec, const Json& value, const Place& place)
 }
 
 Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
-  auto values = registry::values_from_json(table, value.dump(), place.text());
-  if (values) return {};
-  return Error{ErrorKind::bad_input, values.error().message, values.error().hint};
+  if (!value.is_object()) return wrong_type(place, "an object", value);
+  for (const auto& [key, item] : value.items())
+    if (auto read = registry::values_from_json(table, Json{{key, item}}.dump(), place.text_at(key)); !read)
+      return Error{ErrorKind::bad_input, read.error().message, read.error().hint};
+  return {};
 }
 
 Result<void> check_blocks(const Spec& spec, const Json& value, const Place& place) {
@@ -145,9 +169,10 @@ Result<void> check_value(const Spec& spec, const Json& value, const Place& place
 }  // namespace
 
 Result<void> check(const Spec& spec, std::string_view json, const std::string& where) {
-  const Result<Json> value = Json::parse(json);
+  const std::string text = without_comments(json);
+  const Result<Json> value = Json::parse(text);
   if (!value) return bad_input(fmt::format("{}: {}", where, value.error().message), value.error().hint);
-  return check_value(spec, *value, {where, ""});
+  return check_value(spec, *value, {where, text});
 }
 
 }  // namespace cuticle::scene

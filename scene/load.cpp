@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/file.h"
+#include "core/json/position.h"
 #include "scene/reader.h"
 #include "scene/specification.h"
 
@@ -204,7 +205,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue) {
   CUTICLE_TRY(check(specification(catalogue), json, where));
-  const Json value = Json::parse(json).value();
+  const Json value = Json::parse(without_comments(json)).value();
   return read_scene({value, where, folder}, catalogue);
 }
 

@@ -75,6 +75,7 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   CUTICLE_ASSIGN(const Image picture, read_image(name));
   const auto lights = environment_lights(picture, environment);
   if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
+  scene.environment = {name, environment, lights->size()};
   scene.lights.insert(scene.lights.end(), lights->begin(), lights->end());
   return {};
 }

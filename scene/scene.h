@@ -12,6 +12,7 @@
 #include "core/registry/entry.h"
 #include "core/rounded_box.h"
 #include "core/view.h"
+#include "scene/environment.h"
 #include "strands/character/convention.h"
 #include "strands/growing/specification.h"
 
@@ -100,13 +101,19 @@ struct CameraPath {
   double turntable_degrees_per_frame = 0;  ///< about the target's vertical axis
   bool automatic = false;                  ///< framed on the hair: position and target are not used
 };
+/// The picture that the last `lights` of the scene's lights were made of.
+struct EnvironmentSource {
+  std::string file;  ///< absolute path
+  Environment settings;
+  std::size_t lights = 0;
+};
 struct Outputs {
   bool color = true, aovs = false;
   double exposure_stops = 0;
 };
 
 /// The ways in which strands become pixels.
-inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth"};
+inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth", "reference"};
 
 struct Scene {
   int schema_version = 1;
@@ -125,6 +132,7 @@ struct Scene {
   std::optional<FinSource> fins;
   std::optional<Floor> floor;
   std::vector<Light> lights;
+  std::optional<EnvironmentSource> environment;
   std::optional<Block> shadow;  ///< shadow method with its parameters
   glm::dvec3 fibre_alpha{0.4};  ///< opacity of one crossing, of red, green and blue light
   double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much

@@ -247,11 +247,23 @@ TEST(Scene, CharacterBesideWhatItReplaces_IsRefused) {
   expect_refused(R"("character": {"file": "a.glb", "skinning": "cubic"})", {"character.skinning", "dual_quaternion"});
 }
 
-TEST(Scene, NotJson_NamesTheByte) {
+TEST(Scene, NotJson_NamesLineAndColumn) {
   const auto scene = parse_scene(R"({"schema_version": 1,)", "/", "s.json", catalogue());
   ASSERT_FALSE(scene);
-  EXPECT_THAT(scene.error().message, HasSubstr("s.json: not JSON at byte 22"));
+  EXPECT_THAT(scene.error().message, HasSubstr("s.json: not JSON at line 1, column 22"));
 }
+
+TEST(Scene, Mistake_IsNamedWithLineAndColumn) {
+  const auto message = [](const char* text) { return parse_scene(text, "/", "s.json", catalogue()).error().message; };
+  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov\": 30}}"), HasSubstr("s.json:2:14: camera: unknown key 'fov'"));
+  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov_deg\": 300}}"), HasSubstr("s.json:2:14: camera.fov_deg = 300"));
+}
+
+TEST(Scene, Comments_AreSkipped) {
+  EXPECT_TRUE(parse_scene("{ // version\n\"schema_version\": 1}", "/", "s.json", catalogue()));
+}
+
+TEST(Scene, KeyWithoutItsUnit_IsOfferedWithIt) { expect_refused(R"("camera": {"fov": 30})", {"write 'fov_deg'"}); }
 
 TEST(Scene, ZeroDirection_IsRefused) {
   expect_refused(R"("lights": [{"to_light": [0, 0, 0], "irradiance": [1, 1, 1]}])", {"lights[0].to_light", "zero"});

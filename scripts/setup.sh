@@ -28,6 +28,9 @@ if ! cmp -s scripts/requirements.txt "$stamp"; then
   cp scripts/requirements.txt "$stamp"
 fi
 
+# The module `cuticle` as the preset `release` builds it, for `.venv/bin/python -c "import cuticle"`.
+echo "$PWD/build/release/python" >"$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_paths()["purelib"])')/cuticle.pth"
+
 packages=tests/browser/node_modules
 if ! cmp -s tests/browser/package-lock.json "$packages/installed.lock"; then
   echo "setup: npm packages into $packages" >&2

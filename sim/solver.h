@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "core/keyed_motion.h"
 #include "core/registry/entry.h"
+#include "core/registry/members.h"
 #include "core/result.h"
 #include "core/rounded_box.h"
 #include "core/view.h"
@@ -24,6 +26,13 @@ namespace cuticle::sim {
 /// Parameters of the effects that the plan demands, by effect name ("gravity", "colliders", ...). An absent name: the
 /// effect is not simulated and none of its work is dispatched.
 using EffectBlocks = std::map<std::string, registry::ParameterValues, std::less<>>;
+
+/// The parameters of the effect T::name, where it is simulated.
+template <class T>
+std::optional<T> find_effect(const EffectBlocks& effects) {
+  const auto found = effects.find(T::name);
+  return found == effects.end() ? std::nullopt : std::optional(registry::from_values<T>(found->second));
+}
 
 struct DistanceField;
 using FieldPointer = std::shared_ptr<const DistanceField>;

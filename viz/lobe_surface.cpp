@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "lut/cell_average.h"
@@ -96,12 +97,12 @@ LobeSurface make_surface(const LobesView& view, const LobeSurfaces& set, std::st
 }
 
 /// Colours of the lobes, mixed by what each gives to the sum.
-std::vector<glm::dvec3> mixed_colors(const std::vector<std::vector<double>>& lobes) {
+std::vector<glm::dvec3> mixed_colors(const LobesView& view, const std::vector<std::vector<double>>& lobes) {
   std::vector<glm::dvec3> colors(lobes[0].size());
   for (std::size_t i = 0; i < colors.size(); ++i) {
     double total = 1e-300;
     for (std::size_t lobe = 0; lobe < lobes.size(); ++lobe) {
-      colors[i] += lobe_color(int(lobe)) * lobes[lobe][i];
+      colors[i] += lobe_color(view.model->lobes[lobe]) * lobes[lobe][i];
       total += lobes[lobe][i];
     }
     colors[i] /= total;
@@ -111,7 +112,7 @@ std::vector<glm::dvec3> mixed_colors(const std::vector<std::vector<double>>& lob
 
 void add_sum(const LobesView& view, const std::vector<std::vector<double>>& lobes, LobeSurfaces& set) {
   set.surfaces.push_back(make_surface(view, set, "sum", sum_of(lobes)));
-  set.surfaces.back().colors = mixed_colors(lobes);
+  set.surfaces.back().colors = mixed_colors(view, lobes);
 }
 
 }  // namespace
@@ -125,10 +126,15 @@ double surface_radius(double value, double peak, bool logarithmic) {
   return std::clamp(radius, 0.0, 1.0);
 }
 
-glm::dvec3 lobe_color(int lobe) {
-  static const std::array<glm::dvec3, 4> colors = {
-      {{0.20, 0.47, 0.75}, {0.93, 0.60, 0.13}, {0.75, 0.22, 0.27}, {0.35, 0.62, 0.36}}};
-  return colors[std::size_t(lobe) % colors.size()];
+glm::dvec3 lobe_color(std::string_view lobe) {
+  // The same as LOBE_COLORS of python/cuticle_report/figures.py.
+  static const std::map<std::string_view, glm::dvec3> colors = {
+      {"R", {0.20, 0.47, 0.75}},         {"TT", {0.93, 0.60, 0.13}},      {"TRT", {0.75, 0.22, 0.27}},
+      {"residual", {0.35, 0.62, 0.36}},  {"TTs", {0.97, 0.80, 0.52}},     {"TRTs", {0.86, 0.55, 0.59}},
+      {"specular", {0.20, 0.47, 0.75}},  {"primary", {0.20, 0.47, 0.75}}, {"diffuse", {0.93, 0.60, 0.13}},
+      {"secondary", {0.75, 0.22, 0.27}}};
+  const auto found = colors.find(lobe);
+  return found == colors.end() ? glm::dvec3(0.5) : found->second;
 }
 
 Result<LobeSurfaces> make_surfaces(const LobesView& view) {
@@ -140,7 +146,7 @@ Result<LobeSurfaces> make_surfaces(const LobesView& view) {
     if (view.lobe != LobesView::k_all_lobes && view.lobe != lobe) continue;
     set.surfaces.push_back(
         make_surface(view, set, std::string(view.model->lobes[std::size_t(lobe)]), lobes[std::size_t(lobe)]));
-    set.surfaces.back().colors.assign(set.grid.size(), lobe_color(lobe));
+    set.surfaces.back().colors.assign(set.grid.size(), lobe_color(view.model->lobes[std::size_t(lobe)]));
   }
   return set;
 }

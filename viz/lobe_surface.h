@@ -1,5 +1,6 @@
 #pragma once
 // The polar surfaces that a view of lobes draws, as plain numbers. Private to viz.
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -31,7 +32,8 @@ struct LobeSurfaces {
 inline constexpr double k_decades = 3;
 /// 0 .. 1; values above the peak are cut (a caustic is infinite).
 double surface_radius(double value, double peak, bool logarithmic);
-glm::dvec3 lobe_color(int lobe);
+/// One colour for a lobe's name in every view and figure; grey for an unknown name.
+glm::dvec3 lobe_color(std::string_view lobe);
 Result<LobeSurfaces> make_surfaces(const LobesView& view);
 
 }  // namespace cuticle::viz

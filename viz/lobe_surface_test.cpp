@@ -47,7 +47,8 @@ TEST(MakeSurfaces, SingleLobe_ReachesAsFarAsTheModelSays) {
 TEST(MakeSurfaces, AllLobes_AreOneSurfaceEachInItsColour) {
   const LobeSurfaces set = make_surfaces(view_of(LobesView::k_all_lobes, true)).value();
   ASSERT_EQ(set.surfaces.size(), 3u);
-  for (int lobe = 0; lobe < 3; ++lobe) EXPECT_EQ(set.surfaces[std::size_t(lobe)].colors.front(), lobe_color(lobe));
+  const char* const names[] = {"R", "TT", "TRT"};
+  for (std::size_t lobe = 0; lobe < 3; ++lobe) EXPECT_EQ(set.surfaces[lobe].colors.front(), lobe_color(names[lobe]));
 }
 
 TEST(ArcLengths, EachStrand_StartsAtItsRoot) {

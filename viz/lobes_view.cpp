@@ -107,8 +107,8 @@ void add_legend(vtkRenderer& renderer, const LobesView& view) {
   square->Update();
   legend->SetNumberOfEntries(int(lobes.size()));
   for (int k = 0; k < int(lobes.size()); ++k) {
-    glm::dvec3 color = lobe_color(lobes[std::size_t(k)]);
     const std::string name(view.model->lobes[std::size_t(lobes[std::size_t(k)])]);
+    glm::dvec3 color = lobe_color(name);
     legend->SetEntry(k, square->GetOutput(), name.c_str(), &color.x);
   }
   legend->BoxOff();
@@ -123,8 +123,8 @@ void add_legend(vtkRenderer& renderer, const LobesView& view) {
 
 std::string legend_words(const LobesView& view, double peak) {
   const std::string radius = view.logarithmic
-                                 ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/rad^2", k_decades, peak)
-                                 : fmt::format("radius: S, linear up to {:.3g} 1/rad^2", peak);
+                                 ? fmt::format("radius: log10 S, {:g} decades up to {:.3g} 1/sr", k_decades, peak)
+                                 : fmt::format("radius: S, linear up to {:.3g} 1/sr", peak);
   return fmt::format(
       "{}; above it (caustics) cut\nmean of r, g, b, and over 3 deg of phi; no cosine; rings in the normal plane: S "
       "there",

@@ -11,7 +11,7 @@
 namespace cuticle::bsdf::chiang {
 namespace {
 
-constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "TRRT+"};
+constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
 constexpr std::array<std::string_view, 2> fields = {"near", "far"};
 
 using registry::ParameterType;
@@ -90,7 +90,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta_m = beta_m_from_deviation(fibre.longitudinal_deviation);
   const double beta_n = beta_n_from_scale(scale_from_deviation(fibre.azimuthal_deviation));
-  return {fmt::format("eta={},sigma_a={}/{}/{},beta_m={},beta_n={},alpha={}", fibre.eta, fibre.sigma_a.x,
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}", fibre.eta, fibre.sigma_a.x,
                       fibre.sigma_a.y, fibre.sigma_a.z, beta_m, beta_n, fibre.scale_tilt),
           "beta_m, beta_n: roughness whose R lobe has these standard deviations in theta_i and phi; alpha: the tilt "
           "itself; "

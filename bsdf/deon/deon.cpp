@@ -94,7 +94,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
 
 FibreMapping from_fibre(const Fibre& fibre) {
   return {
-      fmt::format("eta={},sigma_a={}/{}/{},beta_m={},beta_n={},alpha={}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
+      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
                   fibre.sigma_a.z, fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
       "deviations and tilt as they are; the cross-section is a circle and there is no medulla"};
 }

@@ -24,6 +24,11 @@ TEST(Fibres, AllOfThem_AreWithinTheirRanges) {
   }
 }
 
+TEST(Fibres, MappedNumbers_AreWrittenWithoutTheLastBitsOfAProduct) {
+  const FibreMapping mapping = (*find_model("marschner"))->from_fibre(find_fibre("blond")->fibre);
+  EXPECT_THAT(mapping.settings, HasSubstr("sigma_a=0.1257/0.2091/0.411,"));
+}
+
 TEST(Fibres, Unknown_ListsThemAndOffersTheNearest) {
   const auto fibre = find_fibre("blonde");
   ASSERT_FALSE(fibre.ok());

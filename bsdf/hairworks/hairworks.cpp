@@ -89,7 +89,7 @@ constexpr std::array<registry::Parameter, 12> parameters = {{
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde",
+    {"blond",
      "root_color=0.0695/0.0594/0.0407,tip_color=0.0695/0.0594/"
      "0.0407,specular_color=0.0245,exponent=25,secondary_scale=0.18"},
     {"brown",

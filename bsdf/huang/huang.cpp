@@ -60,7 +60,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
 /// sqrt(2) alpha.
 FibreMapping map_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(fibre.longitudinal_deviation / std::sqrt(2.0), 1e-3, 1.0);
-  return {fmt::format("eta={},sigma_a={}/{}/{},roughness={},tilt={},aspect={}", fibre.eta, fibre.sigma_a.x,
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},roughness={:.15g},tilt={:.15g},aspect={:.15g}", fibre.eta, fibre.sigma_a.x,
                       fibre.sigma_a.y, fibre.sigma_a.z, roughness, fibre.scale_tilt, std::max(fibre.aspect, 0.2)),
           fmt::format(
               "roughness {:.4g} is the longitudinal deviation over sqrt 2, that of R from Gaussian slopes of this "

@@ -30,7 +30,7 @@ constexpr std::array<registry::Parameter, 3> parameters = {{
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "diffuse=0.0731/0.0621/0.042,specular=0.0245,exponent=25"},
+    {"blond", "diffuse=0.0731/0.0621/0.042,specular=0.0245,exponent=25"},
     {"brown", "diffuse=0.0326/0.0165/0.00325,specular=0.0245,exponent=25"},
     {"black", "diffuse=0.000186/3.56e-6/0,specular=0.0245,exponent=25"},
 }};

@@ -28,7 +28,7 @@ constexpr std::array<registry::Parameter, 3> parameters = {{
 
 // color = exp(-4 sigma_a) of pigment_presets (fibre_table.h).
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde", "color=0.6048/0.4333/0.1932"},
+    {"blond", "color=0.6048/0.4333/0.1932"},
     {"brown", "color=0.1132/0.02667/0.000806"},
     {"black", "color=1.504e-6/2.064e-10/9.125e-20"},
 }};

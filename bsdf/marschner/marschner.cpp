@@ -161,7 +161,7 @@ FibreMapping from_fibre(const Fibre& fibre) {
   const double beta = std::clamp(fibre.longitudinal_deviation, 1e-3, 1.0);
   const double alpha = std::clamp(-fibre.scale_tilt, -0.17453292519943295, 0.0);
   return {
-      fmt::format("eta={},sigma_a={}/{}/{},beta={},alpha={},aspect={}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
+      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta={:.15g},alpha={:.15g},aspect={:.15g}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
                   fibre.sigma_a.z, beta, alpha, std::max(fibre.aspect, 0.5)),
       "beta is the longitudinal deviation, alpha minus the tilt of the scales, aspect that of the cross-section (TRT "
       "only); a smooth cuticle without azimuthal blur, and no medulla"};

@@ -187,8 +187,8 @@ TEST_P(MarschnerParameters, OutOfRange_AreRefusedByName) {
 TEST(Marschner, Presets_AreValidAndGoBelowTheSettings) {
   for (const registry::StudyCase& preset : model().presets)
     EXPECT_TRUE(parse_settings(model(), preset.name, "").ok()) << preset.name;
-  EXPECT_EQ(parse_settings(model(), "blonde", "eta=1.4")->real("eta"), 1.4);
-  EXPECT_EQ(parse_settings(model(), "blonde", "eta=1.4")->rgb("sigma_a"), glm::dvec3(0.1257, 0.2091, 0.411));
+  EXPECT_EQ(parse_settings(model(), "blond", "eta=1.4")->real("eta"), 1.4);
+  EXPECT_EQ(parse_settings(model(), "blond", "eta=1.4")->rgb("sigma_a"), glm::dvec3(0.1257, 0.2091, 0.411));
 }
 
 TEST(Evaluate, PointOutsideTheDomain_IsRefusedByIndexAndName) {

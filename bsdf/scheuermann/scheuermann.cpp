@@ -46,7 +46,7 @@ constexpr std::array<registry::Parameter, 11> parameters = {{
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
-    {"blonde",
+    {"blond",
      "diffuse=0.164/0.14/0.0959,primary=0.024,primary_shift=0.044,secondary=0.0058/0.0043/"
      "0.0021,secondary_shift=-0.066"},
     {"brown",

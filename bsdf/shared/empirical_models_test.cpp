@@ -223,11 +223,11 @@ TEST_P(EmpiricalModels, Fibre_IsMappedToSettingsWithItsEnergy) {
   fibre.scale_tilt = 0;
   const FibreMapping mapping = model().from_fibre(fibre);
   EXPECT_FALSE(mapping.words.empty());
-  const double blonde = at(mapping.settings, Quantity::albedo, -1, {{}})[0].x;
+  const double blond = at(mapping.settings, Quantity::albedo, -1, {{}})[0].x;
   fibre.sigma_a = glm::dvec3(0);
   const double white = at(model().from_fibre(fibre).settings, Quantity::albedo, -1, {{}})[0].x;
   EXPECT_NEAR(white, 1, 2e-3) << "a fibre that absorbs nothing scatters all light";
-  EXPECT_TRUE(blonde < 0.9 && blonde > 0.6) << blonde;
+  EXPECT_TRUE(blond < 0.9 && blond > 0.6) << blond;
 }
 
 TEST_P(EmpiricalModels, Presets_AreValid) {

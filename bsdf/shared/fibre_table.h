@@ -15,9 +15,9 @@ inline constexpr registry::Parameter sigma_a_parameter = {
     {},         "absorption per fibre radius, for red, green and blue"};
 
 /// sigma_a from pigment: eumelanin (0.419, 0.697, 1.37) per unit of concentration (d'Eon et al. 2011, as tabulated in
-/// pbrt), concentration 0.3 blonde, 1.3 brown, 8 black (pbrt).
+/// pbrt), concentration 0.3 blond, 1.3 brown, 8 black (pbrt).
 inline constexpr std::array<registry::StudyCase, 3> pigment_presets = {{
-    {"blonde", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
+    {"blond", "eta=1.55,sigma_a=0.1257/0.2091/0.411"},
     {"brown", "eta=1.55,sigma_a=0.5447/0.9061/1.781"},
     {"black", "eta=1.55,sigma_a=3.352/5.576/10.96"},
 }};

@@ -146,7 +146,8 @@ bool is_near(const registry::ParameterValues& values) { return values.choice("fi
 
 FibreMapping from_fibre(const Fibre& fibre) {
   return {
-      fmt::format("eta={},sigma_a={}/{}/{},kappa={},sigma_ms={},sigma_ma={},g={},layers=1,beta_m={},beta_n={},alpha={}",
+      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},kappa={:.15g},sigma_ms={:.15g},sigma_ma={:.15g},g={:.15g},layers=1,"
+                  "beta_m={:.15g},beta_n={:.15g},alpha={:.15g}",
                   fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, std::min(fibre.medulla_ratio, 0.99),
                   fibre.medulla_scattering, fibre.medulla_absorption,
                   std::clamp(fibre.medulla_anisotropy, -largest_anisotropy, largest_anisotropy),

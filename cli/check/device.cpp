@@ -117,7 +117,7 @@ int check_device(const std::string& subject, Context& context) {
 }  // namespace
 
 void add_check_device(CLI::App& check, Context& context) {
-  auto* command = check.add_subcommand("device", "what Vulkan offers, and the hard cases in f32, f64 and on the device");
+  auto* command = check.add_subcommand("device", "show what Vulkan offers, and run the hard cases in float, double and on the device");
   auto subject = std::make_shared<std::string>();
   command->add_option("--subject", *subject, "only the cases about function, model, lut, strands, shadow or motion");
   command->callback([&context, subject] { context.action = [&context, subject] { return check_device(*subject, context); }; });

@@ -47,7 +47,7 @@ int check_groom(const std::string& path, const strands::ReadOptions& options, co
 
 void add_check_groom(CLI::App& check, Context& context) {
   auto* command = check.add_subcommand(
-      "groom", "units, widths, order and copies of a groom's strands; names the mistake of an export");
+      "groom", "check units, widths, order and copies of a groom's strands; names the mistake of an export");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<strands::ReadOptions>();
   command->add_option("file", *path, groom_help(false))->required();

@@ -33,7 +33,7 @@ int check_lut(const std::string& folder, const Context& context) {
 
 void add_check_lut(CLI::App& check, Context& context) {
   auto* command =
-      check.add_subcommand("lut", "a folder of tables against its manifest; names the mistake of an import");
+      check.add_subcommand("lut", "compare a folder of tables with its manifest; names the mistake of an import");
   auto folder = std::make_shared<std::string>();
   command->add_option("folder", *folder, "folder with manifest.json and the tables")->required();
   command->callback(

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "cli/check/check.h"
+#include "cli/model_options.h"
 #include "study/model_check/registered.h"
 #include "study/model_check/report.h"
 
@@ -13,7 +14,8 @@ namespace {
 using study::model_check::Report;
 
 struct ModelOptions {
-  std::string name, settings, preset, precision = "f64";
+  std::string name, precision = "f64";
+  ParameterRequest parameters;
   bool variants = false;
   study::model_check::Options check;
 };
@@ -26,8 +28,9 @@ Result<std::vector<const bsdf::Model*>> chosen_models(const std::string& name) {
 
 Result<Report> check_variant(const bsdf::Model& model, const ModelOptions& options, const std::string& variant,
                              Progress& progress) {
-  const std::string settings = variant.empty() ? options.settings : fmt::format("{},{}", options.settings, variant);
-  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, options.preset, settings));
+  ParameterRequest request = options.parameters;
+  if (!variant.empty()) request.settings += "," + variant;
+  CUTICLE_ASSIGN(const registry::ParameterValues values, parameters_of(model, request));
   const bsdf::Precision precision = options.precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64;
   study::model_check::Subject subject = study::model_check::subject_of(model, values, precision);
   if (!variant.empty()) subject.name += " " + variant;
@@ -67,11 +70,10 @@ int check_model(const ModelOptions& options, const Context& context) {
 
 void add_check_model(CLI::App& check, Context& context) {
   auto* command =
-      check.add_subcommand("model", "energy, reciprocity, density, samples, tails and finiteness of a fibre model");
+      check.add_subcommand("model", "check energy, reciprocity, density, samples and tails of a fibre model, and that nothing is NaN");
   auto options = std::make_shared<ModelOptions>();
   command->add_option("model", options->name, "a model (cuticle models), or all")->required();
-  command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
-  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
+  add_parameter_options(*command, options->parameters);
   command->add_option("--precision", options->precision, "f32 or f64")
       ->check(CLI::IsMember({"f32", "f64"}))
       ->capture_default_str();

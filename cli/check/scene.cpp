@@ -21,7 +21,7 @@ int check_scene(const std::string& file, const Context& context) {
 }  // namespace
 
 void add_check_scene(CLI::App& check, Context& context) {
-  auto* command = check.add_subcommand("scene", "whether a scene file is valid");
+  auto* command = check.add_subcommand("scene", "check whether a scene file is valid");
   auto file = std::make_shared<std::string>();
   command->add_option("scene", *file, "scene file (JSON)")->required();
   command->callback([&context, file] { context.action = [&context, file] { return check_scene(*file, context); }; });

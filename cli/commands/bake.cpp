@@ -1,10 +1,12 @@
 #include "cli/command.h"
+#include "cli/run_folder.h"
 
 #include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "cli/model_options.h"
 #include "core/json/json.h"
 #include "lut/fit/analytic_fit.h"
 #include "lut/fit/texel_fit.h"
@@ -20,8 +22,9 @@ namespace cuticle::cli {
 namespace {
 
 struct BakeOptions {
-  std::string model = "marschner", preset, settings, layout = "nalu", format = "exr", processor = "cpu", fit = "none",
+  std::string model = "marschner", layout = "nalu", format = "exr", processor = "cpu", fit = "none",
               max_error, max_error_kind = "rms", targets, out;
+  ParameterRequest parameters;
   int size = 128;
   bool size_is_given = false, format_is_given = false;
 };
@@ -57,7 +60,7 @@ Result<Baked> certify_or_fit(const BakeOptions& options, const lut::Format& form
 Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
-                 bsdf::parse_settings(*model, options.preset, options.settings));
+                 parameters_of(*model, options.parameters));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
   CUTICLE_ASSIGN(const std::vector<const lut::Target*> targets, lut::find_targets(options.targets));
   CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
@@ -82,6 +85,16 @@ void print_errors(const lut::TableSet& set, const std::string& out) {
   for (const lut::ChannelError& e : set.scattering) print_error(e, "  from the tables");
   fmt::print("{} of {}, {}x{}, baked on {} in {:.0f} ms, in {}\n", set.layout->entry.name, set.model->entry.name,
              set.size, set.size, set.baked_on, set.bake_ms, out);
+}
+
+/// What to do with the folder now.
+void print_next_steps(const BakeOptions& options) {
+  if (options.targets.empty())
+    fmt::print("next: add --target unity,godot,unreal,three for a folder for each engine, with a README of three steps\n");
+  for (const std::string& target : options.targets.empty() ? std::vector<std::string>() : split_list(options.targets))
+    fmt::print("next: {}/{}/README.md, three steps\n", options.out, target);
+  fmt::print("      {}/preview.png shows the tables; cuticle check lut {} says whether a copy still reads right\n",
+             options.out, options.out);
 }
 
 /// Relative errors of the samples and of the fitted texels side by side.
@@ -133,7 +146,7 @@ Result<lut::ErrorSearch> search(const BakeOptions& options, const Context& conte
   CUTICLE_ASSIGN(const lut::TableChoices choices, table_choices(options));
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
-                 bsdf::parse_settings(*model, options.preset, options.settings));
+                 parameters_of(*model, options.parameters));
   return lut::search_tables(*model, values, choices, wanted, measure, *context.progress);
 }
 
@@ -177,13 +190,14 @@ int bake_as_given(const BakeOptions& options, const Context& context) {
   else
     print_errors(baked->set, options.out);
   if (!context.json && !baked->fits.empty()) print_gains(*baked);
+  if (!context.json) print_next_steps(options);
   return Exit::ok;
 }
 
 Result<lut::AnalyticFit> make_analytic(const BakeOptions& options, const Context& context) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
-                 bsdf::parse_settings(*model, options.preset, options.settings));
+                 parameters_of(*model, options.parameters));
   CUTICLE_ASSIGN(lut::AnalyticFit fit, lut::fit_analytic(*model, values, *context.progress));
   CUTICLE_TRY(lut::write(fit, options.out));
   return fit;
@@ -227,11 +241,10 @@ int bake(BakeOptions options, const Context& context) {
 }  // namespace
 
 void add_bake(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("bake", "lookup textures of a model's terms, with their measured error");
+  CLI::App* command = app.add_subcommand("bake", "bake lookup textures of a model, with their measured error");
   auto options = std::make_shared<BakeOptions>();
   command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
-  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
-  command->add_option("--set", options->settings, "parameters, name=value,name=value, over the preset or the defaults");
+  add_parameter_options(*command, options->parameters);
   command->add_option("--layout", options->layout, layout_names())->capture_default_str();
   command->add_option("--size", options->size, "texels each way, 16 .. 1024")->capture_default_str();
   command->add_option(
@@ -243,7 +256,7 @@ void add_bake(CLI::App& app, Context& context) {
                    "rms (over rms), max or p99 (over the peak), of the worst channel and of S")
       ->capture_default_str();
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
-  command->add_option("--target", options->targets, "engines to write import settings for: unity,godot,unreal,three");
+  command->add_option("--target", options->targets, "engines to write a folder for, with a hair material: unity,godot,unreal,three");
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
       ->capture_default_str();
@@ -257,7 +270,7 @@ void add_bake(CLI::App& app, Context& context) {
   command->callback([&context, options, command] {
     options->size_is_given = command->count("--size") > 0;
     options->format_is_given = command->count("--format") > 0;
-    context.action = [&context, options] { return bake(*options, context); };
+    context.action = [&context, options] { return in_folder(options->out, [&] { return bake(*options, context); }); };
   });
 }
 

@@ -129,7 +129,7 @@ int run(const BindRequest& request, Context& context) {
 
 void add_bind(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("bind", "roots bound to a mesh at its nearest points, with a report of how they fit");
+      app.add_subcommand("bind", "bind roots to the nearest points of a mesh; reports how well they fit");
   auto request = std::make_shared<BindRequest>();
   command->add_option("input", request->input, "groom, or .txt: places of roots, on which hair is then grown")
       ->required();

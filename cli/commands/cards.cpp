@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/groom_options.h"
 #include "cli/parameter_help.h"
+#include "cli/run_folder.h"
 #include "core/file.h"
 #include "strands/cards/hair_cards.h"
 
@@ -40,7 +41,7 @@ int act(const CardsRequest& request, const Context& context) {
 
 void add_cards(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("cards", "hair cards of a groom: mesh (OBJ), textures (PNG), and what the cards lose");
+      app.add_subcommand("cards", "make hair cards of a groom: mesh (OBJ), textures (PNG), and what the cards lose");
   auto request = std::make_shared<CardsRequest>();
   command->add_option("groom", request->groom, groom_help(false))->required();
   command->add_option("--out", request->out, "folder to write (default: cards)");
@@ -49,7 +50,9 @@ void add_cards(CLI::App& app, Context& context) {
   command->add_option("--set", request->settings, "card parameters as name=value,name=value");
   add_groom_options(*command, request->read.metres_per_unit, request->read.radius);
   command->footer([] { return table_help("--set (name, default, range, unit)", strands::card_parameters()); });
-  command->callback([&context, request] { context.action = [&context, request] { return act(*request, context); }; });
+  command->callback([&context, request] {
+    context.action = [&context, request] { return in_folder(request->out, [&] { return act(*request, context); }); };
+  });
 }
 
 }  // namespace cuticle::cli

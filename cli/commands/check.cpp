@@ -3,7 +3,7 @@
 namespace cuticle::cli {
 
 void add_check(CLI::App& app, Context& context) {
-  auto* check = app.add_subcommand("check", "verdicts: does the device, a scene, ... hold what it promises");
+  auto* check = app.add_subcommand("check", "check a model, tables, a groom, a scene or the device; names what is wrong");
   check->require_subcommand(1);
   check->fallthrough();
   add_check_device(*check, context);

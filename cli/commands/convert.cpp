@@ -29,14 +29,14 @@ int convert(const ConvertRequest& request, Progress& progress) {
 }  // namespace
 
 void add_convert(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("convert", "a groom file from one format to another; what cannot be kept is said");
+  auto* command = app.add_subcommand("convert", "convert a groom to another format; says what that format cannot hold");
   auto request = std::make_shared<ConvertRequest>();
   command->add_option("input", request->input, groom_help(false))->required();
   command->add_option("output", request->output, groom_help(true))->required();
   command->add_option("--metres-per-unit", request->read.metres_per_unit, "scale of the input; 0 = guess");
   command->add_option("--radius", request->read.radius, "fibre radius in metres; 0 = the input's own");
   command->add_flag("--repair", request->read.repair,
-                    "mend points that are not finite or coincide, strands of one point or no length");
+                    "mend points that are NaN or coincide, strands of one point or no length");
   command->add_option("--output-metres-per-unit", request->output_metres_per_unit, "scale of the output; 1 = metres");
   command->callback(
       [&context, request] { context.action = [&context, request] { return convert(*request, *context.progress); }; });

@@ -1,4 +1,5 @@
 #include "cli/groom_options.h"
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 
 #include <fmt/core.h>
@@ -29,7 +30,7 @@ int run(const study::DemoOptions& options, Context& context) {
 
 void add_demo(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("demo", "the main job on a small scene: bake, grow, simulate, shadow, render, study");
+      app.add_subcommand("demo", "run the main job on a small scene: bake, grow, simulate, shadow, render, study");
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
   command->add_option("--groom", options->groom_file,
@@ -43,7 +44,7 @@ void add_demo(CLI::App& app, Context& context) {
   command->callback([&context, options] {
     context.action = [&context, options] {
       options->scene_file = share_file(options->groom_file.empty() ? "scenes/demo.json" : "scenes/demo_groom.json");
-      return run(*options, context);
+      return in_folder(options->out, [&] { return run(*options, context); });
     };
   });
 }

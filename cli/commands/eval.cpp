@@ -57,9 +57,9 @@ Result<std::vector<EvalSeries>> evaluate_all(const EvalOptions& options, const C
   return all;
 }
 
-/// A number with as many digits as the precision has.
+/// The shortest text that reads back as the same number of the precision.
 std::string in_digits(double value, const std::string& precision) {
-  return precision == "f64" ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
+  return precision == "f64" ? fmt::format("{}", value) : fmt::format("{}", float(value));
 }
 
 std::string csv(const EvalOptions& options, bool several, const PointsTable& table,
@@ -118,6 +118,8 @@ Result<std::string> evaluated_text(const EvalOptions& options, const Context& co
   request.needed = needed_coordinates(subjects, quantity);
   request.refuse_unused = subjects.size() == 1;
   CUTICLE_ASSIGN(const PointsTable table, read_coordinates(request));
+  if (all_below_pi(table))
+    context.progress->message("eval: every angle is below 3.15: angles are in degrees here (0.5236 radians are 30)");
   print_mappings(subjects);
   CUTICLE_ASSIGN(const std::vector<EvalSeries> all,
                  evaluate_all(options, context, quantity, subjects, in_radians(table)));
@@ -141,9 +143,9 @@ void add_subject_options(CLI::App& command, SubjectRequest& request) {
   command.add_option("--model,--models", request.models, "models, a,b,c or all (cuticle models); default marschner");
   command.add_option("--set", request.settings,
                      "parameters, name=value,name=value, over preset, hair, material or defaults");
-  command.add_option("--preset", request.preset, "a starting point of the model, for example blonde");
   command.add_option("--hair", request.hair,
-                     "a fibre by name, mapped onto each model's parameters: blond, brown, black, ...");
+                     "a whole fibre by name, mapped onto each model's parameters: blond, brown, black, red, ...");
+  command.add_option("--preset", request.preset, "the pigment of blond, brown or black hair over the model's defaults");
   command.add_option("--material", request.material, "a MaterialX file (.mtlx) with a chiang_hair_bsdf");
   command.add_option("--pigments", request.absorption.pigments,
                      "sigma_a by TABLE:EUMELANIN/PHEOMELANIN; tables deon_pbrt, blender");
@@ -163,7 +165,7 @@ void add_coordinate_options(CLI::App& command, CoordinateRequest& request) {
 }  // namespace
 
 void add_eval(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("eval", "models' terms at points or on a grid, as CSV; angles in degrees");
+  CLI::App* command = app.add_subcommand("eval", "evaluate models at points or on a grid, as CSV; angles in degrees");
   auto options = std::make_shared<EvalOptions>();
   options->coordinates.quantity = "S";
   add_subject_options(*command, options->subjects);

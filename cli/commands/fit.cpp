@@ -193,7 +193,7 @@ int fit(const FitOptions& options, const Context& context) {
 }  // namespace
 
 void add_fit(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("fit", "parameters of a model from measured or simulated lobes");
+  CLI::App* command = app.add_subcommand("fit", "fit a model's parameters to measured or simulated lobes");
   auto options = std::make_shared<FitOptions>();
   command
       ->add_option("data", options->file,
@@ -202,8 +202,8 @@ void add_fit(CLI::App& app, Context& context) {
   command->add_option("--model,--models", options->models, "models to fit and compare, a,b,c")->capture_default_str();
   command->add_option("--free", options->free, "parameters to find, a,b,c; one list for each model as a,b;c,d")
       ->required();
-  command->add_option("--set", options->settings, "the others, and where the free ones start: name=value,name=value");
-  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
+  command->add_option("--set", options->settings, "fixed parameters and starting values, name=value,name=value");
+  command->add_option("--preset", options->preset, "the pigment of blond, brown or black hair over the model's defaults");
   command->add_option("--quantity", options->quantity, "what was measured: S, M, N, A or albedo")
       ->capture_default_str();
   command->add_option("--lobe", options->lobe, "the lobe measured, or sum; where the file has no column lobe")

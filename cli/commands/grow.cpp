@@ -111,7 +111,7 @@ std::string parameters_help() {
 }  // namespace
 
 void add_grow(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("grow", "hair on the procedural head, written as a groom in metres or drawn");
+  auto* command = app.add_subcommand("grow", "grow hair on the procedural head; write it as a groom in metres, or draw it");
   command->footer(parameters_help);
   auto request = std::make_shared<GrowRequest>();
   auto* specification = command->add_option("specification", request->specifications,

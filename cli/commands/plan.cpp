@@ -31,7 +31,7 @@ int print_schema() {
 
 void add_plan(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("plan", "the passes that a scene demands, each with its reason, and those left out");
+      app.add_subcommand("plan", "list the passes that a scene needs, each with its reason, and those left out");
   auto file = std::make_shared<std::string>();
   auto schema = std::make_shared<bool>(false);
   auto* flag = command->add_flag("--schema", *schema, "print the JSON Schema of scene files instead");

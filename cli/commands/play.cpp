@@ -13,8 +13,7 @@ namespace cuticle::cli {
 namespace {
 
 struct PlayOptions {
-  std::string scene, method;
-  int frames = 240;
+  std::string scene, method, frames = "0:239";
   play::WindowOptions window;
 };
 
@@ -46,12 +45,15 @@ void print(const play::Session& session, const play::WindowReport& report) {
 }
 
 Result<void> run_play(const PlayOptions& options, Context& context) {
+  CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   if (!options.method.empty()) scene.render_method = options.method;
   CUTICLE_ASSIGN(auto device, gpu::Device::open({.choice = context.device}));
-  CUTICLE_ASSIGN(const auto session,
-                 play::Session::create(std::move(device), scene, options.frames, *context.progress));
-  CUTICLE_ASSIGN(const play::WindowReport report, play::show(*session, options.window));
+  const play::FrameRange loop{frames.first, frames.second};
+  CUTICLE_ASSIGN(const auto session, play::Session::create(std::move(device), scene, loop, *context.progress));
+  play::WindowOptions window = options.window;
+  if (!window.screenshot.empty() && window.pictures == 0) window.pictures = loop.count();
+  CUTICLE_ASSIGN(const play::WindowReport report, play::show(*session, window));
   if (context.json) print(*session, report);
   return {};
 }
@@ -68,12 +70,11 @@ void add_play(CLI::App& app, Context& context) {
   const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
       ->check(CLI::IsMember(methods));
-  command->add_option("--frames", options->frames, "frames before the motion begins anew")
-      ->check(CLI::Range(1, 100000))
+  command->add_option("--frames", options->frames, "frames of the loop, first:last, or one frame")
       ->capture_default_str();
   command->add_option("--pictures", options->window.pictures, "close after so many pictures (default: when you do)")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--screenshot", options->window.screenshot, "write a PNG of the window when it closes");
+  command->add_option("--screenshot", options->window.screenshot, "write a PNG of the window when it closes: after the last frame, unless --pictures says when");
   command->callback([&context, options] {
     context.action = [&context, options] {
       const Result<void> done = run_play(*options, context);

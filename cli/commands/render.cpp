@@ -2,12 +2,17 @@
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
+#include "cli/skipped_frames.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "core/json/json.h"
 #include "plan/frame_runner_gpu.h"
+#include "render/passes/reference/reference_entry.h"
 #include "render/passes/velocity/velocity.h"
 #endif
 
@@ -19,6 +24,9 @@ namespace {
 struct RenderOptions {
   std::string scene, frames = "0:0", method, out = "render";
   bool aovs = false, velocity = false;
+  std::optional<std::int64_t> samples, bounces;
+  std::optional<double> max_error;
+  std::string state;
 };
 
 /// Sums over the frames, per pass.
@@ -110,16 +118,33 @@ Result<void> write_frame(const std::string& folder, int frame, const plan::Frame
   return write_png(path + ".png", tone_map(result.color, exposure_stops));
 }
 
+Result<void> render_frame(const RenderOptions& options, plan::FrameRunner& runner, const scene::Scene& scene, int frame,
+                          Progress& progress, RunFolder& folder, Costs& costs) {
+  const std::string state = options.state.empty() ? std::string() : fmt::format("{}.{:04d}", options.state, frame);
+  CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
+  for (const std::string& note : result.notes) progress.message(note);
+  CUTICLE_TRY(write_frame(options.out, frame, result, scene.outputs.exposure_stops));
+  costs.add(result.cost);
+  for (const char* ending : {"exr", "png"}) folder.add(fmt::format("frame_{:04d}.{}", frame, ending));
+  return {};
+}
+
+/// Leaves the frames that are done also where one fails or an interrupt comes.
 Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner,
-                     double exposure_stops, Progress& progress, std::pair<int, int> frames) {
+                     const scene::Scene& scene, Progress& progress, std::pair<int, int> frames, RunFolder& folder) {
   Costs costs;
-  for (int frame = frames.first; frame <= frames.second; ++frame) {
-    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame));
-    costs.add(result.cost);
-    for (const std::string& note : result.notes) progress.message(note);
-    CUTICLE_TRY(write_frame(options.out, frame, result, exposure_stops));
-    progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
+  const StopsBetweenSteps stop;
+  Result<void> done = skip_to(runner, scene, frames.first, stop, progress);
+  const int count = frames.second - frames.first + 1;
+  for (int frame = frames.first; done && frame <= frames.second && !stop.is_asked(); ++frame) {
+    done = render_frame(options, runner, scene, frame, progress, folder, costs);
+    if (done) progress.update("frames", std::size_t(costs.frames), std::size_t(count));
   }
+  CUTICLE_TRY(folder.finish("render", costs.frames == count, progress));
+  if (!done) return done.error();
+  if (costs.frames < count)
+    return Error{ErrorKind::internal, fmt::format("interrupted after {} of {} frames", costs.frames, count),
+                 fmt::format("what was done is whole, in {}", options.out)};
   progress.message(
       fmt::format("most device memory at once: {:.1f} MiB", double(device.peak_allocated_bytes()) / (1 << 20)));
   return costs;
@@ -134,10 +159,27 @@ void tell_left_out(const plan::Plan& plan, Progress& progress) {
         progress.message(fmt::format("{}: asked for, but left out: {}", left.entry->name, left.reason));
 }
 
+/// The options that only paths know, as parameters of the pass 'reference'.
+Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene) {
+  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty();
+  if (asks && scene.render_method != "reference")
+    return usage_error(fmt::format("--samples, --bounces, --max-error and --state are of the method 'reference', and "
+                                   "strands are drawn by '{}'",
+                                   scene.render_method),
+                       "add --method reference");
+  const registry::ParameterTable table = render::reference::entry().entry.parameters;
+  auto& values = scene.passes.try_emplace("reference", registry::default_values(table)).first->second;
+  if (options.samples) values.set("samples", *options.samples);
+  if (options.bounces) values.set("bounces", *options.bounces);
+  if (options.max_error) values.set("max_error", *options.max_error);
+  return {};
+}
+
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   if (!options.method.empty()) scene.render_method = options.method;
+  CUTICLE_TRY(set_path_options(options, scene));
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
   if (options.velocity)
     scene.passes.try_emplace("velocity", registry::default_values(render::velocity::entry().entry.parameters));
@@ -146,9 +188,8 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   tell_left_out(runner->plan(), *context.progress);
-  CUTICLE_TRY(make_folder(options.out));
-  CUTICLE_ASSIGN(const Costs costs,
-                 render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
+  CUTICLE_ASSIGN(RunFolder folder, RunFolder::open(options.out));
+  CUTICLE_ASSIGN(const Costs costs, render(options, *device, *runner, scene, *context.progress, frames, folder));
   if (context.json)
     print_json(costs, split_of(costs, runner->plan()), device->info().name);
   else
@@ -169,7 +210,7 @@ int act(const RenderOptions& options, Context& context) {
 
 void add_render(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
-      "render", "pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
+      "render", "render pictures of a scene: EXR (linear) and PNG (tone mapped), with the cost of each pass");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
@@ -178,6 +219,15 @@ void add_render(CLI::App& app, Context& context) {
       ->check(CLI::IsMember(methods));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
+  command->add_option("--samples", options->samples, "reference: paths of a pixel (default 64)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--bounces", options->bounces, "reference: scatterings of a path; 1: direct light alone; 0: all (default)")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--max-error", options->max_error,
+                      "reference: relative standard error of a pixel at which its tile rests (default 0: none does)")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--state", options->state,
+                      "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");
   command->add_option("--out", options->out, "folder to write (default: render)");
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }

@@ -84,6 +84,19 @@ double footprint_of(const ShadowsOptions& options, const strands::Groom& groom) 
   return options.footprint_mm > 0 ? 1e-3 * options.footprint_mm : shadows::default_footprint_radius(groom);
 }
 
+/// Rays start from a disc of some strand spacings, which nobody gave: without this check its size would be refused.
+Result<void> check_spacing(const ShadowsOptions& options, const strands::Groom& groom) {
+  constexpr double most = 1;  // metre
+  const double footprint = footprint_of(options, groom);
+  if (footprint <= most || options.footprint_mm > 0) return {};
+  const FarStrand far = farthest_strand(groom);
+  return bad_input(
+      fmt::format("{}: four strand spacings are {:.3g} m, allowed at most {} m: strand {} reaches {:.3g} m "
+                  "from the middle of the groom",
+                  options.groom, footprint, most, far.strand, far.distance),
+      "take that strand out, or state the groom's unit by --metres-per-unit");
+}
+
 Result<std::vector<glm::vec3>> read_positions(const std::string& path) {
   constexpr double most = 1e6;
   constexpr PointColumn columns[] = {{"x", -most, most, "m"}, {"y", -most, most, "m"}, {"z", -most, most, "m"}};
@@ -193,6 +206,7 @@ Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
+  for (const std::string& sentence : study::left_out_of(methods, sweep)) progress.message(sentence);
   return study::compare_with_truth(request, progress);
 }
 
@@ -253,6 +267,7 @@ Result<void> write_all(const ShadowsOptions& options, const study::Comparison& c
 Result<int> run(const ShadowsOptions& options, Context& context) {
   CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_direction("--light", options.light));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(options.groom, options.read, *context.progress));
+  CUTICLE_TRY(check_spacing(options, groom));
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
   CUTICLE_ASSIGN(study::Comparison comparison, compare(options, casters, *context.progress));
@@ -300,9 +315,9 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command.add_flag("--quick", options.quick, "at most 300 receivers");
   command.add_option("--receivers", options.receivers, "strand vertices that are compared")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--budget-ms", options.request.budget_ms, "most time of build + lookup at every vertex")
+  command.add_option("--budget-ms", options.request.budget_ms, "milliseconds for build and lookup at every vertex, at most")
       ->check(CLI::Range(0.0, infinity));
-  command.add_option("--max-error", options.request.max_error, "largest mean error of transmittance")
+  command.add_option("--max-error", options.request.max_error, "mean error of transmittance, at most")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--at", options.points,
                      "CSV with columns x,y,z in metres: print each method's transmittance there");
@@ -317,7 +332,7 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
 
 void add_shadows(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("shadows", "shadow methods on a groom against ray-traced truth: error, time, bytes");
+      app.add_subcommand("shadows", "compare shadow methods on a groom with ray-traced truth: error, time, bytes");
   auto options = std::make_shared<ShadowsOptions>();
   add_options(*command, *options);
   command->callback([&context, options] {

@@ -3,7 +3,7 @@
 namespace cuticle::cli {
 
 void add_study(CLI::App& app, Context& context) {
-  auto* study = app.add_subcommand("study", "what accuracy costs in time: CSV, JSON, plots, one page");
+  auto* study = app.add_subcommand("study", "measure what accuracy costs in time: CSV, JSON, plots, one page");
   study->require_subcommand(1);
   study->fallthrough();
   add_study_lobes(*study, context);

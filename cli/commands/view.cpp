@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 
+#include "cli/model_options.h"
 #include "viz/viz.h"
 #endif
 
@@ -13,14 +14,15 @@ namespace cuticle::cli {
 namespace {
 
 struct ViewOptions {
-  std::string model = "marschner", preset, settings, lobe = "all", radius = "log", file;
+  std::string model = "marschner", lobe = "all", radius = "log", file;
+  ParameterRequest parameters;
   double theta_i_deg = 30, metres_per_unit = 0;
   std::vector<int> size = {1000, 800};
   viz::ViewTarget target;
 };
 
 void add_target(CLI::App& command, const std::shared_ptr<ViewOptions>& options) {
-  command.add_option("--screenshot", options->target.screenshot, "write a PNG and leave, in place of a window");
+  command.add_option("--screenshot", options->target.screenshot, "write a PNG and exit instead of opening a window");
   command.add_option("--size", options->size, "width and height in pixels")->expected(2)->check(CLI::Range(64, 8192));
 }
 
@@ -31,7 +33,7 @@ viz::ViewTarget target_of(const ViewOptions& options) {
 Result<void> view_lobes(const ViewOptions& options) {
   viz::LobesView view;
   CUTICLE_ASSIGN(view.model, bsdf::find_model(options.model));
-  CUTICLE_ASSIGN(view.values, bsdf::parse_settings(*view.model, options.preset, options.settings));
+  CUTICLE_ASSIGN(view.values, parameters_of(*view.model, options.parameters));
   if (options.lobe != "all") {
     CUTICLE_ASSIGN(view.lobe, bsdf::find_lobe(*view.model, options.lobe));
   }
@@ -59,8 +61,7 @@ void add_lobes(CLI::App& app, Context& context) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand("lobes", "the polar surface of S over the outgoing directions");
   command->add_option("--model", options->model, "a model (cuticle models)")->capture_default_str();
-  command->add_option("--preset", options->preset, "a starting point of the model, for example blonde");
-  command->add_option("--set", options->settings, "parameters, name=value,name=value");
+  add_parameter_options(*command, options->parameters);
   command->add_option("--theta-i-deg,--theta-i", options->theta_i_deg, "inclination of the light, degrees")
       ->check(CLI::Range(-90.0, 90.0));
   command->add_option("--lobe", options->lobe, "R, TT, TRT, sum, or all (one surface each)")->capture_default_str();
@@ -85,7 +86,7 @@ void add_strands(CLI::App& app, Context& context) {
 }  // namespace
 
 void add_view(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("view", "lobes and strands in a window or as a picture (needs a display)");
+  CLI::App* command = app.add_subcommand("view", "view lobes and strands in a window or as a picture (needs a display)");
   command->require_subcommand(1);
   command->fallthrough();
   add_lobes(*command, context);

@@ -1,6 +1,7 @@
 #include "cli/eval/coordinates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -79,6 +80,14 @@ std::string coordinate_flag(std::size_t coordinate) {
 
 Result<PointsTable> read_coordinates(const CoordinateRequest& request) {
   return request.points_file.empty() ? grid_points(request) : file_points(request);
+}
+
+bool all_below_pi(const PointsTable& table) {
+  double largest = 0;
+  for (const std::vector<double>& row : table.rows)
+    for (std::size_t c = 0; c < row.size(); ++c)
+      if (eval_columns[table.columns[c]].unit == "deg") largest = std::max(largest, std::abs(row[c]));
+  return largest > 0 && largest <= std::numbers::pi;
 }
 
 std::vector<bsdf::Point> in_radians(const PointsTable& table) {

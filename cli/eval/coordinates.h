@@ -34,6 +34,8 @@ struct CoordinateRequest {
 /// file.
 Result<PointsTable> read_coordinates(const CoordinateRequest& request);
 
+/// Whether the angles look like radians: none, of at least one that is not 0, is beyond pi.
+bool all_below_pi(const PointsTable& table);
 /// The same points in radians; coordinates that were not given are 0.
 std::vector<bsdf::Point> in_radians(const PointsTable& table);
 

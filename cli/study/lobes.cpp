@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "bsdf/fibre/fibres.h"
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "study/lobes/lobes_study.h"
@@ -37,7 +38,10 @@ Result<study::LobesStudy> run_lobes(const LobesOptions& options, Progress& progr
 int study_lobes(const LobesOptions& options, Context& context) {
   const auto lobes = run_lobes(options, *context.progress);
   if (!lobes) return report(lobes.error());
-  fmt::print("{}", context.json ? study::to_json(*lobes) : study::to_csv(*lobes));
+  if (context.json)
+    fmt::print("{}", study::to_json(*lobes));
+  else
+    print_rows(study::to_csv(*lobes), options.out + "/study.csv");
   return make_page("", options.out, *context.progress);
 }
 
@@ -50,8 +54,11 @@ void add_study_lobes(CLI::App& study, Context& context) {
   command->add_option("--models", options->models, "models, a,b,c, or all")->capture_default_str();
   command->add_option("--hair", options->hair, "physical fibre that every model is mapped to")->capture_default_str();
   command->add_flag("--quick", options->quick, "fewer points and timings");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_lobes(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_lobes(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

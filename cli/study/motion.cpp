@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "study/motion/motion_study.h"
@@ -22,7 +23,7 @@ Result<study::MotionStudy> run_motion(const MotionOptions& options, Progress& pr
 int study_motion(const MotionOptions& options, Context& context) {
   const auto motion = run_motion(options, *context.progress);
   if (!motion) return report(motion.error());
-  fmt::print("{}", study::motion_csv(*motion));
+  print_rows(study::motion_csv(*motion), options.out + "/study.csv");
   return make_page("", options.out, *context.progress);
 }
 
@@ -33,8 +34,11 @@ void add_study_motion(CLI::App& study, Context& context) {
   auto options = std::make_shared<MotionOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_flag("--quick", options->quick, "fewer settings and timings");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_motion(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_motion(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

@@ -79,7 +79,8 @@ Image tone_map(const Image& linear, double exposure_stops) {
   const float gain = float(std::exp2(exposure_stops));
   const int channels = linear.channels();
   for (std::size_t i = 0; i < display.pixels.size(); ++i)
-    if (linear.channel_names[i % std::size_t(channels)] != "A") display.pixels[i] = display_value(linear.pixels[i], gain);
+    if (linear.channel_names[i % std::size_t(channels)] != "A")
+      display.pixels[i] = display_value(linear.pixels[i], gain);
   return display;
 }
 
@@ -92,7 +93,8 @@ Image contact_sheet(const std::vector<Image>& images, int columns) {
   const std::size_t channels = std::size_t(first.channels());
   for (std::size_t i = 0; i < sheet.pixels.size(); ++i) sheet.pixels[i] = first.pixels[i % channels];
   for (int i = 0; i < int(images.size()); ++i) {
-    CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height, "pictures of a sheet have equal sizes");
+    CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height,
+                   "pictures of a sheet have equal sizes");
     paste(images[i], sheet, (i % columns) * first.width, (i / columns) * first.height);
   }
   return sheet;

@@ -4,15 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json/position.h"
 #include "core/text.h"
 
 namespace cuticle {
 
 using Library = nlohmann::ordered_json;
 
-/// To the library's value.
+/// To the library's value, and from its parser.
 struct Json::Convert {
   static Library to(const Json& value);
+  class Builder;
 };
 
 Library Json::Convert::to(const Json& value) {
@@ -44,10 +46,11 @@ Library Json::Convert::to(const Json& value) {
   }
 }
 
-/// Takes a text piece by piece from the library's parser. Its own objects look at every key before they add one, and keep
-/// one of two equal keys in silence.
-class Json::Builder {
+/// Takes a text piece by piece from the library's parser. Its own objects look at every key before they add one, and
+/// keep one of two equal keys in silence.
+class Json::Convert::Builder {
  public:
+  explicit Builder(std::string_view text) : text_(text) {}
   bool null() { return add(Json()); }
   bool boolean(bool value) { return add(value); }
   bool number_integer(std::int64_t value) { return add(value); }
@@ -71,12 +74,15 @@ class Json::Builder {
     std::ranges::sort(names);
     const auto twice = std::ranges::adjacent_find(names);
     if (twice == names.end()) return true;
-    problem_ = "the key " + quoted(*twice) + " is given twice";
+    problem_ = "the key " + in_quotes(*twice) + " is given twice";
     return false;
   }
   bool parse_error(std::size_t byte, const std::string&, const Library::exception& error) {
     constexpr int k_not_json = 101;
-    problem_ = error.id == k_not_json ? "not JSON at byte " + std::to_string(byte) : error.what();
+    const TextPosition place = position_of(text_, std::max<std::size_t>(byte, 1) - 1);
+    problem_ = error.id == k_not_json ? "not JSON at line " + std::to_string(place.line) + ", column " +
+                                            std::to_string(place.column)
+                                      : error.what();
     return false;
   }
 
@@ -103,6 +109,7 @@ class Json::Builder {
     return true;
   }
 
+  std::string_view text_;
   Json root_;
   std::vector<Json*> open_;  ///< lists and objects from the outside in; what lies in one moves only once it is closed
   std::string problem_;
@@ -143,7 +150,7 @@ Json Json::object() {
 }
 
 Result<Json> Json::parse(std::string_view text) {
-  Builder builder;
+  Convert::Builder builder(text);
   if (Library::sax_parse(text.begin(), text.end(), &builder)) return builder.take();
   return bad_input(builder.problem(), "check commas, quotes and brackets there");
 }

@@ -51,8 +51,8 @@ class Json {
   static Json list(std::initializer_list<Json> items = {});
   static Json object();
 
-  /// One whole JSON text. Error: bad_input, with the byte where it is none; more than 256 levels are too deep, and no key
-  /// may come twice in an object.
+  /// One whole JSON text. Error: bad_input, with line and column where it is none; more than 256 levels
+  /// are too deep.
   static Result<Json> parse(std::string_view text);
   /// indent < 0: one line. Numbers are written so that they read back equal, infinite ones and NaN as null; bytes that
   /// are no UTF-8 become U+FFFD.
@@ -126,7 +126,6 @@ class Json {
 
  private:
   struct Convert;
-  class Builder;
   void set_boolean(bool value);
   void set_whole(std::int64_t value);
   void set_positive(std::uint64_t value);

@@ -1,4 +1,5 @@
 #include "core/json/json.h"
+#include "core/json/position.h"
 
 #include <ctime>
 #include <limits>
@@ -65,12 +66,34 @@ TEST(Json, NumbersThatJsonLacks_AreWrittenAsNull) {
 
 TEST(Json, BytesThatAreNoUtf8_AreReplaced) { EXPECT_EQ(Json("a\xff").dump(), "\"a\xef\xbf\xbd\""); }
 
-TEST(Json, WhatIsNoJson_IsRefusedWithTheByte) {
-  EXPECT_EQ(Json::parse("{\"a\": }").error().message, "not JSON at byte 7");
+TEST(Json, WhatIsNoJson_IsRefusedWithLineAndColumn) {
+  EXPECT_EQ(Json::parse("{\"a\": }").error().message, "not JSON at line 1, column 7");
   EXPECT_FALSE(Json::parse("").ok());
   EXPECT_FALSE(Json::parse("1 2").ok());
   EXPECT_EQ(Json::parse(std::string(200'000, '[')).error().message, "more than 256 levels");
   EXPECT_TRUE(Json::parse(std::string(256, '[') + std::string(256, ']')));
+}
+
+TEST(Json, Comments_AreReadOnlyWhereTheyAreAllowed) {
+  const char* text = "{ // a lamp\n\"a\": [1, /* two */ 2]}";
+  EXPECT_EQ(Json::parse(without_comments(text)).value()["a"].size(), 2u);
+  EXPECT_FALSE(Json::parse(text).ok());
+  EXPECT_EQ(without_comments("\"// kept\" /* open"), "\"// kept\"        ");
+}
+
+TEST(JsonPosition, OfKeysAndItems_CountsLinesAndSkipsComments) {
+  std::string text =
+      "{\n  // \"b\": 0,\n  \"a\": {\"b\": \"x\\\"}\"},\n  \"list\": [1, [2, 3], {\"b\": true}]\n}";
+  text = without_comments(text);
+  const auto place = [&](std::vector<std::string> steps) {
+    const TextPosition found = position_of(text, find_in_json(text, steps));
+    return std::pair(found.line, found.column);
+  };
+  EXPECT_EQ(place({}), std::pair(1ul, 1ul));
+  EXPECT_EQ(place({"a", "b"}), std::pair(3ul, 9ul));
+  EXPECT_EQ(place({"list", "1", "1"}), std::pair(4ul, 19ul));
+  EXPECT_EQ(place({"list", "2", "b"}), std::pair(4ul, 24ul));
+  EXPECT_EQ(place({"a", "none"}), std::pair(3ul, 3ul));
 }
 
 TEST(Json, AnotherKindThanAskedFor_IsAMismatchThatSaysBoth) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 #include "core/registry/parameter.h"
@@ -22,13 +23,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool is_same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+/// Edits from what was typed to a name. Another case costs nothing, and a unit left off ("fov" for "fov_deg") one edit.
+std::size_t typing_distance(std::string_view typed, std::string_view name) {
+  if (std::ranges::equal(typed, name, is_same_letter)) return 0;
+  if (name.size() > typed.size() && name.starts_with(typed) && name[typed.size()] == '_') return 1;
+  return edit_distance(typed, name);
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (std::string_view candidate : known) {
-    const std::size_t distance = edit_distance(name, candidate);
+    // As many changes are needed at least; a name of megabytes is compared with none.
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= best_distance) continue;
+    const std::size_t distance = typing_distance(name, candidate);
     if (distance >= best_distance) continue;
     best_distance = distance;
     best = candidate;

@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "core/text.h"
+
 namespace cuticle::registry {
 namespace {
 
@@ -28,12 +30,24 @@ std::string range_words(const Parameter& parameter) {
   return fmt::format("{:g} .. {:g}{}", parameter.minimum, parameter.maximum, unit);
 }
 
+constexpr std::string_view degree_suffix = "_deg";
+constexpr double radians_per_degree = 0.017453292519943295;
+
+/// An angle beyond its range in radians that lies within it in degrees was most likely typed in degrees.
+Error angle_refusal(const Parameter& parameter, std::string_view text, double value) {
+  Error error = refusal(parameter, text, "within " + range_words(parameter));
+  const double radians = value * radians_per_degree;
+  if (parameter.unit == "rad" && radians >= parameter.minimum && radians <= parameter.maximum)
+    error.hint = fmt::format("{} degrees is {}{}={} or {}={:.4g}", text, parameter.name, degree_suffix, text,
+                             parameter.name, radians);
+  return error;
+}
+
 Result<double> parse_component(const Parameter& parameter, std::string_view text) {
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return refusal(parameter, text, "a number");
-  if (!(value >= parameter.minimum && value <= parameter.maximum))
-    return refusal(parameter, text, "within " + range_words(parameter));
+  if (!(value >= parameter.minimum && value <= parameter.maximum)) return angle_refusal(parameter, text, value);
   return value;
 }
 
@@ -81,9 +95,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-constexpr std::string_view degree_suffix = "_deg";
-constexpr double radians_per_degree = 0.017453292519943295;
-
 /// The angle that `name` means in degrees: "alpha_deg" for a real parameter "alpha" in radians; null for any other name.
 const Parameter* find_angle(ParameterTable table, std::string_view name) {
   if (!name.ends_with(degree_suffix)) return nullptr;
@@ -106,7 +117,7 @@ Result<Value> parse_degrees(const Parameter& angle, std::string_view name, std::
 Result<void> assign(ParameterTable table, std::string_view assignment, ParameterValues& values) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
-    return usage_error(fmt::format("'{}' is not name=value", assignment), "--set name=value,name=value");
+    return usage_error(fmt::format("{} is not name=value", in_quotes(assignment)), "--set name=value,name=value");
   const std::string_view name = trimmed(assignment.substr(0, equals)), text = trimmed(assignment.substr(equals + 1));
   if (const Parameter* angle = find_angle(table, name)) {
     CUTICLE_ASSIGN(Value radians, parse_degrees(*angle, name, text));
@@ -135,7 +146,7 @@ Result<const Parameter*> find_parameter(ParameterTable table, std::string_view n
   }
   const std::string near = nearest_name(name, known);
   const std::string list = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
-  return usage_error(fmt::format("unknown parameter '{}' (known: {})", name, list), near.empty() ? "" : "did you mean " + near + "?");
+  return usage_error(fmt::format("unknown parameter {} (known: {})", in_quotes(name), list), near.empty() ? "" : "did you mean " + near + "?");
 }
 
 Result<Value> parse_value(const Parameter& parameter, std::string_view text) {

@@ -63,7 +63,7 @@ Result<ParameterValues> parse_assignments(ParameterTable table, std::string_view
 /// A value as it would be typed.
 std::string to_text(const Value& value);
 
-/// The known name nearest to `name` by edit distance, or empty when none is near.
+/// The known name nearest to `name` by edits, in any case and with its unit left off (`fov` of `fov_deg`); or empty.
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 /// A JSON Schema (draft 7) object for the table, as text; unknown keys are refused by it.

@@ -27,6 +27,16 @@ TEST(ParameterDegrees, OutOfRange_IsRefusedInDegrees) {
   EXPECT_THAT(refused.error().message, AllOf(HasSubstr("alpha_deg"), HasSubstr("11"), HasSubstr("-10 .. 10 deg")));
 }
 
+TEST(ParameterDegrees, DegreesTypedAsRadians_AreHintedInBoth) {
+  const auto refused = parse_assignments(k_table, "alpha=-7.5");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().hint, "-7.5 degrees is alpha_deg=-7.5 or alpha=-0.1309");
+}
+
+TEST(ParameterDegrees, OutOfRangeInDegreesToo_HintsTheDefault) {
+  EXPECT_EQ(parse_assignments(k_table, "alpha=-75").error().hint, "alpha=0");
+}
+
 TEST(ParameterDegrees, ParameterThatIsNoAngle_HasNoDegrees) {
   EXPECT_FALSE(parse_assignments(k_table, "eta_deg=1.5").ok());
 }

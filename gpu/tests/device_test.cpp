@@ -1,7 +1,7 @@
 // Opening devices, and their memory.
 #include <numeric>
 
-#include "shared_device.h"
+#include "gpu/tests/shared_device.h"
 
 namespace cuticle::gpu::device_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "shared_device.h"
+#include "gpu/tests/shared_device.h"
 
 #include <flat_color_frag.spv.h>
 #include <pulled_vert.spv.h>

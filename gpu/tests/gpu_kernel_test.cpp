@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "gpu/groups.h"
-#include "shared_device.h"
+#include "gpu/tests/shared_device.h"
 
 #include <scale_comp.spv.h>
 #include <texels_comp.spv.h>

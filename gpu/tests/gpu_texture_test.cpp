@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared_device.h"
+#include "gpu/tests/shared_device.h"
 
 #include <sample_comp.spv.h>
 

@@ -27,7 +27,7 @@ const TableSet& stored(const char* format) {
   const auto found = made.find(format);
   if (found != made.end()) return found->second;
   const bsdf::Model& model = *bsdf::find_model("marschner").value();
-  const auto values = bsdf::parse_settings(model, "blonde", "").value();
+  const auto values = bsdf::parse_settings(model, "blond", "").value();
   TableSet set = bake(model, values, *find_layout("nalu").value(), 64, silent_progress()).value();
   EXPECT_TRUE(store_as(set, *find_format(format).value()).ok());
   return made.emplace(format, std::move(set)).first->second;
@@ -57,6 +57,8 @@ Damage texels(From from) {
 }
 
 double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+
+double srgb_encoded(double v) { return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
 
 int clamped(int i, int side) { return std::clamp(i, 0, side - 1); }
 
@@ -108,6 +110,25 @@ void drop_last(Image& image) {
   for (std::size_t i = image.channels() - 1; i < image.pixels.size(); i += image.channels()) image.pixels[i] = 1;
 }
 
+/// Colours as they come out of an sRGB texture, whose alpha is never decoded.
+void decode_colors(Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (image.channels() < 4 || i % 4 < 3) image.pixels[i] = float(srgb_decoded(double(image.pixels[i])));
+}
+
+void premultiply(Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size() && image.channels() > 3; ++i)
+    if (i % 4 < 3) image.pixels[i] *= image.pixels[i / 4 * 4 + 3];
+}
+
+void swap_red_and_blue(Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); i += image.channels()) std::swap(image.pixels[i], image.pixels[i + 2]);
+}
+
+void copy_red(Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = image.pixels[i / image.channels() * image.channels()];
+}
+
 struct Named {
   const char* name;
   Damage damage;
@@ -124,14 +145,21 @@ std::vector<Named> damages() {
       {"block-compressed", texels(compressed<false>)},
       {"block-compressed", texels(compressed<true>)},
       {"mip-mapped", texels(mean_of_square)},
-      {"mip-mapped", halve},
+      {"resized", halve},
+      {"sRGB decoded", decode_colors},
+      {"sRGB encoded", values(srgb_encoded)},
+      {"premultiplied alpha", premultiply},
+      {"channels swapped", swap_red_and_blue},
+      {"channel dropped", copy_red},
       {"channel dropped", drop_last},
       {"wrong scale", values([](double v) { return v * 57.29577951308232; })},
   };
 }
 
-/// M of blonde hair is nearly alike in both angles, so that a swap harms less than the tolerance.
-bool harmless(const std::string& table, const std::string& name) { return table == "M" && name == "u and v swapped"; }
+/// M of blond hair is nearly alike in both angles, so that a swap harms less than the tolerance. N_TRT has no alpha.
+bool harmless(const std::string& table, const std::string& name) {
+  return (table == "M" && name == "u and v swapped") || (table == "N_TRT" && name == "premultiplied alpha");
+}
 
 TEST(CheckLut, EachDamageOfEachTable_IsNamed) {
   for (const char* format : {"exr", "png16"})
@@ -147,6 +175,34 @@ TEST(CheckLut, EachDamageOfEachTable_IsNamed) {
         EXPECT_EQ(verdict.mistake.name, each.name) << format << " " << table.name << ": " << verdict.mistake.evidence;
         EXPECT_FALSE(verdict.mistake.remedy.empty());
       }
+}
+
+TEST(CheckLut, ColoursDecodedOrMultipliedAndRoundedToTheFormatsBits_AreNamed) {
+  const Named wrong[] = {{"sRGB decoded", values(srgb_decoded)},
+                         {"sRGB decoded", decode_colors},
+                         {"premultiplied alpha", premultiply},
+                         {"channels swapped", swap_red_and_blue}};
+  for (const char* name : {"png8", "png16"}) {
+    const Format& format = *find_format(name).value();
+    for (std::size_t t = 0; t < 3; ++t)
+      for (const Named& each : wrong) {
+        const ManifestTable table = manifest(name).tables[t];
+        Image image = stored(name).tables[t].image;
+        each.damage(image);
+        values([&](double v) { return format.round(std::clamp(v, 0.0, 1.0)); })(image);
+        const TableVerdict verdict = check_table(table, image);
+        if (verdict.passed && harmless(table.name, each.name)) continue;
+        EXPECT_EQ(verdict.mistake.name, each.name) << name << " " << table.name << ": " << verdict.mistake.evidence;
+      }
+  }
+}
+
+TEST(CheckLut, HalfFloatsRoundedToBytes_AreNamed) {
+  for (const char* name : {"exr", "png16"}) {
+    Image image = stored(name).tables[1].image;
+    values([](double v) { return std::round(std::min(v, 1.0) * 255) / 255; })(image);
+    EXPECT_EQ(check_table(manifest(name).tables[1], image).mistake.name, "half precision lost") << name;
+  }
 }
 
 TEST(CheckLut, ValuesAboveOneCutOff_AreNamed) {

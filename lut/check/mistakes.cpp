@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -25,6 +26,10 @@ struct Undo {
   bool exact;  ///< undone without loss
 };
 
+double srgb_decoded(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 double srgb_encoded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -34,6 +39,17 @@ template <class Change>
 Image changed(const Image& image, Change change) {
   Image result = image;
   for (float& value : result.pixels) value = float(change(double(value)));
+  return result;
+}
+
+/// The same picture with every number of the first three channels changed.
+template <class Change>
+Image colors_changed(const Image& image, Change change) {
+  Image result = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < std::min(image.channels(), 3); ++c)
+        result.at(x, y, c) = float(change(double(image.at(x, y, c))));
   return result;
 }
 
@@ -78,16 +94,54 @@ void add_turned(const Image& image, std::vector<Undo>& undos) {
 }
 
 void add_numbers(const ManifestTable& table, const Image& image, std::vector<Undo>& undos) {
-  undos.push_back({{"sRGB decoded", "encoded as sRGB again, every probe reads right",
-                    "Import as data: Unity sRGBTexture off, Unreal sRGB off, three.js NoColorSpace, no source_color."},
-                   kept(changed(image, srgb_encoded)),
-                   true});
   const std::optional<double> ratio = ratio_at_peak(table, image);
   if (!ratio || !(*ratio > 0)) return;
   undos.push_back({{"wrong scale", fmt::format("multiplied by {:.6g}, every probe reads right", *ratio),
                     "Multiply by the manifest's scale of each channel, once; its values are per radian."},
                    kept(changed(image, [ratio](double value) { return value * *ratio; })),
                    true});
+}
+
+/// What was done to colours alone or to all channels: a transfer curve, or a product with alpha. Undone exactly where
+/// numbers kept their bits, else nearly.
+void add_colors(const Image& image, bool exact, std::vector<Undo>& undos) {
+  const Mistake decoded{
+      "sRGB decoded", "encoded as sRGB again, every probe reads right",
+      "Import as data: Unity sRGBTexture off, Unreal sRGB off, three.js NoColorSpace, no source_color."};
+  const Mistake encoded{"sRGB encoded", "decoded from sRGB, every probe reads right",
+                        "Write the numbers as they are: no gamma, no colour management on export."};
+  Mistake linear_alpha = decoded;
+  linear_alpha.evidence = "with its colours encoded as sRGB again, and alpha as it is, every probe reads right";
+  undos.push_back({decoded, kept(changed(image, srgb_encoded)), exact});
+  undos.push_back({encoded, kept(changed(image, srgb_decoded)), exact});
+  if (image.channels() < 4) return;
+  undos.push_back({linear_alpha, kept(colors_changed(image, srgb_encoded)), exact});
+  undos.push_back({encoded, kept(colors_changed(image, srgb_decoded)), exact});
+  Image divided = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (image.at(x, y, 3) > 0) divided.at(x, y, c) /= image.at(x, y, 3);
+  undos.push_back({{"premultiplied alpha", "with its colours divided by alpha every probe reads right",
+                    "Alpha is data: Unity alphaIsTransparency off, three.js premultiplyAlpha = false, Godot "
+                    "process/premult_alpha=false, and no export that multiplies by alpha."},
+                   kept(std::move(divided)),
+                   exact});
+}
+
+/// Channels in another order.
+void add_swapped(const Image& image, std::vector<Undo>& undos) {
+  std::vector<int> order(std::size_t(image.channels()));
+  std::iota(order.begin(), order.end(), 0);
+  const Reading at = reading_of(image);
+  while (std::next_permutation(order.begin(), order.end())) {
+    std::string names;
+    for (const int c : order) names += std::string(names.empty() ? "" : ", ") + "RGBA"[std::min(c, 3)];
+    undos.push_back({{"channels swapped", fmt::format("with the channels read as {} every probe reads right", names),
+                      "Keep the file's order R, G, B, A: no BGRA export, no swizzle on import."},
+                     [at, order](int c, double u, double v) { return at(order[std::size_t(c)], u, v); },
+                     true});
+  }
 }
 
 /// The picture whose means of neighbours along u (or v) the picture holds. Filtering half a texel beyond the last texel
@@ -120,6 +174,26 @@ void add_shifts(const Image& image, std::vector<Undo>& undos) {
     }
 }
 
+/// Whether two channels hold the same numbers.
+bool are_equal(const Image& image, int first, int second) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (image.at(x, y, first) != image.at(x, y, second)) return false;
+  return true;
+}
+
+/// A channel that another one was copied over, where the manifest wants different values.
+std::optional<Mistake> copied_channel(const ManifestTable& table, const Image& image) {
+  for (std::size_t c = 1; c < table.channels.size(); ++c) {
+    const auto differs = [c](const Probe& probe) { return probe.values[c] != probe.values[0]; };
+    if (std::ranges::any_of(table.probes, differs) && are_equal(image, 0, int(c)))
+      return Mistake{"channel dropped",
+                     fmt::format("{} holds what {} holds", table.channels[c].name, table.channels[0].name),
+                     "Keep all channels: a format of one or two channels, or a grey picture, has no room for them."};
+  }
+  return {};
+}
+
 std::optional<Mistake> missing_channel(const ManifestTable& table, const Image& image) {
   for (std::size_t c = 0; c < table.channels.size(); ++c) {
     const ManifestChannel& channel = table.channels[c];
@@ -140,11 +214,9 @@ std::optional<Mistake> wrong_size(const ManifestTable& table, const Image& image
   if (image.width == table.size.x && image.height == table.size.y) return {};
   const std::string evidence =
       fmt::format("the file is {} x {}, the table {} x {}", image.width, image.height, table.size.x, table.size.y);
-  for (int level = 1; level < 15; ++level)
-    if (image.width == std::max(table.size.x >> level, 1) && image.height == std::max(table.size.y >> level, 1))
-      return Mistake{"mip-mapped", fmt::format("{}: level {}", evidence, level),
-                     "Import without mip maps and sample level 0 (textureLod, SampleLevel)."};
-  return Mistake{"resized", evidence, "Import at the original size: no limit, no rounding to a power of two."};
+  return Mistake{"resized", evidence,
+                 "Import at the original size: no limit (Unity maxTextureSize), no rounding to a power of two, no "
+                 "smaller mip level in place of the first."};
 }
 
 /// Probes within 1 read right, and where the manifest wants more the file holds 1.
@@ -157,6 +229,20 @@ std::optional<Mistake> clipped(const ManifestTable& table, const Image& image) {
   return Mistake{
       "clipped at 1", "nothing in the file is above 1, and the table goes higher",
       "Import as half floats, not as an 8-bit or normalised format; or bake --format png8, which has scales."};
+}
+
+/// Whether every number is one that 8 bits hold, in a table that was written with more (whose probes bear 0.2 %, not
+/// 0.8 %, of the largest value).
+std::optional<Mistake> rounded_to_bytes(const ManifestTable& table, const Image& image) {
+  for (const ManifestChannel& channel : table.channels)
+    if (channel.tolerance > 0.004 * channel.maximum && channel.maximum > 0) return {};
+  const auto is_byte = [](float value) {
+    return std::abs(value * 255.F - std::round(value * 255.F)) < 1e-3F;
+  };
+  if (!std::ranges::all_of(image.pixels, is_byte)) return {};
+  return Mistake{"half precision lost", "every number is a multiple of 1 / 255: 8 bits",
+                 "Import as half floats: Unity RGBAHalf, Unreal TC_HDR, Godot and three.js from the EXR itself; or bake "
+                 "--format png8."};
 }
 
 /// Whether both ends of every row (or column) hold the same numbers.
@@ -197,6 +283,7 @@ std::optional<Mistake> enlarged(const Image& image) {
 std::optional<Mistake> marked(const ManifestTable& table, const Image& image) {
   if (auto found = wrapped(image)) return found;
   if (auto found = clipped(table, image)) return found;
+  if (auto found = rounded_to_bytes(table, image)) return found;
   if (auto found = enlarged(image)) return found;
   return block_compressed(image);
 }
@@ -221,11 +308,16 @@ Mistake find_mistake(const ManifestTable& table, const Image& image) {
   if (auto found = wrong_size(table, image)) return *found;
   if (auto found = missing_channel(table, image)) return *found;
   const double before = misfit_of(table, reading_of(image)).typical;
-  std::vector<Undo> exact, shifts;
+  std::vector<Undo> exact, rounded, shifts;
   add_turned(image, exact);
+  add_colors(image, true, exact);
+  add_swapped(image, exact);
   add_numbers(table, image, exact);
+  add_colors(image, false, rounded);
   add_shifts(image, shifts);
   if (auto found = undone(table, exact, before)) return *found;
+  if (auto found = copied_channel(table, image)) return *found;
+  if (auto found = undone(table, rounded, before)) return *found;
   if (auto found = marked(table, image)) return *found;
   if (auto found = undone(table, shifts, before)) return *found;
   return {"unknown", "no known mistake explains the readings",

@@ -6,12 +6,21 @@ from matplotlib import pyplot
 import plotly.graph_objects as plotly
 
 from . import ReportError, page
-from .figures import COLORS
+from .figures import COLORS, LOBE_COLORS
 
 DECADES = 5  # shown of a polar plot, below its largest value
 LEGEND_ROWS = 22  # that a PNG has room for
 DASHES = {"-": "solid", "--": "dash", ":": "dot", "-.": "dashdot"}  # matplotlib's names, plotly's names
 LOOKS = [(color, dash) for dash in DASHES for color in COLORS]  # of a plot's curves, in turn
+
+
+def looks_of(plot):
+    """Colour and dash of each curve: a lobe has its own colour, as has what is expected of it, dashed."""
+    looks = []
+    for place, curve in enumerate(plot["curves"]):
+        lobe, _, rest = curve["name"].partition(" ")
+        looks.append((LOBE_COLORS[lobe], "--" if rest else "-") if lobe in LOBE_COLORS else LOOKS[place % len(LOOKS)])
+    return looks
 
 
 def radii(values, largest):
@@ -32,7 +41,7 @@ def save_png(plot, path):
     polar, largest = plot["polar"], largest_of(plot)
     columns = -(-len(plot["curves"]) // LEGEND_ROWS)
     figure, axes = pyplot.subplots(figsize=(4.8 + 2.2 * columns, 4.5), layout="constrained", subplot_kw={"projection": "polar" if polar else None})
-    for (color, dash), curve in zip(LOOKS * 9, plot["curves"]):
+    for (color, dash), curve in zip(looks_of(plot), plot["curves"]):
         x = [math.radians(value) for value in curve["x"]] if polar else curve["x"]
         axes.plot(x, radii(curve["y"], largest) if polar else curve["y"], color=color, linestyle=dash, linewidth=1.3, label=curve["name"])
     if polar:
@@ -56,7 +65,7 @@ def save_png(plot, path):
 def interactive(plot):
     """The same as a plotly figure."""
     figure, largest = plotly.Figure(), largest_of(plot)
-    for (color, dash), curve in zip(LOOKS * 9, plot["curves"]):
+    for (color, dash), curve in zip(looks_of(plot), plot["curves"]):
         line = {"color": color, "dash": DASHES[dash]}
         if plot["polar"]:
             figure.add_scatterpolar(theta=curve["x"], r=radii(curve["y"], largest), name=curve["name"], mode="lines", line=line)

@@ -9,6 +9,9 @@ import plotly.graph_objects as plotly  # noqa: E402
 
 COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
           "#b9a5dd", "#cdb58a", "#93cfe0", "#b5b5b5"]
+# Of the lobes of every model, in every figure; the same as lobe_color of viz/lobe_surface.cpp.
+LOBE_COLORS = {"R": "#3378bf", "TT": "#ed9921", "TRT": "#bf3845", "residual": "#599e5c", "TTs": "#f7cc85", "TRTs": "#db8c96",
+               "specular": "#3378bf", "primary": "#3378bf", "diffuse": "#ed9921", "secondary": "#bf3845"}
 MOST_LABELS = 24  # of a page's figure, where the pointer shows them too
 DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
 

@@ -2,34 +2,14 @@
 // The arrays of a block of strands that have equally many links. Included by units for one instruction set that no
 // symbol may leave, so it holds types only.
 #include "sim/chains/contact/moving_contact.glslh"
+#include "sim/chains/rows.glslh"
 
 namespace cuticle::sim::chains {
 
-constexpr int k_lanes = 16;  ///< strands in a block: a multiple of the lanes of every instruction set, in float
-
-/// Rows of a vertex, each of k_lanes numbers. Vertex 0 is the anchor; one more than there are vertices ends the arrays.
-namespace rest_row {
-constexpr int length = 0, inverse_length = 1, mass = 2, inverse_mass = 3, mass_ratio = 4, reach = 5, pull = 6,
-              target = 7, count = 10;
-}
-namespace state_row {
-constexpr int here = 0, before = 3, velocity = 6, velocity_before = 9, tension = 12, count = 13;
-}
-namespace scratch_row {  // a solver may add rows of its own after these
-constexpr int place = 0, direction = 3, inverse_mass = 6, coupling = 7, value = 8, follows = 9, normal = 10,
-              begin_pushed = 13, count = 16, touched = follows;
-}
-/// Rows of a strand.
-namespace strand_row {
-constexpr int anchor = 0, guarded = 3, quiet = 4, count = 5;
-}
 /// As strand_row::guarded: the lane was put back; it starts anew with the first order too.
 constexpr int k_was_reset = 2;
 
-/// rest_row: lengths (m), their inverses, masses over the mean, their inverses, mass over the parent's (0 next to the
-/// anchor), arc from the anchor (m), pull to the rest pose (1/s), rest place relative to the anchor's in rest space
-/// (m). state_row: ChainVertex, and tension over mean mass and length (1/s^2). strand_row: anchor in rest space (m); 1
-/// where the next substep must be of first order; how long the strand has been at rest (s).
+/// Vertex 0 is the anchor; one more than there are vertices ends the arrays.
 template <class Real>
 struct ChainBlock {
   int links;

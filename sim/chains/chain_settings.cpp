@@ -3,13 +3,10 @@
 #include <fmt/core.h>
 
 #include "sim/chains/placing.h"
+#include "sim/gravity/gravity.h"
 
 namespace cuticle::sim::chains {
 namespace {
-
-std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
-  return static_cast<std::uint32_t>(values.integer(name));
-}
 
 /// Steps whose durations differ more than this start anew with the first order: BDF2 loses its stability past 1 +
 /// sqrt 2.
@@ -46,7 +43,7 @@ glm::dvec3 unbalanced_gravity(const ChainSettings& settings, const glm::dmat3& r
 wind::Push fluid_push(const ChainSettings& settings, double time) {
   wind::Push push = settings.wind ? wind::push_at(*settings.wind, time) : wind::Push{};
   if (settings.water) {
-    const wind::Push current = wind::push_at(settings.water->current, time);
+    const wind::Push current = wind::push_at(water::current(*settings.water), time);
     push.acceleration += current.acceleration;
     push.drag += current.drag;
   }
@@ -55,35 +52,20 @@ wind::Push fluid_push(const ChainSettings& settings, double time) {
 
 }  // namespace
 
-std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
-  return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
-}
 std::uint32_t substeps(const ChainSettings& settings, double duration) {
   return inner_steps(duration, settings.inner_step, settings.max_substeps);
 }
 
-ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  ChainSettings settings;
-  settings.inner_step = solver.real("inner_step");
-  settings.max_substeps = whole(solver, "max_substeps");
-  settings.clamped_vertices = whole(solver, "clamped_vertices");
-  settings.damping = solver.real("damping");
-  settings.sag_free = solver.boolean("sag_free");
-  settings.double_precision = solver.boolean("double_precision");
-  if (auto gravity = effects.find("gravity"); gravity != effects.end())
-    settings.gravity = gravity->second.rgb("acceleration");
-  if (auto wind = effects.find("wind"); wind != effects.end()) settings.wind = wind::make_wind(wind->second);
-  if (auto water = effects.find("water"); water != effects.end()) {
-    settings.water = water::make_water(water->second);
-    settings.gravity *= 1 - settings.water->buoyancy;
-  }
-  if (auto contact = effects.find("colliders"); contact != effects.end())
-    settings.contact = colliders::make_contact_settings(contact->second);
-  if (auto interaction = effects.find("strand_interaction"); interaction != effects.end())
-    settings.interaction = strand_interaction::make_settings(interaction->second);
-  if (auto sleep = effects.find("sleep"); sleep != effects.end()) settings.sleep = sleep::make_settings(sleep->second);
-  if (auto clumping = effects.find("clumping"); clumping != effects.end())
-    settings.clumping = clumping::make_settings(clumping->second);
+ChainSettings make_chain_settings(const ChainParameters& solver, const EffectBlocks& effects) {
+  ChainSettings settings{solver};
+  if (const auto gravity = find_effect<gravity::Gravity>(effects)) settings.gravity = gravity->acceleration;
+  settings.wind = find_effect<wind::Wind>(effects);
+  settings.water = find_effect<water::Water>(effects);
+  if (settings.water) settings.gravity *= 1 - water::buoyancy(*settings.water);
+  settings.contact = find_effect<colliders::ContactSettings>(effects);
+  settings.interaction = find_effect<strand_interaction::Settings>(effects);
+  settings.sleep = find_effect<sleep::Settings>(effects);
+  settings.clumping = find_effect<clumping::Settings>(effects);
   return settings;
 }
 

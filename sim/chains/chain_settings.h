@@ -16,28 +16,36 @@
 
 namespace cuticle::sim::chains {
 
-/// Parameters of the solver and of the effects that act in it; see entry.cpp of each for units, ranges and defaults.
-struct ChainSettings {
-  double inner_step = 0;
-  std::uint32_t max_substeps = 1, clamped_vertices = 1;
-  double damping = 0, shape_stiffness = 0, shape_tip = 0;
-  bool sag_free = false, double_precision = false;
-  glm::dvec3 gravity{0};                                    ///< m/s^2, less buoyancy; zero without the effect
-  std::optional<wind::Wind> wind;                           ///< present with the effect
-  std::optional<water::Water> water;                        ///< present with the effect
-  std::optional<colliders::ContactSettings> contact;        ///< present with the effect
-  std::optional<strand_interaction::Settings> interaction;  ///< present with the effect
-  std::optional<sleep::Settings> sleep;                     ///< present with the effect
-  std::optional<clumping::Settings> clumping;               ///< present with the effect
+/// What every solver of rigid links can be set to, beside its own.
+struct ChainParameters {
+  double inner_step = 0.0020833333333333333;
+  std::uint32_t max_substeps = 64;
+  double damping = 2;
+  bool sag_free = true, double_precision = false;
 };
-/// What every such solver has: inner_step, max_substeps, clamped_vertices, damping, sag_free, double_precision,
-/// effects.
-ChainSettings make_chain_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+constexpr registry::Parameter k_double_precision = registry::row(
+    "double_precision", "1", 0, 0, "the CPU computes in double, without wide vectors: for tests and studies");
+
+/// Those, and what the effects that act in the solver have.
+struct ChainSettings : ChainParameters {
+  std::uint32_t clamped_vertices = 1;
+  double shape_stiffness = 0, shape_tip = 0;
+  glm::dvec3 gravity{0};                                         ///< m/s^2, less buoyancy; zero without the effect
+  std::optional<wind::Wind> wind = {};                           ///< present with the effect
+  std::optional<water::Water> water = {};                        ///< present with the effect
+  std::optional<colliders::ContactSettings> contact = {};        ///< present with the effect
+  std::optional<strand_interaction::Settings> interaction = {};  ///< present with the effect
+  std::optional<sleep::Settings> sleep = {};                     ///< present with the effect
+  std::optional<clumping::Settings> clumping = {};               ///< present with the effect
+};
+ChainSettings make_chain_settings(const ChainParameters& solver, const EffectBlocks& effects);
+
+/// All substeps of a frame, with their effects, are one kernel.
+inline std::uint32_t one_dispatch(const registry::ParameterValues&, const registry::FrameShape&) { return 1; }
 
 /// Error: usage where effects exclude each other.
 Result<void> check(const ChainSettings& settings);
 
-std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
 std::uint32_t substeps(const ChainSettings& settings, double duration);
 
 /// Follows time from frame to frame: what a substep needs to know of the one before, and of the wind.

@@ -54,7 +54,7 @@ void sweep_red_black(const Particles& strand, std::size_t anchor, const StepCons
 /// One pass over the constraints of a strand.
 void sweep_lengths(const Particles& strand, const StepConstants& step, const Sweep& sweep) {
   const std::size_t anchor = anchor_of(strand, step);
-  (sweep.red_black ? sweep_red_black : sweep_in_sequence)(strand, anchor, step, sweep);
+  (sweep.order == Order::red_black ? sweep_red_black : sweep_in_sequence)(strand, anchor, step, sweep);
   for (std::size_t i = anchor + 1; sweep.has_spheres() && i < strand.size(); ++i)
     keep_in_sphere(strand, i, step.rotation_end, sweep);
 }
@@ -174,7 +174,8 @@ Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registr
                                        const EffectBlocks& effects) {
   CUTICLE_TRY(check_effects(effects));
   CUTICLE_TRY(strands::validate(rest));
-  return std::unique_ptr<Solver>(std::make_unique<ClassicSolver>(rest, make_settings(solver, effects)));
+  return std::unique_ptr<Solver>(
+      std::make_unique<ClassicSolver>(rest, make_settings(registry::from_values<Classic>(solver), effects)));
 }
 
 }  // namespace cuticle::sim::classic

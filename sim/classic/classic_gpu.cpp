@@ -28,11 +28,11 @@ constexpr std::string_view k_pass = "simulate.classic";
 
 /// In the order of the constant ids in constraints.glsl.
 std::vector<std::uint32_t> specialization(const Sweep& sweep) {
-  return {sweep.red_black, sweep.long_range, std::bit_cast<std::uint32_t>(sweep.sphere_root),
+  return {sweep.order == Order::red_black, sweep.long_range, std::bit_cast<std::uint32_t>(sweep.sphere_root),
           std::bit_cast<std::uint32_t>(sweep.sphere_tip)};
 }
 std::span<const std::uint32_t> constraints_code(const Sweep& sweep) {
-  if (sweep.red_black) return constraints_red_black_comp;
+  if (sweep.order == Order::red_black) return constraints_red_black_comp;
   return constraints_comp;
 }
 
@@ -156,7 +156,8 @@ class ClassicGpuSolver final : public GpuSolver {
     commands.begin_pass(k_pass);
     dispatch(commands, integrate_, constants, groups, skinned);
     constants.ends_substep = !touches;
-    dispatch(commands, constraints_, constants, settings_.sweep.red_black ? std::min(strands, k_most_groups) : groups);
+    dispatch(commands, constraints_, constants,
+             settings_.sweep.order == Order::red_black ? std::min(strands, k_most_groups) : groups);
     commands.end_pass();
     if (!touches) return;
     commands.begin_pass(colliders::k_contact_pass);
@@ -178,7 +179,8 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
   CUTICLE_TRY(check_effects(effects));
   CUTICLE_TRY(strands::validate(rest));
   if (rest.vertex_count() == 0) return bad_input("groom: no strands to simulate");
-  auto made = std::make_unique<ClassicGpuSolver>(std::move(device), rest, make_settings(solver, effects));
+  auto made = std::make_unique<ClassicGpuSolver>(std::move(device), rest,
+                                                 make_settings(registry::from_values<Classic>(solver), effects));
   CUTICLE_TRY(made->make());
   return std::unique_ptr<GpuSolver>(std::move(made));
 }

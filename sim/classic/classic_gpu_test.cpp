@@ -200,7 +200,7 @@ TEST(ClassicGpu, HairOnASkin_IsSkinnedThenSimulatedInOneSubmission) {
 TEST(ClassicGpu, SolverOfAHead_RefusesASkin) {
   const strands::Groom groom = ring(2);
   auto kernels = control::controlled_gpu(device(), make_gpu("exact", groom, "", gravity()), groom,
-                                         settings_of("control"))
+                                         registry::from_values<control::Control>(settings_of("control")))
                      .value();
   gpu::Commands commands = device()->record();
   EXPECT_FALSE(kernels->record_on_skin(commands, {}, kernels->positions()).ok());

@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/gravity/gravity.h"
 #include "sim/turn.glslh"
 
 namespace cuticle::sim::classic {
-namespace {
-
-std::uint32_t whole(const registry::ParameterValues& values, std::string_view name) {
-  return static_cast<std::uint32_t>(values.integer(name));
-}
-
-}  // namespace
-
-std::uint32_t substeps(const registry::ParameterValues& solver, double duration) {
-  return inner_steps(duration, solver.real("inner_step"), whole(solver, "max_substeps"));
-}
 std::uint32_t substeps(const Settings& settings, double duration) {
   return inner_steps(duration, settings.inner_step, settings.max_substeps);
 }
@@ -28,31 +18,16 @@ Result<void> check_effects(const EffectBlocks& effects) {
   return {};
 }
 
-Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  Settings settings;
-  settings.inner_step = solver.real("inner_step");
-  settings.max_substeps = whole(solver, "max_substeps");
-  settings.iterations = whole(solver, "iterations");
-  settings.clamped_vertices = whole(solver, "clamped_vertices");
-  settings.damping = solver.real("damping");
-  settings.shape_stiffness = solver.real("shape_stiffness");
-  settings.shape_tip = static_cast<float>(solver.real("shape_tip"));
-  settings.sag_free = settings.shape_stiffness > 0 && solver.boolean("sag_free");
-  settings.sweep = {.red_black = solver.choice("order") == "red_black",
-                    .long_range = solver.boolean("long_range"),
-                    .sphere_root = static_cast<float>(solver.real("sphere_root")),
-                    .sphere_tip = static_cast<float>(solver.real("sphere_tip"))};
-  if (auto gravity = effects.find("gravity"); gravity != effects.end())
-    settings.gravity = gravity->second.rgb("acceleration");
-  if (auto wind = effects.find("wind"); wind != effects.end())
-    settings.streams.push_back(wind::make_wind(wind->second));
-  if (auto water = effects.find("water"); water != effects.end()) {
-    const water::Water around = water::make_water(water->second);
-    settings.streams.push_back(around.current);
-    settings.gravity *= 1 - around.buoyancy;
+Settings make_settings(const Classic& solver, const EffectBlocks& effects) {
+  Settings settings{solver};
+  settings.sag_free = solver.sag_free && solver.shape_stiffness > 0;
+  if (const auto gravity = find_effect<gravity::Gravity>(effects)) settings.gravity = gravity->acceleration;
+  if (const auto wind = find_effect<wind::Wind>(effects)) settings.streams.push_back(*wind);
+  if (const auto water = find_effect<water::Water>(effects)) {
+    settings.streams.push_back(water::current(*water));
+    settings.gravity *= 1 - water::buoyancy(*water);
   }
-  if (auto contact = effects.find("colliders"); contact != effects.end())
-    settings.contact = colliders::make_contact_settings(contact->second);
+  settings.contact = find_effect<colliders::ContactSettings>(effects);
   return settings;
 }
 

@@ -10,31 +10,39 @@
 
 namespace cuticle::sim::classic {
 
+/// Of a sweep over the constraints: root to tip, or every other segment at once, then the rest (H4).
+enum class Order { sequence, red_black };
+
 /// What a sweep of the constraints does.
 struct Sweep {
-  bool red_black = false;                 ///< every other segment at once, then the rest: order of H4; else root to tip
-  bool long_range = true;                 ///< H5: no vertex beyond its arc from the last carried one
-  float sphere_root = 0, sphere_tip = 0;  ///< H6: radii, metres; both 0: no spheres
+  Order order = Order::sequence;
+  bool long_range = true;                 ///< H5
+  float sphere_root = 0, sphere_tip = 0;  ///< H6; both 0: no spheres
   bool has_spheres() const { return sphere_root > 0 || sphere_tip > 0; }
 };
 
-/// Parameters of the solver and of the effects that act in it; see entry.cpp for units, ranges and defaults.
-struct Settings {
-  double inner_step = 0;
-  std::uint32_t max_substeps = 1, iterations = 1, clamped_vertices = 1;
-  double damping = 0, shape_stiffness = 0;
-  float shape_tip = 0;
-  bool sag_free = false;
+/// The solver's parameters.
+struct Classic {
+  static constexpr std::string_view name = "classic";
+  double inner_step = 0.004166666666666667;
+  std::uint32_t max_substeps = 64, iterations = 4, clamped_vertices = 2;
+  double damping = 2, shape_stiffness = 12;
+  float shape_tip = 0.5f;
+  bool sag_free = true;
   Sweep sweep;
-  glm::dvec3 gravity{0};                              ///< m/s^2, less buoyancy; zero without the effect
-  std::vector<wind::Wind> streams;                    ///< of air and of water, those that the scene has
-  std::optional<colliders::ContactSettings> contact;  ///< present with the effect
+};
+void describe(registry::Members& members, Classic& classic);
+
+/// Those, and what the effects that act in it have.
+struct Settings : Classic {
+  glm::dvec3 gravity{0};                                   ///< m/s^2, less buoyancy; zero without the effect
+  std::vector<wind::Wind> streams = {};                    ///< of air and of water, those that the scene has
+  std::optional<colliders::ContactSettings> contact = {};  ///< present with the effect
 };
 /// Error: usage, naming an effect that this solver does not know.
 Result<void> check_effects(const EffectBlocks& effects);
-Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+Settings make_settings(const Classic& solver, const EffectBlocks& effects);
 
-std::uint32_t substeps(const registry::ParameterValues& solver, double duration);
 std::uint32_t substeps(const Settings& settings, double duration);
 
 /// Constants of one substep; the layout is that of the kernels' push constants.

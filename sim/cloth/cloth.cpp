@@ -9,8 +9,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "sim/classic/particles.h"
-#include "sim/control/control.h"
 #include "sim/colliders/contact.glslh"
+#include "sim/control/control.h"
 
 namespace cuticle::sim {
 namespace {
@@ -46,13 +46,7 @@ strands::Groom sheet_of(const strands::Mesh& mesh, std::span<const float> weight
   return sheet;
 }
 
-registry::ParameterValues whole_control() {
-  registry::ParameterValues values;
-  for (const char* name : {"root", "tip"}) values.set(name, 1.0);
-  for (const char* name : {"begin", "fade"}) values.set(name, 0.0);
-  values.set("end", 1e9);
-  return values;
-}
+constexpr control::Control k_whole_control{.root = 1, .tip = 1, .begin = 0, .end = 1e9, .fade = 0};
 
 class Sheet final : public Solver {
  public:
@@ -171,14 +165,11 @@ Result<void> check(const strands::Mesh& mesh, std::span<const float> weights) {
 }  // namespace
 
 Result<std::unique_ptr<Solver>> make_cloth(const strands::Mesh& mesh, std::span<const float> weights,
-                                           const registry::ParameterValues& values, const EffectBlocks& effects) {
+                                           const cloth::Cloth& cloth, const EffectBlocks& effects) {
   CUTICLE_TRY(classic::check_effects(effects));
   CUTICLE_TRY(check(mesh, weights));
-  CUTICLE_ASSIGN(const Effect* classic, find_effect("classic"));
-  registry::ParameterValues solver = registry::default_values(classic->entry.parameters);
-  for (const auto& [name, value] : values.all()) solver.set(name, value);
-  return control::controlled(std::make_unique<Sheet>(mesh, weights, classic::make_settings(solver, effects)),
-                             sheet_of(mesh, weights), whole_control());
+  return control::controlled(std::make_unique<Sheet>(mesh, weights, classic::make_settings(cloth, effects)),
+                             sheet_of(mesh, weights), k_whole_control);
 }
 
 }  // namespace cuticle::sim

@@ -1,6 +1,6 @@
 // Fins against mechanics, their skin and their weights.
-#include "sim/classic/test_strands.h"
 #include "sim/cloth/cloth.h"
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::cloth_test {
 namespace {
@@ -27,7 +27,8 @@ Fin strip(std::uint32_t columns, bool rigid_root = true) {
   return fin;
 }
 std::unique_ptr<Solver> cloth(const Fin& fin, const std::string& settings, const EffectBlocks& effects = gravity()) {
-  return make_cloth(fin.mesh, fin.weights, settings_of("cloth", settings), effects).value();
+  return make_cloth(fin.mesh, fin.weights, registry::from_values<cloth::Cloth>(settings_of("cloth", settings)), effects)
+      .value();
 }
 double worst_edge(const Fin& fin, const State& state) {
   double worst = 0;
@@ -130,9 +131,7 @@ TEST(Cloth, SheetThatFallsOnABall_StaysOutside) {
 
 TEST(Cloth, MeshThatDoesNotFit_IsRefusedByName) {
   Fin fin = strip(2);
-  const auto refused = [&] {
-    return make_cloth(fin.mesh, fin.weights, settings_of("cloth"), gravity()).error().message;
-  };
+  const auto refused = [&] { return make_cloth(fin.mesh, fin.weights, cloth::Cloth{}, gravity()).error().message; };
   fin.mesh.positions[5].z = NAN;
   EXPECT_THAT(refused(), ::testing::HasSubstr("positions[5]: component 2"));
   fin.mesh.positions[5].z = 0;

@@ -57,7 +57,7 @@ void lead_by_chance(const strands::Groom& rest, const Settings& settings, const 
                     std::vector<std::uint32_t>& guides) {
   std::vector<std::uint32_t> leaders;
   for (std::uint32_t s : able)
-    if (random_stream(settings.seed, Chance::lock, s).next_unit() < 1 / settings.strands_per_clump)
+    if (random_stream(settings.seed, Chance::lock, s).next_unit() < 1.0 / double(settings.strands_per_clump))
       leaders.push_back(s);
   if (leaders.empty()) return;
   tbb::parallel_for(std::size_t(0), able.size(),
@@ -124,15 +124,6 @@ void join(chains::Chains<Real>& chains, const chains::ChainPlace& follower, cons
 }
 
 }  // namespace
-
-Settings make_settings(const registry::ParameterValues& values) {
-  return {values.real("rate"),
-          values.real("tightness"),
-          values.real("profile"),
-          values.real("noise"),
-          double(values.integer("strands_per_clump")),
-          std::uint64_t(values.integer("seed"))};
-}
 
 std::vector<std::uint32_t> guides_of(const strands::Groom& rest, const Settings& settings) {
   std::vector<std::uint32_t> guides(rest.strand_count()), able;

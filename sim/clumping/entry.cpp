@@ -1,20 +1,9 @@
-#include "sim/effect_parameters.h"
+#include "sim/clumping/settings.h"
 #include "sim/solver.h"
 
 namespace cuticle::sim::clumping {
 namespace {
 
-constexpr registry::Parameter k_parameters[] = {
-    real_parameter("rate", "1/s", 0, 1e9, "20", "of the critically damped pull towards the place in the clump"),
-    real_parameter("tightness", "1", 0, 1, "0.8",
-                   "share of the distance from the guide at rest that is gone at the tip; 0: the distance is kept"),
-    real_parameter("profile", "1", 0.1, 8, "1",
-                   "where a clump closes: tightness times (arc over length)^profile; below 1 near the root"),
-    real_parameter("noise", "1", 0, 1, "0.2", "by what share of it at most a strand's tightness is less, by chance"),
-    whole_parameter("strands_per_clump", 1, 100000, "12",
-                    "mean number of strands of a clump where the groom has no attribute 'clump'"),
-    whole_parameter("seed", 0, 1e9, "1", "of the chance that makes guides and noise"),
-};
 constexpr std::string_view k_demands[] = {"simulation", "clumping"};
 constexpr std::string_view k_systems[] = {"H9"};
 
@@ -23,13 +12,25 @@ std::uint32_t dispatches(const registry::ParameterValues&, const registry::Frame
 
 }  // namespace
 
+void describe(registry::Members& members, Settings& clumping) {
+  members(clumping.rate, "rate", "1/s", 0, 1e9, "of the critically damped pull towards the place in the clump");
+  members(clumping.tightness, "tightness", "1", 0, 1,
+          "share of the distance from the guide at rest that is gone at the tip; 0: the distance is kept");
+  members(clumping.profile, "profile", "1", 0.1, 8,
+          "where a clump closes: tightness times (arc over length)^profile; below 1 near the root");
+  members(clumping.noise, "noise", "1", 0, 1, "by what share of it at most a strand's tightness is less, by chance");
+  members(clumping.strands_per_clump, "strands_per_clump", 1, 100000,
+          "mean number of strands of a clump where the groom has no attribute 'clump'");
+  members(clumping.seed, "seed", 0, 1e9, "of the chance that makes guides and noise");
+}
+
 const Effect& entry() {
   static const Effect effect = {
       .entry = {.kind = registry::EntryKind::effect,
-                .name = "clumping",
+                .name = Settings::name,
                 .summary = "strands are pulled to their clump's guide strand, the nearer the farther from the root",
                 .source = "clump scale, roundness and noise of HairWorks: docs/systems.md, H9",
-                .parameters = k_parameters,
+                .parameters = registry::table_of<Settings>(),
                 .demands = k_demands,
                 .stage = registry::Stage::simulate,
                 .systems = k_systems,

@@ -1,16 +1,15 @@
 #pragma once
-// The parameters of clumping as numbers.
-#include <cstdint>
-
-#include "core/registry/parameter.h"
+// The parameters of clumping.
+#include "core/registry/members.h"
 
 namespace cuticle::sim::clumping {
 
-/// See entry.cpp for units, ranges and defaults.
 struct Settings {
-  double rate = 0, tightness = 0, profile = 1, noise = 0, strands_per_clump = 1;
-  std::uint64_t seed = 0;
+  static constexpr std::string_view name = "clumping";
+  double rate = 20, tightness = 0.8, profile = 1, noise = 0.2;
+  std::int64_t strands_per_clump = 12;
+  std::uint64_t seed = 1;
 };
-Settings make_settings(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 }  // namespace cuticle::sim::clumping

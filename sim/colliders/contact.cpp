@@ -1,7 +1,7 @@
 #include "sim/colliders/contact.h"
 
-#include "sim/head_motion.h"
 #include "sim/colliders/contact.glslh"
+#include "sim/head_motion.h"
 #include "sim/turn.glslh"
 
 namespace cuticle::sim::colliders {
@@ -29,11 +29,6 @@ void append(std::vector<glm::vec4>& packed, std::span<const Sphere> still,
 }
 
 }  // namespace
-
-ContactSettings make_contact_settings(const registry::ParameterValues& values) {
-  return {static_cast<float>(values.real("pearl_radius")), values.boolean("fit_pearls"),
-          static_cast<float>(values.real("friction"))};
-}
 
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres) {
   std::vector<glm::vec4> result;

@@ -11,11 +11,12 @@
 namespace cuticle::sim::colliders {
 
 struct ContactSettings {
-  float pearl_radius = 0;  ///< metres, of the sphere on every particle
-  bool fit_pearls = true;  ///< grow each pearl until its straight segments clear the sphere
-  float friction = 0;      ///< Coulomb's coefficient
+  static constexpr std::string_view name = "colliders";
+  float pearl_radius = 0.001f;
+  bool fit_pearls = true;
+  float friction = 0;
 };
-ContactSettings make_contact_settings(const registry::ParameterValues& values);
+void describe(registry::Members& members, ContactSettings& contact);
 
 /// xyz: centre in the head's rest space; w: radius; metres.
 std::vector<glm::vec4> packed(std::span<const Sphere> spheres);

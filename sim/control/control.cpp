@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "sim/rest_pose.h"
 #include "sim/control/control.glslh"
+#include "sim/rest_pose.h"
 
 namespace cuticle::sim::control {
 namespace {
@@ -20,9 +20,9 @@ float painted(const strands::Groom& rest, std::size_t strand, std::size_t vertex
   return index < values.size() ? std::clamp(values[index], 0.f, 1.f) : 1.f;
 }
 
-std::vector<float> base_weights(const strands::Groom& rest, const registry::ParameterValues& values) {
+std::vector<float> base_weights(const strands::Groom& rest, const Control& control) {
   const RestPose pose = make_rest_pose(rest, 1);
-  const float at_root = static_cast<float>(values.real("root")), at_tip = static_cast<float>(values.real("tip"));
+  const float at_root = static_cast<float>(control.root), at_tip = static_cast<float>(control.tip);
   std::vector<float> weights(rest.vertex_count());
   for (std::size_t s = 0; s < rest.strand_count(); ++s)
     for (std::size_t i = rest.offsets[s]; i < rest.offsets[s + 1]; ++i)
@@ -80,23 +80,21 @@ class ControlledSolver final : public Solver {
 
 }  // namespace
 
-Authored::Authored(const strands::Groom& rest, const registry::ParameterValues& values)
+Authored::Authored(const strands::Groom& rest, const Control& control)
     : rest_(rest.positions),
       places_(rest.positions),
       velocities_(rest.vertex_count(), glm::vec3(0)),
-      base_(base_weights(rest, values)),
+      base_(base_weights(rest, control)),
       weights_(rest.vertex_count(), 0.f),
       weight_rates_(rest.vertex_count(), 0.f),
-      begin_(values.real("begin")),
-      end_(values.real("end")),
-      fade_(values.real("fade")) {}
+      control_(control) {}
 
 Result<void> Authored::advance(const FrameInput& input) {
   CUTICLE_TRY(check(input, rest_.size()));
   const bool still = !placed_ || input.teleport || !(input.duration > 0);
   const float per_second = still ? 0.f : static_cast<float>(1 / input.duration);
   time_ += input.duration;
-  const float share = static_cast<float>(window(time_, begin_, end_, fade_));
+  const float share = static_cast<float>(window(time_, control_.begin, control_.end, control_.fade));
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     const glm::vec3 place =
         input.authored.empty() ? glm::vec3(input.head_end * glm::dvec4(rest_[i], 1)) : input.authored[i];
@@ -120,9 +118,8 @@ void Authored::blend(State& state) const {
   }
 }
 
-std::unique_ptr<Solver> controlled(std::unique_ptr<Solver> solver, const strands::Groom& rest,
-                                   const registry::ParameterValues& values) {
-  return std::make_unique<ControlledSolver>(std::move(solver), Authored(rest, values));
+std::unique_ptr<Solver> controlled(std::unique_ptr<Solver> solver, const strands::Groom& rest, const Control& control) {
+  return std::make_unique<ControlledSolver>(std::move(solver), Authored(rest, control));
 }
 
 }  // namespace cuticle::sim::control

@@ -6,10 +6,16 @@
 
 namespace cuticle::sim::control {
 
+struct Control {
+  static constexpr std::string_view name = "control";
+  double root = 0.5, tip = 0, begin = 0, end = 1e6, fade = 0.5;
+};
+void describe(registry::Members& members, Control& control);
+
 /// The authored motion and its weights, frame by frame.
 class Authored {
  public:
-  Authored(const strands::Groom& rest, const registry::ParameterValues& values);
+  Authored(const strands::Groom& rest, const Control& control);
   /// Error: bad_input naming the vertex when FrameInput::authored or ::control has the wrong size, a place is not
   /// finite or a weight is outside 0 .. 1; nothing is then remembered.
   Result<void> advance(const FrameInput& input);
@@ -23,13 +29,13 @@ class Authored {
  private:
   std::vector<glm::vec3> rest_, places_, velocities_;
   std::vector<float> base_, weights_, weight_rates_;  ///< rates: 1/s
-  double time_ = 0, begin_ = 0, end_ = 0, fade_ = 0;
+  double time_ = 0;
+  Control control_;
   bool placed_ = false;
 };
 
 /// A solver whose states are those of `solver` blended with the authored motion; the simulation itself is not touched,
 /// so that a weight may rise and fall at any time. See FrameInput for the authored motion and weights of a frame.
-std::unique_ptr<Solver> controlled(std::unique_ptr<Solver> solver, const strands::Groom& rest,
-                                   const registry::ParameterValues& values);
+std::unique_ptr<Solver> controlled(std::unique_ptr<Solver> solver, const strands::Groom& rest, const Control& control);
 
 }  // namespace cuticle::sim::control

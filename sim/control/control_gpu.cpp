@@ -76,8 +76,8 @@ class ControlledGpuSolver final : public GpuSolver {
 
 Result<std::unique_ptr<GpuSolver>> controlled_gpu(std::shared_ptr<gpu::Device> device,
                                                   std::unique_ptr<GpuSolver> solver, const strands::Groom& rest,
-                                                  const registry::ParameterValues& values) {
-  auto made = std::make_unique<ControlledGpuSolver>(std::move(device), std::move(solver), Authored(rest, values));
+                                                  const Control& control) {
+  auto made = std::make_unique<ControlledGpuSolver>(std::move(device), std::move(solver), Authored(rest, control));
   CUTICLE_TRY(made->make());
   return std::unique_ptr<GpuSolver>(std::move(made));
 }

@@ -1,6 +1,6 @@
 // The blend on the device against that on the CPU, and its one dispatch.
-#include "sim/classic/test_gpu.h"
 #include "sim/control/control_gpu.h"
+#include "sim/classic/test_gpu.h"
 
 namespace cuticle::sim::control_gpu_test {
 namespace {
@@ -9,9 +9,10 @@ using namespace testing;
 
 TEST(ControlGpu, PositionsAndVelocitiesOnTheDevice_AreThoseOfTheBlendedState) {
   const strands::Groom groom = ring(20);
-  auto solver = control::controlled_gpu(device(), make_gpu("classic", groom, "", gravity()), groom,
-                                        settings_of("control", "root=1,tip=0.25"))
-                    .value();
+  auto solver =
+      control::controlled_gpu(device(), make_gpu("classic", groom, "", gravity()), groom,
+                              registry::from_values<control::Control>(settings_of("control", "root=1,tip=0.25")))
+          .value();
   const State state = run_frames(*solver, 5);
   const std::vector<glm::vec4> world =
       gpu::read_buffer<glm::vec4>(*device(), solver->positions(), groom.vertex_count()).value();
@@ -28,8 +29,9 @@ TEST(ControlGpu, PositionsAndVelocitiesOnTheDevice_AreThoseOfTheBlendedState) {
 TEST(ControlGpu, OneDispatchMore_AndNoneWithoutTheEffect) {
   const strands::Groom groom = ring(4);
   auto free = make_gpu("exact", groom, "", gravity());
-  auto held =
-      control::controlled_gpu(device(), make_gpu("exact", groom, "", gravity()), groom, settings_of("control")).value();
+  auto held = control::controlled_gpu(device(), make_gpu("exact", groom, "", gravity()), groom,
+                                      registry::from_values<control::Control>(settings_of("control")))
+                  .value();
   const auto without = recorded(*free, frame_of(0)), with = recorded(*held, frame_of(0));
   EXPECT_EQ(without.count("simulate.control"), 0u);
   EXPECT_EQ(with.at("simulate.control"), 1u);

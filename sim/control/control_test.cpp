@@ -1,6 +1,6 @@
 // Manual control: the blend, its weights over hair, vertex and time, and that the simulation runs on beneath.
-#include "sim/classic/test_strands.h"
 #include "sim/control/control.h"
+#include "sim/classic/test_strands.h"
 
 namespace cuticle::sim::control_test {
 namespace {
@@ -8,7 +8,8 @@ namespace {
 using namespace testing;
 
 std::unique_ptr<Solver> with_control(const strands::Groom& groom, const std::string& settings) {
-  return control::controlled(make_exact(groom, "", gravity()), groom, settings_of("control", settings));
+  return control::controlled(make_exact(groom, "", gravity()), groom,
+                             registry::from_values<control::Control>(settings_of("control", settings)));
 }
 std::vector<glm::vec3> carried(const strands::Groom& groom, const glm::dmat4& head) {
   std::vector<glm::vec3> places;

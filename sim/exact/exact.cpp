@@ -16,10 +16,12 @@ const Kernels& best_kernels() {
 #endif
 }
 
-chains::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
+chains::ChainSettings make_settings(const registry::ParameterValues& values, const EffectBlocks& effects) {
+  const Exact solver = registry::from_values<Exact>(values);
   chains::ChainSettings settings = chains::make_chain_settings(solver, effects);
-  settings.shape_stiffness = solver.real("shape_stiffness");
-  settings.shape_tip = solver.real("shape_tip");
+  settings.clamped_vertices = solver.clamped_vertices;
+  settings.shape_stiffness = solver.shape_stiffness;
+  settings.shape_tip = solver.shape_tip;
   return settings;
 }
 

@@ -7,7 +7,13 @@
 namespace cuticle::sim::exact {
 
 /// The solver's parameters and those of its effects as numbers.
-chains::ChainSettings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects);
+struct Exact : chains::ChainParameters {
+  static constexpr std::string_view name = "exact";
+  std::uint32_t clamped_vertices = 2;
+  double shape_stiffness = 12, shape_tip = 0.5;
+};
+void describe(registry::Members& members, Exact& exact);
+chains::ChainSettings make_settings(const registry::ParameterValues& values, const EffectBlocks& effects);
 
 /// A solver for these strands, in metres. Effects that are read: "gravity", "colliders" (spheres, with friction),
 /// "wind", "water". Runs blocks of strands in parallel; the result is bit-identical at any number of threads, and a

@@ -108,8 +108,8 @@ void fill_lane(chains::Rows<Real>& hinges, std::size_t first, std::size_t lane, 
     return hinges[((first + i) * hinge_row::count + row) * k_lanes + lane];
   };
   for (int c = 0; c < 3; ++c) {
-    at(0, std::size_t(hinge_row::direction + c)) = Real(rod.directions[0][c]);
-    at(0, std::size_t(hinge_row::director + c)) = Real(rod.directors[0][c]);
+    at(0, std::size_t(clamp_row::direction + c)) = Real(rod.directions[0][c]);
+    at(0, std::size_t(clamp_row::director + c)) = Real(rod.directors[0][c]);
   }
   Balance below;
   for (std::size_t i = rod.links(); i >= 1; --i) {

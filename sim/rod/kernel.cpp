@@ -148,9 +148,9 @@ struct Bending {
 /// The clamp's direction and director stand where a vertex has its own.
 template <class Real>
 [[gnu::always_inline]] inline Bending<Real> clamped(const RodVertex<Real>& root, const ChainStep<Real>& step) {
-  const Vector<Real> direction = turned_to_end(step, root.hinge_vector(hinge_row::direction));
+  const Vector<Real> direction = turned_to_end(step, root.hinge_vector(clamp_row::direction));
   root.put_scratch(scratch_row::direction, direction);
-  return {direction, turned_to_end(step, root.hinge_vector(hinge_row::director)),
+  return {direction, turned_to_end(step, root.hinge_vector(clamp_row::director)),
           sane_angle(root.hinge_at(hinge_row::angle))};
 }
 

@@ -34,12 +34,13 @@ Result<std::unique_ptr<Solver>> make(const strands::Groom& rest, const Settings&
 
 }  // namespace
 
-Settings make_settings(const registry::ParameterValues& solver, const EffectBlocks& effects) {
-  Settings settings{.chain = chains::make_chain_settings(solver, effects), .stiffness = {}};
-  const double radius = solver.real("fibre_radius"), density = solver.real("density");
-  settings.stiffness.bending = solver.real("young_modulus") * radius * radius / (4 * density);
-  settings.stiffness.twisting = solver.real("shear_modulus") * radius * radius / (2 * density);
-  if (settings.chain.sag_free) settings.balanced_gravity = settings.chain.gravity;
+Settings make_settings(const registry::ParameterValues& values, const EffectBlocks& effects) {
+  const Rod rod = registry::from_values<Rod>(values);
+  Settings settings{.chain = chains::make_chain_settings(rod, effects), .stiffness = {}};
+  settings.chain.clamped_vertices = rod.clamped_vertices;
+  settings.stiffness.bending = rod.young_modulus * rod.fibre_radius * rod.fibre_radius / (4 * rod.density);
+  settings.stiffness.twisting = rod.shear_modulus * rod.fibre_radius * rod.fibre_radius / (2 * rod.density);
+  if (rod.sag_free) settings.balanced_gravity = settings.chain.gravity;
   return settings;
 }
 

@@ -34,10 +34,6 @@ bool rest(std::vector<Placement>& before, const FrameInput& input) {
 
 }  // namespace
 
-Settings make_settings(const registry::ParameterValues& values) {
-  return {float(values.real("speed")), float(values.real("time"))};
-}
-
 bool Watch::is_still(const FrameInput& input, const std::vector<Push>& pushes) {
   bool still = started_ && !input.teleport && !pushes.empty() && input.head_begin == head_ && input.head_end == head_;
   still &= kept(colliders_, input.colliders);

@@ -6,12 +6,11 @@
 
 namespace cuticle::sim::sleep {
 
-/// See entry.cpp for ranges and defaults.
 struct Settings {
-  float speed = 0;  ///< m/s, of a strand's fastest vertex
-  float time = 0;   ///< seconds
+  static constexpr std::string_view name = "sleep";
+  float speed = 0.002f, time = 0.5f;
 };
-Settings make_settings(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& sleep);
 
 /// What acts on all strands alike in a substep: m/s^2 and 1/s.
 struct Push {

@@ -1,13 +1,13 @@
 #pragma once
-// The parameters of strand against strand as numbers.
-#include "core/registry/parameter.h"
+// The parameters of strand against strand.
+#include "core/registry/members.h"
 
 namespace cuticle::sim::strand_interaction {
 
-/// See entry.cpp for units, ranges and defaults.
 struct Settings {
-  double cell = 0, smoothing = 0, pressure = 0, onset = 1, most_acceleration = 0;
+  static constexpr std::string_view name = "strand_interaction";
+  double cell = 0.02, smoothing = 4, pressure = 0.3, onset = 1, most_acceleration = 50;
 };
-Settings make_settings(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 }  // namespace cuticle::sim::strand_interaction

@@ -26,11 +26,6 @@ glm::vec3 counted(const glm::vec3& velocity) {
 
 }  // namespace
 
-Settings make_settings(const registry::ParameterValues& values) {
-  return {values.real("cell"), values.real("smoothing"), values.real("pressure"), values.real("onset"),
-          values.real("most_acceleration")};
-}
-
 std::vector<float> rest_densities(const StrandGrid& grid, const strands::Groom& rest, double onset) {
   GridSums sums(grid);
   const std::vector<glm::vec3> still(rest.vertex_count(), glm::vec3(0));

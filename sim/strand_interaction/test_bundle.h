@@ -26,7 +26,7 @@ inline std::vector<glm::vec3> random_vectors(std::size_t count, float most) {
 }
 
 inline strand_interaction::Settings interaction_settings(const std::string& assignments = {}) {
-  return strand_interaction::make_settings(settings_of("strand_interaction", assignments));
+  return registry::from_values<strand_interaction::Settings>(settings_of("strand_interaction", assignments));
 }
 inline EffectBlocks gravity_and_interaction(const std::string& assignments = {}) {
   return {{"gravity", settings_of("gravity")}, {"strand_interaction", settings_of("strand_interaction", assignments)}};

@@ -5,10 +5,17 @@
 namespace cuticle::sim::water {
 
 struct Water {
-  double buoyancy =
-      0;  ///< share of the weight that the displaced water carries: density of water over that of the fibre
-  wind::Wind current;
+  static constexpr std::string_view name = "water";
+  double density = 1000, fibre_density = 1300;
+  glm::dvec3 current{0.1, 0, 0};
+  double drag = 12, swell = 1, swell_frequency = 0.25;
 };
-Water make_water(const registry::ParameterValues& values);
+void describe(registry::Members& members, Water& water);
+
+/// Share of the weight that the displaced water carries.
+inline double buoyancy(const Water& water) { return water.density / water.fibre_density; }
+inline wind::Wind current(const Water& water) {
+  return {water.current, water.drag, water.swell, water.swell_frequency};
+}
 
 }  // namespace cuticle::sim::water

@@ -5,10 +5,6 @@
 
 namespace cuticle::sim::wind {
 
-Wind make_wind(const registry::ParameterValues& values) {
-  return {values.rgb("velocity"), values.real("drag"), values.real("gust"), values.real("gust_frequency")};
-}
-
 Push push_at(const Wind& wind, double time) {
   const double swing = 1 + wind.gust * std::sin(2 * std::numbers::pi * wind.gust_frequency * time);
   return {wind.velocity * (wind.drag * swing), wind.drag};

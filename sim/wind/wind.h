@@ -3,16 +3,16 @@
 // strand's mass is, so that it does not depend on how a strand is cut into segments.
 #include <glm/vec3.hpp>
 
-#include "core/registry/parameter.h"
+#include "core/registry/members.h"
 
 namespace cuticle::sim::wind {
 
 struct Wind {
-  glm::dvec3 velocity{0};               ///< m/s, world
-  double drag = 0;                      ///< 1/s: rate at which a free fibre takes on the air's velocity
-  double gust = 0, gust_frequency = 0;  ///< share of the velocity by which it swings; 1/s
+  static constexpr std::string_view name = "wind";
+  glm::dvec3 velocity{2, 0, 0};
+  double drag = 3, gust = 0.5, gust_frequency = 0.7;
 };
-Wind make_wind(const registry::ParameterValues& values);
+void describe(registry::Members& members, Wind& wind);
 
 /// What the air does to a fibre of velocity v at one time: acceleration - drag v.
 struct Push {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "strands/formats/words.h"
 
@@ -61,7 +63,27 @@ std::string list_of_extensions(bool to_write) {
   return list;
 }
 
+namespace {
+
+/// Which grooms a folder holds that was given in place of one.
+Error refusal_of_folder(const std::string& path) {
+  std::vector<std::string> grooms;
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(path, failed))
+    if (entry.is_regular_file(failed) && format_of(entry.path().string())) grooms.push_back(entry.path().filename());
+  std::ranges::sort(grooms);
+  if (grooms.empty())
+    return bad_input(fmt::format("{}: is a folder without a groom in it", path),
+                     "give a groom file: " + list_of_extensions(false));
+  return bad_input(fmt::format("{}: is a folder, not a groom; it holds {}", path, fmt::join(grooms, ", ")),
+                   (std::filesystem::path(path) / grooms.front()).string());
+}
+
+}  // namespace
+
 Result<const Format*> format_of(const std::string& path, bool to_write) {
+  std::error_code failed;
+  if (!to_write && std::filesystem::is_directory(path, failed)) return refusal_of_folder(path);
   const std::string extension = extension_of(path);
   for (const Format* format : formats()) {
     if (has(format->extensions, extension) && (!to_write || format->format)) return format;

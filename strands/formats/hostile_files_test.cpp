@@ -1,4 +1,5 @@
-// Files that state other counts than they hold. The bytes end where memory ends, so that reading one more ends the test.
+// Files that state other counts than they hold. The bytes end where memory ends, so that reading one more ends the
+// test.
 #include <cstring>
 #include <string>
 
@@ -61,7 +62,8 @@ TEST(HostileNpz, ArrayOfNoAxesAndNoBytes_IsRefused) {
 }
 
 TEST(HostileNpz, AxesWhoseProductOverflows_AreRefused) {
-  const auto read = parse("npz", npy("{'descr': '<f4', 'fortran_order': False, 'shape': (999999999999999, 999999999999999, 3)}"));
+  const auto read =
+      parse("npz", npy("{'descr': '<f4', 'fortran_order': False, 'shape': (999999999999999, 999999999999999, 3)}"));
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, HasSubstr("shape"));
 }
@@ -70,7 +72,8 @@ TEST(HostileNpz, HeaderThatEndsWithinTheType_IsRefused) {
   EXPECT_THAT(parse("npz", npy("'descr':'<f4")).error().message, HasSubstr("descr"));
 }
 
-std::string vtp(const std::string& lines, const std::string& points, const std::string& data, const std::string& more = "") {
+std::string vtp(const std::string& lines, const std::string& points, const std::string& data,
+                const std::string& more = "") {
   return fmt::format(
       "<VTKFile type=\"PolyData\" {}><PolyData><Piece NumberOfLines=\"1\"><Points>{}</Points><Lines>{}</Lines>"
       "<PointData>{}</PointData></Piece></PolyData></VTKFile>",
@@ -78,9 +81,10 @@ std::string vtp(const std::string& lines, const std::string& points, const std::
 }
 
 TEST(HostileVtp, LineWithoutPoints_IsRefusedAlsoForRepair) {
-  const std::string text = vtp(
-      "<DataArray Name=\"connectivity\" format=\"ascii\"></DataArray><DataArray Name=\"offsets\" format=\"ascii\">0</DataArray>",
-      "<DataArray format=\"ascii\"></DataArray>", "<DataArray Name=\"heat\" format=\"ascii\">1 2 3</DataArray>");
+  const std::string text =
+      vtp("<DataArray Name=\"connectivity\" format=\"ascii\"></DataArray><DataArray Name=\"offsets\" "
+          "format=\"ascii\">0</DataArray>",
+          "<DataArray format=\"ascii\"></DataArray>", "<DataArray Name=\"heat\" format=\"ascii\">1 2 3</DataArray>");
   for (const Damage damage : {Damage::refuse, Damage::keep}) EXPECT_FALSE(parse("vtp", text, damage));
 }
 
@@ -116,8 +120,9 @@ class WithLimit : public testing::Test {
 };
 
 TEST_F(WithLimit, VtpThatUnfoldsBeyondIt_IsRefused) {
-  const std::string text = vtp("", fmt::format("<DataArray type=\"Float32\" format=\"binary\">{}</DataArray>", packed_zeros(32, 1 << 20)),
-                               "", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\"");
+  const std::string text =
+      vtp("", fmt::format("<DataArray type=\"Float32\" format=\"binary\">{}</DataArray>", packed_zeros(32, 1 << 20)),
+          "", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\"");
   ASSERT_LT(text.size(), 100000u);
   const auto read = parse("vtp", text);
   ASSERT_FALSE(read);
@@ -131,9 +136,10 @@ TEST_F(WithLimit, UsdaThatRepeatsMuchForEveryStrand_IsRefused) {
     points += "(0,0,0),(1,0,0),";
   }
   for (int i = 0; i < 10000; ++i) values += "1,";
-  const auto read = parse("usda", fmt::format(
-      "#usda 1.0\ndef BasisCurves \"a\" {{ uniform token type = \"linear\" int[] curveVertexCounts = [{}] point3f[] points = [{}] "
-      "float[] primvars:wide = [{}] ( elementSize = 10000 ) }}", counts, points, values));
+  const auto read = parse("usda", fmt::format("#usda 1.0\ndef BasisCurves \"a\" {{ uniform token type = \"linear\" "
+                                              "int[] curveVertexCounts = [{}] point3f[] points = [{}] "
+                                              "float[] primvars:wide = [{}] ( elementSize = 10000 ) }}",
+                                              counts, points, values));
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, HasSubstr("10000 numbers for each of 2000 strands needs 76 MiB"));
 }

@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/json/json.h"
+#include "core/json/position.h"
 #include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
@@ -135,8 +136,8 @@ GroomingSpecification default_specification() {
 }
 
 Result<GroomingSpecification> parse_specification(std::string_view text, const std::string& where) {
-  const Result<Json> parsed = Json::parse(text);
-  if (!parsed) return bad_input(fmt::format("{}: not valid JSON", where));
+  const Result<Json> parsed = Json::parse(without_comments(text));
+  if (!parsed) return bad_input(fmt::format("{}: {}", where, parsed.error().message), parsed.error().hint);
   const Json& root = *parsed;
   if (!root.is_object()) return bad_input(fmt::format("{}: not a JSON object", where), "{\"schema_version\": 1}");
   CUTICLE_TRY(check_keys(root, where));

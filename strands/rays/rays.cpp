@@ -5,17 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include <embree3/rtcore.h>
 #include <fmt/core.h>
 
+#include "strands/rays/detail/embree_curves.h"
 #include "strands/rays/round_cone.h"
 
 namespace cuticle::strands {
-
-/// A segment of a strand, by its first vertex.
-struct RaySegment {
-  std::uint32_t first = 0, strand = 0;
-};
 
 namespace {
 
@@ -42,31 +37,6 @@ std::vector<RaySegment> segments_of(const Groom& groom, bool with_length) {
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
       if ((groom.positions[v] != groom.positions[v + 1]) == with_length) segments.push_back({v, s});
   return segments;
-}
-
-/// Embree's single precision misses rays near the surface of long segments, and finds rays that pass beside a segment
-/// (of curled hair one crossing in forty): it is asked for fibres a little wider, and what it finds is tested in
-/// double.
-constexpr float k_wider = 1.02f;
-
-/// `count` spheres as Embree's vertices; sphere(i): position and radius. Null: no memory.
-bool fill_vertices(RTCGeometry geometry, std::size_t count, const auto& sphere) {
-  auto* vertices = static_cast<glm::vec4*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), count));
-  if (!vertices) return false;
-  for (std::size_t i = 0; i < count; ++i) vertices[i] = sphere(i) * glm::vec4(1, 1, 1, k_wider);
-  return true;
-}
-
-/// Each segment is a round cone with both its end spheres (flags 0).
-void fill_segments(RTCGeometry geometry, const std::vector<RaySegment>& segments) {
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, segments.size()));
-  auto* flags = static_cast<std::uint8_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, segments.size()));
-  if (!indices || !flags) return;
-  for (std::size_t i = 0; i < segments.size(); ++i) indices[i] = segments[i].first;
-  std::fill_n(flags, segments.size(), std::uint8_t(0));
 }
 
 RTCRayHit make_ray(const glm::dvec3& origin, const glm::dvec3& direction) {

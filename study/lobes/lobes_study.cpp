@@ -63,9 +63,10 @@ Result<LobesStudy> run_lobes_study(const LobesRequest& request, Progress& progre
   study.fibre_name = request.fibre_name;
   Plot albedo{"albedo", "albedo of all models", "theta_o, degrees", "albedo (green)", false, {}};
   for (std::size_t i = 0; i < models.size(); ++i) {
-    progress.update(fmt::format("model {}", models[i]->entry.name), i, models.size());
+    progress.update("models", i, models.size());
     CUTICLE_TRY(add_model(study, albedo, *models[i], request));
   }
+  progress.update("models", models.size(), models.size());
   study.plots.push_back(std::move(albedo));
   return study;
 }

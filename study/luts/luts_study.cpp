@@ -45,14 +45,31 @@ Result<lut::TableSet> stored(const lut::TableSet& baked, const lut::Format& form
   return set;
 }
 
-Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& request, Progress& progress) {
+/// Sets made, of those to make.
+struct Steps {
+  Progress& progress;
+  std::size_t total, done = 0;
+  void next() { progress.update("sets of tables", ++done, total); }
+};
+
+bool is_fitted(const LutsRequest& request, const std::string& fit, int size) {
+  return fit == "none" || size <= request.largest_fitted;
+}
+
+/// Of one model and layout.
+std::size_t count_sets(const LutsRequest& request) {
+  std::size_t count = 0;
+  for (const int size : request.sizes)
+    for (const std::string& fit : request.fits) count += is_fitted(request, fit, size) ? request.formats.size() : 0;
+  return count;
+}
+
+Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& request, Steps& steps) {
   CUTICLE_ASSIGN(const lut::TableSet baked,
                  lut::bake(*task.model, task.values, *task.layout, task.size, silent_progress()));
   for (const std::string& fit : request.fits) {
-    if (fit != "none" && task.size > request.largest_fitted) continue;
+    if (!is_fitted(request, fit, task.size)) continue;
     for (const std::string& format : request.formats) {
-      progress.update(
-          fmt::format("{} {} {} {} {}", task.model->entry.name, task.layout->entry.name, task.size, format, fit), 0, 1);
       CUTICLE_ASSIGN(const lut::Format* as, lut::find_format(format));
       CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, *as, fit, silent_progress()));
       LutRow common{std::string(task.model->entry.name), std::string(task.layout->entry.name), format, fit, ""};
@@ -61,6 +78,7 @@ Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& requ
       common.bake_ms = baked.bake_ms;
       CUTICLE_ASSIGN(common.ns, sampling_ns(set, request.points, request.repeats));
       add_rows(study, common, set);
+      steps.next();
     }
   }
   return {};
@@ -78,10 +96,10 @@ Result<std::vector<const lut::Layout*>> chosen_layouts(const LutsRequest& reques
 }
 
 /// A layout that does not fit the model (lobes that it lacks, a near field) is noted and left out.
-Result<void> add_layout(LutsStudy& study, Task task, const LutsRequest& request, Progress& progress) {
+Result<void> add_layout(LutsStudy& study, Task task, const LutsRequest& request, Steps& steps) {
   for (const int size : request.sizes) {
     task.size = size;
-    const Result<void> added = add_set(study, task, request, progress);
+    const Result<void> added = add_set(study, task, request, steps);
     if (added) continue;
     if (added.error().kind != ErrorKind::usage) return added;
     study.skipped.push_back(
@@ -96,14 +114,18 @@ Result<void> add_layout(LutsStudy& study, Task task, const LutsRequest& request,
 Result<LutsStudy> run_luts_study(const LutsRequest& request, Progress& progress) {
   LutsStudy study;
   CUTICLE_ASSIGN(const std::vector<const lut::Layout*> layouts, chosen_layouts(request));
+  int finished = 0;
+  Steps steps{progress, request.models.size() * layouts.size() * count_sets(request)};
   for (const std::string& name : request.models) {
     CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, "", request.settings));
     CUTICLE_ASSIGN(const std::vector<DirectRow> direct,
                    measure_direct(*model, values, request.points, request.repeats));
     study.direct.insert(study.direct.end(), direct.begin(), direct.end());
-    for (const lut::Layout* layout : layouts)
-      CUTICLE_TRY(add_layout(study, {model, values, layout, 0}, request, progress));
+    for (const lut::Layout* layout : layouts) {
+      CUTICLE_TRY(add_layout(study, {model, values, layout, 0}, request, steps));
+      steps.done = count_sets(request) * std::size_t(++finished);  // a layout that does not fit is passed over
+    }
   }
   study.verdicts = verdicts_of(study);
   return study;

@@ -172,10 +172,10 @@ Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& pro
   MotionStudy study;
   const std::vector<MotionCase> cases = motion_cases();
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    progress.update(cases[i].name, i, cases.size());
+    progress.update("scenes", i, cases.size());
     CUTICLE_TRY(add_case(study, cases[i], request));
   }
-  progress.update("truths of mechanics", cases.size(), cases.size());
+  progress.update("scenes", cases.size(), cases.size());
   CUTICLE_ASSIGN(study.truths, run_motion_truths(request.truth_steps));
   return study;
 }

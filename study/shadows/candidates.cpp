@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "study/shadows/comparison.h"
 
 namespace cuticle::study {
@@ -45,6 +47,18 @@ Axis number_axis(const shadows::Method& method, const Numbers& numbers, std::ini
     if (double(n) >= parameter->minimum && double(n) <= parameter->maximum) taken.texts.push_back(std::to_string(n));
   }
   return taken.texts.empty() ? all : taken;
+}
+
+void add_left_out(const shadows::Method& method, const Numbers& numbers,
+                  std::initializer_list<std::string_view> names, std::vector<std::string>& sentences) {
+  const registry::Parameter* parameter = first_of(method, names);
+  if (parameter == nullptr) return;
+  std::vector<std::int64_t> beyond;
+  for (const std::int64_t n : numbers)
+    if (double(n) < parameter->minimum || double(n) > parameter->maximum) beyond.push_back(n);
+  if (!beyond.empty() && beyond.size() < numbers.size())
+    sentences.push_back(fmt::format("{}: {} {} left out, it takes {} .. {}", method.entry.name, parameter->name,
+                                    fmt::join(beyond, ", "), parameter->minimum, parameter->maximum));
 }
 
 /// The texts that the method's parameter takes, all where it takes none; nothing where the method does not have it.
@@ -112,6 +126,16 @@ Result<std::vector<Candidate>> candidates_of(std::span<const std::string> method
     if (added) std::move(of_method.begin(), of_method.end(), std::back_inserter(candidates));
   }
   return candidates;
+}
+
+std::vector<std::string> left_out_of(std::span<const std::string> methods, const Sweep& sweep) {
+  std::vector<std::string> sentences;
+  for (const std::string& name : methods)
+    if (const auto method = shadows::find_method(name)) {
+      add_left_out(**method, sweep.resolutions, {"resolution"}, sentences);
+      add_left_out(**method, sweep.layers, {"slices", "layers"}, sentences);
+    }
+  return sentences;
 }
 
 std::vector<std::string> all_methods() {

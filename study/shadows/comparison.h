@@ -30,6 +30,9 @@ struct Sweep {
 /// Each method with every combination of settings that it knows. A method without slices or layers comes in each of its
 /// registered study cases instead, where layers are swept. Error: usage, for an unknown method or a value out of range.
 Result<std::vector<Candidate>> candidates_of(std::span<const std::string> methods, const Sweep& sweep);
+/// Numbers of the sweep that a method with others of them does not take, a sentence each: "deep_opacity: layers 64
+/// left out, it takes 1 .. 16".
+std::vector<std::string> left_out_of(std::span<const std::string> methods, const Sweep& sweep);
 /// Names of all methods of this build but truth.
 std::vector<std::string> all_methods();
 /// What differs from the defaults, as `--set` would take it.

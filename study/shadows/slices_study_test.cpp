@@ -121,6 +121,9 @@ TEST(Candidates, SweptMethods_TakeWhatTheyKnow) {
   const auto bounds = candidates_of(bounded, {{1, 4, 16, 64}, {64}, {}, {}});
   ASSERT_TRUE(bounds);
   EXPECT_EQ(bounds->size(), 2u) << "the two cases of a method that needs as many pieces as its bound asks for";
+  EXPECT_EQ(left_out_of(spaced, {{4, 16, 64}, {}, {}, {}}),
+            std::vector<std::string>{"deep_opacity: layers 64 left out, it takes 1 .. 16"});
+  EXPECT_TRUE(left_out_of(spaced, {{4, 8}, {}, {}, {}}).empty());
   const std::string unknown[] = {"opacity"};
   EXPECT_FALSE(candidates_of(unknown, {}));
 }

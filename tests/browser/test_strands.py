@@ -23,7 +23,7 @@ MATERIAL = ["--model", "marschner", "--preset", "brown", "--set", "beta_deg=9"]
 def baked(folder, form):
     done = run("bake", *MATERIAL, "--size", SIZE, "--format", form, "--target", "three", "--out", folder)
     assert done.returncode == 0, done.stderr
-    return folder
+    return folder / "three"
 
 
 def dot(a, b):

@@ -11,9 +11,9 @@ from program import run  # noqa: E402
 
 
 def baked(folder, name):
-    done = run("bake", "--model", "marschner", "--preset", "blonde", "--size", 32, "--format", name, "--target", "three", "--out", folder)
+    done = run("bake", "--model", "marschner", "--preset", "blond", "--size", 32, "--format", name, "--target", "three", "--out", folder)
     assert done.returncode == 0, done.stderr
-    return folder
+    return folder / "three"
 
 
 @pytest.mark.parametrize("name", ["exr", "ktx2", "dds", "png8"])

@@ -18,7 +18,7 @@ COUNT = 256
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("lut")
-    done = run("bake", "--model", "marschner", "--preset", "blonde", "--size", 32, "--format", "dds", "--out", made)
+    done = run("bake", "--model", "marschner", "--preset", "blond", "--size", 32, "--format", "dds", "--out", made)
     assert done.returncode == 0, done.stderr
     return made
 

@@ -6,6 +6,7 @@ import hashlib
 import json
 import re
 import shutil
+import subprocess
 import types
 
 import numpy as np
@@ -15,7 +16,7 @@ from lut_files import Tables
 from program import refused, rows, run
 
 FORMATS = ["exr", "png8", "png16", "dds", "ktx2"]
-HAIR = ["--model", "marschner", "--preset", "blonde"]
+HAIR = ["--model", "marschner", "--preset", "blond"]
 
 
 @pytest.fixture(scope="module")
@@ -121,23 +122,23 @@ def targets(tmp_path_factory):
 
 
 def test_Unity_EveryTable_HasAMetaWithItsOwnGuidLinearClampedWithoutMipMaps(targets):
-    texts = [(targets / f"{name}.exr.meta").read_text() for name in ("M", "N_TT_R", "N_TRT")]
+    texts = [(targets / "unity" / f"{name}.exr.meta").read_text() for name in ("M", "N_TT_R", "N_TRT")]
     guids = {re.search(r"^guid: ([0-9a-f]{32})$", text, re.M).group(1) for text in texts}
     assert len(guids) == 3
     for text in texts:
         for setting in ("enableMipMap: 0", "sRGBTexture: 0", "wrapU: 1", "wrapV: 1", "filterMode: 1", "textureCompression: 0"):
             assert setting in text
-    assert "cuticle_verify_probes() == 0" in (targets / "CuticleLutCheck.shader").read_text()
-    assert "@" not in (targets / "CuticleLutImporter.cs").read_text()
+    assert "cuticle_verify_probes() == 0" in (targets / "unity" / "CuticleLutCheck.shader").read_text()
+    assert "@" not in (targets / "unity" / "CuticleLutImporter.cs").read_text()
 
 
 def test_Godot_EveryTable_HasAnImportFileWithoutMipMapsOrCompression(targets):
     for name in ("M", "N_TT_R", "N_TRT"):
         settings = configparser.ConfigParser()
-        settings.read(targets / f"{name}.exr.import")
+        settings.read(targets / "godot" / f"{name}.exr.import")
         assert settings["params"]["mipmaps/generate"] == "false" and settings["params"]["compress/mode"] == "3"
         assert settings["params"]["detect_3d/compress_to"] == "0" and settings["remap"]["importer"] == '"texture"'
-    include = (targets / "cuticle_hair.gdshaderinc").read_text()
+    include = (targets / "godot" / "cuticle_hair.gdshaderinc").read_text()
     assert include.count("filter_linear, repeat_disable") == 3 and "source_color" not in include
 
 
@@ -161,7 +162,7 @@ def test_Unreal_Script_ImportsEveryTableAsData(targets, monkeypatch):
     module = types.ModuleType("unreal")
     module.__getattr__ = lambda name: Recorder(log, name)
     monkeypatch.setitem(__import__("sys").modules, "unreal", module)
-    path = targets / "import_cuticle_lut.py"
+    path = targets / "unreal" / "import_cuticle_lut.py"
     exec(compile(ast.parse(path.read_text()), str(path), "exec"), {"__file__": str(path), "__name__": "script"})
     files = [value.rsplit("/", 1)[1] for name, value in log if name == "filename"]
     assert files == ["M.exr", "N_TT_R.exr", "N_TRT.exr"]
@@ -170,4 +171,37 @@ def test_Unreal_Script_ImportsEveryTableAsData(targets, monkeypatch):
 
 
 def test_Check_OfAFolderWithTargets_Passes(targets):
-    assert run("check", "lut", targets).returncode == 0
+    for folder in (targets, *(targets / name for name in ENGINES)):
+        assert run("check", "lut", folder).returncode == 0, folder
+
+
+ENGINES = {"unity": ["CuticleHairURP.shader", "CuticleHairHDRP.shader"], "godot": ["cuticle_hair.gdshader"],
+           "unreal": ["make_cuticle_material.py", "CuticleHairNode.ush"], "three": ["hairMaterial.js"]}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_EngineFolder_HasThreeStepsAndAMaterialThatReadsTheTables(targets, engine):
+    readme = (targets / engine / "README.md").read_text()
+    assert re.findall(r"^(\d)\. ", readme, re.M) == ["1", "2", "3"] and "M.exr, N_TT_R.exr and N_TRT.exr" in readme
+    for name in ENGINES[engine]:
+        text = (targets / engine / name).read_text()
+        assert name in readme or name.split(".")[0].replace("CuticleHair", "") in readme or "Node" in name
+        assert "cuticle_hair_scattering(" in text or "CuticleHairNode.ush" in text
+        assert not re.search(r"@[A-Z_]+@", text), "a place that was not filled"
+
+
+def test_UnrealNode_Compiles(targets, tmp_path):
+    """As the body of a function whose arguments are the node's inputs, which is what the editor makes of it."""
+    code = (targets / "unreal" / "CuticleHairNode.ush").read_text()
+    tables = ", ".join(f"Texture2D cuticle_{name}, SamplerState cuticle_{name}Sampler" for name in ("M", "N_TT_R", "N_TRT"))
+    declared = "".join(f"Texture2D t{i} : register(t{i}); SamplerState s{i} : register(s{i});\n" for i in range(3))
+    shader = tmp_path / "node.hlsl"
+    shader.write_text(f"{declared}float3 node(float3 light, float3 eye, float3 tangent, {tables}) {{\n{code}}}\n"
+                      "float4 main(float3 d : TEXCOORD0) : SV_Target { return float4(node(d, d.yzx, d.zxy, t0, s0, t1, s1, t2, s2), 1); }\n")
+    done = subprocess.run(["glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", tmp_path / "node.spv", shader], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
+
+
+def test_Bake_SaysWhatToDoNext(tmp_path):
+    done = run("bake", *HAIR, "--size", 16, "--target", "godot", "--out", tmp_path / "lut")
+    assert f"next: {tmp_path}/lut/godot/README.md" in done.stdout and "cuticle check lut" in done.stdout

@@ -27,7 +27,6 @@ const char* name_of(ErrorKind kind) {
     case ErrorKind::bad_input: return "bad_input";
     case ErrorKind::no_device: return "no_device";
     case ErrorKind::out_of_memory: return "out_of_memory";
-    case ErrorKind::interrupted: return "interrupted";
     case ErrorKind::internal: break;
   }
   return "internal";

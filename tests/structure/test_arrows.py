@@ -1,9 +1,14 @@
 """The arrows of docs/architecture.md: who may include whom, who may link whom, and where heavy packages may appear."""
 import re
+import subprocess
+import sys
 
 import pytest
 
 from repository import ARROWS, BUILD, EXTRA, LEAVES, ROOT, WITH_GPU_HALF, closure, code_files, includes, is_gpu_half, module_of
+
+sys.path.insert(0, str(ROOT / "scripts"))
+import draw_arrows  # noqa: E402
 
 HEAVY = {
     r"nlohmann/": "core/json/", r"embree3/|embree4/": "strands/rays/", r"OpenImageIO/|OpenEXR/|Imath/": "core/image/", r"ceres/|openssl/": "lut/",
@@ -49,6 +54,43 @@ def test_Includes_AForbiddenArrow_IsNoticed(tmp_path, monkeypatch):
     assert violations(["bsdf/wrong.h"]) == ["bsdf/wrong.h includes lut/table_set.h"]
 
 
+GENERATED = {"model_of_kernel.glslh"}  # a kernel's model, by the build
+OTHERS = re.compile(r"\.(hlsl|cginc|gdshaderinc)$|^lut/targets/")  # in the text of an engine's files
+
+
+def unknown_includes(root, paths):
+    """Quoted includes that name no file from the root, and angled ones that name one of ours."""
+    found = []
+    for path in paths:
+        text = (root / path).read_text(errors="replace")
+        for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, flags=re.M):
+            if not (root / name).is_file() and name not in GENERATED and not OTHERS.search(name):
+                found.append(f'{path}: "{name}"')
+        found += [f"{path}: <{name}>" for name in re.findall(r"^\s*#\s*include\s*<([^>]+)>", text, flags=re.M) if (root / name).is_file()]
+    return found
+
+
+def test_Includes_EveryPath_NamesAFileOfTheTree():
+    sources = [p for p in code_files() if not p.endswith((".py", ".sh"))]
+    assert unknown_includes(ROOT, sources) == []
+
+
+def test_Includes_APathThatNamesNoFile_IsNoticed(tmp_path):
+    (tmp_path / "a.h").write_text('#include "b.h"\n#include "nowhere/c.h"\n#include <b.h>\n#include <vector>\n')
+    (tmp_path / "b.h").write_text("#pragma once\n")
+    assert unknown_includes(tmp_path, ["a.h"]) == ['a.h: "nowhere/c.h"', "a.h: <b.h>"]
+
+
+def test_Drawing_OfTheArrows_HasNoCycleAndIsUpToDate():
+    done = subprocess.run([sys.executable, ROOT / "scripts/draw_arrows.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def test_Drawing_ACycle_IsNamed():
+    graph = {"core": set(), "gpu": {"core", "sim"}, "sim": {"strands"}, "strands": {"gpu"}}
+    assert draw_arrows.cycle(graph) == ["gpu", "sim", "strands"]
+
+
 def test_Leaves_NothingPointsToThem():
     wrong = [f"{p} includes {n}" for p in checked_files() for n in includes(p) if n.split("/")[0] in LEAVES]
     assert wrong == []
@@ -74,7 +116,7 @@ def test_PublicHeaders_HoldNoHeavyType():
 
 def target_module(target):
     name = target.replace("cuticle::", "").replace("cuticle_", "", 1) if target.startswith("cuticle") else None
-    folders = {"core_image": "core/image", "lut_fit": "lut", "strands_rays": "strands/rays", "strands_cards": "strands/cards", "study_oracle": "study/oracle"}
+    folders = {"core_image": "core/image", "render_reference": "render", "lut_fit": "lut", "strands_rays": "strands/rays", "strands_cards": "strands/cards", "study_oracle": "study/oracle"}
     if name is None or name in ("", "warnings", "cuticle"):
         return None
     if name.startswith("study_") and name not in folders:
@@ -100,7 +142,7 @@ def test_LinkGraph_EveryTarget_FollowsTheArrows():
         if module is None or module in LEAVES:
             continue
         allowed = closure(module) | {"gpu"} if target.endswith("_gpu") else closure(module)
-        if module == "shadows":
+        if target in ("cuticle_shadows", "cuticle_render_reference"):
             allowed |= {"strands/rays"}
         if target_module(library) not in allowed or (library.endswith("_gpu") and module not in ("study", "play") and not target.endswith("_gpu")):
             wrong.append(f"{target} links {library}")

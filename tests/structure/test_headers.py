@@ -4,6 +4,8 @@ import os
 import re
 import subprocess
 
+import pytest
+
 from repository import ARROWS, BUILD, ROOT, code_files, module_of
 
 
@@ -38,10 +40,54 @@ def test_Header_ThatNeedsAnother_IsNoticed(tmp_path):
     assert "broken.h" in compile_alone(broken)
 
 
-def test_Install_AConsumerProject_BuildsAndRuns(tmp_path):
-    prefix, build = tmp_path / "prefix", tmp_path / "build"
-    run = lambda *args: subprocess.run(args, check=True, capture_output=True, text=True)
-    run("cmake", "--install", str(BUILD), "--prefix", str(prefix))
-    run("cmake", "-S", str(ROOT / "tests/consumer"), "-B", str(build), "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", str(build))
-    assert "layouts, S =" in run(str(build / "consumer")).stdout
+def installed_headers(prefix):
+    folder = prefix / "include/cuticle"
+    return [path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*.h"))]
+
+
+def compile_together(prefix, headers):
+    text = "".join(f'#include "{header}"\n' for header in headers)
+    command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", f"-I{prefix}/include/cuticle", f"-I{prefix}/include", "-x", "c++", "-"]
+    done = subprocess.run(command, input=text, capture_output=True, text=True, cwd="/")
+    return "" if done.returncode == 0 else done.stderr[:2000]
+
+
+def failures(prefix, headers):
+    """That each compiles alone is known of the tree (above); here, that the prefix holds all they include: many at a time."""
+    batches = [headers[k:k + 50] for k in range(0, len(headers), 50)]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return [m for m in pool.map(lambda batch: compile_together(prefix, batch), batches) if m]
+
+
+def run(*command):
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("prefix")
+    run("cmake", "--install", str(BUILD), "--prefix", str(folder))
+    return folder
+
+
+def test_Install_EveryHeader_CompilesFromThePrefix(prefix):
+    headers = installed_headers(prefix)
+    assert len(headers) > 250 and not [h for h in headers if "/detail/" in h]
+    assert failures(prefix, headers) == []
+
+
+def test_Install_AHeaderThatIncludesWhatIsNotInstalled_IsNoticed(tmp_path):
+    (tmp_path / "include/cuticle/sim").mkdir(parents=True)
+    (tmp_path / "include/cuticle/sim/broken.h").write_text('#pragma once\n#include "sim/detail/inside.h"\n')
+    assert "sim/detail/inside.h" in failures(tmp_path, installed_headers(tmp_path))[0]
+
+
+def test_Install_AConsumerOfEachModule_BuildsAndRuns(prefix, tmp_path):
+    run("cmake", "-S", str(ROOT / "tests/consumer"), "-B", str(tmp_path), "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", str(tmp_path))
+    consumers = sorted(tmp_path.glob("consume_*"))
+    assert {c.name.removeprefix("consume_") for c in consumers} == {s.stem for s in (ROOT / "tests/consumer").glob("*.cpp")}
+    for consumer in consumers:
+        assert run(str(consumer)), consumer.name

@@ -92,18 +92,74 @@ export function verifyHairLut(renderer, lut) {
 }
 )";
 
+constexpr const char* k_material = R"(// Written by cuticle @VERSION@. Hair by the tables, for lines or strips with an attribute `hairTangent` (vec3) from root to tip.
+//   const material = createHairMaterial(lut, { toLight: new Vector3(1, 1, 0.3), irradiance: new Color(3, 3, 3) });
+import { Color, DoubleSide, GLSL3, ShaderMaterial, Vector3 } from 'three';
+import { hairLutGlsl } from './hairLut.js';
+
+export function createHairMaterial(lut, { toLight = new Vector3(1, 1, 0.3), irradiance = new Color(3, 3, 3),
+                                          ambient = new Color(0.05, 0.05, 0.05) } = {}) {
+  return new ShaderMaterial({
+    glslVersion: GLSL3, side: DoubleSide,
+    uniforms: { ...lut.uniforms, toLight: { value: toLight.clone().normalize() }, irradiance: { value: irradiance },
+                ambient: { value: ambient } },
+    vertexShader: `
+      in vec3 hairTangent;
+      out vec3 worldTangent, toEye;
+      void main() {
+        vec4 world = modelMatrix * vec4(position, 1.0);
+        worldTangent = mat3(modelMatrix) * hairTangent;
+        toEye = cameraPosition - world.xyz;
+        gl_Position = projectionMatrix * viewMatrix * world;
+      }`,
+    fragmentShader: `
+      uniform vec3 toLight, irradiance, ambient;
+      in vec3 worldTangent, toEye;
+      out vec4 color;
+      ${hairLutGlsl}
+      void main() {
+        vec3 tangent = normalize(worldTangent);
+        float sine = dot(toLight, tangent);
+        vec3 scattered = cuticle_hair_scattering(toLight, normalize(toEye), tangent) * sqrt(max(1.0 - sine * sine, 0.0));
+        color = linearToOutputTexel(vec4(ambient + scattered * irradiance, 1.0));
+      }`,
+  });
+}
+)";
+
+constexpr const char* k_readme = R"(# Hair tables for three.js
+
+@TABLES@ of the model @MODEL@, written by cuticle @VERSION@.
+
+1. Serve this folder with the page and load it: `import { loadHairLut, verifyHairLut } from './three/hairLut.js'` and
+   `const lut = await loadHairLut()`. The textures are linear, clamped and without mip maps.
+2. `import { createHairMaterial } from './three/hairMaterial.js'`: `createHairMaterial(lut)` is a material for lines or strips
+   whose attribute `hairTangent` runs from root to tip.
+3. `verifyHairLut(renderer, lut)` gives 0 where every table reads right. `cuticle check lut FOLDER` names what was done to the
+   files.
+
+`hairLutGlsl` holds the functions for a shader of your own; the result is scattering without the cosine of the light's
+inclination.
+)";
+
 Result<std::vector<TextFile>> files(const Manifest& manifest) {
   CUTICLE_TRY(check_readable(manifest, "three", k_readable));
   CUTICLE_ASSIGN(const snippets::Dialect* glsl, snippets::find_dialect("glsl"));
   CUTICLE_ASSIGN(const std::string snippet, engine_snippet(manifest, "glsl", snippets::declarations(manifest, *glsl)));
-  const std::pair<std::string_view, std::string> values[] = {{"VERSION", manifest.tool_version}, {"GLSL", snippet}};
-  return std::vector<TextFile>{{"hairLut.js", filled(k_module, values)}};
+  const std::pair<std::string_view, std::string> values[] = {{"VERSION", manifest.tool_version},
+                                                             {"GLSL", snippet},
+                                                             {"MODEL", manifest.model},
+                                                             {"TABLES", names_of_tables(manifest)}};
+  std::vector<TextFile> made = {{"hairLut.js", filled(k_module, values)}, {"README.md", filled(k_readme, values)}};
+  // Tables that do not make S shade nothing by themselves.
+  if (!manifest.terms.empty()) made.push_back({"hairMaterial.js", filled(k_material, values)});
+  return made;
 }
 
 }  // namespace
 
 const Target& entry() {
-  static const Target target{"three", "hairLut.js: an ES module that loads, binds and verifies the tables", files};
+  static const Target target{"three", "hairLut.js loads, binds and verifies the tables; hairMaterial.js shades with them", files};
   return target;
 }
 

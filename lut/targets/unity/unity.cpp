@@ -3,6 +3,7 @@
 
 #include "lut/probes.h"
 #include "lut/target.h"
+#include "lut/targets/unity/materials.h"
 
 namespace cuticle::lut::unity {
 namespace {
@@ -142,9 +143,15 @@ Result<std::vector<TextFile>> files(const Manifest& manifest) {
   const std::pair<std::string_view, std::string> values[] = {
       {"VERSION", manifest.tool_version},
       {"TEXTURE_FORMAT", texture_format(manifest)},
+      {"MODEL", manifest.model},
+      {"TABLES", names_of_tables(manifest)},
       {"PROPERTIES", lines(manifest, "        [NoScaleOffset] cuticle_{0} (\"{0}\", 2D) = \"black\" {{}}\n")}};
   made.push_back({"CuticleLutImporter.cs", filled(k_importer, values)});
   made.push_back({"CuticleLutCheck.shader", filled(k_check, values)});
+  // Tables that do not make S shade nothing by themselves.
+  if (!manifest.terms.empty()) made.push_back({"CuticleHairURP.shader", filled(k_urp_material, values)});
+  if (!manifest.terms.empty()) made.push_back({"CuticleHairHDRP.shader", filled(k_hdrp_material, values)});
+  made.push_back({"README.md", filled(k_readme, values)});
   CUTICLE_ASSIGN(made.emplace_back(), include_file(manifest));
   return made;
 }
@@ -153,7 +160,7 @@ Result<std::vector<TextFile>> files(const Manifest& manifest) {
 
 const Target& entry() {
   static const Target target{"unity",
-                             "a .meta a table, CuticleLutImporter.cs, CuticleHair.hlsl, CuticleLutCheck.shader", files};
+                             "a .meta a table, an importer, materials for URP and HDRP, CuticleHair.hlsl, a check", files};
   return target;
 }
 

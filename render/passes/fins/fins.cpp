@@ -9,7 +9,7 @@ namespace {
 using registry::Parameter;
 using registry::ParameterType;
 
-constexpr std::string_view k_demands[] = {"fins", "output_color"};
+constexpr std::string_view k_demands[] = {"fins_drawn", "output_color"};
 constexpr std::string_view k_systems[] = {"N10"};
 constexpr std::string_view k_after[] = {"head", "floor"};
 constexpr Parameter albedo(std::string_view name, std::string_view default_text, std::string_view summary) {

@@ -1,5 +1,12 @@
 #include "render/passes/head/head.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <glm/geometric.hpp>
+
 #include "render/shading.h"
 
 namespace cuticle::render::head {
@@ -31,7 +38,25 @@ constexpr Parameter k_parameters[] = {
      .summary = "share of the lights' sum that arrives from everywhere"},
 };
 
+float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
+  float nearest = std::numeric_limits<float>::max();
+  for (const glm::vec3& other : others) nearest = std::min(nearest, glm::dot(other - point, other - point));
+  return std::sqrt(nearest);
+}
+
+float scalp_share(const glm::vec3& point, const strands::Mesh* scalp) {
+  constexpr float k_full = 0.008f, k_none = 0.018f;
+  if (!scalp || scalp->positions.empty()) return 0;
+  return std::clamp((k_none - nearest_distance(point, scalp->positions)) / (k_none - k_full), 0.0f, 1.0f);
+}
+
 }  // namespace
+
+std::vector<float> scalp_shares(const strands::Mesh& head, const strands::Mesh* scalp) {
+  std::vector<float> shares;
+  for (const glm::vec3& point : head.positions) shares.push_back(scalp_share(point, scalp));
+  return shares;
+}
 
 const Pass& entry() {
   static const Pass pass =

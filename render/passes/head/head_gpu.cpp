@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <limits>
-
-#include <glm/geometric.hpp>
-
 #include "render/passes/head/head.h"
 #include "render/passes/head/mesh_draw_gpu.h"
 
@@ -16,22 +11,10 @@ struct Geometry {
   gpu::Buffer positions, normals;
 };
 
-float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
-  float nearest = std::numeric_limits<float>::max();
-  for (const glm::vec3& other : others) nearest = std::min(nearest, glm::dot(other - point, other - point));
-  return std::sqrt(nearest);
-}
-
-/// 1 on the scalp, falling to 0 within a centimetre of it, so that the hairline is soft.
-float scalp_share(const glm::vec3& point, const strands::Mesh* scalp) {
-  constexpr float k_full = 0.008f, k_none = 0.018f;
-  if (!scalp || scalp->positions.empty()) return 0;
-  return std::clamp((k_none - nearest_distance(point, scalp->positions)) / (k_none - k_full), 0.0f, 1.0f);
-}
-
 Result<Geometry> upload(gpu::Device& device, const strands::Mesh& mesh, const strands::Mesh* scalp) {
   std::vector<glm::vec4> positions, normals;
-  for (const glm::vec3& point : mesh.positions) positions.emplace_back(point, scalp_share(point, scalp));
+  const std::vector<float> shares = scalp_shares(mesh, scalp);
+  for (std::size_t v = 0; v < shares.size(); ++v) positions.emplace_back(mesh.positions[v], shares[v]);
   for (const glm::vec3& normal : mesh.normals) normals.emplace_back(normal, 0);
   Geometry geometry;
   CUTICLE_ASSIGN(geometry.positions, gpu::make_buffer_from<glm::vec4>(device, positions));

@@ -1,13 +1,13 @@
 // Colliders: contact_lanes.h and collider_lanes.h without their lanes.
 LinkSphere sphere_at(ChainStep s, uint k) {
-  return link_sphere(s, spheres[k].centre, spheres[k].radius, anchor_place(), rest[rest_at(1u, k_length)]);
+  return link_sphere(s, spheres[k].centre, spheres[k].radius, anchor_place(), rest[rest_at(1u, rest_row_length)]);
 }
 
 // Where a link was turned, and by which collider that moves by itself (0: none); the zero vector: nowhere.
 void take_normal(uint i, vec3 normal, uint number) {
   if (inner(normal, normal) == 0) return;
-  put_scratch(i, k_normal, normal);
-  if (k_some_move) scratch[scratch_at(i, k_touched)] = float(number);
+  put_scratch(i, scratch_row_normal, normal);
+  if (k_some_move) scratch[scratch_at(i, scratch_row_touched)] = float(number);
 }
 
 #if TOUCHES == 2
@@ -22,12 +22,12 @@ vec3 anchor_end(ChainStep s) { return turned_to_end(s, anchor_place()); }
 #endif
 
 LinkBox box_at(ChainStep s, uint k) {
-  float first_link = rest[rest_at(1u, k_length)];
+  float first_link = rest[rest_at(1u, rest_row_length)];
   if (k_some_move) return moved_box(s, boxes[part * box_count + k], anchor_end(s), first_link);
   return link_box(s, boxes[k], anchor_place(), first_link);
 }
 LinkField field_at(ChainStep s, uint k, uint values) {
-  float first_link = rest[rest_at(1u, k_length)];
+  float first_link = rest[rest_at(1u, rest_row_length)];
   if (k_some_move) return moved_field(s, fields[part * field_count + k], values, anchor_end(s), first_link);
   return link_field(s, fields[k], values, anchor_place(), first_link);
 }
@@ -156,22 +156,22 @@ void press_on_fields(ChainStep s, vec3 here_parent, vec3 here, float rest_length
 #if TOUCHES
 // The predicted link above vertex i, from `parent` to `child`, pressed out of all colliders; normals are kept.
 PredictedLink pressed_from_all(uint i, ChainStep s, vec3 parent, vec3 child, float follows, float sharpest) {
-  vec3 here_parent = state_vector(i - 1u, k_here), here = state_vector(i, k_here);
-  float most = leaving(s), rest_length = rest[rest_at(i, k_length)];
-  float kept = max(leaving_of(scratch_vector(i, k_begin_pushed), most).kept,
-                   i > 1u ? leaving_of(scratch_vector(i - 1u, k_begin_pushed), most).kept : 0.0);
-  float touched = k_some_move ? scratch[scratch_at(i, k_touched)] : 0.0;
+  vec3 here_parent = state_vector(i - 1u, state_row_here), here = state_vector(i, state_row_here);
+  float most = leaving(s), rest_length = rest[rest_at(i, rest_row_length)];
+  float kept = max(leaving_of(scratch_vector(i, scratch_row_begin_pushed), most).kept,
+                   i > 1u ? leaving_of(scratch_vector(i - 1u, scratch_row_begin_pushed), most).kept : 0.0);
+  float touched = k_some_move ? scratch[scratch_at(i, scratch_row_touched)] : 0.0;
   PredictedLink link = PredictedLink(parent, child, carried_by_head(s, here_parent), carried_by_head(s, here),
-                                     i > 1u ? scratch_vector(i - 1u, k_normal) : vec3(0), scratch_vector(i, k_normal),
-                                     rest[rest_at(i, k_mass_ratio)], follows, kept, touched, sharpest);
+                                     i > 1u ? scratch_vector(i - 1u, scratch_row_normal) : vec3(0), scratch_vector(i, scratch_row_normal),
+                                     rest[rest_at(i, rest_row_mass_ratio)], follows, kept, touched, sharpest);
   press_on_spheres(s, rest_length, link);
 #if TOUCHES == 2
   press_on_boxes(s, here_parent, here, rest_length, link);
   if (k_meets_fields) press_on_fields(s, here_parent, here, rest_length, link);
 #endif
-  if (i > 1u) put_scratch(i - 1u, k_normal, link.parent_normal);
-  put_scratch(i, k_normal, link.child_normal);
-  if (k_some_move) scratch[scratch_at(i, k_touched)] = link.touched;
+  if (i > 1u) put_scratch(i - 1u, scratch_row_normal, link.parent_normal);
+  put_scratch(i, scratch_row_normal, link.child_normal);
+  if (k_some_move) scratch[scratch_at(i, scratch_row_touched)] = link.touched;
   return link;
 }
 #endif
@@ -179,15 +179,15 @@ PredictedLink pressed_from_all(uint i, ChainStep s, vec3 parent, vec3 child, flo
 // Of collider `number` that moves by itself; 0: of one that the head takes along.
 vec3 carried_by_what_touches(ChainStep s, uint i, vec3 here) {
 #if TOUCHES == 2
-  float touched = k_some_move ? scratch[scratch_at(i, k_touched)] : 0;
+  float touched = k_some_move ? scratch[scratch_at(i, scratch_row_touched)] : 0;
   if (touched > 0) return carried_by(s, uint(touched) - 1u, here);
 #endif
   return carried_by_head(s, here);
 }
 
 void push_out(uint i, ChainStep s) {
-  vec3 here = state_vector(i, k_here), carried = carried_by_head(s, here), fallback = direction_or(here, 0, s.end_y);
-  Touch touch = Touch(scratch_vector(i, k_place), vec3(0), vec3(0), 0);
+  vec3 here = state_vector(i, state_row_here), carried = carried_by_head(s, here), fallback = direction_or(here, 0, s.end_y);
+  Touch touch = Touch(scratch_vector(i, scratch_row_place), vec3(0), vec3(0), 0);
   for (uint k = 0u; k < sphere_count; ++k) {
     LinkSphere sphere = sphere_at(s, k);
     touch = pushed_from(touch, inside_sphere(sphere, touch.place, fallback), inside_sphere(sphere, carried, fallback),
@@ -196,20 +196,20 @@ void push_out(uint i, ChainStep s) {
 #if TOUCHES == 2
   if (k_some_move) {
     push_from_moving(s, here, touch);
-    scratch[scratch_at(i, k_touched)] = touch.collider;
+    scratch[scratch_at(i, scratch_row_touched)] = touch.collider;
   } else {
     push_from_boxes(s, carried, touch);
     if (k_meets_fields) push_from_fields(s, carried, touch);
   }
 #endif
-  put_scratch(i, k_place, touch.place);
-  put_scratch(i, k_normal, touch.normal);
-  put_scratch(i, k_begin_pushed, touch.begin_pushed);
+  put_scratch(i, scratch_row_place, touch.place);
+  put_scratch(i, scratch_row_normal, touch.normal);
+  put_scratch(i, scratch_row_begin_pushed, touch.begin_pushed);
 }
 
 vec3 normal_of(uint i) {
 #if TOUCHES
-  return scratch_vector(i, k_normal);
+  return scratch_vector(i, scratch_row_normal);
 #else
   return vec3(0);
 #endif

@@ -15,13 +15,13 @@ void substep(uint links, ChainStep s);
 
 void carry_state(uint links) {
   for (uint i = 0u; i <= links; ++i)
-    for (uint row = 0u; row < k_tension; row += 3u) put_state(i, row, carried_turn(state_vector(i, row)));
+    for (uint row = 0u; row < state_row_tension; row += 3u) put_state(i, row, carried_turn(state_vector(i, row)));
 }
 
 bool all_finite(uint links) {
   bool good = true;
   for (uint i = 1u; i <= links; ++i)
-    for (uint row = 0u; row < k_tension; row += 3u) good = good && finite(state_vector(i, row));
+    for (uint row = 0u; row < state_row_tension; row += 3u) good = good && finite(state_vector(i, row));
   return good;
 }
 
@@ -30,39 +30,39 @@ void reset(uint links) {
   for (uint i = 0u; i <= links; ++i) {
     if (i > 0u) {
       along = direction_or(target_of(i) - target_of(i - 1u), 0, along);
-      target += along * rest[rest_at(i, k_length)];  // targets in motion have other lengths
+      target += along * rest[rest_at(i, rest_row_length)];  // targets in motion have other lengths
     }
     vec3 velocity = head_velocity(anchor_place() + target);
-    put_state(i, k_here, head_turn(target));
-    put_state(i, k_before, head_turn(target));
-    put_state(i, k_velocity, velocity);
-    put_state(i, k_velocity_before, velocity);
-    state[state_at(i, k_tension)] = 0;
+    put_state(i, state_row_here, head_turn(target));
+    put_state(i, state_row_before, head_turn(target));
+    put_state(i, state_row_velocity, velocity);
+    put_state(i, state_row_velocity_before, velocity);
+    state[state_at(i, state_row_tension)] = 0;
   }
-  strands[strand_base + k_guarded * k_lanes] = 2;
+  strands[strand_base + strand_row_guarded * k_lanes] = 2;
 }
 
 // chains/sleepers.h for one strand.
 bool sleeps_on() {
-  if (still == 0u) strands[strand_base + k_quiet * k_lanes] = 0;
-  return strands[strand_base + k_quiet * k_lanes] >= sleep_time;
+  if (still == 0u) strands[strand_base + strand_row_quiet * k_lanes] = 0;
+  return strands[strand_base + strand_row_quiet * k_lanes] >= sleep_time;
 }
 
 void bring_to_rest(uint links) {
   for (uint i = 1u; i <= links; ++i) {
-    put_state(i, k_before, state_vector(i, k_here));
-    put_state(i, k_velocity, vec3(0));
-    put_state(i, k_velocity_before, vec3(0));
+    put_state(i, state_row_before, state_vector(i, state_row_here));
+    put_state(i, state_row_velocity, vec3(0));
+    put_state(i, state_row_velocity_before, vec3(0));
   }
 }
 
 void fall_asleep(uint links) {
   float fastest = 0;
   for (uint i = 1u; i <= links; ++i)
-    fastest = max(fastest, inner(state_vector(i, k_velocity), state_vector(i, k_velocity)));
-  bool rests = fastest < sleep_speed * sleep_speed && strands[strand_base + k_guarded * k_lanes] < 2;
-  float quiet = rests ? strands[strand_base + k_quiet * k_lanes] + frame_time : 0;
-  strands[strand_base + k_quiet * k_lanes] = quiet;
+    fastest = max(fastest, inner(state_vector(i, state_row_velocity), state_vector(i, state_row_velocity)));
+  bool rests = fastest < sleep_speed * sleep_speed && strands[strand_base + strand_row_guarded * k_lanes] < 2;
+  float quiet = rests ? strands[strand_base + strand_row_quiet * k_lanes] + frame_time : 0;
+  strands[strand_base + strand_row_quiet * k_lanes] = quiet;
   if (quiet >= sleep_time) bring_to_rest(links);
 }
 
@@ -70,8 +70,8 @@ void show(uint strand, uint anchor) {
   for (uint i = offsets[strand]; i < offsets[strand + 1u]; ++i) {
     uint link = vertices[i].w, fixed_at = min(i, offsets[strand] + anchor);
     bool carried = i < offsets[strand] + anchor || link == 0u;
-    world[i] = vec4(carried_place(fixed_at) + (carried ? vec3(0) : state_vector(link, k_here)), 1);
-    velocities[i] = vec4(carried ? carried_velocity(fixed_at) : state_vector(link, k_velocity), 0);
+    world[i] = vec4(carried_place(fixed_at) + (carried ? vec3(0) : state_vector(link, state_row_here)), 1);
+    velocities[i] = vec4(carried ? carried_velocity(fixed_at) : state_vector(link, state_row_velocity), 0);
   }
 }
 
@@ -84,7 +84,7 @@ void main() {
     uint links = blocks[place.x].x;
     first_vertex = blocks[place.x].y;
     lane = place.y;
-    strand_base = place.x * k_strand_rows * k_lanes + lane;
+    strand_base = place.x * strand_row_count * k_lanes + lane;
     if (k_sleeps && sleeps_on()) return;
 #if ON_SKIN
     on_skin = skin_strands[strand];

@@ -1,5 +1,6 @@
 // Buffers of the solvers of rigid links, and the rows of their vertices.
 #include "sim/chains/contact/box_contact.glslh"
+#include "sim/chains/rows.glslh"
 #include "sim/finite.glsl"
 #if ON_SKIN
 #include "sim/chains/skin/skin_turn.glslh"
@@ -54,18 +55,10 @@ layout(push_constant) uniform Constants {
 };
 layout(constant_id = 0) const bool k_sleeps = false;
 
-const uint k_lanes = 16u, k_rest_rows = 10u, k_state_rows = 13u, k_strand_rows = 5u;
-const uint k_length = 0u, k_inverse_length = 1u, k_mass = 2u, k_inverse_mass = 3u, k_mass_ratio = 4u, k_reach = 5u,
-           k_pull = 6u, k_target = 7u;
-const uint k_here = 0u, k_before = 3u, k_velocity = 6u, k_velocity_before = 9u, k_tension = 12u;
-const uint k_place = 0u, k_direction = 3u, k_weight = 6u, k_coupling = 7u, k_value = 8u, k_follows = 9u, k_normal = 10u,
-           k_begin_pushed = 13u, k_touched = k_follows;
-const uint k_guarded = 3u, k_quiet = 4u;
-
 uint first_vertex, lane, strand_base, part;  // of the frame's substeps
 
-uint rest_at(uint i, uint row) { return ((first_vertex + i) * k_rest_rows + row) * k_lanes + lane; }
-uint state_at(uint i, uint row) { return ((first_vertex + i) * k_state_rows + row) * k_lanes + lane; }
+uint rest_at(uint i, uint row) { return ((first_vertex + i) * rest_row_count + row) * k_lanes + lane; }
+uint state_at(uint i, uint row) { return ((first_vertex + i) * state_row_count + row) * k_lanes + lane; }
 uint scratch_at(uint i, uint row) { return ((first_vertex + i) * k_scratch_rows + row) * k_lanes + lane; }
 #define VECTOR_AT(rows, at) vec3(rows[at], rows[(at) + k_lanes], rows[(at) + 2u * k_lanes])
 #define PUT_VECTOR(rows, at, v) \
@@ -76,9 +69,9 @@ vec3 state_vector(uint i, uint row) { return VECTOR_AT(state, state_at(i, row));
 void put_state(uint i, uint row, vec3 v) { PUT_VECTOR(state, state_at(i, row), v); }
 vec3 scratch_vector(uint i, uint row) { return VECTOR_AT(scratch, scratch_at(i, row)); }
 void put_scratch(uint i, uint row, vec3 v) { PUT_VECTOR(scratch, scratch_at(i, row), v); }
-vec3 target_of(uint i) { return VECTOR_AT(rest, rest_at(i, k_target)); }
+vec3 target_of(uint i) { return VECTOR_AT(rest, rest_at(i, rest_row_target)); }
 vec3 anchor_place() { return VECTOR_AT(strands, strand_base); }
 ChainVertex chain_vertex(uint i) {
-  return ChainVertex(state_vector(i, k_here), state_vector(i, k_before), state_vector(i, k_velocity),
-                     state_vector(i, k_velocity_before));
+  return ChainVertex(state_vector(i, state_row_here), state_vector(i, state_row_before), state_vector(i, state_row_velocity),
+                     state_vector(i, state_row_velocity_before));
 }

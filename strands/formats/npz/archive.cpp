@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -34,6 +35,7 @@ class ZipError {
 
 // Deflate shrinks by 1032 at most: what claims more is no true size, and must not be allocated.
 constexpr std::uint64_t k_most_shrinking = 1032, k_least_bytes = 64;
+constexpr std::uint64_t k_at_once = std::uint64_t(1) << 28;  // inflating counts in 32 bits
 
 Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t archive_bytes, const std::string& where) {
   zip_stat_t stat;
@@ -46,8 +48,11 @@ Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t ar
   const Owned<zip_file_t> file(zip_fopen_index(archive, index, 0));
   if (!file) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_strerror(archive)));
   Member member{stat.name, std::vector<std::byte>(stat.size)};
-  if (zip_fread(file.get(), member.bytes.data(), stat.size) != zip_int64_t(stat.size))
-    return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_file_strerror(file.get())));
+  for (std::uint64_t done = 0; done < stat.size;) {
+    const zip_int64_t got = zip_fread(file.get(), member.bytes.data() + done, std::min(stat.size - done, k_at_once));
+    if (got <= 0) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_file_strerror(file.get())));
+    done += std::uint64_t(got);
+  }
   return member;
 }
 

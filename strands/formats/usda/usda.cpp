@@ -134,7 +134,8 @@ class Builder {
     if (rows != 1) return Spread{};
     constexpr std::uint64_t huge = std::uint64_t(1) << 56;
     memory_ += product_within(huge, {components, strands, sizeof(float)}).value_or(huge);
-    CUTICLE_TRY(require_memory(fmt::format("{}: {} numbers for each of {} strands", where_, components, strands), {memory_}));
+    CUTICLE_TRY(
+        require_memory(fmt::format("{}: {} numbers for each of {} strands", where_, components, strands), {memory_}));
     std::vector<float> repeated;
     for (std::size_t s = 0; s < strands; ++s) repeated.insert(repeated.end(), values.begin(), values.end());
     return Spread{Attribute::Domain::strand, std::move(repeated)};

@@ -1,0 +1,127 @@
+#include "plan/traced_frame_gpu.h"
+
+#ifdef CUTICLE_HAS_EMBREE
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/passes/depth_of_field/depth_of_field.h"
+#include "render/passes/fins/fins.h"
+#include "render/passes/head/head.h"
+#include "render/passes/reference/reference_entry.h"
+#include "render/passes/resolve/resolve.h"
+#include "render/reference/reference.h"
+#endif
+
+namespace cuticle::plan {
+
+#ifdef CUTICLE_HAS_EMBREE
+namespace {
+
+using render::reference::Surface;
+
+registry::ParameterValues values_of(const scene::Scene& scene, const render::Pass& pass) {
+  const auto found = scene.passes.find(pass.entry.name);
+  return found == scene.passes.end() ? registry::default_values(pass.entry.parameters) : found->second;
+}
+
+/// The head where the frame has it: turned, or as the device deformed it.
+Result<Surface> traced_head(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
+                            const StrandMotion& motion) {
+  const registry::ParameterValues values = values_of(scene, render::head::entry());
+  const glm::vec3 skin(values.rgb("skin")), scalp(values.rgb("scalp"));
+  Surface surface;
+  surface.mesh = strands::transformed(set.head, motion.head());
+  const std::vector<float> shares =
+      render::head::scalp_shares(set.head, set.scalp.triangles.empty() ? nullptr : &set.scalp);
+  for (const float share : shares) surface.albedo.push_back(glm::mix(skin, scalp, share));
+  CharacterMotion* const character = motion.character();
+  if (!character) return surface;
+  const std::size_t count = set.head.positions.size();
+  CUTICLE_ASSIGN(const auto positions, gpu::read_buffer<glm::vec4>(device, character->mesh_positions(), count));
+  CUTICLE_ASSIGN(const auto normals, gpu::read_buffer<glm::vec4>(device, character->mesh_normals(), count));
+  for (std::size_t v = 0; v < count; ++v) {
+    surface.mesh.positions[v] = glm::vec3(positions[v]);
+    surface.mesh.normals[v] = glm::vec3(normals[v]);
+  }
+  return surface;
+}
+
+Surface traced_floor(const Floor& floor) {
+  const auto half = float(floor.size / 2), height = float(floor.height);
+  Surface surface;
+  surface.mesh.positions = {{-half, height, -half}, {half, height, -half}, {-half, height, half}, {half, height, half}};
+  surface.mesh.normals.assign(4, glm::vec3(0, 1, 0));
+  surface.mesh.triangles = {{0, 2, 1}, {1, 2, 3}};
+  surface.albedo.assign(4, glm::vec3(floor.albedo));
+  return surface;
+}
+
+Surface traced_fins(const scene::Scene& scene, const StrandSet& set, const FinMotion& fins) {
+  const registry::ParameterValues values = values_of(scene, render::fins::entry());
+  Surface surface{fins.mesh(), {}};
+  for (const float weight : set.fin_weights)
+    surface.albedo.push_back(glm::mix(glm::vec3(values.rgb("root")), glm::vec3(values.rgb("tip")), weight));
+  return surface;
+}
+
+/// Lights, and the picture that some of them were made of in their place.
+Result<void> add_lights(const scene::Scene& scene, render::reference::TracedScene& traced) {
+  traced.lights = scene.lights;
+  if (!scene.environment) return {};
+  traced.lights.resize(scene.lights.size() - scene.environment->lights);
+  CUTICLE_ASSIGN(Image picture, read_image(scene.environment->file));
+  const scene::Environment& settings = scene.environment->settings;
+  traced.surroundings = {std::move(picture), settings.turn_degrees, settings.scale};
+  return {};
+}
+
+render::reference::Lens lens_of(const scene::Scene& scene, const Camera& camera) {
+  if (!scene.passes.contains("depth_of_field")) return {};
+  const registry::ParameterValues values = values_of(scene, render::depth_of_field::entry());
+  const double focus = values.real("focus");
+  return {values.real("lens_radius") * 1e-3, focus > 0 ? focus : glm::distance(camera.target, camera.position)};
+}
+
+}  // namespace
+
+Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
+                                const StrandMotion& motion, strands::Groom hair, const Camera& camera,
+                                const std::string& state, Progress& progress) {
+  render::reference::TracedScene traced;
+  traced.hair = std::move(hair);
+  CUTICLE_ASSIGN(traced.model, bsdf::find_model(scene.material.model.name));
+  traced.values = scene.material.model.values;
+  traced.camera = camera;
+  CUTICLE_TRY(add_lights(scene, traced));
+  if (!set.head.triangles.empty()) {
+    CUTICLE_ASSIGN(Surface head, traced_head(device, scene, set, motion));
+    traced.surfaces.push_back(std::move(head));
+  }
+  if (scene.floor) traced.surfaces.push_back(traced_floor(*scene.floor));
+  if (motion.fins()) traced.surfaces.push_back(traced_fins(scene, set, *motion.fins()));
+  const registry::ParameterValues values = values_of(scene, render::reference::entry());
+  const render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
+                                                .seed = std::uint64_t(values.integer("seed")),
+                                                .layers = scene.outputs.aovs,
+                                                .lens = lens_of(scene, camera)};
+  const render::reference::Quality quality{
+      .samples = int(values.integer("samples")), .max_error = values.real("max_error"), .state = state};
+  CUTICLE_ASSIGN(render::reference::Picture picture,
+                 render::reference::render(traced, options, quality, progress));
+  render::resolve::add_background(picture.color, values_of(scene, render::resolve::entry()).rgb("background"));
+  if (!scene.outputs.aovs) picture.layers = {};
+  return TracedFrame{std::move(picture.color), std::move(picture.layers),
+                     fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
+                                 "mean, {:.1f} s",
+                                 picture.samples, 100 * picture.error, picture.seconds)};
+}
+#else
+Result<TracedFrame> trace_frame(gpu::Device&, const scene::Scene&, const StrandSet&, const StrandMotion&,
+                                strands::Groom, const Camera&, const std::string&, Progress&) {
+  return usage_error("the method 'reference' needs Embree, and this build has none",
+                     "build with CUTICLE_EMBREE=ON, or choose another method");
+}
+#endif
+
+}  // namespace cuticle::plan

@@ -1,0 +1,28 @@
+#pragma once
+// Where a ray meets a fibre, in the fibre's own frame.
+#include <glm/vec3.hpp>
+
+#include "strands/groom.h"
+#include "strands/rays/ray_scene.h"
+
+namespace cuticle::render::reference {
+
+/// A fibre's frame: x along it from root to tip, y and z across; and the offset of the viewer's ray, h in [-1, 1].
+struct FibrePoint {
+  glm::dvec3 position{0};  ///< on the fibre's surface
+  glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  double h = 0;
+  strands::FibreLeft from;
+
+  glm::vec3 local(const glm::dvec3& v) const;
+  glm::dvec3 world(const glm::vec3& v) const;
+};
+
+/// `tangents`: unit, one per vertex of the hair; between them the fibre's direction is interpolated. The offset is that
+/// of the point from the segment's own axis: h = n . (u x w) / |u x w| with n across the axis, u along it, w toward the
+/// viewer (docs/conventions.md: the ray meets the fibre at azimuth phi_o + asin h). 0 for a ray along the fibre. Test:
+/// fibre_point_test.cpp: for parallel light h is uniform.
+FibrePoint fibre_point(const strands::Groom& hair, std::span<const glm::vec3> tangents, const strands::RayHit& hit,
+                       const glm::dvec3& origin, const glm::dvec3& direction);
+
+}  // namespace cuticle::render::reference

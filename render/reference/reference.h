@@ -1,0 +1,31 @@
+#pragma once
+// A picture by path tracing, sample by sample until it is good enough.
+#include "render/reference/film.h"
+
+namespace cuticle::render::reference {
+
+struct Quality {
+  int samples = 64;       ///< of a pixel, at most
+  double max_error = 0;   ///< of a tile's pixels, root mean square, over the tile's mean or a twentieth of the picture's
+                          ///< largest; 0: all samples are drawn
+  std::string state;      ///< file of the sums; empty: none. An existing one is gone on from
+  double save_seconds = 30;
+};
+
+struct Picture {
+  Image color, layers;  ///< layers: as Film's
+  int samples = 0;      ///< most of a pixel
+  double error = 0;     ///< standard error of a pixel, root mean square over the tiles that hold light, over their mean
+  double seconds = 0;
+};
+
+/// What names a picture for its state file: scene, options, seed.
+std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options);
+
+/// Renders in rounds of 8 samples over tiles of 16 x 16 pixels, on all threads; the same bits for any number of them,
+/// and where it was stopped and gone on from its state. Tiles whose error is met rest. Test: reference_test.cpp. Errors:
+/// those of Tracer and Film.
+Result<Picture> render(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
+                       Progress& progress);
+
+}  // namespace cuticle::render::reference

@@ -1,0 +1,36 @@
+#pragma once
+// What the reference draws: hair, its model, surfaces, lights, camera. World space, metres, linear radiance.
+#include <optional>
+#include <vector>
+
+#include "bsdf/model.h"
+#include "core/image/image.h"
+#include "core/view.h"
+#include "strands/groom.h"
+#include "strands/mesh.h"
+
+namespace cuticle::render::reference {
+
+/// A diffuse mesh, seen and lit from both sides.
+struct Surface {
+  strands::Mesh mesh;
+  std::vector<glm::vec3> albedo;  ///< one per vertex, 0 .. 1
+};
+
+/// Radiance from all around, as scene::Environment lays it out.
+struct Surroundings {
+  Image picture;
+  double turn_degrees = 0, scale = 1;
+};
+
+struct TracedScene {
+  strands::Groom hair;  ///< each segment a round cone
+  const bsdf::Model* model = nullptr;
+  registry::ParameterValues values;  ///< of the model
+  std::vector<Light> lights;
+  std::optional<Surroundings> surroundings;  ///< light hair and surfaces; the camera does not see them
+  std::vector<Surface> surfaces;
+  Camera camera;
+};
+
+}  // namespace cuticle::render::reference

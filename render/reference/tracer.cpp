@@ -1,0 +1,57 @@
+#include "render/reference/tracer.h"
+
+#include <fmt/core.h>
+
+#include "render/reference/wave.h"
+
+namespace cuticle::render::reference {
+
+struct Tracer::Parts {
+  TracedScene scene;
+  WaveScene wave;
+};
+
+namespace {
+
+/// The model's own field at each hit, where it has one.
+registry::ParameterValues near_field(const bsdf::Model& model, registry::ParameterValues values) {
+  for (const registry::Parameter& parameter : model.entry.parameters)
+    if (parameter.name == "field") values.set("field", std::string("near"));
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::string> split_names(const bsdf::Model& model) {
+  std::vector<std::string> names = {"scatterings_1",   "scatterings_2",      "scatterings_3",
+                                    "scatterings_4_7", "scatterings_8_15",   "scatterings_16_on",
+                                    "single",          "multiple_forward",   "multiple_backward",
+                                    "multiple_other"};
+  for (int lobe = 0; lobe < k_most_lobes; ++lobe)
+    names.push_back(std::size_t(lobe) < model.lobes.size() ? "lobe_" + std::string(model.lobes[std::size_t(lobe)])
+                                                           : std::string());
+  return names;
+}
+
+Tracer::Tracer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Tracer::~Tracer() = default;
+
+Result<std::unique_ptr<Tracer>> Tracer::make(const TracedScene& scene, const TraceOptions& options) {
+  if (!scene.model->sample_f32)
+    return usage_error(fmt::format("model {} has no sampler, which paths need", scene.model->entry.name));
+  auto parts = std::make_unique<Parts>();
+  parts->scene = scene;
+  parts->scene.values = near_field(*scene.model, scene.values);
+  CUTICLE_TRY(parts->wave.build(parts->scene, options));
+  return std::unique_ptr<Tracer>(new Tracer(std::move(parts)));
+}
+
+void Tracer::trace(std::span<const PathName> paths, std::span<PathLight> light) const {
+  CUTICLE_EXPECT(paths.size() == light.size(), "one light for each path");
+  Wave(parts_->wave, paths, light).run();
+}
+
+const TracedScene& Tracer::scene() const { return parts_->scene; }
+std::size_t Tracer::memory_bytes() const { return parts_->wave.rays->memory_bytes(); }
+
+}  // namespace cuticle::render::reference

@@ -1,0 +1,62 @@
+#pragma once
+// Paths from the camera through hair: next-event estimation of lights, importance-sampled surroundings weighed against
+// the model's own samples, Russian roulette, any number of scatterings.
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "render/reference/camera_rays.h"
+#include "render/reference/random_numbers.h"
+#include "render/reference/traced_scene.h"
+
+namespace cuticle::render::reference {
+
+struct TraceOptions {
+  int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
+  std::uint64_t seed = 0;
+  bool layers = false;  ///< splits the light, which costs an evaluation of each lobe at the first scattering
+  Lens lens;
+};
+
+/// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the
+/// scattering that the camera sees. Each of the three sums to the whole.
+constexpr int k_counts = 6, k_turns = 4, k_most_lobes = 4, k_splits = k_counts + k_turns + k_most_lobes;
+/// "scatterings_1", ..., "single", "forward", ..., and the model's lobes.
+std::vector<std::string> split_names(const bsdf::Model& model);
+
+/// What the camera sees first along a path.
+struct SeenFirst {
+  float depth = 0;  ///< along the view, metres
+  glm::vec3 tangent{0};
+  std::uint32_t strand = 0;  ///< from 1; 0: no fibre
+};
+
+struct PathLight {
+  glm::dvec3 radiance{0};
+  bool covered = false;
+  SeenFirst first;
+  std::array<glm::dvec3, k_splits> splits{};  ///< where layers are asked for
+};
+
+/// A scene made ready for rays. Safe to use from several threads; a path's light depends on its name and the options
+/// alone.
+class Tracer {
+ public:
+  /// Errors: usage, where the model has no sampler; those of RayScene and SurroundingsLight.
+  static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
+  ~Tracer();
+  /// The light of each path; `paths` and `light` have one size.
+  void trace(std::span<const PathName> paths, std::span<PathLight> light) const;
+  const TracedScene& scene() const;
+  std::size_t memory_bytes() const;  ///< of the ray tree
+
+ private:
+  struct Parts;
+  explicit Tracer(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace cuticle::render::reference

@@ -1,0 +1,157 @@
+#include "render/reference/wave.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace cuticle::render::reference {
+
+void VectorArray::resize(std::size_t size) {
+  for (std::vector<float>* component : {&x, &y, &z}) component->resize(size);
+}
+
+Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& trace_options) {
+  scene = &traced;
+  options = trace_options;
+  tangents = strands::tangents(traced.hair);
+  std::vector<strands::Mesh> meshes;
+  for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
+  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes));
+  CUTICLE_ASSIGN(model, bsdf::BatchEvaluator::make(*traced.model, traced.values));
+  if (traced.surroundings) {
+    CUTICLE_ASSIGN(surroundings, SurroundingsLight::make(*traced.surroundings));
+  }
+  camera.emplace(traced.camera, options.lens);
+  return {};
+}
+
+Wave::Wave(const WaveScene& scene, std::span<const PathName> names, std::span<PathLight> light)
+    : scene_(scene), names_(names), light_(light), paths_(names.size()) {}
+
+void Wave::run() {
+  begin_at_camera();
+  const int most = scene_.options.scatterings;
+  for (scattering_ = 0; !live_.empty(); ++scattering_) {
+    const bool ends = most > 0 && scattering_ == most;
+    if (ends && !scene_.surroundings) return;
+    meet();
+    if (ends) return;
+    for (int round = 0; round < light_rounds(); ++round) {
+      light_fibres(round);
+      for (const SurfacePoint& point : surface_points_) light_surface(point, round);
+    }
+    next_.clear();
+    scatter_fibres();
+    for (const SurfacePoint& point : surface_points_) scatter_surface(point);
+    std::swap(live_, next_);
+  }
+}
+
+void Wave::begin_at_camera() {
+  const auto width = std::uint32_t(scene_.scene->camera.resolution.x);
+  for (std::uint32_t k = 0; k < names_.size(); ++k) {
+    light_[k] = {};
+    const auto place = numbers(k, Purpose::camera);
+    glm::dvec2 lens(0);
+    if (scene_.options.lens.radius > 0) {
+      const auto u = numbers(k, Purpose::lens);
+      lens = point_of_disk(double(u[0]), double(u[1]));
+    }
+    const glm::dvec2 pixel(names_[k].pixel % width + double(place[0]), names_[k].pixel / width + double(place[1]));
+    const CameraRays::Ray ray = scene_.camera->through(pixel, lens);
+    paths_[k].origin = ray.origin;
+    paths_[k].direction = ray.direction;
+    live_.push_back(k);
+  }
+}
+
+void Wave::meet() {
+  fibre_paths_.clear();
+  fibre_points_.clear();
+  surface_points_.clear();
+  for (const std::uint32_t k : live_) {
+    const Path& path = paths_[k];
+    const strands::RayHit hit = scene_.rays->closest(path.origin, path.direction, path.from);
+    if (hit.kind == strands::RayHit::Kind::nothing)
+      leave(k);
+    else if (hit.kind == strands::RayHit::Kind::fibre)
+      meet_fibre(k, hit);
+    else
+      meet_surface(k, hit);
+  }
+  const std::size_t count = fibre_points_.size();
+  for (VectorArray* array : {&to_viewer_, &to_light_, &value_}) array->resize(count);
+  for (std::vector<float>* array : {&h_, &density_, &ending_}) array->resize(count);
+  for (std::vector<float>& array : u_) array.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    to_viewer_.set(i, fibre_points_[i].local(-paths_[fibre_paths_[i]].direction));
+    h_[i] = float(fibre_points_[i].h);
+  }
+}
+
+/// Out of the scene: what the surroundings send, weighed against having drawn them (the balance heuristic).
+void Wave::leave(std::uint32_t k) {
+  if (!scene_.surroundings || scattering_ == 0) return;
+  const Path& path = paths_[k];
+  const double other = scene_.surroundings->density(path.direction);
+  const glm::dvec3 radiance = scene_.surroundings->radiance(path.direction);
+  add(k, path.throughput * radiance * (path.density / (path.density + other)),
+      {scattering_, path.backward, &path.shares});
+}
+
+void Wave::meet_fibre(std::uint32_t k, const strands::RayHit& hit) {
+  const Path& path = paths_[k];
+  fibre_points_.push_back(fibre_point(scene_.scene->hair, scene_.tangents, hit, path.origin, path.direction));
+  fibre_paths_.push_back(k);
+  if (scattering_ > 0) return;
+  light_[k].covered = true;
+  light_[k].first = {float(scene_.camera->depth(fibre_points_.back().position)), glm::vec3(fibre_points_.back().x),
+                     hit.strand + 1};
+}
+
+void Wave::meet_surface(std::uint32_t k, const strands::RayHit& hit) {
+  const Path& path = paths_[k];
+  const Surface& surface = scene_.scene->surfaces[hit.surface];
+  const std::array<std::uint32_t, 3>& corners = surface.mesh.triangles[hit.triangle];
+  const glm::dvec3 weights(1 - hit.barycentrics.x - hit.barycentrics.y, hit.barycentrics);
+  SurfacePoint point{k, path.origin + hit.distance * path.direction, glm::dvec3(0), glm::dvec3(0)};
+  for (int c = 0; c < 3; ++c) {
+    point.normal += weights[c] * glm::dvec3(surface.mesh.normals[corners[std::size_t(c)]]);
+    point.albedo += weights[c] * glm::dvec3(surface.albedo[corners[std::size_t(c)]]);
+  }
+  const double length = glm::length(point.normal);
+  point.normal = length > 0 ? point.normal / length : -path.direction;
+  if (glm::dot(point.normal, path.direction) > 0) point.normal = -point.normal;
+  surface_points_.push_back(point);
+  if (scattering_ > 0) return;
+  light_[k].covered = true;
+  light_[k].first.depth = float(scene_.camera->depth(point.position));
+}
+
+/// Russian roulette: a path goes on with the probability of its brightest channel.
+bool Wave::goes_on(std::uint32_t k, const glm::dvec3& throughput, double u) {
+  const double most = std::max({throughput.x, throughput.y, throughput.z});
+  if (!(most > 0) || !std::isfinite(most)) return false;
+  const double chance = std::min(1.0, most);
+  if (!(u < chance)) return false;
+  paths_[k].throughput = throughput / chance;
+  next_.push_back(k);
+  return true;
+}
+
+void Wave::add(std::uint32_t k, const glm::dvec3& light, const Way& way) {
+  PathLight& to = light_[k];
+  to.radiance += light;
+  if (!splits()) return;
+  constexpr int k_least[k_counts] = {1, 2, 3, 4, 8, 16};
+  int count = 0;
+  while (count + 1 < k_counts && way.scatterings >= k_least[count + 1]) ++count;
+  to.splits[std::size_t(count)] += light;
+  const int turn = way.scatterings == 1 ? 0 : std::min(1 + way.backward, k_turns - 1);
+  to.splits[std::size_t(k_counts + turn)] += light;
+  for (std::size_t lobe = 0; way.shares && lobe < k_most_lobes; ++lobe)
+    to.splits[k_counts + k_turns + lobe] += light * (*way.shares)[lobe];
+}
+
+}  // namespace cuticle::render::reference

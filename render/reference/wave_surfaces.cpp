@@ -1,0 +1,82 @@
+// Lights as points see them, and what happens at diffuse surfaces.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "render/reference/wave.h"
+
+namespace cuticle::render::reference {
+
+namespace {
+
+constexpr double k_least_distance = 1e-3;  // metres: what lies nearer to a lamp is lit as from there
+
+double spot_share(const Lamp& lamp, const glm::dvec3& to_light) {
+  if (lamp.outer_angle >= k_all_around) return 1;
+  const double inner = std::cos(lamp.inner_angle), outer = std::cos(lamp.outer_angle);
+  const double share = std::clamp((glm::dot(-to_light, lamp.axis) - outer) / (inner - outer), 0.0, 1.0);
+  return share * share;
+}
+
+}  // namespace
+
+/// At the scattering that the camera sees every light is asked, further on one that is drawn; the surroundings always.
+int Wave::light_rounds() const {
+  const int lights = int(scene_.scene->lights.size());
+  return (scattering_ == 0 ? lights : std::min(lights, 1)) + int(scene_.surroundings.has_value());
+}
+
+Wave::Arriving Wave::arriving(const glm::dvec3& point, std::uint32_t k, int round) const {
+  const std::vector<Light>& lights = scene_.scene->lights;
+  if (scene_.surroundings && round == light_rounds() - 1) {
+    const auto u = numbers(k, Purpose::surroundings);
+    const SurroundingsLight::Drawn drawn = scene_.surroundings->draw(double(u[0]), double(u[1]), double(u[2]));
+    return {.to_light = drawn.to_light, .irradiance = drawn.radiance / drawn.density, .density = drawn.density};
+  }
+  const bool draws = scattering_ > 0 && lights.size() > 1;
+  const double u = draws ? double(numbers(k, Purpose::light)[0]) : 0;
+  const Light& light = lights[draws ? std::size_t(u * double(lights.size())) : std::size_t(round)];
+  Arriving from{.to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance};
+  if (!light.lamp) return from;
+  const glm::dvec3 way = light.lamp->position - point;
+  from.distance = glm::length(way);
+  from.to_light = from.distance > 0 ? way / from.distance : glm::dvec3(0, 1, 0);
+  const double away = std::max(from.distance, k_least_distance);
+  from.irradiance = (draws ? double(lights.size()) : 1) * light.lamp->intensity *
+                    (spot_share(*light.lamp, from.to_light) / (away * away));
+  return from;
+}
+
+/// Lambert: albedo / pi times the light on the surface.
+void Wave::light_surface(const SurfacePoint& point, int round) {
+  const Arriving from = arriving(point.position, point.path, round);
+  const double cosine = glm::dot(point.normal, from.to_light);
+  if (!(cosine > 0)) return;
+  const Path& path = paths_[point.path];
+  glm::dvec3 light = path.throughput * point.albedo * from.irradiance * (cosine / std::numbers::pi);
+  if (from.density > 0) light *= from.density / (from.density + cosine / std::numbers::pi);
+  if (!(std::max({light.x, light.y, light.z}) > 0)) return;
+  if (scene_.rays->is_blocked(point.position, from.to_light, from.distance)) return;
+  const int backward = path.backward + int(scattering_ > 0);
+  add(point.path, light, {scattering_ + 1, backward, scattering_ > 0 ? &path.shares : nullptr});
+}
+
+void Wave::scatter_surface(const SurfacePoint& point) {
+  Path& path = paths_[point.path];
+  const auto u = numbers(point.path, Purpose::direction);
+  if (!goes_on(point.path, path.throughput * point.albedo, double(u[2]))) return;
+  const glm::dvec2 disk = point_of_disk(double(u[0]), double(u[1]));
+  const double cosine = std::sqrt(std::max(1e-12, 1 - glm::dot(disk, disk)));
+  const glm::dvec3 other = std::abs(point.normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 side = glm::normalize(glm::cross(point.normal, other));
+  path.origin = point.position;
+  path.direction =
+      glm::normalize(disk.x * side + disk.y * glm::cross(point.normal, side) + cosine * point.normal);
+  path.from = {};
+  path.density = cosine / std::numbers::pi;
+  path.backward += int(scattering_ > 0);
+}
+
+}  // namespace cuticle::render::reference
