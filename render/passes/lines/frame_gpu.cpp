@@ -140,8 +140,7 @@ float line_width(const FrameResources& resources, const registry::ParameterValue
   if (given > 0) return float(given * resources.supersampling);
   const double width = 2 * resources.strand_radius * texels_at_a_metre(resources) / nearest_depth(resources);
   const double step = std::exp2(std::ceil(4 * std::log2(std::max(width, 1.0))) / 4);
-  const double widest = std::min(parameters.real("widest_px") * resources.supersampling, double(k_widest_lines));
-  return float(std::max(1.0, std::min(step, widest)));
+  return float(std::max(1.0, std::min(step, parameters.real("widest_px") * resources.supersampling)));
 }
 
 float opacity_of_radius(const FrameResources& resources, const registry::ParameterValues& parameters,
