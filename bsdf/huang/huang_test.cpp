@@ -186,7 +186,7 @@ TEST(Huang, ReportedErrorOfAllLobes_BoundsTheDifferenceFromManyPaths) {
 
 /// What passes from one direction to the other is symmetric where scales are not tilted: S cos(theta_o) times the width
 /// seen.
-void expect_reciprocal(const std::string& settings, int lobe, const std::vector<double>& phis) {
+void expect_reciprocal(const std::string& settings, int lobe, const std::vector<double>& phis, double share) {
   const auto flux = [&](const Point& point, Quantity quantity) {
     const double width = std::hypot(std::sin(point.phi_o), 0.6 * std::cos(point.phi_o));
     return evaluate_at("roughness=0.3,tilt=0,aspect=0.6," + settings, quantity, lobe, {point})[0].x *
@@ -198,14 +198,14 @@ void expect_reciprocal(const std::string& settings, int lobe, const std::vector<
     const double bound = flux(there, Quantity::error) + flux(back, Quantity::error);
     const double value = flux(there, Quantity::S);
     EXPECT_NEAR(value, flux(back, Quantity::S), bound + 1e-12) << settings << lobe;
-    EXPECT_LT(bound, 0.4 * value) << settings << lobe;
+    EXPECT_LT(bound, share * value) << settings << lobe;
   }
 }
 TEST(Huang, UntiltedFibre_IsReciprocalInFlux) {
-  expect_reciprocal("facets=single,samples=65536", 0, {0.8});
-  expect_reciprocal("facets=single,samples=65536", 1, {2.6});
-  expect_reciprocal("facets=single,samples=65536", 2, {0.5});
-  expect_reciprocal("samples=32768", -1, {0.8, 2.6, 0.5});
+  expect_reciprocal("facets=single,samples=65536", 0, {0.8}, 0.4);
+  expect_reciprocal("facets=single,samples=65536", 1, {2.6}, 0.4);
+  expect_reciprocal("facets=single,samples=65536", 2, {0.5}, 0.4);
+  expect_reciprocal("samples=32768", -1, {0.8, 2.6, 0.5}, 0.6);
 }
 
 TEST(Huang, CircularFibre_LooksTheSameFromEverywhereAround) {

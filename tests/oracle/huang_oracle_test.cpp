@@ -76,7 +76,7 @@ std::vector<glm::dvec3> binned(const Case& c, const std::string& facets, int lob
 
 TEST_P(HuangOracle, BinAverages_AgreeWithTheWalks) {
   const Case c = GetParam();
-  const auto walks = study::oracle::scattering_of(fibre_of(c), {c.theta_o, c.phi_o, c.h}, bins, 3, 100000, 5);
+  const auto walks = study::oracle::scattering_of(fibre_of(c), {c.theta_o, c.phi_o, c.h}, bins, 3, 200000, 5);
   for (int lobe = 0; lobe < 3; ++lobe) {
     const auto means = binned(c, single(lobe), lobe);
     double largest = 0;
