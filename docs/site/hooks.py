@@ -23,7 +23,7 @@ def documents(root):
 
 def linked_files(root, pages):
     """What the documents link to that is no document: pictures, data, schemas, sources."""
-    found = set()
+    found = {root / "docs/scene.schema.json"}
     for page in pages:
         for link in LINK.findall(page.read_text(encoding="utf-8")):
             target = (page.parent / link).resolve()

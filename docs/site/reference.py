@@ -1,6 +1,7 @@
 """The reference pages, written from what the program says about itself: registries, --help, the scene's schema, Python's docstrings."""
 import ast
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -27,11 +28,21 @@ def number(value):
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+def value_of(parameter, text):
+    """A value as it would be typed; an angle in radians also in degrees."""
+    if parameter["unit"] != "rad":
+        return number(text)
+    try:
+        return f"{float(text):.4g} ({math.degrees(float(text)):.4g} degrees)"
+    except ValueError:
+        return text
+
+
 def range_of(parameter):
     if "choices" in parameter:
         return ", ".join(f"`{choice}`" for choice in parameter["choices"])
     if "range" in parameter:
-        return " .. ".join(number(end) for end in parameter["range"])
+        return " .. ".join(value_of(parameter, end) for end in parameter["range"])
     return ""
 
 
@@ -41,7 +52,7 @@ def parameter_table(parameters):
     lines = ["| parameter | default | range | unit | what |", "|---|---|---|---|---|"]
     for parameter in parameters:
         unit = "" if parameter["unit"] == "1" else parameter["unit"]
-        lines.append(f"| `{parameter['name']}` | {cell(parameter['default'])} | {cell(range_of(parameter))} | {unit} | {cell(parameter['summary'])} |")
+        lines.append(f"| `{parameter['name']}` | {cell(value_of(parameter, parameter['default']))} | {cell(range_of(parameter))} | {unit} | {cell(parameter['summary'])} |")
     return "\n".join(lines) + "\n"
 
 

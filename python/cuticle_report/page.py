@@ -44,6 +44,12 @@ class Section:
         return [part for part in self.text.split("\n\n") if part.strip()]
 
 
+def parameters(cell):
+    """Names and values of a text as --set takes it, "eta=1.55,sigma_a=0.1/0.2/0.4", of three or more; else nothing."""
+    pairs = [part.split("=", 1) for part in cell.split(",")] if isinstance(cell, str) and "=" in cell else []
+    return pairs if len(pairs) > 2 and all(len(pair) == 2 for pair in pairs) else []
+
+
 def figure_html(figure):
     """A plot as HTML; the script that draws it is embedded once in the page."""
     return figure.to_html(full_html=False, include_plotlyjs=False, config={"responsive": True, "displaylogo": False})
@@ -54,7 +60,8 @@ def render(title, sections):
     environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
     script = plotly.offline.get_plotlyjs() if any(section.figures for section in sections) else ""
-    return environment.get_template("page.html.j2").render(title=title, sections=sections, script=script, figure_html=figure_html)
+    return environment.get_template("page.html.j2").render(title=title, sections=sections, script=script, figure_html=figure_html,
+                                                           parameters=parameters)
 
 
 def write(path, text):

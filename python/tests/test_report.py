@@ -190,3 +190,10 @@ def test_Report_BadData_SaysWhereAndLeavesNoPage(tmp_path, mode, name, content, 
     for word in words:
         assert word in done.stderr
     assert not (tmp_path / "index.html").exists()
+
+
+def test_Page_LongSettings_AreATableOfParameters():
+    row = ["chiang", "eta=1.55,sigma_a=0.1257/0.2091/0.411,beta_m=0.3"]
+    from cuticle_report import page
+    text = page.render("t", [page.Section("s", columns=["model", "settings"], rows=[row, ["none", "slices=4,resolution=64"]])])
+    assert "3 parameters" in text and "<td>sigma_a</td><td>0.1257/0.2091/0.411</td>" in text and "slices=4,resolution=64" in text

@@ -27,11 +27,11 @@ Json row_json(const RenderRow& row) {
 
 std::string words_of(const RenderStudy& study) {
   return fmt::format(
-      "Scene: {}; the hair alone. Truth: every sample of 16 x 16 in a pixel with all strands that cover it, sorted "
-      "exactly. "
+      "Scene: {}; the hair alone. Truth: every sample of {} x {} in a pixel with all strands that cover it, "
+      "sorted exactly. "
       "Coverage errors are means over the pixels that hair covers in either picture. Times: a frame's whole "
       "submission, wall clock, on {}; of 'truth' the work of the CPU too.",
-      study.scene, study.device);
+      study.scene, study.truth_samples, study.truth_samples, study.device);
 }
 
 /// Which setting is cheapest for a wanted error.

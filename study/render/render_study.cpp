@@ -35,6 +35,11 @@ std::string text_of(const Variant& variant) {
 
 Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(samples)}; }
 
+/// Tiles: samples that coverage is kept by.
+void add_coverage(std::vector<Variant>& list) {
+  for (int rows : {0, 2, 4, 16}) list.push_back({"tiles", {{"tiles", "coverage_rows", std::int64_t(rows)}}});
+}
+
 /// Tiles: order of transparency x shading points x level of detail.
 void add_tiles(std::vector<Variant>& list, bool all) {
   const std::vector<int> slices = all ? std::vector{0, 8, 32, 128} : std::vector{0, 32};
@@ -62,6 +67,7 @@ std::vector<Variant> variants(int truth_most, bool all) {
     list.push_back({"lines", {{"lines", "full_px", 1e4}}});
     list.push_back({"quads", {{"quads", "full_px", 1e4}}});
   }
+  add_coverage(list);
   add_tiles(list, all);
   for (int samples = 1; samples < truth_most; samples *= 2) list.push_back({"truth", {truth_samples(samples)}});
   return list;
@@ -138,6 +144,7 @@ class Study {
       : device_(std::move(device)), request_(request), progress_(progress) {
     study_.device = device_->info().name;
     study_.scene = request.scene.name;
+    study_.truth_samples = request.truth_samples;
   }
 
   Result<RenderStudy> run() {
@@ -180,7 +187,8 @@ class Study {
           if (what == "strands") sized.strand_count = std::max(1, int(scene.strand_count * factor));
           if (what == "pixels")
             sized.camera.camera.resolution = glm::ivec2(glm::dvec2(scene.camera.camera.resolution) * std::sqrt(factor));
-          if (what == "overlap") sized.fibre_count = scene.fibre_count * factor;
+          if (what == "overlap")
+            sized.fibre_count = (scene.fibre_count > 0 ? scene.fibre_count : scene::k_usual_fibre_count) * factor;
           CUTICLE_ASSIGN(const Picture picture, draw_variant({std::string(method)}, sized));
           study_.growth.push_back({std::string(what), std::string(method), factor, picture.ms});
         }

@@ -106,6 +106,15 @@ def test_Play_SliderClickedInTheMiddle_ChangesTheMaterialAtOnce(untouched, touch
     assert touched["change_ms"] > 0
 
 
+def test_Play_RangeWithAScreenshot_EndsAfterItsLastFrame(scene, display, tmp_path):
+    report = ended(play(scene, display, "--frames", "3:5", "--screenshot", tmp_path / "f.png"))
+    assert (report["pictures"], report["frame"]) == (3, 5) and (tmp_path / "f.png").exists()
+
+
+def test_Play_FramesThatAreNone_AreRefused(scene):
+    assert "first:last" in refused(2, "play", scene, "--frames", "a:b:c")
+
+
 def test_Play_NoDisplay_IsRefused(scene):
     done = subprocess.run([PROGRAM, "play", scene], capture_output=True, text=True, timeout=100, env={k: v for k, v in os.environ.items() if k != "DISPLAY"})
     assert done.returncode == 4

@@ -50,6 +50,7 @@ class Tiles {
     set(render::lines::entry(), "tip_variation", 0.0);
     set(render::tile_sort::entry(), "slices", drawing.slices);
     set(render::tiles::entry(), "opacity", drawing.opacity);
+    resources_.parameters["tiles"].set("coverage_rows", drawing.coverage_rows);
     set(render::tile_lists::entry(), "budget_mib", drawing.budget_mib);
     resources_.parameters["tile_lists"].set("full_px", drawing.full_px);
     resources_.strands.bounds = {{-4, -4, -1}, {4, 4, 1}};

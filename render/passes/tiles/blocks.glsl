@@ -1,7 +1,7 @@
 // A workgroup of eight per tile, each invocation a block of 2 x 4 pixels, on which it draws segments in the order of the
 // tile's list. Loops over few are unrolled: the loops of an invocation may make 65,535 turns together on lavapipe, after
 // which it leaves them. The shader that includes this defines set_aside() and take(), and includes exchange_shared.glsl
-// or exchange_records.glsl.
+// or exchange_records.glsl, and areas.glsl or spans.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tile_lists/tile_of_group.glsl"
@@ -58,6 +58,7 @@ uvec2 block_of(uint lane, uvec2 corner) { return corner + first_of_block(lane); 
 
 void begin_block(uvec2 block) {
   looked_at = 0u;
+  empty_spans();
   [[unroll]] for (int k = 0; k < k_block; ++k) {
     uvec2 at = min(block + in_block(k), push.part - 1u);
     through[k] = 1.0;
@@ -65,22 +66,6 @@ void begin_block(uvec2 block) {
     scene[k] = scene_depth[at.y * push.part.x + at.x];
     light[k] = vec3(0.0);
     seen_vertex[k] = samples[k] = 0u;
-  }
-}
-
-// On the block whose first pixel has its middle there.
-void draw(Prepared own, vec2 first_pixel) {
-  vec4 line = own.axis, size = own.extent, middle = own.shade, change = own.slope;
-  float across = line.x * first_pixel.y - line.y * first_pixel.x + line.z;
-  float along = line.x * first_pixel.x + line.y * first_pixel.y + line.w, half_length = size.z - 0.5;
-  [[unroll]] for (int k = 0; k < k_block; ++k) {
-    vec2 from_first = vec2(in_block(k));
-    float d = across + line.x * from_first.y - line.y * from_first.x;
-    float s = along + line.x * from_first.x + line.y * from_first.y;
-    float at = clamp(s, -half_length, half_length), inverse_depth = middle.w + at * change.w;
-    float covered = clamp((size.x - abs(d)) * push.opacity, 0.0, size.y);
-    covered *= clamp(size.z - abs(s), 0.0, size.w);
-    take(k, own.vertex, inverse_depth >= scene[k] ? covered : 0.0, middle.rgb + at * change.rgb, inverse_depth);
   }
 }
 

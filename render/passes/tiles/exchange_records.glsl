@@ -21,11 +21,12 @@ const int k_unrolled = 2;  // segments, of which a pixel may so have 100,000 and
 const uint k_chunk = 32u, k_entries_each = k_chunk / k_lanes;
 const float k_margin = 0.02;  // pixels, more than rounding takes
 
+shared float values[k_lanes];
 shared uint blocks_of_four[k_lanes];  // of 4 segments of the chunk each: which blocks they may cover, 8 bits for each
 
 // Bit b: the segment may cover pixels of block b of a tile.
 uint covered_blocks(Stroke own, vec2 tile_corner) {
-  vec2 along = own.axis.xy, size = 0.5 * (vec2(k_block_size) - 1.0), start = tile_corner + 0.5 * vec2(k_block_size);
+  vec2 along = own.axis.xy, block = vec2(block_size()), size = 0.5 * (block - 1.0), start = tile_corner + 0.5 * block;
   vec2 reach = vec2(own.half_width + abs(own.width_slope) * own.half_length, own.half_length) + 0.5;
   reach += vec2(dot(abs(along.yx), size), dot(abs(along), size)) + k_margin;
   float d = along.x * start.y - along.y * start.x + own.axis.z, s = dot(along, start) + own.axis.w;
@@ -67,3 +68,10 @@ void draw_chunk(uint first, uint end, vec2 first_pixel, vec2 tile_corner) {
 }
 
 bool is_below_in_all(float own, float limit) { return subgroupAll(own < limit); }
+
+float sum_in_all(float own) {
+  values[own_lane()] = own;
+  subgroupBarrier();
+  [[unroll]] for (uint k = 1u; k < k_lanes; ++k) own += values[(own_lane() + k) % k_lanes];
+  return own;
+}

@@ -35,3 +35,12 @@ bool is_below_in_all(float own, float limit) {
   [[unroll]] for (uint k = 0u; k < k_lanes; ++k) own = max(own, values[k]);
   return own < limit;
 }
+
+float sum_in_all(float own) {
+  values[own_lane()] = own;
+  barrier();
+  float sum = 0.0;
+  [[unroll]] for (uint k = 0u; k < k_lanes; ++k) sum += values[k];
+  barrier();
+  return sum;
+}

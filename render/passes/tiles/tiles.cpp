@@ -15,6 +15,13 @@ constexpr registry::Parameter k_parameters[] = {
      .maximum = 1,
      .default_text = "1",
      .summary = "of a drawn strand where it covers a pixel whole; 'truth' draws with the same"},
+    {.name = "coverage_rows",
+     .type = registry::ParameterType::integer,
+     .minimum = 0,
+     .maximum = 16,
+     .default_text = "8",
+     .summary = "rows of 16 samples in a pixel, of which those that a strand covers are known; 0, and for strands that "
+                "let light through or are blended by slices: its share of the pixel by a formula"},
     {.name = "chunk_px",
      .type = registry::ParameterType::integer,
      .unit = "px",

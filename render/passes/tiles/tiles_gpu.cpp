@@ -9,6 +9,8 @@
 #include <tiles_prepare_comp.spv.h>
 #include <tiles_records_comp.spv.h>
 #include <tiles_sliced_comp.spv.h>
+#include <tiles_spans_comp.spv.h>
+#include <tiles_spans_records_comp.spv.h>
 
 namespace cuticle::render::tiles {
 
@@ -87,22 +89,29 @@ Result<gpu::Kernel> make_prepare(gpu::Device& device) {
        {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
 }
 
+std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_records) {
+  using Code = std::span<const std::uint32_t>;
+  if (sliced) return tiles_sliced_comp;
+  if (spans) return reads_records ? Code(tiles_spans_records_comp) : Code(tiles_spans_comp);
+  return reads_records ? Code(tiles_records_comp) : Code(tiles_comp);
+}
+
 /// By slices where the scene asks for them, else as sorted.
 Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
+  const registry::ParameterValues& parameters = parameters_of(resources, entry());
   const bool sliced = parameters_of(resources, tile_sort::entry()).integer("slices") > 0;
+  const auto rows = std::uint32_t(parameters.integer("coverage_rows"));
+  const bool spans = !sliced && rows > 0 && parameters.real("opacity") >= 1;
   const std::size_t vertices = resources.strands.vertex_count;
   Fine fine;
   fine.reads_records = !sliced && reads_records(device.info(), vertices);
   const gpu::TextureFormat form = fine.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u}, {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u, std::max(rows, 1u)}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
-  std::span<const std::uint32_t> code = tiles_comp;
-  if (fine.reads_records) code = tiles_records_comp;
-  if (sliced) code = tiles_sliced_comp;
-  CUTICLE_ASSIGN(fine.draw, device.make_kernel(code, interface));
+  CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, spans, fine.reads_records), interface));
   CUTICLE_ASSIGN(fine.prepare, make_prepare(device));
   CUTICLE_ASSIGN(fine.records, device.make_buffer(fine.reads_records ? vertices * k_record_bytes : 0));
   return fine;

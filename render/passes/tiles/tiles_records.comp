@@ -1,4 +1,5 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/tiles/exchange_records.glsl"
+#include "render/passes/tiles/areas.glsl"
 #include "render/passes/tiles/tiles_sorted.glsl"

@@ -4,7 +4,7 @@
 // Those of one slice and pixel are blended in the order of the tile's list as they come, which is what blending a list
 // of them afterwards gives; then the slices, from near to far. As many slices at a time as shared memory has room for.
 #include "render/passes/tiles/exchange_shared.glsl"
-#include "render/passes/tiles/blocks.glsl"
+#include "render/passes/tiles/areas.glsl"
 
 layout(std430, binding = 8) readonly buffer DepthRanges { vec2 depth_ranges[]; };  // greatest and least 1 / depth
 

@@ -1,10 +1,9 @@
 // Fine rasteriser: blends each tile's segments from near to far, as they were sorted, with pixels in registers.
-#include "render/passes/tiles/blocks.glsl"
 
 bool set_aside(float least, float most) { return false; }
 
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
-  float weight = through[k] * covered;
+  float weight = seen_share(through[k], covered);
   light[k] += weight * color;
   depth[k] += weight * inverse_depth;
   through[k] -= weight;
@@ -19,6 +18,7 @@ void main() {
   uint tile = tile_of_group();
   uint begin = min(offsets[tile], push.capacity), end = min(offsets[tile + 1u], push.capacity);
   if (begin == end) return;  // the picture was emptied
+  choose_turn(begin, end);
   uvec2 corner = corner_of(tile), block = block_of(own_lane(), corner);
   begin_block(block);
   uint first = begin;

@@ -1,0 +1,25 @@
+// Coverage by area: what a segment covers of a pixel by a formula, whichever part of it that is.
+#include "render/passes/tiles/blocks.glsl"
+
+uvec2 turned(uvec2 value) { return value; }
+void choose_turn(uint begin, uint end) {}
+void empty_spans() {}
+
+// Strands lie in a pixel by chance: of what is left each covers its share.
+float seen_share(float left, float covered) { return left * covered; }
+
+// On the block whose first pixel has its middle there.
+void draw(Prepared own, vec2 first_pixel) {
+  vec4 line = own.axis, size = own.extent, middle = own.shade, change = own.slope;
+  float across = line.x * first_pixel.y - line.y * first_pixel.x + line.z;
+  float along = line.x * first_pixel.x + line.y * first_pixel.y + line.w, half_length = size.z - 0.5;
+  [[unroll]] for (int k = 0; k < k_block; ++k) {
+    vec2 from_first = vec2(in_block(k));
+    float d = across + line.x * from_first.y - line.y * from_first.x;
+    float s = along + line.x * from_first.x + line.y * from_first.y;
+    float at = clamp(s, -half_length, half_length), inverse_depth = middle.w + at * change.w;
+    float covered = clamp((size.x - abs(d)) * push.opacity, 0.0, size.y);
+    covered *= clamp(size.z - abs(s), 0.0, size.w);
+    take(k, own.vertex, inverse_depth >= scene[k] ? covered : 0.0, middle.rgb + at * change.rgb, inverse_depth);
+  }
+}
