@@ -215,7 +215,7 @@ TEST(ClumpAims, Noise_LoosensEachStrandByItsChance) {
 TEST(ClumpAims, GuideThatIsNoNumber_LeavesTheAimAsItIs) {
   const strands::Groom groom = three();
   chains::Chains<float> chains = chains::make_chains<float>(groom, chains::ChainSettings{});
-  const auto vertices = clumping::join_clumps(chains, groom, {.rate = 10, .tightness = 1});
+  const auto vertices = clumping::join_clumps(chains, groom, {.rate = 10, .tightness = 1, .noise = 0});
   ASSERT_EQ(vertices.size(), 32u);
   clumping::aim(chains, vertices, glm::dmat3(1));
   const auto before = chains.rest;

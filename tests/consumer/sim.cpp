@@ -8,6 +8,7 @@ int main() {
   cuticle::strands::Groom groom;
   groom.positions = {{0, 0, 0}, {0.1f, 0, 0}, {0.2f, 0, 0}};
   groom.offsets = {0, 3};
+  groom.radii = {3e-5f, 3e-5f, 3e-5f};
   const auto exact = sim::find_effect("exact"), gravity = sim::find_effect("gravity");
   if (!exact || !gravity) return 1;
   const auto defaults = [](const sim::Effect& effect) {
