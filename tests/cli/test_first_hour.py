@@ -87,7 +87,7 @@ def test_Telemetry_NamesItsUnits(tmp_path):
     done = run("simulate", ROOT / "scenes/still.json", "--frames", "0:0", "--out", tmp_path)
     assert done.returncode == 0, done.stderr
     columns = next(csv.reader((tmp_path / "telemetry.csv").open()))
-    assert {"time_s", "max_tension_m2_per_s2", "max_curvature_per_m", "wall_ms"} <= set(columns)
+    assert {"time_s", "max_tension_m2_per_s2", "max_curvature_per_m"} <= set(columns)
 
 
 def test_LobeNames_AreThoseOfEveryModel():
