@@ -66,6 +66,38 @@ TEST(FitSphere, FewPointsOrOnePlace_IsRefused) {
   EXPECT_FALSE(fit_sphere(std::vector<glm::vec3>(10, glm::vec3(1, 2, 3))));
 }
 
+// Roots on the back and the sides of a skull twice as large that faces -x: most lie at +x.
+TEST(FittedHead, RootsOfATurnedLargerHead_AreAboutItsScalp) {
+  std::vector<glm::vec3> roots;
+  for (float around = -1.2f; around < 1.3f; around += 0.3f)
+    for (float up = -0.2f; up < 1.4f; up += 0.3f)
+      roots.push_back(glm::vec3(0.3f, 1, 0) +
+                      0.2f * glm::vec3(std::cos(up) * std::cos(around), std::sin(up), std::cos(up) * std::sin(around)));
+  const strands::Head own = strands::make_head();
+  const auto head = fitted_head(own, roots);
+  ASSERT_TRUE(head) << head.error().message;
+  const auto scalp = fit_sphere(head->scalp.positions), before = fit_sphere(own.scalp.positions);
+  EXPECT_LT(glm::distance(scalp->center, glm::dvec3(0.3, 1, 0)), 1e-4);
+  EXPECT_NEAR(scalp->radius, 0.98 * 0.2, 1e-4);
+  const auto nose = [](const strands::Mesh& mesh, const glm::dvec3& middle) {
+    glm::dvec3 farthest{0};
+    for (const glm::vec3& point : mesh.positions) {
+      const glm::dvec3 away = glm::dvec3(point) - middle;
+      if (std::hypot(away.x, away.z) > std::hypot(farthest.x, farthest.z)) farthest = away;
+    }
+    return farthest;
+  };
+  EXPECT_GT(nose(own.mesh, before->center).z, 0.05);
+  EXPECT_LT(nose(head->mesh, scalp->center).x, -0.1) << "it looks away from the roots";
+}
+
+TEST(FittedHead, RootsThatAreNoHeads_AreRefused) {
+  std::vector<glm::vec3> row;
+  for (int k = 0; k < 30; ++k) row.emplace_back(0.1f * float(k), 0.02f * float(k % 3), 0.01f * float(k % 5));
+  EXPECT_FALSE(fitted_head(strands::make_head(), row));
+  EXPECT_FALSE(fitted_head(strands::make_head(), on_sphere({0, 0, 0}, 3)));
+}
+
 TEST(StrandSet, Grown_HasTheStrandsAskedForWithWeightsOfSumOne) {
   const auto set = build_strand_set(grown(700));
   ASSERT_TRUE(set);
