@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "core/json/json.h"
+#include "core/text.h"
 #include "strands/character/character.h"
 #include "strands/motion/bvh.h"
 
@@ -87,9 +88,9 @@ int show_character(const CharacterInfoRequest& request, bool json) {
   }
   for (const auto& [key, value] : description->items())
     if (value.is_list() && !value.empty())
-      for (const auto& item : value) fmt::print("{:<38}{}\n", key, item.dump());
+      for (const auto& item : value) fmt::print("{:<38}{}\n", key, printable(item.dump()));
     else
-      fmt::print("{:<38}{}\n", key, value.dump());
+      fmt::print("{:<38}{}\n", key, printable(value.dump()));
   return Exit::ok;
 }
 

@@ -2,20 +2,28 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <optional>
+#include <set>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include "cli/boundary.h"
 #include "cli/suggest.h"
+#include "core/interrupt.h"
+#include "core/memory_limit.h"
+#include "core/text.h"
 
 namespace cuticle::cli {
 
 void add_all_commands(CLI::App& app, Context& context);
 
 int report(const Error& error) {
-  fmt::print(stderr, "cuticle: error: {}\n", error.message);
-  if (!error.hint.empty()) fmt::print(stderr, "cuticle: try: {}\n", error.hint);
+  std::string text = "cuticle: error: " + printable(error.message) + "\n";
+  if (!error.hint.empty()) text += "cuticle: try: " + printable(error.hint) + "\n";
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  if (was_asked_to_stop()) return Exit::interrupted;
   switch (error.kind) {
     case ErrorKind::usage: return Exit::usage;
     case ErrorKind::bad_input: return Exit::bad_input_code;
@@ -93,6 +101,29 @@ Result<std::pair<int, int>> parse_frames(const std::string& text) {
   return std::pair<int, int>(int(first), int(last));
 }
 
+namespace {
+
+/// Of "a=1,b=2,a=3", what is wrong with it; empty: nothing.
+std::string names_given_twice(const std::string& settings) {
+  std::set<std::string> names;
+  for (const std::string& part : split_list(settings)) {
+    std::string name = part.substr(0, part.find('='));
+    std::erase(name, ' ');
+    if (!name.empty() && !names.insert(name).second) return "'" + printable(name, 60) + "' is given twice";
+  }
+  return {};
+}
+
+/// Wherever settings are given: the last of two would win in silence.
+void refuse_names_given_twice(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->check_lname("set") || option->check_lname("strands"))
+      option->check(CLI::Validator(names_given_twice, "", "names once"));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) refuse_names_given_twice(*command);
+}
+
+}  // namespace
+
 int run(int argc, char** argv) {
   CLI::App app{"Cuticle: hair reflectance and hair shadowing"};
   app.require_subcommand(1);
@@ -105,7 +136,10 @@ int run(int argc, char** argv) {
   app.add_option("--threads", context.threads, "CPU threads, 0 = all")->check(CLI::Range(0, 1024));
   app.add_option("--trace", context.trace_file, "write a Chrome trace (JSON) of the work to this file");
   app.add_option("--progress", progress, "auto, bar, json or none")->check(CLI::IsMember({"auto", "bar", "json", "none"}));
+  std::string memory;
+  app.add_option("--max-memory", memory, "most memory, such as 8G; what a file unfolds to is refused beyond it (default: half of the machine's)");
   add_all_commands(app, context);
+  refuse_names_given_twice(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -116,6 +150,11 @@ int run(int argc, char** argv) {
   const ProgressStyle style = progress == "bar" ? ProgressStyle::bar : progress == "json" ? ProgressStyle::json
                               : progress == "none" ? ProgressStyle::silent : ProgressStyle::automatic;
   context.progress = make_progress(style);
+  if (!memory.empty()) {
+    const auto bytes = parse_memory(memory);
+    if (!bytes) return report(bytes.error());
+    if (const auto limited = limit_memory(*bytes); !limited) return report(limited.error());
+  }
   std::optional<tbb::global_control> limit;
   if (context.threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(context.threads));
   return context.action ? context.action() : Exit::usage;

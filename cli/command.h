@@ -23,7 +23,7 @@ struct Context {
 };
 
 /// Exit codes, as docs/cli.md lists them.
-enum Exit { ok = 0, check_failed = 1, usage = 2, bad_input_code = 3, no_device = 4, internal = 5 };
+enum Exit { ok = 0, check_failed = 1, usage = 2, bad_input_code = 3, no_device = 4, internal = 5, interrupted = 130 };
 
 /// Prints the error and its hint to stderr; gives the exit code.
 int report(const Error& error);

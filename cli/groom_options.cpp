@@ -1,5 +1,9 @@
 #include "cli/groom_options.h"
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
 #include "cli/usd_files.h"
 
 namespace cuticle::cli {
@@ -15,6 +19,22 @@ Result<strands::Groom> load_groom(const std::string& path, const strands::ReadOp
   CUTICLE_ASSIGN(auto file, read_groom_file(path, options));
   for (const std::string& note : file.notes) progress.message(note);
   return std::move(file.groom);
+}
+
+FarStrand farthest_strand(const strands::Groom& groom) {
+  glm::vec3 middle(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values;
+    for (const glm::vec3& position : groom.positions) values.push_back(position[axis]);
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    middle[axis] = values[values.size() / 2];
+  }
+  FarStrand far;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s)
+    for (const glm::vec3& position : groom.strand(s))
+      if (const double distance = glm::distance(glm::dvec3(position), glm::dvec3(middle)); distance > far.distance)
+        far = {s, distance};
+  return far;
 }
 
 std::string groom_help(bool to_write) {

@@ -14,4 +14,11 @@ Result<strands::Groom> load_groom(const std::string& file, const strands::ReadOp
 /// "groom: .hair, .tfx, ..": the help of an option that names a file to read or to write.
 std::string groom_help(bool to_write);
 
+/// The strand that reaches farthest from the median of all points, metres. The groom must have points.
+struct FarStrand {
+  std::size_t strand = 0;
+  double distance = 0;
+};
+FarStrand farthest_strand(const strands::Groom& groom);
+
 }  // namespace cuticle::cli

@@ -8,31 +8,37 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "cli/boundary.h"
+
 namespace cuticle::cli {
 
 namespace fs = std::filesystem;
 
 namespace {
 
+/// Empty where the system does not tell.
 fs::path program_folder() {
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path(".") : self.parent_path();
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
 std::string python_program() {
-  if (const char* chosen = std::getenv("CUTICLE_PYTHON_EXE")) return chosen;
+  if (const char* chosen = std::getenv("CUTICLE_PYTHON_EXE"))
+    return fs::path(chosen).has_parent_path() ? fs::absolute(chosen).string() : chosen;
   const fs::path local = fs::path(CUTICLE_SOURCE_DIR) / ".venv/bin/python";
   return fs::exists(local) ? local.string() : "python3";
 }
 
-/// Exit code of a program run with its arguments, without a shell; 127 when it cannot be started.
+/// Exit code of a program run with its arguments, without a shell; 127 when it cannot be started. It runs in the root of
+/// the file system: libraries read settings from the folder that they are started in (matplotlibrc).
 int run_program(const std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
+    restore_signals();
+    if (chdir("/") != 0) _exit(127);
     execvp(pointers[0], pointers.data());
     _exit(127);
   }
@@ -46,7 +52,7 @@ int run_program(const std::vector<std::string>& arguments) {
 std::string share_file(const std::string& name) {
   std::vector<fs::path> folders;
   if (const char* share = std::getenv("CUTICLE_SHARE")) folders.emplace_back(share);
-  folders.push_back(program_folder() / "../share/cuticle");
+  if (const fs::path folder = program_folder(); !folder.empty()) folders.push_back(folder / "../share/cuticle");
   folders.emplace_back(CUTICLE_SOURCE_DIR);
   for (const fs::path& folder : folders)
     if (fs::exists(folder / name)) return (folder / name).lexically_normal().string();
@@ -54,8 +60,16 @@ std::string share_file(const std::string& name) {
 }
 
 int run_python(const std::string& module, const std::vector<std::string>& arguments) {
-  setenv("PYTHONPATH", share_file("python").c_str(), 1);
-  std::vector<std::string> all = {python_program(), "-m", module};
+  // -I: nothing is imported from the current folder, from PYTHONPATH or from beside the data. The package's own folder
+  // comes last, the user's own packages (pip install --user) before it.
+  constexpr const char* start =
+      "import runpy, site, sys\n"
+      "if sys.prefix == sys.base_prefix: site.addsitedir(site.getusersitepackages())\n"
+      "folder, module = sys.argv[1:3]\n"
+      "del sys.argv[1:3]\n"
+      "sys.path.append(folder)\n"
+      "runpy.run_module(module, run_name='__main__', alter_sys=True)";
+  std::vector<std::string> all = {python_program(), "-I", "-c", start, fs::absolute(share_file("python")).string(), module};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
 }
@@ -71,7 +85,8 @@ void print_rows(const std::string& csv, const std::string& file) {
 }
 
 int make_page(const std::string& mode, const std::string& folder, Progress& progress) {
-  const int code = run_python("cuticle_report", mode.empty() ? std::vector{folder} : std::vector{mode, folder});
+  const std::string place = fs::absolute(folder).string();
+  const int code = run_python("cuticle_report", mode.empty() ? std::vector{place} : std::vector{mode, place});
   if (code == 0)
     progress.message(fmt::format("page: {}/index.html", folder));
   else

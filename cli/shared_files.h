@@ -10,7 +10,8 @@ namespace cuticle::cli {
 /// Full path of a file that travels with the program: in CUTICLE_SHARE, beside the program (../share/cuticle), or in the source tree.
 std::string share_file(const std::string& name);
 
-/// Runs `python -m MODULE arguments` of the package beside the program. Its exit code; 127 where Python cannot be started.
+/// Runs a module of the package beside the program with Python's isolated mode, in the root of the file system: paths
+/// among the arguments must be absolute. Its exit code; 127 where Python cannot be started.
 int run_python(const std::string& module, const std::vector<std::string>& arguments);
 
 /// Writes rows of CSV to stdout: all of them to a file or pipe, the first twenty to a terminal, with where the rest is.

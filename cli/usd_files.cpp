@@ -3,10 +3,9 @@
 #include <filesystem>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "cli/shared_files.h"
-#include "core/file.h"
+#include "core/output_file.h"
 
 namespace cuticle::cli {
 
@@ -17,21 +16,12 @@ namespace fs = std::filesystem;
 /// What python/cuticle_usd ends with.
 enum UsdExit { converted = 0, unreadable = 3, no_usd_core = 4, no_plug_in = 5 };
 
-/// A USD text of this process, gone with the object.
-class TemporaryText {
- public:
-  TemporaryText() : path_((fs::temp_directory_path() / fmt::format("cuticle-{}.usda", ::getpid())).string()) {}
-  ~TemporaryText() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryText(const TemporaryText&) = delete;
-  TemporaryText& operator=(const TemporaryText&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+/// A folder for a USD text, which no one else can enter; gone with the object.
+Result<Temporary> folder_for_text() {
+  CUTICLE_ASSIGN(const std::string parent, temporary_folder());
+  return Temporary::folder(parent);
+}
+std::string text_in(const Temporary& folder) { return folder.path() + "/groom.usda"; }
 
 bool goes_through_usd(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
@@ -39,7 +29,7 @@ bool goes_through_usd(const std::string& path) {
 }
 
 Result<void> convert(const std::string& from, const std::string& to, const std::string& named) {
-  switch (run_python("cuticle_usd", {from, to})) {
+  switch (run_python("cuticle_usd", {fs::absolute(from).string(), fs::absolute(to).string()})) {
     case converted:
       return {};
     case unreadable:
@@ -59,17 +49,18 @@ Result<void> convert(const std::string& from, const std::string& to, const std::
 Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options) {
   if (!goes_through_usd(path)) return strands::read_groom(path, options);
   if (!fs::exists(path)) return bad_input(fmt::format("{}: no such file", path), "check the name");
-  const TemporaryText text;
-  CUTICLE_TRY(convert(path, text.path(), path));
-  return strands::read_groom(text.path(), options);
+  CUTICLE_ASSIGN(const Temporary folder, folder_for_text());
+  CUTICLE_TRY(convert(path, text_in(folder), path));
+  return strands::read_groom(text_in(folder), options);
 }
 
 Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
                                                   double metres_per_unit) {
   if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
-  const TemporaryText text;
-  CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text.path(), groom, metres_per_unit));
-  CUTICLE_TRY(write_through_temporary(path, [&](const std::string& name) { return convert(text.path(), name, path); }));
+  CUTICLE_ASSIGN(const Temporary folder, folder_for_text());
+  CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text_in(folder), groom, metres_per_unit));
+  CUTICLE_TRY(
+      write_through_temporary(path, [&](const std::string& name) { return convert(text_in(folder), name, path); }));
   return lost;
 }
 

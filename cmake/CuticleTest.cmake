@@ -103,7 +103,14 @@ function(cuticle_test_groups)
   endforeach()
 endfunction()
 
-# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh.
+# cuticle_fuzz(file_fuzz.cpp LIBS targets): a libFuzzer target, built by the preset `asan-ubsan`, run by scripts/test.sh. ctest runs it over
+# the inputs in tests/fuzz/NAME: seeds, and whatever once was a finding.
+function(cuticle_fuzz_inputs NAME)
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/tests/fuzz/${NAME})
+    add_test(NAME ${NAME}_inputs COMMAND ${CMAKE_BINARY_DIR}/fuzz/${NAME} -runs=0 ${PROJECT_SOURCE_DIR}/tests/fuzz/${NAME})
+    set_tests_properties(${NAME}_inputs PROPERTIES TIMEOUT 120)
+  endif()
+endfunction()
 function(cuticle_fuzz FILE)
   cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})
   if(NOT CUTICLE_FUZZ)
@@ -112,9 +119,11 @@ function(cuticle_fuzz FILE)
   get_filename_component(stem ${FILE} NAME_WE)
   add_executable(${stem} ${FILE})
   add_dependencies(all_fuzz_targets ${stem})
+  add_dependencies(all_tests ${stem})  # ctest runs it over its inputs
   set_target_properties(${stem} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
   target_link_libraries(${stem} PRIVATE ${ARG_LIBS} cuticle_warnings)
   target_link_options(${stem} PRIVATE -fsanitize=fuzzer)
+  cuticle_fuzz_inputs(${stem})
 endfunction()
 
 # cuticle_pytest(NAME FOLDER [LABELS ...] [TIMEOUT s] [ENVIRONMENT A=b ...]): a pytest folder or file as one ctest entry.

@@ -38,7 +38,8 @@ class OpenFile {
 
 Result<void> write_bytes(const std::string& path, std::span<const std::byte> bytes) {
   const auto failed = [&] {
-    return bad_input(fmt::format("{}: cannot write ({})", path, std::strerror(errno)), "check the folder and the free space");
+    return bad_input(fmt::format("{}: cannot write ({})", path, std::strerror(errno)),
+                     "check the folder and the free space");
   };
   OpenFile file(path, O_WRONLY | O_TRUNC);
   if (!file.is_open()) return failed();
@@ -71,9 +72,11 @@ Result<Container> read_to_end(int file, std::size_t expected, const std::string&
 template <class Container>
 Result<Container> read_whole(const std::string& path) {
   const OpenFile file(path, O_RDONLY);
-  if (!file.is_open()) return bad_input(fmt::format("{}: cannot open ({})", path, std::strerror(errno)), "check the name");
+  if (!file.is_open())
+    return bad_input(fmt::format("{}: cannot open ({})", path, std::strerror(errno)), "check the name");
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) return bad_input(fmt::format("{}: cannot read ({})", path, std::strerror(errno)));
+  if (::fstat(file.number(), &status) != 0)
+    return bad_input(fmt::format("{}: cannot read ({})", path, std::strerror(errno)));
   if (S_ISDIR(status.st_mode)) return bad_input(fmt::format("{}: is a folder, not a file", path));
   const std::uint64_t expected = S_ISREG(status.st_mode) ? std::uint64_t(status.st_size) : 0;
   CUTICLE_TRY(require_memory(path, {expected}));
@@ -98,7 +101,8 @@ Result<void> make_folder(const std::string& path) {
   std::error_code failed;
   fs::create_directories(path, failed);
   if (failed || !fs::is_directory(path, failed))
-    return bad_input(fmt::format("{}: cannot make the folder ({})", path, failed ? failed.message() : "a file has this name"));
+    return bad_input(
+        fmt::format("{}: cannot make the folder ({})", path, failed ? failed.message() : "a file has this name"));
   return {};
 }
 

@@ -14,7 +14,9 @@ void FileBytes::Unmap::operator()(const std::byte* bytes) const { ::munmap(const
 Result<FileBytes> map_file(const std::string& path) {
   FileBytes bytes;
   struct stat status {};
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // A pipe is opened once, by read_file: whoever writes to it would notice that it was closed in between.
+  const bool is_regular = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  const int file = is_regular ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1;
   if (file >= 0 && ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
     const std::size_t size = std::size_t(status.st_size);
     void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);

@@ -50,15 +50,17 @@ Result<std::uint64_t> parse_memory(const std::string& text) {
   const int shift = unit == "K" ? 10 : unit == "M" ? 20 : unit == "G" ? 30 : unit == "T" ? 40 : 0;
   const auto bytes = product_within(k_greatest, {number, std::uint64_t(1) << shift});
   if (code == std::errc() && (unit.empty() || shift > 0) && bytes && *bytes >= k_least) return *bytes;
-  return usage_error(fmt::format("--max-memory: '{}' is no size of at least 64M", text.substr(0, 40)), "--max-memory 8G");
+  return usage_error(fmt::format("--max-memory: '{}' is no size of at least 64M", text.substr(0, 40)),
+                     "--max-memory 8G");
 }
 
 Result<void> require_memory(std::string_view what, std::initializer_list<std::uint64_t> factors) {
   if (product_within(memory_limit(), factors)) return {};
   const auto bytes = product_within(k_greatest, factors);
-  return bad_input(fmt::format("{} needs {} MiB, allowed {} MiB", what,
-                               bytes ? std::to_string(*bytes / k_mebibyte) : "more than 2^44", memory_limit() / k_mebibyte),
-                   "raise --max-memory if the file is what you think it is");
+  return bad_input(
+      fmt::format("{} needs {} MiB, allowed {} MiB", what,
+                  bytes ? std::to_string(*bytes / k_mebibyte) : "more than 2^44", memory_limit() / k_mebibyte),
+      "raise --max-memory if the file is what you think it is");
 }
 
 }  // namespace cuticle

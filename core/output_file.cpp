@@ -197,7 +197,8 @@ void remove_temporaries() {
   for (const std::string& path : present().paths) fs::remove_all(path, ignored);
 }
 
-Result<void> write_through_temporary(const std::string& path, const std::function<Result<void>(const std::string&)>& write) {
+Result<void> write_through_temporary(const std::string& path,
+                                     const std::function<Result<void>(const std::string&)>& write) {
   CUTICLE_ASSIGN(const Target target, find_target(path));
   const bool is_stream = target.kind == Target::Kind::stream;
   std::string folder = folder_of(target.path);
@@ -216,7 +217,8 @@ Result<void> write_through_temporary(const std::string& path, const std::functio
 
 Result<void> move_into_place(const std::string& finished, const std::string& path) {
   CUTICLE_ASSIGN(const Target target, find_target(path));
-  struct stat file {}, folder {};
+  struct stat file {
+  }, folder{};
   const bool is_near = ::stat(finished.c_str(), &file) == 0 && ::stat(folder_of(target.path).c_str(), &folder) == 0 &&
                        file.st_dev == folder.st_dev;
   if (target.kind != Target::Kind::stream && is_near) return replace(finished, target, path);

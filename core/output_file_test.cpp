@@ -29,7 +29,9 @@ class OutputFile : public tests::TemporaryFolder {
     ::stat(path.c_str(), &status);
     return status.st_mode & 07777;
   }
-  std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(path("")), fs::directory_iterator())); }
+  std::size_t files() const {
+    return std::size_t(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()));
+  }
 };
 
 TEST_F(OutputFile, Replaced_KeepsItsMode) {

@@ -1,6 +1,7 @@
 #include "core/progress.h"
 
 #include <chrono>
+#include <cstdio>
 #include <mutex>
 
 #include <unistd.h>
@@ -8,9 +9,16 @@
 #include <fmt/core.h>
 
 #include "core/json/json.h"
+#include "core/text.h"
 
 namespace cuticle {
 namespace {
+
+/// A lost message is no reason to end the work: what cannot be written to stderr is dropped.
+void print_line(std::string_view text) {
+  const std::string line = printable(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
 
 class SilentProgress final : public Progress {
  public:
@@ -24,7 +32,7 @@ class MessageProgress final : public Progress {
   void update(std::string_view, std::size_t, std::size_t) override {}
   void message(std::string_view text) override {
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "{}\n", text);
+    print_line(text);
   }
 
  private:
@@ -40,9 +48,9 @@ class JsonProgress final : public Progress {
 
  private:
   void print(const Json& line) {
-    const std::string text = line.dump();
+    const std::string text = line.dump() + "\n";
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "{}\n", text);
+    std::fwrite(text.data(), 1, text.size(), stderr);
   }
   std::mutex mutex_;
 };
@@ -60,24 +68,26 @@ class BarProgress final : public Progress {
     last_ = now;
     draw(task, done, total);
     shown_ = !finished;
-    if (finished) fmt::print(stderr, "\n");
+    if (finished) std::fputc('\n', stderr);
   }
   void message(std::string_view text) override {
     const std::lock_guard lock(mutex_);
     clear();
-    fmt::print(stderr, "{}\n", text);
+    print_line(text);
   }
 
  private:
   static void draw(std::string_view task, std::size_t done, std::size_t total) {
-    if (total == 0) return fmt::print(stderr, "\r\033[K{} {}", task, done);
     constexpr std::size_t width = 32;
-    const std::size_t filled = done >= total ? width : std::size_t(double(done) / double(total) * width);
-    fmt::print(stderr, "\r\033[K{:<28} [{:=<{}}{:<{}}] {}/{}", task, "", filled, "", width - filled, done, total);
+    const std::size_t filled = total == 0 ? 0 : done >= total ? width : std::size_t(double(done) / double(total) * width);
+    const std::string line =
+        total == 0 ? fmt::format("\r\033[K{} {}", task, done)
+                   : fmt::format("\r\033[K{:<28} [{:=<{}}{:<{}}] {}/{}", task, "", filled, "", width - filled, done, total);
+    std::fwrite(line.data(), 1, line.size(), stderr);
     std::fflush(stderr);
   }
   void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) std::fputs("\r\033[K", stderr);
     shown_ = false;
   }
 

@@ -155,12 +155,24 @@ Result<void> check_far_field(const bsdf::Model& model, const registry::Parameter
                      "choose a far-field model or setting (cuticle models)");
 }
 
+/// The model must have every lobe that the layout's channels hold.
+Result<void> check_lobes(const bsdf::Model& model, const Layout& layout) {
+  for (const TableLayout& table : layout.tables)
+    for (const Channel& channel : table.channels)
+      if (const auto lobes = find_lobes(model, channel.lobe); channel.source == ChannelSource::model && !lobes)
+        return usage_error(fmt::format("layout '{}' holds the lobes {} of a fibre; the model {} has {}",
+                                       layout.entry.name, channel.lobe, model.entry.name, fmt::join(model.lobes, ", ")),
+                           "choose another layout or model (cuticle models)");
+  return {};
+}
+
 }  // namespace
 
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
                            int size, Progress& progress) {
   CUTICLE_TRY(check_size(size));
   CUTICLE_TRY(check_far_field(*source.model, values, layout));
+  CUTICLE_TRY(check_lobes(*source.model, layout));
   TableSet set;
   set.layout = &layout;
   set.model = source.model;

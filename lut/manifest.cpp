@@ -154,7 +154,6 @@ std::string manifest_json(const TableSet& set, const Format& format) {
             {"origin", "top_left"},
             {"licence", "the tables are the output of a program and belong to whoever ran it"},
             {"baked_on", set.baked_on},
-            {"bake_ms", set.bake_ms},
             {"texels", set.fitted ? "fitted" : "samples"}};
   if (!set.assumption.empty())
     json["assumption"] = scattering_json(set.assumption, "S composed of exact channels, with the model's S");

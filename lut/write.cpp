@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/file.h"
 #include "core/image/text.h"
+#include "core/json/json.h"
 #include "lut/format.h"
 #include "lut/probes.h"
 #include "lut/snippets/snippet.h"
@@ -23,30 +23,34 @@ namespace fs = std::filesystem;
 /// A folder beside the final files that vanishes unless its files were moved out.
 class Staging {
  public:
-  explicit Staging(const std::string& folder)
-      : target_(folder), path_(target_ / fmt::format(".cuticle-{}", ::getpid())) {
+  explicit Staging(std::string target) : target_(std::move(target)) {
     std::error_code code;
     existed_ = fs::exists(target_, code);
   }
   ~Staging() {
+    folder_.reset();
     std::error_code code;
-    fs::remove_all(path_, code);
     if (!existed_ && !moved_) fs::remove(target_, code);  // only if empty
   }
-  Result<void> make() { return make_folder(path_.string()); }
-  std::string folder() const { return path_.string(); }
-  std::string file(std::string_view name) const { return (path_ / name).string(); }
-  /// Renames every file to its place; takes back what was moved when one cannot be.
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  Result<void> make() {
+    CUTICLE_TRY(make_folder(target_));
+    CUTICLE_ASSIGN(Temporary folder, Temporary::folder(target_));
+    folder_.emplace(std::move(folder));
+    return {};
+  }
+  const std::string& folder() const { return folder_->path(); }
+  std::string file(std::string_view name) const { return (fs::path(folder()) / name).string(); }
+  /// Moves every file to its place; takes back what was moved when one cannot be.
   Result<void> move_out() {
     std::vector<fs::path> done;
     for (const fs::path& name : names()) {
       std::error_code code;
       fs::create_directories((target_ / name).parent_path(), code);
-      fs::rename(path_ / name, target_ / name, code);
-      if (code) {
+      if (const Result<void> moved = move_into_place(file(name.string()), (target_ / name).string()); !moved) {
         for (const fs::path& each : done) fs::remove(target_ / each);
-        return bad_input(fmt::format("{}: {}", (target_ / name).string(), code.message()),
-                         "choose another folder by --out");
+        return bad_input(moved.error().message, "choose another folder by --out");
       }
       done.push_back(name);
     }
@@ -55,13 +59,17 @@ class Staging {
   }
 
  private:
+  /// The manifest last: it holds the digests of the others, so that a set whose writing was killed does not pass for
+  /// one.
   std::vector<fs::path> names() const {
     std::vector<fs::path> result;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_))
-      if (entry.is_regular_file()) result.push_back(fs::relative(entry.path(), path_));
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder()))
+      if (entry.is_regular_file()) result.push_back(fs::relative(entry.path(), folder()));
+    std::ranges::sort(result, {}, [](const fs::path& name) { return std::pair(name == "manifest.json", name); });
     return result;
   }
-  fs::path target_, path_;
+  fs::path target_;
+  std::optional<Temporary> folder_;
   bool existed_ = false, moved_ = false;
 };
 
@@ -106,7 +114,7 @@ std::string names_of(const TableLayout& table, int first, int count) {
 Image labelled_preview(const Table& table, int first, int count) {
   const TableLayout& layout = *table.layout;
   const std::vector<std::string> lines = {
-      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as red green blue" : ""),
+      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as r, g, b" : ""),
       fmt::format("right {} {:.3g} .. {:.3g}", axis_info(layout.u.quantity).name, layout.u.lower, layout.u.upper),
       fmt::format("down {} {:.3g} .. {:.3g}", axis_info(layout.v.quantity).name, layout.v.lower, layout.v.upper)};
   return labelled(tone_map(preview_of(table, first, count)), lines);
@@ -164,6 +172,9 @@ Result<void> write_all(const TableSet& set, const Format& format, std::span<cons
     CUTICLE_TRY(format.write(staging.file(file_name(table, format)), engine_image(table), manifest));
   CUTICLE_ASSIGN(const std::string complete, with_digests(manifest, staging.folder()));
   CUTICLE_TRY(write_text_file(staging.file("manifest.json"), complete));
+  // Apart from all else, which is the same whenever the same tables are baked.
+  const Json timings = {{"bake_ms", set.bake_ms}};
+  CUTICLE_TRY(write_text_file(staging.file("timings.json"), timings.dump(2) + "\n"));
   CUTICLE_ASSIGN(const Manifest parsed, parse_manifest(complete, "manifest.json"));
   CUTICLE_TRY(write_for_engines(parsed, targets, staging));
   return write_png(staging.file("preview.png"), preview(set));

@@ -4,6 +4,7 @@
 #include "study/model_check/report.h"
 
 #include "python/arrays.h"
+#include "python/signals.h"
 
 namespace cuticle::python {
 namespace {
@@ -83,7 +84,8 @@ std::string check_functions(const nb::object& scattering, const nb::object& pdf,
   scatterer.sample = sampler_of(sample);
   scatterer.albedo = albedo_of(albedo);
   const checks::Subject subject = checks::fixed_subject(scatterer, near_field, white, complete);
-  const checks::Report report = check_subject(subject, {}, {.quick = quick}, silent_progress());
+  SignalProgress progress;
+  const checks::Report report = check_subject(subject, {}, {.quick = quick}, progress);
   return checks::to_json({&report, 1});
 }
 
@@ -96,8 +98,9 @@ std::string check_registered(const std::string& name, const std::string& preset,
   nb::gil_scoped_release released;
   const checks::Subject subject =
       checks::subject_of(*model, values, precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64);
+  SignalProgress progress;
   const checks::Report report =
-      check_subject(subject, checks::exceptions_of(*model, values), {.quick = quick}, silent_progress());
+      check_subject(subject, checks::exceptions_of(*model, values), {.quick = quick}, progress);
   return checks::to_json({&report, 1});
 }
 

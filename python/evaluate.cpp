@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -10,7 +12,9 @@
 #include "bsdf/model.h"
 #include "bsdf/pigment/pigment.h"
 
+#include "core/memory_limit.h"
 #include "python/arrays.h"
+#include "python/signals.h"
 
 namespace cuticle::python {
 namespace {
@@ -56,6 +60,43 @@ registry::ParameterValues find_values(const bsdf::Model& model, const std::strin
   return value_or_raise(bsdf::parse_settings(model, "", settings.empty() ? mapped : mapped + "," + settings));
 }
 
+/// Points, values and the array that is returned.
+Result<void> require_room(const std::vector<std::size_t>& shape) {
+  constexpr std::uint64_t huge = std::uint64_t(1) << 56, bytes_of_point = sizeof(bsdf::Point) + 2 * sizeof(glm::dvec3);
+  const std::vector<std::uint64_t> lengths(shape.begin(), shape.end());
+  const std::uint64_t count = product_within(huge, lengths).value_or(huge);
+  return require_memory(fmt::format("broadcasting to {} points", fmt::join(lengths, " x ")), {count, bytes_of_point});
+}
+
+/// Without the interpreter's lock; between two parts a signal may end it.
+Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::ParameterValues& values,
+                               bsdf::Precision precision, const bsdf::Request& request, std::span<glm::dvec3> out) {
+  const std::size_t part = request.quantity == bsdf::Quantity::albedo ? 1 << 8 : 1 << 18;  // of albedo each is an integral
+  const nb::gil_scoped_release released;
+  for (std::size_t first = 0; first < out.size(); first += part) {
+    const std::size_t count = std::min(part, out.size() - first);
+    CUTICLE_TRY(bsdf::evaluate(model, values, precision,
+                               {request.quantity, request.lobe, request.points.subspan(first, count)},
+                               out.subspan(first, count)));
+    raise_signals();
+  }
+  return {};
+}
+
+/// What a model's quantity depends on, by the names of eval's arguments less "_deg".
+std::vector<std::string> needed(const std::string& model_name, const std::string& quantity_name,
+                                const std::string& preset, const std::string& settings, const std::string& hair) {
+  constexpr std::array<const char*, bsdf::coordinate_count> names = {"theta_i", "theta_o", "theta_d",
+                                                                     "phi",     "h",       "phi_o"};
+  const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
+  const registry::ParameterValues values = find_values(*model, preset, settings, hair);
+  const auto used = bsdf::coordinates_of(*model, values, value_or_raise(bsdf::find_quantity(quantity_name)));
+  std::vector<std::string> result;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (used[c]) result.emplace_back(names[c]);
+  return result;
+}
+
 OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name,
                      const std::string& preset, const std::string& settings, const std::string& hair,
                      const std::vector<Numbers>& coordinates, const std::string& precision_name) {
@@ -65,13 +106,11 @@ OutputArray evaluate(const std::string& model_name, const std::string& quantity_
   const int lobe = value_or_raise(bsdf::find_lobe(*model, lobe_name));
   const bsdf::Precision precision = find_precision(precision_name);
   std::vector<std::size_t> shape = broadcast_shape(coordinates);
+  const Result<void> fits = require_room(shape);
+  if (!fits) raise(fits.error());
   const std::vector<bsdf::Point> points = make_points(coordinates, shape);
   std::vector<glm::dvec3> rgb(points.size());
-  Result<void> done;
-  {
-    nb::gil_scoped_release released;
-    done = bsdf::evaluate(*model, values, precision, {quantity, lobe, points}, rgb);
-  }
+  const Result<void> done = evaluate_in_parts(*model, values, precision, {quantity, lobe, points}, rgb);
   if (!done) raise(done.error());
   std::vector<double> flat;
   flat.reserve(rgb.size() * 3);
@@ -121,6 +160,7 @@ std::vector<std::string> lobes(const std::string& model_name) {
 
 void add_evaluate(nb::module_& module) {
   module.def("evaluate", &evaluate);
+  module.def("needed", &needed);
   module.def("absorption_of_pigments", &absorption_of_pigments);
   module.def("absorption_of_assembly", &absorption_of_assembly);
   module.def("absorption_of_fibre", &absorption_of_fibre);

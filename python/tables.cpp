@@ -5,6 +5,7 @@
 #include "lut/table_set.h"
 
 #include "python/arrays.h"
+#include "python/signals.h"
 
 namespace cuticle::python {
 namespace {
@@ -15,8 +16,9 @@ Result<lut::TableSet> make_tables(const std::string& model_name, const std::stri
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(model_name));
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, preset, settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(layout_name));
-  CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, size, silent_progress()));
-  CUTICLE_TRY(lut::certify(set, lut::half_exr(), silent_progress()));
+  SignalProgress progress;
+  CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, size, progress));
+  CUTICLE_TRY(lut::certify(set, lut::half_exr(), progress));
   return set;
 }
 

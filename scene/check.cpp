@@ -7,6 +7,7 @@
 
 #include "core/json/json.h"
 #include "core/json/position.h"
+#include "core/text.h"
 #include "scene/specification.h"
 
 namespace cuticle::scene {
@@ -49,7 +50,7 @@ Error wrong_type(const Place& place, std::string_view expected, const Json& valu
 
 Error unknown_key(const Place& place, const std::string& key, std::span<const std::string_view> known) {
   const std::string near = registry::nearest_name(key, known);
-  return bad_input(fmt::format("{}: unknown key '{}'; allowed: {}", place.text_at(key), key, fmt::join(known, ", ")),
+  return bad_input(fmt::format("{}: unknown key {}; allowed: {}", place.text_at(key), in_quotes(key), fmt::join(known, ", ")),
                    near.empty() ? "" : fmt::format("write '{}'", near));
 }
 

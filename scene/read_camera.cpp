@@ -16,6 +16,9 @@ void read_field_of_view(const Reader& reader, double& radians) {
 /// `name`: of the object that holds the view.
 Result<void> check_view(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,
                         const std::string& name) {
+  if (position == target)
+    return bad_input(fmt::format("{}: camera.position_m and target_m are the same point", name),
+                     "let the camera look at a point that it is not in");
   if (glm::length(glm::cross(target - position, up)) > 0) return {};
   return bad_input(fmt::format("{}: camera.up is parallel to the view from position_m to target_m", name));
 }

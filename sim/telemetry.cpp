@@ -48,13 +48,13 @@ Result<void> check_finite(const strands::Groom& rest, const State& state, int fr
 }
 
 std::string telemetry_header() {
-  return "frame,time_s,max_stretch,mean_stretch,max_tension_m2_per_s2,max_curvature_per_m,guards_fired,wall_ms\n";
+  return "frame,time_s,max_stretch,mean_stretch,max_tension_m2_per_s2,max_curvature_per_m,guards_fired\n";
 }
 
-std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms) {
-  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{:.4g}\n", frame, time, telemetry.largest_stretch,
+std::string telemetry_row(int frame, double time, const Telemetry& telemetry) {
+  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{}\n", frame, time, telemetry.largest_stretch,
                      telemetry.mean_stretch, telemetry.largest_tension, telemetry.largest_curvature,
-                     telemetry.guards_fired, wall_ms);
+                     telemetry.guards_fired);
 }
 
 }  // namespace cuticle::sim

@@ -19,8 +19,8 @@ Telemetry measure(const strands::Groom& rest, const State& state);
 Result<void> check_finite(const strands::Groom& rest, const State& state, int frame);
 
 /// Columns frame, time_s, max_stretch, mean_stretch (both lengths over rest lengths), max_tension_m2_per_s2,
-/// max_curvature_per_m, guards_fired, wall_ms.
+/// max_curvature_per_m, guards_fired.
 std::string telemetry_header();
-std::string telemetry_row(int frame, double time, const Telemetry& telemetry, double wall_ms);
+std::string telemetry_row(int frame, double time, const Telemetry& telemetry);
 
 }  // namespace cuticle::sim

@@ -74,9 +74,9 @@ TEST(Telemetry, StateThatIsNotFinite_IsNamedByFrameStrandAndVertex) {
 }
 
 TEST(Telemetry, Row_HasTheColumnsOfTheHeader) {
-  const std::string header = telemetry_header(), row = telemetry_row(3, 0.1, {1.5, 1.01, 9, 30, 2}, 4.5);
+  const std::string header = telemetry_header(), row = telemetry_row(3, 0.1, {1.5, 1.01, 9, 30, 2});
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
-  EXPECT_EQ(row, "3,0.1,1.5,1.01,9,30,2,4.5\n");
+  EXPECT_EQ(row, "3,0.1,1.5,1.01,9,30,2\n");
 }
 
 TEST(Effects, UnknownName_SuggestsTheNearest) {

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/run_folder.h"
 
 #include <charconv>
 #include <memory>
@@ -269,7 +270,7 @@ void add_bake(CLI::App& app, Context& context) {
   command->callback([&context, options, command] {
     options->size_is_given = command->count("--size") > 0;
     options->format_is_given = command->count("--format") > 0;
-    context.action = [&context, options] { return bake(*options, context); };
+    context.action = [&context, options] { return in_folder(options->out, [&] { return bake(*options, context); }); };
   });
 }
 

@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/groom_options.h"
 #include "cli/parameter_help.h"
+#include "cli/run_folder.h"
 #include "core/file.h"
 #include "strands/cards/hair_cards.h"
 
@@ -49,7 +50,9 @@ void add_cards(CLI::App& app, Context& context) {
   command->add_option("--set", request->settings, "card parameters as name=value,name=value");
   add_groom_options(*command, request->read.metres_per_unit, request->read.radius);
   command->footer([] { return table_help("--set (name, default, range, unit)", strands::card_parameters()); });
-  command->callback([&context, request] { context.action = [&context, request] { return act(*request, context); }; });
+  command->callback([&context, request] {
+    context.action = [&context, request] { return in_folder(request->out, [&] { return act(*request, context); }); };
+  });
 }
 
 }  // namespace cuticle::cli

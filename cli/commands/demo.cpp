@@ -1,4 +1,5 @@
 #include "cli/groom_options.h"
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 
 #include <fmt/core.h>
@@ -43,7 +44,7 @@ void add_demo(CLI::App& app, Context& context) {
   command->callback([&context, options] {
     context.action = [&context, options] {
       options->scene_file = share_file(options->groom_file.empty() ? "scenes/demo.json" : "scenes/demo_groom.json");
-      return run(*options, context);
+      return in_folder(options->out, [&] { return run(*options, context); });
     };
   });
 }

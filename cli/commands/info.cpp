@@ -4,6 +4,7 @@
 #include "cli/groom_options.h"
 #include "cli/usd_files.h"
 #include "core/json/json.h"
+#include "core/text.h"
 #include "strands/refusals.h"
 #include "strands/statistics.h"
 
@@ -88,10 +89,10 @@ void print_text(const strands::GroomFile& file, const strands::GroomStatistics& 
   print_spread("radius", figures.radius);
   fmt::print("{:<22}{:.4g} m between neighbouring fibres\n", "spacing", figures.spacing);
   std::string attributes = file.groom.root_uv.empty() ? "" : "root_uv ";
-  for (const auto& [name, attribute] : file.groom.attributes) attributes += name + " ";
+  for (const auto& [name, attribute] : file.groom.attributes) attributes += printable(name, 60) + " ";
   fmt::print("{:<22}{}\n", "attributes", attributes.empty() ? "none" : attributes);
   fmt::print("{:<22}{} metres per unit\n", "units", file.metres_per_unit);
-  for (const std::string& note : file.notes) fmt::print("{:<22}{}\n", "note", note);
+  for (const std::string& note : file.notes) fmt::print("{:<22}{}\n", "note", printable(note));
   for (const auto& [engine, what] : strands::refusals(file.groom))
     fmt::print("{:<22}{}: {}\n", "refused by", engine, what);
   print_degenerate(figures.degenerate);

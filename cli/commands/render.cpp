@@ -6,7 +6,10 @@
 
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
+#include "cli/skipped_frames.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "core/json/json.h"
 #include "plan/frame_runner_gpu.h"
 #include "render/passes/reference/reference_entry.h"
@@ -24,6 +27,7 @@ struct RenderOptions {
   std::optional<std::int64_t> samples, bounces;
   std::optional<double> max_error;
   std::string state;
+  std::vector<std::string> match;
 };
 
 /// Sums over the frames, per pass.
@@ -115,17 +119,33 @@ Result<void> write_frame(const std::string& folder, int frame, const plan::Frame
   return write_png(path + ".png", tone_map(result.color, exposure_stops));
 }
 
+Result<void> render_frame(const RenderOptions& options, plan::FrameRunner& runner, const scene::Scene& scene, int frame,
+                          Progress& progress, RunFolder& folder, Costs& costs) {
+  const std::string state = options.state.empty() ? std::string() : fmt::format("{}.{:04d}", options.state, frame);
+  CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
+  for (const std::string& note : result.notes) progress.message(note);
+  CUTICLE_TRY(write_frame(options.out, frame, result, scene.outputs.exposure_stops));
+  costs.add(result.cost);
+  for (const char* ending : {"exr", "png"}) folder.add(fmt::format("frame_{:04d}.{}", frame, ending));
+  return {};
+}
+
+/// Leaves the frames that are done also where one fails or an interrupt comes.
 Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::FrameRunner& runner,
-                     double exposure_stops, Progress& progress, std::pair<int, int> frames) {
+                     const scene::Scene& scene, Progress& progress, std::pair<int, int> frames, RunFolder& folder) {
   Costs costs;
-  for (int frame = frames.first; frame <= frames.second; ++frame) {
-    const std::string state = options.state.empty() ? std::string() : fmt::format("{}.{:04d}", options.state, frame);
-    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
-    costs.add(result.cost);
-    for (const std::string& note : result.notes) progress.message(note);
-    CUTICLE_TRY(write_frame(options.out, frame, result, exposure_stops));
-    progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
+  const StopsBetweenSteps stop;
+  Result<void> done = skip_to(runner, scene, frames.first, stop, progress);
+  const int count = frames.second - frames.first + 1;
+  for (int frame = frames.first; done && frame <= frames.second && !stop.is_asked(); ++frame) {
+    done = render_frame(options, runner, scene, frame, progress, folder, costs);
+    if (done) progress.update("frames", std::size_t(costs.frames), std::size_t(count));
   }
+  CUTICLE_TRY(folder.finish("render", costs.frames == count, progress));
+  if (!done) return done.error();
+  if (costs.frames < count)
+    return Error{ErrorKind::internal, fmt::format("interrupted after {} of {} frames", costs.frames, count),
+                 fmt::format("what was done is whole, in {}", options.out)};
   progress.message(
       fmt::format("most device memory at once: {:.1f} MiB", double(device.peak_allocated_bytes()) / (1 << 20)));
   return costs;
@@ -142,9 +162,9 @@ void tell_left_out(const plan::Plan& plan, Progress& progress) {
 
 /// The options that only paths know, as parameters of the pass 'reference'.
 Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene) {
-  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty();
+  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty() || !options.match.empty();
   if (asks && scene.render_method != "reference")
-    return usage_error(fmt::format("--samples, --bounces, --max-error and --state are of the method 'reference', and "
+    return usage_error(fmt::format("--samples, --bounces, --max-error, --match and --state are of the method 'reference', and "
                                    "strands are drawn by '{}'",
                                    scene.render_method),
                        "add --method reference");
@@ -153,6 +173,11 @@ Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene)
   if (options.samples) values.set("samples", *options.samples);
   if (options.bounces) values.set("bounces", *options.bounces);
   if (options.max_error) values.set("max_error", *options.max_error);
+  for (const std::string& restriction : options.match)
+    if (restriction == "far_field")
+      values.set("field", std::string("far"));
+    else
+      values.set("bounces", std::int64_t(1));
   return {};
 }
 
@@ -169,9 +194,8 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   tell_left_out(runner->plan(), *context.progress);
-  CUTICLE_TRY(make_folder(options.out));
-  CUTICLE_ASSIGN(const Costs costs,
-                 render(options, *device, *runner, scene.outputs.exposure_stops, *context.progress, frames));
+  CUTICLE_ASSIGN(RunFolder folder, RunFolder::open(options.out));
+  CUTICLE_ASSIGN(const Costs costs, render(options, *device, *runner, scene, *context.progress, frames, folder));
   if (context.json)
     print_json(costs, split_of(costs, runner->plan()), device->info().name);
   else
@@ -208,6 +232,10 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--max-error", options->max_error,
                       "reference: relative standard error of a pixel at which its tile rests (default 0: none does)")
       ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--match", options->match,
+                      "reference: restrictions of the real-time ways: far_field (the model's mean over the width), single_scattering")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"far_field", "single_scattering"}));
   command->add_option("--state", options->state,
                       "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");
   command->add_option("--out", options->out, "folder to write (default: render)");

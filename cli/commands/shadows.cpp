@@ -102,6 +102,19 @@ ShadowsOptions with_defaults(ShadowsOptions options) {
   return options;
 }
 
+/// Rays start from a disc of some strand spacings, which nobody gave: without this check its size would be refused.
+Result<void> check_spacing(const ShadowsOptions& options, const strands::Groom& groom) {
+  constexpr double most = 1;  // metre
+  const double footprint = footprint_of(options, groom);
+  if (footprint <= most || options.footprint_mm > 0) return {};
+  const FarStrand far = farthest_strand(groom);
+  return bad_input(
+      fmt::format("{}: four strand spacings are {:.3g} m, allowed at most {} m: strand {} reaches {:.3g} m "
+                  "from the middle of the groom",
+                  options.groom, footprint, most, far.strand, far.distance),
+      "take that strand out, or state the groom's unit by --metres-per-unit");
+}
+
 Result<std::vector<glm::vec3>> read_positions(const std::string& path) {
   constexpr double most = 1e6;
   constexpr PointColumn columns[] = {{"x", -most, most, "m"}, {"y", -most, most, "m"}, {"z", -most, most, "m"}};
@@ -269,6 +282,7 @@ Result<void> write_all(const ShadowsOptions& options, const study::Comparison& c
 Result<int> run(const ShadowsOptions& options, Context& context) {
   CUTICLE_ASSIGN(const glm::dvec3 to_light, parse_direction("--light", options.light));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(options.groom, options.read, *context.progress));
+  CUTICLE_TRY(check_spacing(options, groom));
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
   CUTICLE_ASSIGN(study::Comparison comparison, compare(options, casters, *context.progress));

@@ -6,7 +6,10 @@
 
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
+#include "cli/skipped_frames.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "core/json/json.h"
 #include "plan/frame_runner_gpu.h"
 #include "sim/telemetry.h"
@@ -59,9 +62,9 @@ Result<void> announce_size(const strands::Groom& groom, const Formats& formats, 
   return {};
 }
 
-/// What a run leaves beside the states.
+/// What a run leaves beside the states. What is measured by the clock is kept apart: all else is the same in every run.
 struct StateSeries {
-  std::string telemetry = sim::telemetry_header();
+  std::string telemetry = sim::telemetry_header(), timings = "frame,wall_ms\n";
   std::vector<strands::SeriesMember> members;
   double largest_stretch = 1, wall_ms = 0;
   std::uint32_t guards_fired = 0;
@@ -83,33 +86,62 @@ Result<void> write_state(const strands::Groom& rest, const sim::State& state, co
 }
 
 void add_frame(StateSeries& series, int frame, double time, const sim::Telemetry& telemetry, double wall_ms) {
-  series.telemetry += sim::telemetry_row(frame, time, telemetry, wall_ms);
+  series.telemetry += sim::telemetry_row(frame, time, telemetry);
+  series.timings += fmt::format("{},{}\n", frame, wall_ms);
   series.members.push_back({time, fmt::format("state_{:04d}.vtp", frame)});
   series.largest_stretch = std::max(series.largest_stretch, telemetry.largest_stretch);
   series.guards_fired += telemetry.guards_fired;
   series.wall_ms += wall_ms;
 }
 
-Result<void> write_series(const StateSeries& series, const Formats& formats, const std::string& folder) {
-  if (formats.vtp) CUTICLE_TRY(write_text_file(folder + "/states.pvd", strands::format_pvd(series.members)));
-  return write_text_file(folder + "/telemetry.csv", series.telemetry);
+/// What belongs to all frames, and the list of the run's files.
+Result<void> write_series(const StateSeries& series, const Formats& formats, bool is_complete, const std::string& out,
+                          RunFolder& folder, Progress& progress) {
+  if (formats.vtp) CUTICLE_TRY(write_text_file(out + "/states.pvd", strands::format_pvd(series.members)));
+  CUTICLE_TRY(write_text_file(out + "/telemetry.csv", series.telemetry));
+  CUTICLE_TRY(write_text_file(out + "/timings.csv", series.timings));
+  if (formats.vtp) folder.add("states.pvd");
+  folder.add("telemetry.csv");
+  folder.add("timings.csv");
+  return folder.finish("simulate", is_complete, progress);
 }
 
-Result<StateSeries> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
-                               std::pair<int, int> frames, double frames_per_second, Progress& progress) {
-  StateSeries series;
+Error interrupted(std::size_t done, std::pair<int, int> frames, const std::string& out) {
+  return {ErrorKind::internal,
+          fmt::format("interrupted after {} of {} frames", done, frames.second - frames.first + 1),
+          fmt::format("what was done is whole, in {}", out)};
+}
+
+/// One frame, written. Error: also where numbers stopped being finite.
+Result<void> run_frame(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats, int frame,
+                       double frames_per_second, StateSeries& series, RunFolder& folder) {
   const strands::Groom& rest = runner.control_groom();
-  for (int frame = frames.first; frame <= frames.second; ++frame) {
-    CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.render = false, .read_state = true}));
-    if (const auto finite = sim::check_finite(rest, result.state, frame); !finite) {
-      CUTICLE_TRY(write_series(series, formats, options.out));
-      return finite.error();
-    }
-    CUTICLE_TRY(write_state(rest, result.state, formats, fmt::format("{}/state_{:04d}", options.out, frame)));
-    add_frame(series, frame, frame / frames_per_second, sim::measure(rest, result.state), result.cost.wall_ms);
-    progress.update("frames", std::size_t(frame - frames.first) + 1, std::size_t(frames.second - frames.first) + 1);
+  CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.render = false, .read_state = true}));
+  CUTICLE_TRY(sim::check_finite(rest, result.state, frame));
+  const std::string name = fmt::format("state_{:04d}", frame);
+  CUTICLE_TRY(write_state(rest, result.state, formats, options.out + "/" + name));
+  if (formats.vtp) folder.add(name + ".vtp");
+  if (formats.hair) folder.add(name + ".hair");
+  add_frame(series, frame, frame / frames_per_second, sim::measure(rest, result.state), result.cost.wall_ms);
+  return {};
+}
+
+/// Leaves the frames that are done also where one fails or an interrupt comes.
+Result<StateSeries> run_frames(plan::FrameRunner& runner, const SimulateOptions& options, const Formats& formats,
+                               std::pair<int, int> frames, const scene::Scene& scene, RunFolder& folder,
+                               Progress& progress) {
+  StateSeries series;
+  const StopsBetweenSteps stop;
+  Result<void> done = skip_to(runner, scene, frames.first, stop, progress);
+  const std::size_t count = std::size_t(frames.second - frames.first) + 1;
+  for (int frame = frames.first; done && frame <= frames.second && !stop.is_asked(); ++frame) {
+    done = run_frame(runner, options, formats, frame, scene.frames_per_second, series, folder);
+    if (done) progress.update("frames", series.members.size(), count);
   }
-  CUTICLE_TRY(write_series(series, formats, options.out));
+  const bool is_complete = series.members.size() == count;
+  CUTICLE_TRY(write_series(series, formats, is_complete, options.out, folder, progress));
+  if (!done) return done.error();
+  if (!is_complete) return interrupted(series.members.size(), frames, options.out);
   return series;
 }
 
@@ -138,11 +170,11 @@ Result<void> simulate(const SimulateOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
-  CUTICLE_TRY(make_folder(options.out));
+  CUTICLE_ASSIGN(RunFolder folder, RunFolder::open(options.out));
   CUTICLE_TRY(
       announce_size(runner->control_groom(), formats, frames.second - frames.first + 1, options, *context.progress));
   CUTICLE_ASSIGN(const StateSeries series,
-                 run_frames(*runner, options, formats, frames, scene.frames_per_second, *context.progress));
+                 run_frames(*runner, options, formats, frames, scene, folder, *context.progress));
   print(series, runner->control_groom(), options.out, context.json);
   return {};
 }

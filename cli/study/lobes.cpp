@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "bsdf/fibre/fibres.h"
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "study/lobes/lobes_study.h"
@@ -53,8 +54,11 @@ void add_study_lobes(CLI::App& study, Context& context) {
   command->add_option("--models", options->models, "models, a,b,c, or all")->capture_default_str();
   command->add_option("--hair", options->hair, "physical fibre that every model is mapped to")->capture_default_str();
   command->add_flag("--quick", options->quick, "fewer points and timings");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_lobes(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_lobes(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "study/luts/luts_study.h"
@@ -48,8 +49,11 @@ void add_study_luts(CLI::App& study, Context& context) {
   command->add_option("--layouts", options->layouts, "layouts, a,b,c; without it all whose tables make S");
   command->add_option("--set", options->settings, "parameters of every model, name=value,name=value");
   command->add_flag("--quick", options->quick, "fewer sizes, formats and timings, no fits");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_luts(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_luts(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "study/motion/motion_study.h"
@@ -33,8 +34,11 @@ void add_study_motion(CLI::App& study, Context& context) {
   auto options = std::make_shared<MotionOptions>();
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_flag("--quick", options->quick, "fewer settings and timings");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_motion(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_motion(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

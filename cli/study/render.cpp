@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "plan/plan.h"
 #include "study/render/render_study.h"
@@ -53,8 +54,11 @@ void add_study_render(CLI::App& study, Context& context) {
   command->add_option("--out", options->out, "folder to write")->required();
   command->add_flag("--quick", options->quick,
                     "a quarter of the resolution, at most 1,000 strands, fewer settings, no growth, timed once");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_render(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_render(*options, context); });
+    };
+  });
 }
 #else
 void add_study_render(CLI::App&, Context&) {}

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "cli/groom_options.h"
+#include "cli/run_folder.h"
 #include "cli/shared_files.h"
 #include "cli/study/study.h"
 #include "core/file.h"
@@ -81,8 +82,11 @@ void add_study_shadows(CLI::App& study, Context& context) {
       "measure the marks of a file instead (scenes/shadow_marks); grooms are found below CUTICLE_TEST_DATA");
   add_groom_options(*command, options->read.metres_per_unit, options->read.radius);
   command->add_flag("--quick", options->quick, "fewer settings, receivers and rays");
-  command->callback(
-      [&context, options] { context.action = [&context, options] { return study_shadows(*options, context); }; });
+  command->callback([&context, options] {
+    context.action = [&context, options] {
+      return in_folder(options->out, [&] { return study_shadows(*options, context); });
+    };
+  });
 }
 
 }  // namespace cuticle::cli

@@ -11,10 +11,13 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include "core/file.h"
+#include "core/image/detail/picture_library.h"
 #include "core/image/image.h"
 
 namespace cuticle {
 namespace {
+
+constexpr int k_largest_side = 65536;
 
 Imf::Header make_header(const Image& image, Imf::PixelType type, const std::map<std::string, std::string>& attributes) {
   Imf::Header header(image.width, image.height);
@@ -55,10 +58,14 @@ std::vector<std::string> channels_of(const Imf::Header& header) {
   return header.channels().findChannel("A") ? std::vector<std::string>{"R", "G", "B", "A"} : names;
 }
 
-Image read_samples(const std::string& path) {
+Result<Image> read_samples(const std::string& path) {
+  Imf::Header::setMaxImageSize(k_largest_side, k_largest_side);
   Imf::InputFile file(path.c_str());
   const Imath::Box2i window = file.header().dataWindow();
-  Image image = make_image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels_of(file.header()));
+  const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1, height = std::int64_t(window.max.y) - window.min.y + 1;
+  const std::vector<std::string> channels = channels_of(file.header());
+  CUTICLE_TRY(detail::check_picture(path, {width, height, 1, std::int64_t(channels.size())}));
+  Image image = make_image(int(width), int(height), channels);
   file.setFrameBuffer(interleaved(image.pixels.data(), Imf::FLOAT, image.channel_names, image.width, window.min));
   file.readPixels(window.min.y, window.max.y);
   return image;

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include <Imath/half.h>
+#include <fmt/core.h>
+
+#include "core/image/detail/picture_library.h"
+#include "core/memory_limit.h"
 
 namespace cuticle {
 
@@ -16,6 +22,26 @@ Image make_image(int width, int height, std::vector<std::string> channel_names) 
   image.pixels.assign(std::size_t(width) * std::size_t(height) * image.channel_names.size(), 0.0f);
   return image;
 }
+
+namespace detail {
+
+Result<void> check_picture(const std::string& path, const PictureSize& size) {
+  // A picture of one colour takes a bit a pixel before deflate shrinks it by 1032, and 32 bits a channel after.
+  constexpr std::uint64_t most_unfolding = 1 << 16, least_bytes = 1 << 16;
+  const std::string words = fmt::format("{}: a picture of {} x {} x {} pixels and {} channels", path, size.width,
+                                        size.height, size.depth, size.channels);
+  if (size.width < 1 || size.height < 1 || size.depth != 1 || size.channels < 1 || size.channels > 1024)
+    return bad_input(fmt::format("{}; allowed: 1 or more x 1 or more x 1, 1 .. 1024 channels", words));
+  std::error_code failed;
+  const std::uint64_t length = std::filesystem::file_size(path, failed);
+  const std::uint64_t factors[] = {std::uint64_t(size.width), std::uint64_t(size.height), std::uint64_t(size.channels),
+                                   sizeof(float)};
+  if (!failed && !product_within(length * most_unfolding + least_bytes, factors))
+    return bad_input(fmt::format("{} cannot be what {} bytes hold", words, length), "check that the file is whole");
+  return require_memory(words, {factors[0], factors[1], factors[2], factors[3]});
+}
+
+}  // namespace detail
 
 float round_to_half(float value) { return float(Imath::half(value)); }
 
@@ -53,7 +79,8 @@ Image tone_map(const Image& linear, double exposure_stops) {
   const float gain = float(std::exp2(exposure_stops));
   const int channels = linear.channels();
   for (std::size_t i = 0; i < display.pixels.size(); ++i)
-    if (linear.channel_names[i % std::size_t(channels)] != "A") display.pixels[i] = display_value(linear.pixels[i], gain);
+    if (linear.channel_names[i % std::size_t(channels)] != "A")
+      display.pixels[i] = display_value(linear.pixels[i], gain);
   return display;
 }
 
@@ -66,7 +93,8 @@ Image contact_sheet(const std::vector<Image>& images, int columns) {
   const std::size_t channels = std::size_t(first.channels());
   for (std::size_t i = 0; i < sheet.pixels.size(); ++i) sheet.pixels[i] = first.pixels[i % channels];
   for (int i = 0; i < int(images.size()); ++i) {
-    CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height, "pictures of a sheet have equal sizes");
+    CUTICLE_EXPECT(images[i].width == first.width && images[i].height == first.height,
+                   "pictures of a sheet have equal sizes");
     paste(images[i], sheet, (i % columns) * first.width, (i / columns) * first.height);
   }
   return sheet;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/file.h"
+#include "core/image/detail/picture_library.h"
 #include "core/image/image.h"
 
 namespace cuticle::image_test {
@@ -111,6 +113,33 @@ TEST_F(ImageTest, PictureThatIsNone_IsBadInput) {
   ASSERT_TRUE(write_text_file(path("a.png"), "not a picture"));
   EXPECT_EQ(read_image(path("a.png")).error().kind, ErrorKind::bad_input);
   EXPECT_EQ(read_image(path("absent.png")).error().kind, ErrorKind::bad_input);
+}
+
+TEST_F(ImageTest, PictureThatStatesMoreThanItsBytesHold_IsRefusedBeforeMemoryIsTaken) {
+  ASSERT_TRUE(write_text_file(path("a.ppm"), "P6 60000 60000 255\nxx"));
+  const Result<Image> ppm = read_image(path("a.ppm"));
+  ASSERT_FALSE(ppm);
+  EXPECT_THAT(ppm.error().message, ::testing::HasSubstr("60000 x 60000"));
+  std::string exr = [&] {
+    EXPECT_TRUE(write_exr(path("a.exr"), gradient(2, 2, {"R", "G", "B", "A"}), ExrType::single));
+    return read_text_file(path("a.exr")).value();
+  }();
+  // The window's corner: both numbers become 2^30, whose product with 16 bytes a pixel leaves nothing of 64 bits.
+  const std::size_t window = exr.find("box2i", exr.find("dataWindow")) + 6 + 4 + 8;
+  const std::uint32_t corner = (1u << 30) - 1;
+  for (int i : {0, 4}) std::memcpy(exr.data() + window + i, &corner, 4);
+  ASSERT_TRUE(write_text_file(path("a.exr"), exr));
+  EXPECT_EQ(read_exr(path("a.exr")).error().kind, ErrorKind::bad_input);
+}
+
+TEST_F(ImageTest, SizesOfPictures_AreCheckedAgainstLengthAndMemory) {
+  ASSERT_TRUE(write_text_file(path("a"), std::string(1000, 'x')));
+  EXPECT_TRUE(detail::check_picture(path("a"), {1024, 1024, 1, 4}));
+  EXPECT_FALSE(detail::check_picture(path("a"), {16384, 16384, 1, 4}));
+  EXPECT_FALSE(detail::check_picture(path("a"), {16, 16, 2, 4})) << "a volume has more numbers than an Image";
+  EXPECT_FALSE(detail::check_picture(path("a"), {-16, 16, 1, 4}));
+  const std::int64_t huge = std::int64_t(1) << 31;
+  EXPECT_FALSE(detail::check_picture(path("a"), {huge, huge, 1, 4})) << "2^64 bytes are none in 64 bits";
 }
 
 TEST(ToneMap, BlackAndAlpha_AreKept) {

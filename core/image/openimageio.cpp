@@ -1,8 +1,10 @@
 // The library of pictures: a file of its own, because OpenImageIO brings some 250 libraries with it.
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include <OpenImageIO/imageio.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/image/detail/picture_library.h"
 
@@ -21,12 +23,20 @@ Result<void> write(const std::string& path, const Samples& samples) {
   return {};
 }
 
-Result<Image> read(const std::string& path) {
+/// What pictures of light and texture come in. The library reads some thirty more, films and volumes among them, by
+/// content and not by name: more code than a picture from elsewhere should reach.
+constexpr std::string_view k_kinds[] = {"openexr", "png", "jpeg", "hdr", "tiff", "pnm", "targa", "bmp", "dds", "webp"};
+
+Result<Image> read(const std::string& path, Result<void> (*check)(const std::string&, const PictureSize&)) {
   OIIO::ImageSpec settings;
   settings.attribute("oiio:UnassociatedAlpha", 1);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &settings);
   if (!input) return bad_input(fmt::format("{}: not a readable picture ({})", path, OIIO::geterror()));
+  if (std::ranges::find(k_kinds, input->format_name()) == std::end(k_kinds))
+    return bad_input(fmt::format("{}: a picture of the kind '{}'; allowed: {}", path, input->format_name(),
+                                 fmt::join(k_kinds, ", ")));
   const OIIO::ImageSpec& spec = input->spec();
+  CUTICLE_TRY(check(path, {spec.width, spec.height, spec.depth, spec.nchannels}));
   Image image{spec.width, spec.height, spec.channelnames, {}};
   image.pixels.resize(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))

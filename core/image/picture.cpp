@@ -56,7 +56,7 @@ Result<void> write_png(const std::string& path, const Image& image, int bits) {
 
 Result<Image> read_image(const std::string& path) {
   CUTICLE_ASSIGN(const PictureLibrary* library, picture_library());
-  return library->read(path);
+  return library->read(path, detail::check_picture);
 }
 
 Result<int> mip_levels(const std::string& path) {

@@ -5,43 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json/position.h"
+#include "core/text.h"
 
 namespace cuticle {
 
 using Library = nlohmann::ordered_json;
 
-/// To and from the library's value.
+/// To the library's value, and from its parser.
 struct Json::Convert {
-  static Json from(const Library& value);
   static Library to(const Json& value);
+  class Builder;
 };
-
-Json Json::Convert::from(const Library& value) {
-  switch (value.type()) {
-    case Library::value_t::boolean:
-      return value.get<bool>();
-    case Library::value_t::number_integer:
-      return value.get<std::int64_t>();
-    case Library::value_t::number_unsigned:
-      return value.get<std::uint64_t>();
-    case Library::value_t::number_float:
-      return value.get<double>();
-    case Library::value_t::string:
-      return value.get_ref<const std::string&>();
-    case Library::value_t::array: {
-      Json list = Json::list();
-      for (const Library& item : value) list.values_.push_back(from(item));
-      return list;
-    }
-    case Library::value_t::object: {
-      Json object = Json::object();
-      for (const auto& [key, item] : value.items()) object[key] = from(item);
-      return object;
-    }
-    default:
-      return nullptr;
-  }
-}
 
 Library Json::Convert::to(const Json& value) {
   switch (value.kind_) {
@@ -62,7 +36,9 @@ Library Json::Convert::to(const Json& value) {
     }
     case Kind::object: {
       Library object = Library::object();
-      for (const auto& [key, item] : value.items()) object.push_back({key, to(item)});
+      // Past the map's own functions, which look at every key before they add one.
+      auto& pairs = static_cast<Library::object_t::Container&>(object.get_ref<Library::object_t&>());
+      for (const auto& [key, item] : value.items()) pairs.emplace_back(key, to(item));
       return object;
     }
     default:
@@ -70,15 +46,76 @@ Library Json::Convert::to(const Json& value) {
   }
 }
 
+/// Takes a text piece by piece from the library's parser. Its own objects look at every key before they add one, and
+/// keep one of two equal keys in silence.
+class Json::Convert::Builder {
+ public:
+  explicit Builder(std::string_view text) : text_(text) {}
+  bool null() { return add(Json()); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
+  bool binary(Library::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::list()); }
+  bool end_array() {
+    open_.pop_back();
+    return true;
+  }
+  bool key(std::string& name) {
+    open_.back()->keys_.push_back(std::move(name));
+    return true;
+  }
+  bool end_object() {
+    std::vector<std::string_view> names(open_.back()->keys_.begin(), open_.back()->keys_.end());
+    open_.pop_back();
+    std::ranges::sort(names);
+    const auto twice = std::ranges::adjacent_find(names);
+    if (twice == names.end()) return true;
+    problem_ = "the key " + in_quotes(*twice) + " is given twice";
+    return false;
+  }
+  bool parse_error(std::size_t byte, const std::string&, const Library::exception& error) {
+    constexpr int k_not_json = 101;
+    const TextPosition place = position_of(text_, std::max<std::size_t>(byte, 1) - 1);
+    problem_ = error.id == k_not_json ? "not JSON at line " + std::to_string(place.line) + ", column " +
+                                            std::to_string(place.column)
+                                      : error.what();
+    return false;
+  }
+
+  Json take() { return std::move(root_); }
+  const std::string& problem() const { return problem_; }
+
+ private:
+  static constexpr std::size_t k_deepest = 256;
+
+  Json* place() {
+    if (open_.empty()) return &root_;
+    return &open_.back()->values_.emplace_back();
+  }
+  bool add(Json value) {
+    *place() = std::move(value);
+    return true;
+  }
+  /// Without the bound, a text of brackets alone would end the program: values are copied level by level.
+  bool open(Json empty) {
+    if (open_.size() == k_deepest) problem_ = "more than 256 levels";
+    if (!problem_.empty()) return false;
+    open_.push_back(place());
+    *open_.back() = std::move(empty);
+    return true;
+  }
+
+  std::string_view text_;
+  Json root_;
+  std::vector<Json*> open_;  ///< lists and objects from the outside in; what lies in one moves only once it is closed
+  std::string problem_;
+};
+
 namespace {
-
-constexpr int k_deepest = 256;
-
-/// Without it, a text of brackets alone would end the program: values are copied level by level.
-bool is_shallow(int depth, Library::parse_event_t, Library&) {
-  if (depth > k_deepest) throw Json::Mismatch("more than 256 levels");
-  return true;
-}
 
 template <class Value>
 const Value& held(const Value* value, const char* expected, const Json& found) {
@@ -113,15 +150,9 @@ Json Json::object() {
 }
 
 Result<Json> Json::parse(std::string_view text) {
-  try {
-    return Convert::from(Library::parse(text, is_shallow));
-  } catch (const Library::parse_error& error) {
-    const TextPosition place = position_of(text, std::max<std::size_t>(error.byte, 1) - 1);
-    return bad_input("not JSON at line " + std::to_string(place.line) + ", column " + std::to_string(place.column),
-                     "check commas, quotes and brackets there");
-  } catch (const std::exception& error) {
-    return bad_input(error.what());
-  }
+  Convert::Builder builder(text);
+  if (Library::sax_parse(text.begin(), text.end(), &builder)) return builder.take();
+  return bad_input(builder.problem(), "check commas, quotes and brackets there");
 }
 
 std::string Json::dump(int indent, bool ascii) const {

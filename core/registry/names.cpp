@@ -40,6 +40,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (std::string_view candidate : known) {
+    // As many changes are needed at least; a name of megabytes is compared with none.
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= best_distance) continue;
     const std::size_t distance = typing_distance(name, candidate);
     if (distance >= best_distance) continue;
     best_distance = distance;

@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "core/text.h"
+
 namespace cuticle::registry {
 namespace {
 
@@ -115,7 +117,7 @@ Result<Value> parse_degrees(const Parameter& angle, std::string_view name, std::
 Result<void> assign(ParameterTable table, std::string_view assignment, ParameterValues& values) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
-    return usage_error(fmt::format("'{}' is not name=value", assignment), "--set name=value,name=value");
+    return usage_error(fmt::format("{} is not name=value", in_quotes(assignment)), "--set name=value,name=value");
   const std::string_view name = trimmed(assignment.substr(0, equals)), text = trimmed(assignment.substr(equals + 1));
   if (const Parameter* angle = find_angle(table, name)) {
     CUTICLE_ASSIGN(Value radians, parse_degrees(*angle, name, text));
@@ -144,7 +146,7 @@ Result<const Parameter*> find_parameter(ParameterTable table, std::string_view n
   }
   const std::string near = nearest_name(name, known);
   const std::string list = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
-  return usage_error(fmt::format("unknown parameter '{}' (known: {})", name, list), near.empty() ? "" : "did you mean " + near + "?");
+  return usage_error(fmt::format("unknown parameter {} (known: {})", in_quotes(name), list), near.empty() ? "" : "did you mean " + near + "?");
 }
 
 Result<Value> parse_value(const Parameter& parameter, std::string_view text) {

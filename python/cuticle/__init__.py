@@ -3,11 +3,17 @@
 Angles are in degrees where a name ends in `_deg`; everything else is SI. Bad input raises ValueError with the program's message.
 """
 import json
+import numbers
+import os
 
 import numpy
 
 from . import _cuticle
-from ._cuticle import Groom, load_groom
+from ._cuticle import Groom
+
+# What eval takes, each with the largest magnitude; angles in degrees (a right angle may be off by rounding).
+_LIMITS = {"theta_i_deg": 90 * (1 + 1e-12), "theta_o_deg": 90 * (1 + 1e-12), "theta_d_deg": 90 * (1 + 1e-12), "phi_deg": 5.7e7, "h": 1.0,
+           "phi_o_deg": 5.7e7}
 
 __all__ = ["Groom", "absorption_of_assembly", "absorption_of_fibre", "absorption_of_pigments", "bake", "check_model", "eval", "hair_mapping", "hairs", "load_groom", "lobes", "models"]
 
@@ -27,8 +33,45 @@ def _settings(values):
     return ",".join(f"{name}={_text(value)}" for name, value in values.items())
 
 
-def _numbers(value):
-    return numpy.asarray(value, dtype=numpy.float64, order="C")
+def _numbers(name, value):
+    """An array of numbers; what merely converts to one (None, texts, dates, truth values) is refused."""
+    array = numpy.asarray(value)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: {value!r:.60} is no number and no array of numbers")
+    return numpy.ascontiguousarray(array, dtype=numpy.float64).reshape(array.shape)
+
+
+def _angles(given, needed, what):
+    """The arrays that eval hands on: what is needed must be given, and lie within its range."""
+    missing = [name for name in _LIMITS if name.removesuffix("_deg") in needed and given[name] is None]
+    if missing:
+        raise ValueError(f"{what} needs {', '.join(missing)}")
+    arrays = []
+    for name, limit in _LIMITS.items():
+        values = _numbers(name, 0.0 if given[name] is None else given[name])
+        outside = ~(numpy.abs(values) <= limit)
+        if outside.any():
+            raise ValueError(f"{name}: {values[outside].flat[0]} is outside -{limit:g} .. {limit:g}")
+        arrays.append(values)
+    return arrays
+
+
+def _check(**arguments):
+    """TypeError for arguments of another type than is wanted: name = (value, type)."""
+    for name, (value, wanted) in arguments.items():
+        if not isinstance(value, wanted) or isinstance(value, bool):
+            raise TypeError(f"{name}: {value!r:.60} is not {'a text' if wanted is str else 'a whole number'}")
+
+
+def _path(value):
+    path = os.fspath(value)
+    return path if isinstance(path, str) else os.fsdecode(path)
+
+
+def load_groom(path, metres_per_unit=0.0, radius=0.0):
+    """Reads a groom file by its ending, as Groom. metres_per_unit 0: as it states, or guessed (see notes); radius 0: the file's own, or
+    35e-6 m."""
+    return _cuticle.load_groom(_path(path), metres_per_unit, radius)
 
 
 def models():
@@ -67,17 +110,22 @@ def absorption_of_fibre(model, color, set=None):
     return _cuticle.absorption_of_fibre(model, tuple(color), _settings(set))
 
 
-def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta_i_deg=0.0, theta_o_deg=0.0, theta_d_deg=0.0, phi_deg=0.0,
-         h=0.0, phi_o_deg=0.0, precision="f64"):
+def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta_i_deg=None, theta_o_deg=None, theta_d_deg=None,
+         phi_deg=None, h=None, phi_o_deg=None, precision="f64"):
     """A model's quantity: "S", "M", "N", "A", "albedo", "pdf" or "error", without the cosine of the incident angle.
 
     The angles (numbers or arrays; h in [-1, 1]) are broadcast together; the result has their shape with an axis of r, g, b added.
-    S, pdf and error use theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o. Near-field models use h
-    too, and fibres of elliptical cross-section phi_o, the viewer's azimuth from the major axis.
+    S, pdf and error need theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o. Near-field models need h
+    too; fibres of elliptical cross-section use phi_o, the viewer's azimuth from the major axis (0 unless given).
     `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset, the named hair or the defaults; `precision` is "f32" or
     "f64".
     """
-    coordinates = [_numbers(value) for value in (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)]
+    _check(model=(model, str), quantity=(quantity, str), lobe=(lobe, str), preset=(preset or "", str), hair=(hair or "", str),
+           precision=(precision, str))
+    given = {"theta_i_deg": theta_i_deg, "theta_o_deg": theta_o_deg, "theta_d_deg": theta_d_deg, "phi_deg": phi_deg, "h": h,
+             "phi_o_deg": phi_o_deg}
+    needed = _cuticle.needed(model, quantity, preset or "", _settings(set), hair or "")
+    coordinates = _angles(given, needed, f"{quantity} of {model}")
     return _cuticle.evaluate(model, quantity, lobe, preset or "", _settings(set), hair or "", coordinates, precision)
 
 
@@ -99,5 +147,6 @@ def check_model(model, *, pdf=None, sample=None, albedo=None, near_field=False, 
 
 def bake(model, layout="nalu", size=128, set=None, preset=None):
     """Lookup tables as half-float values in float arrays [v, u, channel], by name, and under "manifest" what they are."""
-    tables, manifest = _cuticle.bake(model, layout, size, preset or "", _settings(set))
+    _check(model=(model, str), layout=(layout, str), size=(size, numbers.Integral), preset=(preset or "", str))
+    tables, manifest = _cuticle.bake(model, layout, int(size), preset or "", _settings(set))
     return {**tables, "manifest": json.loads(manifest)}

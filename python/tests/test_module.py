@@ -1,8 +1,11 @@
 """The compiled module against the formulas that it must give, and its errors."""
 import os
 import pathlib
+import signal
 import subprocess
+import sys
 import threading
+import time
 
 import numpy
 import pytest
@@ -40,7 +43,7 @@ def test_Eval_LongitudinalTerm_IsTheClosedForm():
 
 def test_Eval_ReflectedAzimuth_IsTheClosedForm():
     """Without a cylinder's refraction R is F cos(phi / 2) / 4; at phi = 0, F is ((eta - 1) / (eta + 1))^2."""
-    assert cuticle.eval("marschner", "N", "R", {"eta": 1.5}) == pytest.approx(numpy.full(3, 0.04 / 4), rel=1e-12)
+    assert cuticle.eval("marschner", "N", "R", {"eta": 1.5}, theta_d_deg=0, phi_deg=0) == pytest.approx(numpy.full(3, 0.04 / 4), rel=1e-12)
 
 
 def test_Eval_Broadcasting_FollowsNumpy():
@@ -53,14 +56,14 @@ def test_Eval_Broadcasting_FollowsNumpy():
 
 def test_Eval_Precisions_AgreeToFloat():
     phi = numpy.linspace(100, 170, 50)
-    single, double = (cuticle.eval("marschner", "N", "TT", phi_deg=phi, precision=p) for p in ("f32", "f64"))
+    single, double = (cuticle.eval("marschner", "N", "TT", theta_d_deg=0, phi_deg=phi, precision=p) for p in ("f32", "f64"))
     assert not numpy.array_equal(single, double)
     assert numpy.abs(single - double).max() < 2e-5 * double.max()
 
 
 def test_Eval_PresetAndSet_SetGoesOver():
-    blond = cuticle.eval("marschner", "A", "TT", preset="blond")
-    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blond")
+    blond = cuticle.eval("marschner", "A", "TT", preset="blond", theta_d_deg=0, h=0)
+    clear = cuticle.eval("marschner", "A", "TT", "sigma_a=0", preset="blond", theta_d_deg=0, h=0)
     assert blond[0] > blond[2] and clear[0] == clear[2] > blond[0]
 
 
@@ -75,7 +78,7 @@ def test_Eval_Hair_IsTheMappingsSettings():
 
 def test_Absorption_OfAFibresColour_GivesItsAlbedo():
     sigma_a = cuticle.absorption_of_fibre("marschner", (0.8, 0.5, 0.2), {"eta": 1.5})
-    assert cuticle.eval("marschner", "albedo", set={"eta": 1.5, "sigma_a": sigma_a}) == pytest.approx([0.8, 0.5, 0.2], abs=1e-9)
+    assert cuticle.eval("marschner", "albedo", set={"eta": 1.5, "sigma_a": sigma_a}, theta_o_deg=0) == pytest.approx([0.8, 0.5, 0.2], abs=1e-9)
     assert max(cuticle.absorption_of_assembly((0.8, 0.5, 0.2))) < max(sigma_a)
 
 
@@ -88,8 +91,8 @@ def test_Absorption_OfPigments_DependsOnTheTable():
 
 def test_Eval_PdfErrorAndPhiO_AreTaken():
     phi_o = numpy.array([0.0, 45.0, 90.0])
-    assert cuticle.eval("kajiya_kay", "pdf", phi_o_deg=phi_o).shape == (3, 3)
-    assert (cuticle.eval("kajiya_kay", "error", phi_o_deg=phi_o) == 0).all()
+    assert cuticle.eval("kajiya_kay", "pdf", theta_i_deg=0, theta_o_deg=0, phi_deg=0, phi_o_deg=phi_o).shape == (3, 3)
+    assert (cuticle.eval("kajiya_kay", "error", theta_i_deg=0, theta_o_deg=0, phi_deg=0, phi_o_deg=phi_o) == 0).all()
 
 
 @pytest.mark.parametrize("arguments, words", [
@@ -101,14 +104,52 @@ def test_Eval_PdfErrorAndPhiO_AreTaken():
     (dict(model="marschner", quantity="S", set={"eta": 9}), ["eta", "9", "1.05"]),
     (dict(model="marschner", quantity="S", set={"etta": 1.5}), ["etta", "eta"]),
     (dict(model="marschner", quantity="S", precision="f16"), ["f16", "f32"]),
-    (dict(model="marschner", quantity="S", theta_i_deg=[0, 1], phi_deg=[0, 1, 2]), ["2", "3", "broadcast"]),
-    (dict(model="marschner", quantity="S", theta_i_deg=float("nan")), ["theta_i"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=[0, 1], theta_o_deg=0, phi_deg=[0, 1, 2]), ["2", "3", "broadcast"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=float("nan"), theta_o_deg=0, phi_deg=0), ["theta_i_deg", "nan"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=0, theta_o_deg=[0, 91], phi_deg=0), ["theta_o_deg", "91", "-90 .. 90"]),
+    (dict(model="marschner", quantity="S", theta_i_deg=0), ["S of marschner", "theta_o_deg, phi_deg"]),
+    (dict(model="marschner", quantity="M", theta_i_deg=numpy.zeros((200000, 1)), theta_o_deg=numpy.zeros(200000)), ["200000 x 200000", "MiB"]),
 ])
 def test_Eval_BadInput_IsAValueErrorThatSaysWhat(arguments, words):
     with pytest.raises(ValueError) as error:
         cuticle.eval(**arguments)
     for word in words:
         assert word in str(error.value)
+
+
+@pytest.mark.parametrize("value", [None, "3", True, numpy.datetime64("2026-01-01"), [1, None], {"a": 1}, 1j])
+def test_Eval_WhatIsNoNumber_IsATypeErrorThatNamesTheArgument(value):
+    if value is None:
+        with pytest.raises(ValueError, match="needs theta_o_deg"):
+            cuticle.eval("marschner", "albedo", theta_o_deg=value)
+        return
+    with pytest.raises(TypeError, match="theta_o_deg"):
+        cuticle.eval("marschner", "albedo", theta_o_deg=value)
+
+
+@pytest.mark.parametrize("arguments, word", [(dict(size="128"), "size"), (dict(size=16.5), "size"), (dict(size=True), "size"),
+                                             (dict(layout=3), "layout"), (dict(preset=3), "preset")])
+def test_Bake_WrongTypes_AreNamedAsTheArgumentsAre(arguments, word):
+    with pytest.raises(TypeError) as error:
+        cuticle.bake("marschner", **arguments)
+    assert str(error.value).startswith(f"{word}: ") and "arg0" not in str(error.value)
+
+
+def test_LoadGroom_PathObject_IsTaken(tmp_path):
+    with pytest.raises(ValueError, match="absent.hair"):
+        cuticle.load_groom(tmp_path / "absent.hair")
+
+
+@pytest.mark.parametrize("work", ["cuticle.check_model('marschner')", "cuticle.bake('marschner', size=1024)",
+                                  "cuticle.eval('huang', 'albedo', theta_o_deg=numpy.linspace(-80, 80, 2000000))"])
+def test_Interrupt_LongWork_EndsWithKeyboardInterrupt(work):
+    """How long it takes is the machine's affair; that it ends before the work would is not."""
+    program = f"import cuticle, numpy\nprint('begun', flush=True)\ntry:\n    {work}\nexcept KeyboardInterrupt:\n    print('stopped')\nelse:\n    print('ended')"
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        assert process.communicate(timeout=100)[0] == "stopped\n"
 
 
 def test_Models_Marschner_HasItsParameters():

@@ -15,6 +15,7 @@
 #include "core/file.h"
 #include "strands/character/assemble.h"
 #include "strands/character/elements.h"
+#include "strands/character/gltf_text.h"
 
 namespace cuticle::strands {
 
@@ -318,18 +319,40 @@ class GltfReader {
 bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return true;
 }
-bool no_file(const std::string&, void*) { return false; }
-bool no_bytes(std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; }
+
+/// The library also looks in the current folder: only files of the folder named are there for it, and only regular
+/// ones, links followed. An empty name: none.
+bool is_in_folder(const std::string& path, void* folder) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const fs::path parent = fs::canonical(*static_cast<const std::string*>(folder), failed);
+  const fs::path file = failed ? fs::path() : fs::canonical(path, failed);
+  if (failed || !fs::is_regular_file(file, failed)) return false;
+  return std::mismatch(parent.begin(), parent.end(), file.begin(), file.end()).first == parent.end();
+}
+bool read_in_folder(std::vector<unsigned char>* bytes, std::string* problem, const std::string& path, void* folder) {
+  if (!is_in_folder(path, folder)) return false;
+  const auto read = read_file(path);
+  if (!read) {
+    *problem = read.error().message;
+    return false;
+  }
+  const auto* begin = reinterpret_cast<const unsigned char*>(read->data());
+  bytes->assign(begin, begin + read->size());
+  return true;
+}
+std::string same_path(const std::string& path, void*) { return path; }
 
 /// The file as tinygltf holds it. Buffers in other files are looked for in `folder`; empty: they are refused.
 Result<tinygltf::Model> load(std::span<const std::byte> bytes, const std::string& where, const std::string& folder) {
   constexpr std::size_t most = 0xFFFFFFFF;
   if (bytes.size() < 12 || bytes.size() > most)
     return bad_input(fmt::format("{}: {} bytes; allowed: 12 .. {}", where, bytes.size(), most));
+  CUTICLE_TRY(check_gltf_text(gltf_text(bytes), where));
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(ignore_image, nullptr);
-  if (folder.empty())
-    loader.SetFsCallbacks({no_file, tinygltf::ExpandFilePath, no_bytes, tinygltf::WriteWholeFile, nullptr});
+  loader.SetFsCallbacks(
+      {is_in_folder, same_path, read_in_folder, tinygltf::WriteWholeFile, const_cast<std::string*>(&folder)});
   tinygltf::Model model;
   std::string problem, warning;
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());

@@ -20,7 +20,7 @@ inline bool makes_a_curve(const CurveBasis& basis, std::size_t count) {
     case CurveBasis::Kind::bezier:
       return count > basis.degree && (count - 1) % basis.degree == 0;
     case CurveBasis::Kind::b_spline:
-      return count + (basis.pinned ? 2 : 0) > basis.degree;
+      return count + (basis.pinned ? 2 : 0) > basis.degree && (count > 1 || !basis.pinned);
     case CurveBasis::Kind::catmull_rom:
       return count + (basis.pinned ? 2 : 0) > 3;
   }

@@ -86,6 +86,8 @@ class ObjParser {
   Result<std::int64_t> read_index(std::string_view text, std::size_t size) {
     std::int64_t index = 0;
     const auto count = std::int64_t(size);
+    if (count == 0)
+      return error("f", fmt::format("index '{}' of a list with no items before this line", text.substr(0, 40)));
     if (!parse_whole(text, index) || index == 0 || index > count || index < -count)
       return error("f", fmt::format("index '{}', allowed 1 .. {} or -{} .. -1", text.substr(0, 40), count, count));
     return index > 0 ? index - 1 : count + index;

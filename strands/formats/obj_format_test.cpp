@@ -62,6 +62,10 @@ TEST(ObjFile, IndexOutOfRange_IsRefusedByLine) {
     EXPECT_THAT(refusal(k_square + "f 1 2 " + index + "\n"), AllOf(HasSubstr("some.obj: line 5"), HasSubstr("1 .. 4")));
 }
 
+TEST(ObjFile, IndexIntoAListWithoutItems_SaysSo) {
+  EXPECT_THAT(refusal(k_square + "f 1//1 2//1 3//1\n"), HasSubstr("index '1' of a list with no items"));
+}
+
 TEST(ObjFile, CoordinateNotFinite_IsRefusedByLine) {
   for (const char* word : {"nan", "inf", "1e99", "abc", ""})
     EXPECT_THAT(refusal("v 0 0 " + std::string(word) + "\n"), AllOf(HasSubstr("line 1"), HasSubstr("finite")));

@@ -51,9 +51,11 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   const std::string program = std::filesystem::path((*arguments)[0]).filename().string();
   for (const Format* format : formats())
     if (program == std::string(format->name) + "_fuzz") chosen = format;
-  for (int i = 1; chosen && i < *count; ++i)
-    if (const std::string corpus = (*arguments)[i]; std::filesystem::is_directory(corpus))
-      require(bool(cuticle::write_file(corpus + "/seed", seed())));
+  // Into the corpus that may grow, which is the first folder; of one folder alone nothing is to grow.
+  std::vector<std::string> folders;
+  for (int i = 1; i < *count; ++i)
+    if (std::filesystem::is_directory((*arguments)[i])) folders.emplace_back((*arguments)[i]);
+  if (chosen && folders.size() > 1) require(bool(cuticle::write_file(folders[0] + "/seed", seed())));
   return 0;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/core.h>
+
+#include "core/memory_limit.h"
 #include "strands/growing/head_shape.h"
 #include "strands/growing/surface.h"
 #include "strands/spline/bezier.glslh"
@@ -81,6 +84,11 @@ Result<Grown> grow_on(const GroomingSpecification& specification, Head head) {
   if (placed.roots.empty())
     return bad_input("strands: area x density x share gives no strand",
                      "raise density or share, or give regions some density");
+  // Positions, radii and frames of the strands, and the copies that shaping and smoothing make of them.
+  constexpr std::uint64_t bytes_per_vertex = 64;
+  const auto vertices = std::uint64_t(strands.integer("vertices"));
+  CUTICLE_TRY(require_memory(fmt::format("hair of {} strands with {} vertices", placed.roots.size(), vertices),
+                             {placed.roots.size(), vertices, bytes_per_vertex}));
   CUTICLE_ASSIGN(grown.control, plant_control_hairs(grown.head, specification.growing, specification.grooming));
   const Groom smoothed = smooth(grown.control, int(strands.integer("vertices")), chosen<Curve>(strands, "curve"));
   grown.report = {placed.report, deviation_from_controls(grown.control, smoothed), 0};

@@ -1,5 +1,6 @@
 #include "strands/motion/bvh.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/file.h"
+#include "core/text.h"
 #include "strands/motion/names.h"
 
 namespace cuticle::strands {
@@ -117,6 +119,9 @@ class BvhParser {
     joint.first_channel = int(motion_.channel_count);
     for (int i = 0; i < count; ++i) {
       CUTICLE_ASSIGN(const int channel, read_channel());
+      if (std::ranges::find(joint.channels, channel) != joint.channels.end())
+        return error(
+            fmt::format("channel {} of joint {} is given twice", k_channels[std::size_t(channel)], in_quotes(joint.name)));
       joint.channels.push_back(channel);
     }
     motion_.channel_count += std::size_t(count);
@@ -186,9 +191,12 @@ Result<int> find_joint(const Motion& motion, std::string_view name) {
     if (equal_ignoring_case(motion.joints[i].name, name)) return int(i);
   for (std::size_t i = 0; i < motion.joints.size(); ++i)
     if (ends_with_ignoring_case(motion.joints[i].name, name)) return int(i);
+  constexpr std::size_t most_named = 40;
   std::string known;
-  for (const Joint& joint : motion.joints) known += (known.empty() ? "" : ", ") + joint.name;
-  return bad_input(fmt::format("joint '{}' is not in the skeleton; it has: {}", name, known),
+  for (std::size_t i = 0; i < std::min(most_named, motion.joints.size()); ++i)
+    known += (i == 0 ? "" : ", ") + printable(motion.joints[i].name, 60);
+  if (motion.joints.size() > most_named) known += fmt::format(" and {} more", motion.joints.size() - most_named);
+  return bad_input(fmt::format("joint {} is not in the skeleton; it has: {}", in_quotes(name), known),
                    "name one of these joints");
 }
 

@@ -103,6 +103,20 @@ TEST(Bvh, UnknownJoint_ListsTheJoints) {
   EXPECT_THAT(joint.error().message, AllOf(HasSubstr("Tail"), HasSubstr("Hips, rig:Head")));
 }
 
+TEST(Bvh, ChannelGivenTwice_IsRefused) {
+  const std::string text =
+      replaced(k_clip, "Zrotation Xrotation Yrotation\n  JOINT", "Zrotation Xrotation Zrotation\n  JOINT");
+  EXPECT_THAT(parse_bvh(text, "clip.bvh").error().message, HasSubstr("Zrotation of joint 'Hips' is given twice"));
+}
+
+TEST(Bvh, UnknownJointOfAThousand_ListsSome) {
+  Motion motion;
+  for (int i = 0; i < 1000; ++i) motion.joints.push_back({.name = "joint " + std::to_string(i)});
+  const std::string message = find_joint(motion, "Tail").error().message;
+  EXPECT_THAT(message, HasSubstr("joint 39 and 960 more"));
+  EXPECT_LT(message.size(), 1000u);
+}
+
 TEST(Bvh, CutBeforeTheLastNumber_IsRefused) {
   const std::size_t end = k_clip.find_last_of('9');
   for (std::size_t size = 0; size < end; ++size)

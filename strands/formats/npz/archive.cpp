@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <memory>
 #include <span>
 
 #include <fmt/core.h>
 #include <zip.h>
 
+#include "core/memory_limit.h"
 #include "strands/formats/npz/detail/archive.h"
 
 namespace cuticle::strands::npz {
@@ -33,6 +35,7 @@ class ZipError {
 
 // Deflate shrinks by 1032 at most: what claims more is no true size, and must not be allocated.
 constexpr std::uint64_t k_most_shrinking = 1032, k_least_bytes = 64;
+constexpr std::uint64_t k_at_once = std::uint64_t(1) << 28;  // inflating counts in 32 bits
 
 Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t archive_bytes, const std::string& where) {
   zip_stat_t stat;
@@ -41,11 +44,15 @@ Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t ar
   if (stat.size > k_most_shrinking * archive_bytes + k_least_bytes)
     return bad_input(
         fmt::format("{}: member {} claims {} bytes, more than the file can hold", where, stat.name, stat.size));
+  CUTICLE_TRY(require_memory(fmt::format("{}: member {}", where, stat.name), {stat.size}));
   const Owned<zip_file_t> file(zip_fopen_index(archive, index, 0));
   if (!file) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_strerror(archive)));
   Member member{stat.name, std::vector<std::byte>(stat.size)};
-  if (zip_fread(file.get(), member.bytes.data(), stat.size) != zip_int64_t(stat.size))
-    return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_file_strerror(file.get())));
+  for (std::uint64_t done = 0; done < stat.size;) {
+    const zip_int64_t got = zip_fread(file.get(), member.bytes.data() + done, std::min(stat.size - done, k_at_once));
+    if (got <= 0) return bad_input(fmt::format("{}: member {}: {}", where, stat.name, zip_file_strerror(file.get())));
+    done += std::uint64_t(got);
+  }
   return member;
 }
 
@@ -88,6 +95,7 @@ Result<std::vector<Member>> read_archive(std::span<const std::byte> bytes, const
     total += member.bytes.size();
     if (total > k_most_shrinking * bytes.size() + k_least_bytes)
       return bad_input(fmt::format("{}: members claim {} bytes, more than the file can hold", where, total));
+    CUTICLE_TRY(require_memory(fmt::format("{}: what its members hold", where), {total}));
     members.push_back(std::move(member));
   }
   return members;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
 
+#include "core/memory_limit.h"
 #include "strands/formats/bytes.h"
 #include "strands/formats/npz/detail/arrays.h"
 #include "strands/formats/words.h"
@@ -40,14 +41,10 @@ class Parser {
   Result<Array> parse() {
     CUTICLE_TRY(read_header());
     Array array{.name = name_, .shape = header_.shape};
-    std::uint64_t count = 1;
     const std::uint64_t room = (bytes_.size() - header_.data) / header_.item;
-    for (std::uint64_t extent : header_.shape) {
-      if (extent > 0 && count > room / extent)
-        return error("shape", fmt::format("more than the {} numbers of its bytes", room));
-      count *= extent;
-    }
-    CUTICLE_TRY(header_.kind == 'f' ? read_reals(count, array.values) : read_whole(count, array.whole));
+    const std::optional<std::uint64_t> count = product_within(room, header_.shape);
+    if (!count) return error("shape", fmt::format("more than the {} numbers of its bytes", room));
+    CUTICLE_TRY(header_.kind == 'f' ? read_reals(*count, array.values) : read_whole(*count, array.whole));
     return array;
   }
 
@@ -70,7 +67,7 @@ class Parser {
   Result<void> read_header() {
     CUTICLE_ASSIGN(const std::string_view text, header_text());
     const std::string_view type = value_of(text, "'descr'").substr(0, 6);
-    if (type.size() < 4 || (type[1] != '<' && type[1] != '|') || std::string_view("fiub").find(type[2]) == type.npos ||
+    if (type.size() < 5 || (type[1] != '<' && type[1] != '|') || std::string_view("fiub").find(type[2]) == type.npos ||
         std::string_view("1248").find(type[3]) == type.npos || type.substr(2, 2) == "f1" || type[4] != type[0])
       return error("descr", fmt::format("{}, allowed little-endian f2 f4 f8, i and u of 1, 2, 4, 8 bytes, bool", type));
     header_.kind = type[2];

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "core/memory_limit.h"
 #include "strands/finite.h"
 #include "strands/formats/bytes.h"
 #include "strands/formats/curve_basis.h"
@@ -123,17 +124,21 @@ class Builder {
     Attribute::Domain domain;
     std::vector<float> values;
   };
-  Spread spread_over(const Property& property, std::size_t components) const {
+  Result<Spread> spread_over(const Property& property, std::size_t components) {
     const std::vector<float> values(property.numbers.begin(), property.numbers.end());
     const std::size_t rows = components == 0 ? 0 : values.size() / components, strands = groom_.strand_count();
-    if (rows == 0 || values.size() % components != 0) return {};
-    if (rows == strands) return {Attribute::Domain::strand, values};
-    if (rows == control_count_) return {Attribute::Domain::vertex, at_joints(values, components)};
-    if (rows == groom_.vertex_count()) return {Attribute::Domain::vertex, values};
-    if (rows != 1) return {};
+    if (rows == 0 || values.size() % components != 0) return Spread{};
+    if (rows == strands) return Spread{Attribute::Domain::strand, values};
+    if (rows == control_count_) return Spread{Attribute::Domain::vertex, at_joints(values, components)};
+    if (rows == groom_.vertex_count()) return Spread{Attribute::Domain::vertex, values};
+    if (rows != 1) return Spread{};
+    constexpr std::uint64_t huge = std::uint64_t(1) << 56;
+    memory_ += product_within(huge, {components, strands, sizeof(float)}).value_or(huge);
+    CUTICLE_TRY(
+        require_memory(fmt::format("{}: {} numbers for each of {} strands", where_, components, strands), {memory_}));
     std::vector<float> repeated;
     for (std::size_t s = 0; s < strands; ++s) repeated.insert(repeated.end(), values.begin(), values.end());
-    return {Attribute::Domain::strand, std::move(repeated)};
+    return Spread{Attribute::Domain::strand, std::move(repeated)};
   }
 
   Result<void> read_radii() {
@@ -141,7 +146,7 @@ class Builder {
     const Property* widths = find("widths");
     if (!widths) widths = find("primvars:groom_width");
     if (!widths) return {};
-    const Spread spread = spread_over(*widths, 1);
+    CUTICLE_ASSIGN(const Spread spread, spread_over(*widths, 1));
     if (spread.values.empty())
       return error("widths", fmt::format("{} numbers for {} curves and {} points", widths->numbers.size(),
                                          counts_.size(), control_count_));
@@ -162,7 +167,7 @@ class Builder {
     if (std::find(std::begin(k_implied), std::end(k_implied), name) != std::end(k_implied) || property.numbers.empty())
       return {};
     const std::size_t components = property.components();
-    Spread spread = spread_over(property, components);
+    CUTICLE_ASSIGN(Spread spread, spread_over(property, components));
     if (spread.values.empty() || !is_plain_word(name)) {
       left_out_ += fmt::format(" {}", full_name);
       return {};
@@ -203,6 +208,7 @@ class Builder {
   Groom groom_;
   std::vector<std::size_t> counts_;  ///< control points of every curve
   std::size_t control_count_ = 0;
+  std::uint64_t memory_ = 1;  ///< of values that are repeated for every strand
   std::string left_out_;
 };
 

@@ -4,12 +4,14 @@
 // compressed.
 #include "strands/formats/vtp/detail/values.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include <fmt/core.h>
 #include <zlib.h>
 
+#include "core/memory_limit.h"
 #include "strands/formats/bytes.h"
 #include "strands/formats/words.h"
 
@@ -18,6 +20,7 @@ namespace cuticle::strands::vtp {
 namespace {
 
 constexpr std::uint64_t k_most_shrinking = 1032;  // of deflate: what claims more is no true size
+constexpr std::uint64_t k_huge = std::uint64_t(1) << 56;
 
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -91,30 +94,56 @@ std::optional<std::string> inflated(std::string_view block, std::uint64_t size) 
   return bytes;
 }
 
-std::optional<std::string> read_compressed(Source& source, std::size_t width) {
+/// An array as it is stored: plain bytes, or blocks that unfold to `sizes`.
+struct Stored {
+  std::string data;
+  std::vector<std::uint64_t> packed, unfolded;  ///< of each block; none: the data are plain
+  std::uint64_t size() const {
+    std::uint64_t sum = packed.empty() ? data.size() : 0;
+    for (const std::uint64_t block : unfolded) sum = std::min(sum + std::min(block, k_huge), k_huge);
+    return sum;
+  }
+};
+
+std::optional<Stored> take_blocks(Source& source, std::size_t width) {
   const auto begin = source.peek(3 * width);
   if (!begin) return {};
   const std::vector<std::uint64_t> counts = whole_numbers(*begin, width);
   if (counts[0] > source.room() / width) return {};
   const auto header = source.take((3 + counts[0]) * width);
   if (!header) return {};
-  const std::vector<std::uint64_t> sizes = whole_numbers(*header, width);
-  std::uint64_t compressed = 0;
-  for (std::size_t k = 3; k < sizes.size(); ++k) {
-    if (sizes[k] > source.room()) return {};
-    compressed += sizes[k];
+  Stored stored;
+  stored.packed = whole_numbers(*header, width);
+  stored.packed.erase(stored.packed.begin(), stored.packed.begin() + 3);
+  std::uint64_t sum = 0;
+  for (const std::uint64_t size : stored.packed) {
+    if (size > source.room()) return {};
+    sum += size;
+    const bool is_last = stored.unfolded.size() + 1 == stored.packed.size();
+    stored.unfolded.push_back(is_last && counts[2] > 0 ? counts[2] : counts[1]);
+    if (stored.unfolded.back() > k_most_shrinking * (size + 1)) return {};
   }
-  const auto data = source.take(compressed);
+  auto data = source.take(sum);
   if (!data) return {};
+  stored.data = std::move(*data);
+  return stored;
+}
+
+std::optional<Stored> take(Source& source, std::size_t width, bool is_compressed) {
+  if (is_compressed) return take_blocks(source, width);
+  std::optional<std::string> plain = read_plain(source, width);
+  return plain ? std::optional(Stored{std::move(*plain), {}, {}}) : std::nullopt;
+}
+
+std::optional<std::string> unfold(Stored stored) {
+  if (stored.packed.empty()) return std::move(stored.data);
   std::string bytes;
-  std::string_view rest = *data;
-  for (std::size_t k = 3; k < sizes.size(); ++k) {
-    const std::uint64_t size = k + 1 == sizes.size() && counts[2] > 0 ? counts[2] : counts[1];
-    if (size > k_most_shrinking * (sizes[k] + 1)) return {};
-    const auto block = inflated(rest.substr(0, sizes[k]), size);
+  std::string_view rest = stored.data;
+  for (std::size_t k = 0; k < stored.packed.size(); ++k) {
+    const auto block = inflated(rest.substr(0, stored.packed[k]), stored.unfolded[k]);
     if (!block) return {};
     bytes += *block;
-    rest.remove_prefix(sizes[k]);
+    rest.remove_prefix(stored.packed[k]);
   }
   return bytes;
 }
@@ -183,6 +212,15 @@ Result<void> VtkFile::open(std::span<const std::byte> bytes, const std::string& 
   return {};
 }
 
+/// Several arrays may name the same bytes, so their sizes add up.
+Result<void> VtkFile::count_memory(const std::string& array, std::uint64_t bytes, std::string_view type) const {
+  std::uint64_t number = 1;
+  for (const NumberType& known : k_types)
+    if (known.name == type) number = known.size;
+  memory_ += bytes + bytes / number * sizeof(double);
+  return require_memory(fmt::format("{}: {}: what the arrays hold so far", where_, array), {memory_});
+}
+
 Result<std::string> VtkFile::bytes_of(pugi::xml_node array) const {
   const std::string name = array.attribute("Name").as_string("DataArray");
   const std::string_view format = array.attribute("format").as_string();
@@ -205,9 +243,11 @@ Result<std::string> VtkFile::bytes_of(pugi::xml_node array) const {
   }
   Source source(rest, base64);
   const std::size_t width = std::string_view(root().attribute("header_type").as_string()) == "UInt64" ? 8 : 4;
-  std::optional<std::string> bytes = compressor.empty() ? read_plain(source, width) : read_compressed(source, width);
+  std::optional<Stored> stored = take(source, width, !compressor.empty());
+  if (stored) CUTICLE_TRY(count_memory(name, stored->size(), array.attribute("type").as_string()));
+  const std::optional<std::string> bytes = stored ? unfold(std::move(*stored)) : std::nullopt;
   if (!bytes) return error(name, fmt::format("'{}' data are cut short or damaged", format));
-  return std::move(*bytes);
+  return *bytes;
 }
 
 Result<std::vector<double>> VtkFile::numbers(pugi::xml_node array) const {

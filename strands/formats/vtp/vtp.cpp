@@ -23,6 +23,7 @@ class PieceReader {
     if (points_.size() % 3 != 0)
       return error("Points", fmt::format("{} numbers, 3 a point are needed", points_.size()));
     CUTICLE_TRY(read_lines());
+    if (vertices_.empty()) return error("connectivity", "no points, at least 1 is needed");
     gather(points_, 3, vertices_, &groom_.positions);
     CUTICLE_TRY(require_finite_values("Points", {&groom_.positions.front().x, 3 * vertices_.size()}));
     groom_.radii.assign(vertices_.size(), 0.0f);

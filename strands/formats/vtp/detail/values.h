@@ -1,6 +1,7 @@
 #pragma once
 // Numbers of a VTK XML file, in every encoding that VTK and ParaView write.
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,10 +27,12 @@ class VtkFile {
 
  private:
   Result<std::string> bytes_of(pugi::xml_node array) const;
+  Result<void> count_memory(const std::string& array, std::uint64_t bytes, std::string_view type) const;
 
   std::string where_;
   pugi::xml_document document_;
-  std::string_view appended_;  ///< what follows the underscore of AppendedData
+  std::string_view appended_;          ///< what follows the underscore of AppendedData
+  mutable std::uint64_t memory_ = 0;  ///< what the arrays read so far have taken
 };
 
 }  // namespace cuticle::strands::vtp

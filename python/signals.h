@@ -1,0 +1,22 @@
+#pragma once
+// Ctrl-C while the interpreter waits for our functions.
+#include <nanobind/nanobind.h>
+
+#include "core/progress.h"
+
+namespace cuticle::python {
+
+/// Raises KeyboardInterrupt, or what the handler of another signal raised. Takes the interpreter's lock.
+inline void raise_signals() {
+  const nanobind::gil_scoped_acquire held;
+  if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
+}
+
+/// Between two steps of long work, in the thread that called it.
+class SignalProgress final : public Progress {
+ public:
+  void update(std::string_view, std::size_t, std::size_t) override { raise_signals(); }
+  void message(std::string_view) override {}
+};
+
+}  // namespace cuticle::python
