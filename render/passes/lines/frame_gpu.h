@@ -13,13 +13,13 @@ struct Frame {
   glm::vec4 multiple;
   std::uint32_t light_count, vertex_count, vertices_per_strand;
   float variation, tip_variation;
-  std::uint32_t drawn_segments, packed_vertices, unused;
+  std::uint32_t drawn_segments, packed_vertices, over_angles;
   LightRows lights;
 };
 static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
-/// Error: bad_input when the tables are not those of a three-texture Nalu layout.
+/// Error: bad_input when the tables are not those of a three-texture Nalu layout, over sines and cosines or angles.
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Radiance per irradiance and `ambient_share` (ambient.glsl) of light that fibres of the model have scattered many
 /// times; `strength`: the parameter `ambient`. Error: of the model.
