@@ -106,7 +106,7 @@ std::string names_of(const TableLayout& table, int first, int count) {
 Image labelled_preview(const Table& table, int first, int count) {
   const TableLayout& layout = *table.layout;
   const std::vector<std::string> lines = {
-      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as red green blue" : ""),
+      fmt::format("{}: {}{}", layout.name, names_of(layout, first, count), count > 1 ? " as r, g, b" : ""),
       fmt::format("right {} {:.3g} .. {:.3g}", axis_info(layout.u.quantity).name, layout.u.lower, layout.u.upper),
       fmt::format("down {} {:.3g} .. {:.3g}", axis_info(layout.v.quantity).name, layout.v.lower, layout.v.upper)};
   return labelled(tone_map(preview_of(table, first, count)), lines);

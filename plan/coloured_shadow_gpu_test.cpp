@@ -9,6 +9,7 @@
 
 #include "plan/strand_shadows_gpu.h"
 #include "shadows/groom_gpu.h"
+#include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::plan::coloured_shadow_gpu_test {
@@ -144,11 +145,12 @@ void expect_agreement(const std::string& method, std::string_view more) {
   ASSERT_TRUE(shadows.record(commands, resources));
   ASSERT_TRUE(software_device()->submit(std::move(commands)));
   ASSERT_EQ(resources.transmittance.size(), 6u);
+  const tests::VertexReceivers receivers = tests::vertex_receivers(hair);
   double worst = 0;
   for (std::size_t light = 0; light < 2; ++light) {
     const auto cpu =
         shadows::evaluate_channels(**shadows::find_method(method), {&hair, 0.4, scene.lights[light].to_light},
-                                   scene.fibre_alpha, {hair.positions, {}}, scene.shadow->values);
+                                   scene.fibre_alpha, receivers.of(hair), scene.shadow->values);
     ASSERT_TRUE(cpu) << cpu.error().message;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto reached =

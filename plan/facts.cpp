@@ -19,6 +19,18 @@ registry::Fact strands_fact(const scene::Scene& scene) {
   return {true, fmt::format("hair of {}", std::filesystem::path(scene.groom.file).filename().string())};
 }
 
+/// Whether drawn strands are those of a file, or between control hairs.
+void add_ways_of_strands(const scene::Scene& scene, registry::Facts& facts) {
+  const bool as_given = scene::draws_as_given(scene);
+  std::string why = "the hair is grown between control hairs";
+  if (!scene.groom.file.empty())
+    why = as_given                  ? "a file's strands are drawn as they are"
+          : scene.groom.interpolate ? "the scene asks for strands between those of the file"
+                                    : "hair cards are made of resampled strands";
+  facts["strands_as_given"] = {as_given, why};
+  facts["strands_interpolated"] = {!as_given, why};
+}
+
 registry::Fact colliders_fact(const scene::Scene& scene) {
   const bool own = scene.head_colliders;
   std::string what;
@@ -166,6 +178,7 @@ registry::Facts facts_of(const scene::Scene& scene) {
   add_render_method(scene, facts);
   add_culling(scene, facts);
   facts["strands"] = strands_fact(scene);
+  add_ways_of_strands(scene, facts);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
   const auto lamps = std::ranges::count_if(scene.lights, [](const Light& light) { return light.lamp.has_value(); });

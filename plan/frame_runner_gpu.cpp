@@ -19,6 +19,7 @@ namespace {
 std::string entry_name(const std::string& recorded, const scene::Scene& scene) {
   if (recorded == "generate.smooth") return "smooth_strands";
   if (recorded == "generate.interpolate") return "interpolate_strands";
+  if (recorded == "generate.place") return "place_strands";
   if (recorded.starts_with("shadow.") && scene.shadow) return scene.shadow->name;
   const std::size_t dot = recorded.find('.');
   return dot == std::string::npos ? recorded : recorded.substr(dot + 1);
@@ -56,10 +57,16 @@ struct FrameRunner::Impl {
   Result<void> build(Progress& progress) {
     CUTICLE_ASSIGN(set, build_strand_set(scene));
     for (const std::string& note : set.notes) progress.message(note);
+    leave_out_missing_head();
     rest_bounds = strands::bounds(set.control);
     CUTICLE_TRY(check_size(shape()));
     plan = make_plan(scene, shape());
     return make(true, scene.outputs.color, progress);
+  }
+
+  /// A head that could not be fitted to the hair: the set's notes say why.
+  void leave_out_missing_head() {
+    if (set.head.triangles.empty()) scene.head.present = false;
   }
 
   registry::FrameShape shape() const {
@@ -88,7 +95,8 @@ struct FrameRunner::Impl {
     const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
                        next.render_method != scene.render_method;
     scene::Scene scene_before = std::exchange(scene, next);
-    Plan plan_before = std::exchange(plan, make_plan(next, shape()));
+    leave_out_missing_head();
+    Plan plan_before = std::exchange(plan, make_plan(scene, shape()));
     Result<void> made = make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);
@@ -170,6 +178,7 @@ const strands::Mesh* FrameRunner::fins() const {
   return impl_->motion->fins() ? &impl_->motion->fins()->mesh() : nullptr;
 }
 const strands::Groom& FrameRunner::control_groom() const { return impl_->set.control; }
+const std::vector<std::string>& FrameRunner::notes() const { return impl_->set.notes; }
 
 const lut::TableSet& FrameRunner::tables() const {
   static const lut::TableSet none;

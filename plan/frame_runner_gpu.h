@@ -40,7 +40,8 @@ class FrameRunner {
   Camera camera(int frame) const;
   /// Where the scene's fins were in the frame last run, world; null: it has none.
   const strands::Mesh* fins() const;
-  const strands::Groom& control_groom() const;  ///< simulated hairs at rest
+  const strands::Groom& control_groom() const;    ///< simulated hairs at rest
+  const std::vector<std::string>& notes() const;  ///< what was guessed or left out when the hair was read
   const lut::TableSet& tables() const;
   Result<FrameResult> run(int frame, const FrameOptions& options = {});
   /// The drawn strands of the frame last run, read back.

@@ -299,7 +299,8 @@ std::string differing_channel(const Image& picture, const Image& golden) {
 
 // plan/golden: with CUTICLE_WRITE_GOLDEN=1 the test writes what it draws there.
 TEST(FrameRunner, PicturesAndLayers_AreTheStoredOnesAndAFaultOfOnePixelIsSeen) {
-  constexpr std::string_view k_small = R"("outputs": {"aovs": true}, "camera": {"position_m": [0.2, 0.15, 1.1],
+  constexpr std::string_view k_small = R"("outputs": {"aovs": true},
+    "passes": {"lines": {"tip_variation": 0.2, "variation": 0.22}}, "camera": {"position_m": [0.2, 0.15, 1.1],
     "target_m": [0.03, 0.1, 0], "fov_deg": 12, "resolution_px": [32, 32]})";
   for (const auto& [name, method] :
        {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}, {"cards", k_cards}}) {

@@ -20,6 +20,8 @@
 #include "render/passes/truth/rasterise.h"
 #include "render/passes/truth/truth.h"
 #include "render/passes/velocity/velocity.h"
+#include "strands/spline/place_gpu.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::plan {
 
@@ -78,20 +80,31 @@ Result<void> Picture::choose_chunks() {
   return {};
 }
 
+Result<void> Picture::make_generator() {
+  if (scene::draws_as_given(scene_)) {
+    CUTICLE_ASSIGN(generator_, strands::StrandPlacer::create(device_, set_.control, set_.placed,
+                                                             find_pass(plan_, "place_velocities") != nullptr));
+    return {};
+  }
+  const strands::StrandGeneratorInput input{.control = &set_.control,
+                                            .vertices_per_strand = scene_.strand_vertices,
+                                            .hairs = set_.hairs,
+                                            .weights = set_.weights,
+                                            .radius = set_.radius,
+                                            .taper = set_.taper,
+                                            .moves = find_pass(plan_, "interpolate_velocities") != nullptr};
+  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(device_, input));
+  return {};
+}
+
 Result<void> Picture::make_strands() {
-  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(
-                                 device_, {.control = &set_.control,
-                                           .vertices_per_strand = scene_.strand_vertices,
-                                           .hairs = set_.hairs,
-                                           .weights = set_.weights,
-                                           .radius = set_.radius,
-                                           .moves = bool(find_pass(plan_, "interpolate_velocities"))}));
+  CUTICLE_TRY(make_generator());
   resources_.strands = {
       &generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
   if (generator_->velocities()) resources_.velocities = &generator_->velocities();
   resources_.frame_duration = 1 / scene_.frames_per_second;
-  resources_.vertices_per_strand = std::uint32_t(scene_.strand_vertices);
+  resources_.vertices_per_strand = generator_->vertices_per_strand();
   resources_.strand_radius = double(set_.radius);
   resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
   resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
@@ -112,8 +125,7 @@ Result<void> Picture::make_rest() {
   for (const glm::vec3& position : set_.control.positions) positions.emplace_back(position, 1);
   CUTICLE_ASSIGN(const gpu::Buffer control, gpu::make_buffer_from<glm::vec4>(*device_, positions));
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(generator_->record_smooth(commands, control));
-  CUTICLE_TRY(generator_->record_interpolate(commands));
+  CUTICLE_TRY(generator_->record(commands, control, glm::mat3(1)));
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(rest_, read_strands());
   resources_.rest = &rest_;
@@ -174,10 +186,10 @@ Result<void> Picture::make_passes() {
 
 Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
   if (input.records_character) CUTICLE_TRY(input.character->record(commands));
-  CUTICLE_TRY(generator_->record_smooth(commands, *input.control_positions));
-  CUTICLE_TRY(generator_->record_interpolate(commands));
+  const glm::mat3 turn(input.head);
+  CUTICLE_TRY(generator_->record(commands, *input.control_positions, turn));
   if (!resources_.velocities) return {};
-  return generator_->record_velocities(commands, *input.control_positions, input.control_motion);
+  return generator_->record_velocities(commands, *input.control_positions, input.control_motion, turn);
 }
 
 /// How many strands the frame's level of detail draws, by whichever pass does.
@@ -352,11 +364,16 @@ Result<Image> Picture::with_channels(const Image& image, const gpu::Buffer& buff
 Result<strands::Groom> Picture::read_strands() const {
   const std::size_t count = generator_->vertex_count();
   CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, generator_->vertices(), count));
+  const bool as_given = scene::draws_as_given(scene_);
+  const std::size_t row = generator_->vertices_per_strand();
   strands::Groom groom;
-  for (std::size_t v = 0; v < count; ++v) {
-    groom.positions.emplace_back(vertices[v]);
-    groom.radii.push_back(vertices[v].w);
-    if ((v + 1) % std::size_t(scene_.strand_vertices) == 0) groom.offsets.push_back(std::uint32_t(v + 1));
+  for (std::size_t s = 0; s < generator_->strand_count(); ++s) {
+    const std::size_t size = as_given ? set_.control.strand_size(set_.placed[s].guide) : row;
+    for (std::size_t v = s * row; v < s * row + size; ++v) {
+      groom.positions.emplace_back(vertices[v]);
+      groom.radii.push_back(vertices[v].w);
+    }
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
   }
   return groom;
 }

@@ -11,7 +11,7 @@
 #include "plan/strand_set.h"
 #include "plan/strand_shadows_gpu.h"
 #include "render/pass_gpu.h"
-#include "strands/spline/smooth_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 namespace cuticle::plan {
 
@@ -47,6 +47,7 @@ class Picture {
  private:
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
+  Result<void> make_generator();
   Result<void> make_strands();
   Result<void> make_rest();
   Result<void> make_tables(Progress& progress);
@@ -72,7 +73,7 @@ class Picture {
   const scene::Scene& scene_;
   const StrandSet& set_;
   const Plan& plan_;
-  std::unique_ptr<strands::StrandGenerator> generator_;
+  std::unique_ptr<strands::DrawnStrands> generator_;
   strands::Groom rest_;  ///< empty where no pass asks for it
   StrandShadows shadows_;
   lut::TableSet table_set_;

@@ -165,6 +165,7 @@ Result<void> StrandMotion::move_character(int frame) {
 Result<void> StrandMotion::measure() {
   if (character_) {
     bounds_ = character_->bounds();
+    bounds_ = {bounds_.lower - set_.follow_reach, bounds_.upper + set_.follow_reach};
     return {};
   }
   CUTICLE_ASSIGN(const std::vector<glm::vec4> places,
@@ -174,8 +175,8 @@ Result<void> StrandMotion::measure() {
     bounds_.lower = glm::min(bounds_.lower, glm::vec3(place));
     bounds_.upper = glm::max(bounds_.upper, glm::vec3(place));
   }
-  // Curves through the control vertices may bulge past them.
-  const glm::vec3 margin(0.02f * glm::distance(bounds_.lower, bounds_.upper) + 1e-4f);
+  // Curves through the control vertices may bulge past them, and follow hairs lie beside them.
+  const glm::vec3 margin(0.02f * glm::distance(bounds_.lower, bounds_.upper) + 1e-4f + set_.follow_reach);
   bounds_ = {bounds_.lower - margin, bounds_.upper + margin};
   return {};
 }

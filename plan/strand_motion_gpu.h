@@ -9,7 +9,7 @@
 #include "plan/plan.h"
 #include "plan/strand_set.h"
 #include "sim/solver_gpu.h"
-#include "strands/spline/smooth_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 namespace cuticle::plan {
 

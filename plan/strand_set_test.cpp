@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "plan/fitted_head.h"
 #include "plan/plan.h"
 #include "strands/formats/formats.h"
 

@@ -104,11 +104,12 @@ Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, 
   const render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
                                                 .seed = std::uint64_t(values.integer("seed")),
                                                 .layers = scene.outputs.aovs,
+                                                .far_field = values.choice("field") == "far",
                                                 .lens = lens_of(scene, camera)};
   const render::reference::Quality quality{
       .samples = int(values.integer("samples")), .max_error = values.real("max_error"), .state = state};
   CUTICLE_ASSIGN(render::reference::Picture picture,
-                 render::reference::render(traced, options, quality, progress));
+                 render::reference::trace_picture(traced, options, quality, progress));
   render::resolve::add_background(picture.color, values_of(scene, render::resolve::entry()).rgb("background"));
   if (!scene.outputs.aovs) picture.layers = {};
   return TracedFrame{std::move(picture.color), std::move(picture.layers),

@@ -13,7 +13,7 @@ struct TracedFrame {
 };
 
 /// `hair`: the frame's drawn strands. `state`: file of the sums; empty: none. Head, floor and fins are diffuse, by the
-/// albedos of their passes. Errors: usage, where the build has no Embree; those of render::reference::render.
+/// albedos of their passes. Errors: usage, where the build has no Embree; those of render::reference::trace_picture.
 Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
                                 const StrandMotion& motion, strands::Groom hair, const Camera& camera,
                                 const std::string& state, Progress& progress);

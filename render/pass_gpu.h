@@ -11,7 +11,7 @@
 #include "shadows/channels.h"
 #include "shadows/method_gpu.h"
 #include "strands/mesh.h"
-#include "strands/spline/smooth_gpu.h"
+#include "strands/spline/drawn_gpu.h"
 
 namespace cuticle::render {
 
@@ -34,10 +34,10 @@ struct Seen {
 
 /// How strands become triangles or lines, for what looks at which of them show.
 struct StrandDraw {
-  const Pass* pass;         ///< that draws them, with a parameter `full_px`
-  std::uint32_t corners;    ///< vertices a segment
-  double width_factor = 0;  ///< the greatest on a strand's own width
-  float line_width = 0;     ///< texels, where widths are not the strands' own
+  const Pass* pass;           ///< that draws them, with a parameter `full_px`
+  std::uint32_t corners;      ///< vertices a segment
+  double width_factor = 0;    ///< the greatest on a strand's own width
+  bool of_one_width = false;  ///< drawn as wide as lines::line_width says, not by their own widths
 };
 
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.

@@ -39,6 +39,11 @@ Result<void> read_groom(const Reader& reader, Scene& scene) {
   CUTICLE_ASSIGN(scene.groom.file, reader.file("file", "groom.file"));
   reader.get("metres_per_unit", scene.groom.metres_per_unit);
   reader.get("radius_m", scene.groom.radius);
+  reader.get("interpolate", scene.groom.interpolate);
+  if (reader.has("taper")) scene.groom.taper = reader.value["taper"].number();
+  if (scene.groom.interpolate && scene.groom.file.empty())
+    return bad_input(fmt::format("{}: groom.interpolate without groom.file", reader.where),
+                     "grown hair is drawn between control hairs already");
   scene.groom.grow = values_of(strands::growing_parameters(), reader.child("grow").value);
   CUTICLE_ASSIGN(const std::string specification, reader.file("specification", "groom.specification"));
   if (int(reader.has("file")) + int(reader.has("grow")) + int(reader.has("specification")) > 1)
@@ -54,6 +59,7 @@ Result<void> read_head(const Reader& root, Scene& scene) {
   const Reader reader = root.child("head");
   scene.head.present = scene.groom.file.empty() || root.has("head");
   reader.get("present", scene.head.present);
+  reader.get("fit", scene.head.fit);
   reader.get("metres_per_unit", scene.head.metres_per_unit);
   CUTICLE_ASSIGN(scene.head.mesh, reader.file("mesh", "head.mesh"));
   return {};
@@ -169,6 +175,17 @@ Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& 
   return {};
 }
 
+/// A file's strands have counts of their own.
+void note_unused_counts(const Reader& root, Scene& scene) {
+  if (!draws_as_given(scene)) return;
+  for (const char* key : {"strand_count", "strand_vertices"})
+    if (root.has(key))
+      scene.notes.push_back(
+          fmt::format("{}: {} is not used: the strands of groom.file are drawn as they are; with "
+                      "\"interpolate\": true in groom strands are made between them",
+                      root.where, key));
+}
+
 void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   root.get("name", scene.name);
   root.get("strand_count", scene.strand_count);
@@ -181,6 +198,7 @@ void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   outputs.get("exposure_stops", scene.outputs.exposure_stops);
   root.child("render").get("method", scene.render_method);
   scene.passes = blocks_of(catalogue.passes, root.child("passes").value);
+  note_unused_counts(root, scene);
 }
 
 Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {

@@ -36,12 +36,15 @@ struct GroomSource {
   std::string file;                ///< absolute path; empty: grown on the head by `grow`
   double metres_per_unit = 0;      ///< 0 = guess, and say so
   double radius = 0;               ///< metres; 0 = the file's own, or strands::k_default_radius
+  bool interpolate = false;        ///< a file's strands are control hairs; false: drawn as they are
+  std::optional<double> taper;     ///< share of a root's radius that is gone at the tip; absent: taper_of in plan
   registry::ParameterValues grow;  ///< of strands::growing_parameters()
   std::optional<strands::GroomingSpecification> specification;  ///< present: its strands are the hair, all of them
 };
 struct HeadSource {
   bool present = true;  ///< false: bare strands
   std::string mesh;     ///< OBJ file; empty: the procedural head
+  bool fit = false;     ///< the procedural head is scaled and moved to the roots of a groom file
   double metres_per_unit = 1;
 };
 struct MotionSource {
@@ -139,14 +142,23 @@ struct Scene {
   double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;
-  int strand_vertices = 30;     ///< per drawn strand, 2 .. strands::k_most_vertices
-  int strand_count = 4095;      ///< drawn strands
-  double fibre_count = 100000;  ///< fibres that the drawn strands stand for; they are as wide as these together
+  int strand_vertices = 30;  ///< per drawn strand, 2 .. strands::k_most_vertices
+  int strand_count = 4095;   ///< drawn strands
+  double fibre_count = 0;    ///< fibres that the drawn strands stand for; they are as wide as these together; 0: not
+                             ///< given, k_usual_fibre_count, or of a file that carries radii its strands
   Outputs outputs;
   std::string render_method = "lines";  ///< of k_render_methods
   std::map<std::string, registry::ParameterValues, std::less<>>
-      passes;  ///< of render passes, by name; absent: defaults
+      passes;                      ///< of render passes, by name; absent: defaults
+  std::vector<std::string> notes;  ///< what of the file is not used, one sentence each
 };
+
+inline constexpr double k_usual_fibre_count = 100000;
+
+/// Whether a file's strands are drawn with their own vertices; hair cards are made of resampled ones.
+inline bool draws_as_given(const Scene& scene) {
+  return !scene.groom.file.empty() && !scene.groom.interpolate && scene.render_method != "cards";
+}
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue);

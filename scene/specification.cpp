@@ -77,13 +77,20 @@ Spec groom() {
   return object(
       "groom", "the hair: a file, or grown on the head",
       {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
-       real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"), std::move(grow),
+       real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"),
+       boolean("interpolate",
+               "the file's strands are control hairs: smoothed, strand_count strands between them; false unless given: "
+               "they are drawn as they are, with follow hairs where a TressFX project asks for them"),
+       real("taper", 0, 1,
+            "share of a strand's radius that is gone at its tip; absent: 0 for a file that carries radii, else 0.5"),
+       std::move(grow),
        file("specification", "grooming specification (docs/grooming.schema.json) whose strands are the hair")});
 }
 
 Spec head() {
   return object("head", "what the hair grows on; with a groom file there is no head unless this is given",
                 {boolean("present", "false: bare strands"), file("mesh", "OBJ; absent: the procedural head"),
+                 boolean("fit", "the procedural head is scaled and moved to the roots of a groom file"),
                  real("metres_per_unit", 1e-6, 1000, "scale of the mesh")});
 }
 
@@ -270,11 +277,15 @@ Spec specification(const Catalogue& catalogue) {
        environment(),
        shadow(catalogue),
        camera(),
-       integer("strand_count", 1, 10000000, "drawn strands; those of a file or a grooming specification are all drawn"),
-       integer("strand_vertices", 2, strands::k_most_vertices,
-               "vertices of each drawn strand; of a grooming specification's strands, absent: their own"),
+       integer("strand_count", 1, 10000000,
+               "drawn strands of grown hair, and of groom.interpolate; those of a file or a grooming specification are "
+               "all drawn"),
+       integer(
+           "strand_vertices", 2, strands::k_most_vertices,
+           "vertices of each drawn strand, as strand_count; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
-            "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm"),
+            "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm; absent: 100000, "
+            "of a file that carries radii as many as strands"),
        real("frames_per_second", 1, 1000, "frame rate"),
        outputs(),
        render(),

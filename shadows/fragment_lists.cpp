@@ -53,13 +53,13 @@ Result<FragmentLists> sort_fragments(const strands::Groom& groom, double alpha, 
   const std::size_t texels = lists.view.texels();
   lists.scale = fixed_point_scale(alpha, settings.accumulation, groom.vertex_count() - groom.strand_count());
   lists.first.resize(texels + 1);
-  const std::vector<Word> table = deposit_table(alpha, settings.accumulation, lists.scale);
-  for_each_fragment(lists.view, groom, table,
+  lists.table = deposit_table(alpha, settings.accumulation, lists.scale);
+  for_each_fragment(lists.view, groom, lists.table,
                     [&](std::size_t texel, const Fragment&) { next(lists.first[texel + 1]); });
   CUTICLE_TRY(begin_lists(settings.method, lists.first));
   lists.fragments.resize(lists.first.back());
   std::vector<Word> unused(lists.first.begin(), lists.first.end() - 1);
-  for_each_fragment(lists.view, groom, table, [&](std::size_t texel, const Fragment& fragment) {
+  for_each_fragment(lists.view, groom, lists.table, [&](std::size_t texel, const Fragment& fragment) {
     lists.fragments[next(unused[texel])] = fragment;
   });
   for_each_index(texels, [&](std::size_t texel) {

@@ -25,6 +25,7 @@ inline constexpr float k_list_pieces_per_step = 64 / k_list_steps;
 struct FragmentLists {
   MapView view;
   double scale = 1;                  ///< integers per unit of sigma
+  std::vector<std::uint32_t> table;  ///< of deposits
   std::vector<std::uint32_t> first;  ///< where each texel's list begins, and the end
   std::vector<Fragment> fragments;
   std::size_t bytes() const { return sizeof(Fragment) * fragments.size() + 4 * first.size(); }

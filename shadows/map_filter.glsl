@@ -1,12 +1,14 @@
-// The mean over a lookup's disc of T, or of the optical depth. The shader that includes this defines exponent_at().
+// The mean over a lookup's disc of T, or of the optical depth. The shader that includes this defines exponent_at(), and
+// own_deposit() of map_own.glsl.
 #include "shadows/filter.glslh"
-#include "shadows/map_geometry.glsl"
+#include "shadows/map_own.glsl"
 
-/// -k sigma before depth z (in steps) at a texel of the map.
+/// -k sigma before depth z (in steps) at a texel of the map, own_texel, without what walk_own() finds there.
 float exponent_at(uint texel, float z);
 
 float averaged(int i, int j, float z) {
   const bool outside = i < 0 || j < 0 || i >= int(columns) || j >= int(rows);
+  own_texel = ivec2(i, j);
   const float exponent = outside ? 0.0 : exponent_at(uint(j) * columns + uint(i), z);
   return (push.flags & k_poisson) != 0u ? exponent : exp(exponent);
 }
@@ -19,6 +21,7 @@ float mean_transmittance(vec2 p, float z, float radius) {
   do {
     const float half_row = disc_half_row(float(j) + 0.5 - p.y, radius);
     const int last = disc_last(p.x, half_row, radius);
+    enter_own_row(j);
     int i = disc_first(p.x, half_row, radius);
     do {
       const float weight = i > last ? 0.0 : disc_weight(length(vec2(i, j) + 0.5 - p), radius);
@@ -29,13 +32,20 @@ float mean_transmittance(vec2 p, float z, float radius) {
   return (push.flags & k_poisson) != 0u ? exp(sum / weights) : min(1.0, sum / weights);
 }
 
-/// The transmittance at a point, metres: 1 far outside the map. Depths are limited to 0 .. deepest, in steps.
-float transmittance_at(MapPlacement placement, vec3 position, float deepest) {
+/// The transmittance at a point, metres, that lies at vertex v, where segment s begins or would, or on that segment: 1
+/// far outside the map. Depths are limited to 0 .. deepest, in steps.
+float transmittance_at(MapPlacement placement, vec3 position, uint s, uint v, float deepest) {
   const vec3 seen = in_light_axes(position), point = place_in_map(placement, seen);
   const float texels = push.filter_radius * placement.scale.x * view_scale(seen, push.reach);
   const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_widest_filter) : push.filter_texels;
   const float limit = float(max(columns, rows)) + 130.0;
-  const bool inside = abs(point.x) < limit && abs(point.y) < limit && is_seen_by_light(seen, push.reach);
+  if (!(abs(point.x) < limit && abs(point.y) < limit) || !is_seen_by_light(seen, push.reach)) return 1.0;
+  find_own(placement, s, v, seen, point.xy, radius);
   const float z = clamp(lookup_depth(point.z, push.depth_offset, placement.scale.z), 0.0, deepest);
-  return inside ? mean_transmittance(point.xy, z, radius) : 1.0;
+  return mean_transmittance(point.xy, z, radius);
+}
+
+/// The same at vertex v.
+float transmittance_of_vertex(MapPlacement placement, uint v, float deepest) {
+  return transmittance_at(placement, texelFetch(vertices, int(v)).xyz, segment_from(v), v, deepest);
 }

@@ -16,6 +16,8 @@ layout(push_constant) uniform Push {
   float depth_offset;        // metres behind a point that fibres still count
   float caster_width;        // factor on the radii of segments
   float reach;               // of seen_by_light: 0 for a distant light
+  uint segment_count;        // of those that cast
+  float target_steps;        // of a number in a drawn target of so many whole steps; 0: a float
 } push;
 const uint k_poisson = 1u;
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair

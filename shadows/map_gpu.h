@@ -20,6 +20,8 @@ struct MapPush {
   float depth_offset;
   float caster_width;
   float reach;
+  std::uint32_t segment_count;
+  float target_steps;
 };
 inline constexpr std::uint32_t k_poisson_flag = 1, k_square_flag = 1u << 31;
 

@@ -61,6 +61,7 @@ struct Scene {
   LightSource light;
   double alpha;
   std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), hair).value();
+  tests::VertexReceivers receivers = tests::vertex_receivers(hair);
 };
 std::span<Scene> scenes() {
   static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{1, 1, 0.3}}, 0.4},
@@ -109,7 +110,7 @@ Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values
       comparison.filled += expected[i][word] != 0 && expected[i][word] != ~0u;
       comparison.different += frame.words[i][word] != expected[i][word];
     }
-  const auto cpu = method_of(gpu).evaluate(casters, {scene.hair.positions, {}}, values).value();
+  const auto cpu = method_of(gpu).evaluate(casters, scene.receivers.of(scene.hair), values).value();
   for (std::size_t v = 0; v < cpu.values.size(); ++v) {
     const double difference = std::abs(double(cpu.values[v]) - double(frame.transmittance[v]));
     comparison.worst = difference <= comparison.worst ? comparison.worst : difference;  // NaN is taken
@@ -150,6 +151,7 @@ constexpr int k_side = 256;           // of their target
 struct Fragments {
   std::vector<glm::vec3> points;
   std::vector<SegmentPlace> places;
+  std::vector<std::uint32_t> strands, vertices;
   std::vector<std::size_t> texels;
 };
 Fragments fragments_of(const Scene& scene) {
@@ -159,6 +161,8 @@ Fragments fragments_of(const Scene& scene) {
       for (std::uint32_t part = 0; part < k_parts; ++part) {
         const SegmentPlace place{scene.hair.positions[v], scene.hair.positions[v + 1], (float(part) + 0.5f) / k_parts};
         fragments.places.push_back(place);
+        fragments.strands.push_back(std::uint32_t(s));
+        fragments.vertices.push_back(v);
         fragments.points.push_back(place.from + place.fraction * (place.to - place.from));
         constexpr std::size_t k_per_row = k_side / k_parts;
         fragments.texels.push_back(segment / k_per_row * k_side + segment % k_per_row * k_parts + part);
@@ -287,7 +291,7 @@ TEST(OpacityFragments, EitherWeights_AgreeWithTheTwin) {
       const auto values = tests::values_of("opacity_map", set + (per_vertex ? "per_vertex" : "per_fragment")).value();
       drawn[per_vertex] = draw_fragments(values, *scene, fragments);
       const Casters casters{&scene->hair, scene->alpha, scene->light.to_light, scene->light.position};
-      const Receivers receivers{fragments.points, {}, fragments.places};
+      const Receivers receivers{fragments.points, fragments.strands, fragments.places, fragments.vertices};
       const auto twin = (*find_method("opacity_map"))->evaluate(casters, receivers, values).value();
       EXPECT_LT(differences(drawn[per_vertex], twin.values).most, 1e-5) << scene->name << per_vertex;
     }

@@ -20,8 +20,7 @@ vec3 place(MapPlacement placement, vec3 seen) {
 /// The first vertex of segment s.
 uint first_vertex(uint s) { return texelFetch(segments, int(s)).r; }
 
-/// Segment s of `count`.
-MapSegment map_segment(uint s, uint count) {
+MapSegment map_segment(uint s) {
   const uint v = first_vertex(s);
   const vec4 first = texelFetch(vertices, int(v)), last = texelFetch(vertices, int(v + 1u));
   const MapPlacement placement = placement_of(least);
@@ -33,6 +32,6 @@ MapSegment map_segment(uint s, uint count) {
   segment.b = place(placement, b);
   segment.half_width = half_width;
   segment.is_first = s == 0u || first_vertex(s - 1u) + 1u != v;
-  segment.is_last = s + 1u == count || first_vertex(s + 1u) != v + 1u;
+  segment.is_last = s + 1u == push.segment_count || first_vertex(s + 1u) != v + 1u;
   return segment;
 }

@@ -2,10 +2,12 @@
 // Maps of optical depth weighted by functions of depth: what moments and Fourier coefficients share on the CPU.
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows {
@@ -23,12 +25,17 @@ struct SeriesMap {
   double scale = 1;
   std::size_t functions = 1;
   std::vector<std::uint32_t> sums;
+  std::vector<std::uint32_t> table;  ///< of deposits
+  std::vector<float> weights;        ///< series_weights
   std::size_t bytes() const { return 4 * sums.size(); }
-  float sum(std::size_t texel, std::size_t i) const { return float(std::int32_t(sums[texel * functions + i])); }
+  /// Sum i of a texel without what the receiver's own fibre has left there.
+  float sum(std::size_t texel, std::size_t i, std::span<const OwnDeposit> own) const;
+  /// What a deposit adds to sum i, as an unsigned number that wraps.
+  std::uint32_t amount(std::uint32_t covered, std::uint32_t step, std::size_t i) const;
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). Half of the
 /// range of fixed_point_scale is left to the sign.
 SeriesMap build_series(const strands::Groom& groom, double alpha, const LightAxes& axes, const MapSettings& settings,
-                       std::size_t functions, const std::vector<float>& weights);
+                       std::size_t functions, std::vector<float> weights);
 
 }  // namespace cuticle::shadows

@@ -83,7 +83,7 @@ Result<void> MapShadowGpu::make_fragments() {
   gpu::GraphicsDescription pipeline;
   pipeline.vertex_spirv = description_.fragments.vertex_code;
   pipeline.fragment_spirv = description_.fragments.fragment_code;
-  pipeline.interface = {3, description_.drawing.targets, sizeof(MapPush), {}, {k_vertex_texels, k_segment_texels}};
+  pipeline.interface = {4, description_.drawing.targets, sizeof(MapPush), {}, {k_vertex_texels, k_segment_texels}};
   pipeline.color_formats = {gpu::TextureFormat::r32f};
   CUTICLE_ASSIGN(fragments_, device_->make_graphics(pipeline));
   return {};
@@ -135,7 +135,9 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
                {},
                float(settings.depth_offset),
                strands.caster_width,
-               axes.reach};
+               axes.reach,
+               strands.segment_count,
+               description_.drawing.format == gpu::TextureFormat::rgba8 ? 255.0f : 0.0f};
   std::copy(description_.own.begin(), description_.own.end(), push.own);
   return push;
 }
@@ -234,7 +236,7 @@ Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuSt
   const gpu::Commands::Target targets[] = {{.color = target.texture}};
   commands.begin_pass("shadow.fragments");
   commands.begin_rendering(targets, nullptr);
-  commands.draw(fragments_, {strands.vertices, strands.segments, &box_},
+  commands.draw(fragments_, {strands.vertices, strands.segments, &box_, &deposits_.buffer()},
                 {&targets_[0], &targets_[1], &targets_[2], &targets_[3]}, gpu::bytes_of(push),
                 6 * strands.segment_count);
   commands.end_rendering();
@@ -283,7 +285,10 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
   };
   map.buffers = {{std::uint64_t(settings.resolution) * settings.resolution * functions}};
   map.passes = {{"shadow.splat", map_series_comp, {k_vertices, k_segments, k_box, k_deposits, k_own}},
-                {"shadow.lookup", lookup, {k_vertices, k_box, k_own, k_transmittance}, MapRun::per_vertex}};
+                {"shadow.lookup",
+                 lookup,
+                 {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
+                 MapRun::per_vertex}};
   return map;
 }
 

@@ -48,7 +48,8 @@ struct MapDrawing {
   gpu::TextureFormat format = gpu::TextureFormat::rgba8;
 };
 /// N19: a lookup where strands are drawn: two triangles a segment, which cover its texels of a FragmentTarget. Bound to
-/// vertices, segments, box and the targets of MapDrawing; own[1], own[2]: parts of a segment, side of the target.
+/// vertices, segments, box, deposits and the targets of MapDrawing; own[1], own[2]: parts of a segment, side of the
+/// target.
 struct FragmentDrawing {
   std::span<const std::uint32_t> vertex_code, fragment_code;
 };
@@ -74,7 +75,8 @@ struct MapDescription {
 /// out_of_memory where the map passes the device's limits.
 Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description);
 
-/// A map of functions of depth (map_series.h), with `lookup` bound to vertices, box, sums, transmittance.
+/// A map of functions of depth (map_series.h), with `lookup` bound to vertices, segments, box, deposits with the
+/// weights behind them, sums, transmittance.
 MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
                                std::span<const std::uint32_t> lookup);
 

@@ -52,7 +52,24 @@ Result<void> check_segments(const Receivers& receivers) {
   return {};
 }
 
+/// Vertices of the strands that the receivers name.
+Result<void> check_vertices(const Casters& casters, const Receivers& receivers) {
+  if (receivers.vertices.empty()) return {};
+  if (receivers.vertices.size() != receivers.points.size())
+    return usage_error(
+        fmt::format("receivers: {} vertices for {} points", receivers.vertices.size(), receivers.points.size()));
+  const std::vector<std::uint32_t>& offsets = casters.groom->offsets;
+  for (std::size_t i = 0; i < receivers.vertices.size(); ++i) {
+    const std::uint32_t strand = receivers.strands[i], vertex = receivers.vertices[i];
+    if (vertex < offsets[strand] || vertex >= offsets[strand + 1])
+      return usage_error(fmt::format("receivers: vertex {} of point {} is not of strand {}", vertex, i, strand));
+  }
+  return {};
+}
+
 Result<void> check_strands(const Casters& casters, const Receivers& receivers) {
+  if (receivers.strands.empty() && !receivers.vertices.empty())
+    return usage_error("receivers: vertices are given without their strands");
   if (receivers.strands.empty()) return {};
   if (receivers.strands.size() != receivers.points.size())
     return usage_error(
@@ -61,7 +78,7 @@ Result<void> check_strands(const Casters& casters, const Receivers& receivers) {
     if (receivers.strands[i] >= casters.groom->strand_count())
       return usage_error(fmt::format("receivers: strand {} of point {} is outside 0 .. {}", receivers.strands[i], i,
                                      std::int64_t(casters.groom->strand_count()) - 1));
-  return {};
+  return check_vertices(casters, receivers);
 }
 
 }  // namespace

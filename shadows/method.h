@@ -32,11 +32,13 @@ struct SegmentPlace {
   glm::vec3 from{0}, to{0};
   float fraction = 0;
 };
-/// Where transmittance is asked for. A point that lies on a strand says which, so that it does not shadow itself.
+/// Where transmittance is asked for. A point that lies on a strand says which, so that the fibre does not shadow itself
+/// there (docs/conventions.md).
 struct Receivers {
   std::span<const glm::vec3> points;
-  std::span<const std::uint32_t> strands = {};  ///< one per point, or empty
-  std::span<const SegmentPlace> segments = {};  ///< one per point, or empty: every point is a vertex
+  std::span<const std::uint32_t> strands = {};   ///< one per point, or empty
+  std::span<const SegmentPlace> segments = {};   ///< one per point, or empty: every point is a vertex
+  std::span<const std::uint32_t> vertices = {};  ///< of the groom: the point's, or the first of its segment; or empty
 };
 
 struct Cost {

@@ -10,12 +10,13 @@
 namespace cuticle::bsdf::huang {
 namespace {
 
-constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
+constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
 constexpr std::array<std::string_view, 2> fields = {"far", "near"};
+constexpr std::array<std::string_view, 2> facets = {"multiple", "single"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
 using registry::ParameterType;
-constexpr std::array<registry::Parameter, 7> parameters = {{
+constexpr std::array<registry::Parameter, 8> parameters = {{
     eta_parameter,
     {"sigma_a",
      ParameterType::rgb,
@@ -37,7 +38,10 @@ constexpr std::array<registry::Parameter, 7> parameters = {{
     {"aspect", ParameterType::real, "1", 0.2, 1, "1", {}, "minor over major axis of the cross-section"},
     {"field", ParameterType::choice, "1", 0, 0, "far", fields,
      "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer"},
-    {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature of TT and of TRT"},
+    {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature"},
+    {"facets", ParameterType::choice, "1", 0, 0, "multiple", facets,
+     "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
+     "would stop is lost, and paths after TRT (the lobe residual is 0)"},
 }};
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
@@ -53,7 +57,7 @@ Packed<double> pack_double(const registry::ParameterValues& values) {
   const glm::dvec3 sigma_a = values.rgb("sigma_a");
   const double eta = values.real("eta"), tilt = values.real("tilt");
   return {{eta, 1 / eta, values.real("roughness"), std::sin(tilt), std::cos(tilt), values.real("aspect"), sigma_a.x,
-           sigma_a.y, sigma_a.z, is_near(values) ? 1.0 : 0.0, double(values.integer("samples"))}};
+           sigma_a.y, sigma_a.z, is_near(values) ? 1.0 : 0.0, double(values.integer("samples")), values.choice("facets") == "multiple" ? 1.0 : 0.0}};
 }
 
 /// A deviation of theta_i is that of twice the facets' slope, which for the Gaussian slopes of the same alpha is
@@ -72,7 +76,7 @@ FibreMapping map_fibre(const Fibre& fibre) {
 Model table() {
   return {.entry = {.kind = registry::EntryKind::model,
                     .name = "huang",
-                    .summary = "rough elliptical fibre of tilted scales: R, TT and TRT by facets",
+                    .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
                     .source = "Huang, Hullin and Hanika 2022",
                     .parameters = parameters,
                     .systems = system_rows,

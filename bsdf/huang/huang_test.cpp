@@ -26,12 +26,13 @@ double value_at(const std::string& settings, Quantity quantity, std::string_view
   return tests::model_value("huang", settings, quantity, lobe, point).x;
 }
 
-/// R of a fibre seen from far, and of one offset; generated with 30 digits.
+/// R by one facet of a fibre seen from far, and of one offset; generated with 30 digits.
 TEST(Huang, MirroredLobe_AgreesWithMpmath) {
   double worst_far = 0, worst_near = 0;
   for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/huang/reference/mirrored.csv")) {
     const std::string settings =
-        fmt::format("roughness={},tilt={},aspect={}", row.text("roughness"), row.text("tilt"), row.text("aspect"));
+        fmt::format("facets=single,roughness={},tilt={},aspect={}", row.text("roughness"),
+                                             row.text("tilt"), row.text("aspect"));
     const Point point{.theta_i = row.number("theta_i"),
                       .theta_o = row.number("theta_o"),
                       .phi = row.number("phi"),
@@ -51,7 +52,7 @@ TEST(Huang, MirroredLobe_AgreesWithMpmath) {
 }
 
 TEST(Huang, MirroredLobeOfTheFarField_IsTheMeanOverOffsets) {
-  const std::string settings = "roughness=0.3,aspect=0.6";
+  const std::string settings = "facets=single,roughness=0.3,aspect=0.6";
   const Point point{.theta_i = -0.5, .theta_o = 0.3, .phi = 0.8, .phi_o = 0.4};
   double sum = 0;
   const int count = 4000;
@@ -91,7 +92,8 @@ double integral_of_s(const std::string& settings, int lobe, double theta_o, doub
 }
 
 TEST(Huang, Albedo_IsTheIntegralOfS) {
-  for (const char* settings : {"roughness=0.4,samples=256", "roughness=0.6,samples=256,aspect=0.5"})
+  for (const char* settings :
+       {"facets=single,roughness=0.4,samples=256", "facets=single,roughness=0.6,samples=256,aspect=0.5"})
     for (int lobe = 0; lobe < 3; ++lobe) {
       const double allowed = std::array<double, 3>{0.01, 0.05, 0.14}[std::size_t(lobe)];
       const double albedo = evaluate_at(settings, Quantity::albedo, lobe, {{.theta_o = 0.5, .phi_o = 0.7}})[0].x;
@@ -99,16 +101,30 @@ TEST(Huang, Albedo_IsTheIntegralOfS) {
     }
 }
 
-TEST(Huang, WithoutAbsorption_ScattersLessThanItGets) {
+TEST(Huang, SingleFacetsWithoutAbsorption_ScatterLessThanTheyGet) {
   for (double roughness : {0.001, 0.05, 0.3, 1.0})
     for (double theta : {-89.9, -60.0, 0.0, 45.0, 89.9}) {
-      const double albedo = value_at(fmt::format("sigma_a=0,roughness={}", roughness), Quantity::albedo, "sum",
+      const double albedo = value_at(fmt::format("facets=single,sigma_a=0,roughness={}", roughness), Quantity::albedo, "sum",
                                      {.theta_o = theta * degree});
       EXPECT_LT(albedo, 1.001) << roughness << " " << theta;
       if (roughness < 0.01 && theta == 0) {
         EXPECT_GT(albedo, 0.98);
       }
     }
+}
+
+TEST(Huang, WithoutAbsorption_ScattersAllThatItGets) {
+  for (double roughness : {0.05, 0.1, 0.3, 0.5, 1.0})
+    for (double aspect : {1.0, 0.6})
+      for (double theta : {-80.0, 0.0, 45.0}) {
+        const std::string settings = fmt::format("sigma_a=0,roughness={},aspect={}", roughness, aspect);
+        EXPECT_NEAR(value_at(settings, Quantity::albedo, "sum", {.theta_o = theta * degree, .phi_o = 0.4}), 1, 4e-4)
+            << settings << " " << theta;
+      }
+}
+
+TEST(Huang, WithoutAbsorption_SOverTheSphereIsOne) {
+  EXPECT_NEAR(integral_of_s("sigma_a=0,roughness=0.3", -1, 0.5, 0.7), 1, 0.03);
 }
 
 /// Random points where there is light, from the model's own sampler.
@@ -135,7 +151,8 @@ std::vector<Point> lit_points(const std::string& settings, int count) {
 TEST(Huang, ReportedError_BoundsTheDifferenceFromManyPaths) {
   int within = 0, all = 0;
   for (const char* settings :
-       {"roughness=0.5", "roughness=0.2,aspect=0.6", "roughness=0.05", "roughness=0.2,field=near"}) {
+       {"facets=single,roughness=0.5", "facets=single,roughness=0.2,aspect=0.6", "facets=single,roughness=0.05",
+        "facets=single,roughness=0.2,field=near"}) {
     const std::vector<Point> points = lit_points(std::string(settings) + ",samples=64", 40);
     for (int lobe = 1; lobe < 3; ++lobe) {
       const std::string few = std::string(settings) + ",samples=256", many = std::string(settings) + ",samples=8192";
@@ -151,23 +168,44 @@ TEST(Huang, ReportedError_BoundsTheDifferenceFromManyPaths) {
   EXPECT_GE(within, 0.99 * all) << all;
 }
 
+TEST(Huang, ReportedErrorOfAllLobes_BoundsTheDifferenceFromManyPaths) {
+  int within = 0, all = 0;
+  for (const char* settings : {"roughness=0.4", "roughness=0.05,aspect=0.6", "roughness=0.2,field=near"}) {
+    const std::vector<Point> points = lit_points(std::string(settings) + ",samples=64", 50);
+    const std::string few = std::string(settings) + ",samples=256", many = std::string(settings) + ",samples=4096";
+    const auto value = evaluate_at(few, Quantity::S, -1, points),
+               error = evaluate_at(few, Quantity::error, -1, points);
+    const auto truth = evaluate_at(many, Quantity::S, -1, points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      within += std::abs(value[k].x - truth[k].x) <= error[k].x;
+      ++all;
+    }
+  }
+  EXPECT_GE(within, 0.99 * all) << all;
+}
+
 /// What passes from one direction to the other is symmetric where scales are not tilted: S cos(theta_o) times the width
 /// seen.
-TEST(Huang, UntiltedFibre_IsReciprocalInFlux) {
-  const auto flux = [](const Point& point, int lobe, Quantity quantity) {
+void expect_reciprocal(const std::string& settings, int lobe, const std::vector<double>& phis) {
+  const auto flux = [&](const Point& point, Quantity quantity) {
     const double width = std::hypot(std::sin(point.phi_o), 0.6 * std::cos(point.phi_o));
-    return evaluate_at("roughness=0.3,tilt=0,aspect=0.6,samples=32768", quantity, lobe, {point})[0].x *
+    return evaluate_at("roughness=0.3,tilt=0,aspect=0.6," + settings, quantity, lobe, {point})[0].x *
            std::cos(point.theta_o) * width;
   };
-  for (int lobe = 0; lobe < 3; ++lobe) {
-    const double phi = std::array<double, 3>{0.8, 2.6, 0.5}[std::size_t(lobe)];
+  for (double phi : phis) {
     const Point there{.theta_i = -0.4, .theta_o = 0.3, .phi = phi, .phi_o = 0.5};
     const Point back{.theta_i = 0.3, .theta_o = -0.4, .phi = -phi, .phi_o = 0.5 - phi};
-    const double bound = flux(there, lobe, Quantity::error) + flux(back, lobe, Quantity::error);
-    const double value = flux(there, lobe, Quantity::S);
-    EXPECT_NEAR(value, flux(back, lobe, Quantity::S), bound + 1e-12) << lobe;
-    EXPECT_LT(bound, 0.4 * value) << lobe;
+    const double bound = flux(there, Quantity::error) + flux(back, Quantity::error);
+    const double value = flux(there, Quantity::S);
+    EXPECT_NEAR(value, flux(back, Quantity::S), bound + 1e-12) << settings << lobe;
+    EXPECT_LT(bound, 0.4 * value) << settings << lobe;
   }
+}
+TEST(Huang, UntiltedFibre_IsReciprocalInFlux) {
+  expect_reciprocal("facets=single,samples=65536", 0, {0.8});
+  expect_reciprocal("facets=single,samples=65536", 1, {2.6});
+  expect_reciprocal("facets=single,samples=65536", 2, {0.5});
+  expect_reciprocal("samples=32768", -1, {0.8, 2.6, 0.5});
 }
 
 TEST(Huang, CircularFibre_LooksTheSameFromEverywhereAround) {

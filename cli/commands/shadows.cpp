@@ -72,7 +72,7 @@ Result<study::Sweep> parse_sweep(const ShadowsOptions& options, double footprint
     CUTICLE_ASSIGN(sweep.filter_texels, parse_numbers("--filter-texels", options.filter_texels));
   }
   if (!options.spacings.empty()) sweep.spacings = split_list(options.spacings);
-  sweep.skip_unfit = options.methods == "all";
+  sweep.skip_unfit = options.methods == "all" || !options.camera.empty();
   return sweep;
 }
 
@@ -80,8 +80,26 @@ std::vector<std::string> method_names(const ShadowsOptions& options) {
   return options.methods == "all" ? study::all_methods() : split_list(options.methods);
 }
 
-double footprint_of(const ShadowsOptions& options, const strands::Groom& groom) {
-  return options.footprint_mm > 0 ? 1e-3 * options.footprint_mm : shadows::default_footprint_radius(groom);
+Result<std::optional<glm::dvec3>> camera_of(const ShadowsOptions& options) {
+  if (options.camera.empty()) return std::optional<glm::dvec3>();
+  CUTICLE_ASSIGN(const glm::dvec3 to_camera, parse_direction("--camera", options.camera));
+  CUTICLE_ASSIGN(const glm::dvec3 direction, shadows::unit_to_light(to_camera));
+  return std::optional<glm::dvec3>(direction);
+}
+
+/// What a camera sees is as small as a pixel.
+double footprint_of(const ShadowsOptions& options, const strands::Groom& groom,
+                    const std::optional<glm::dvec3>& to_camera = {}) {
+  if (options.footprint_mm > 0) return 1e-3 * options.footprint_mm;
+  return to_camera ? study::pixel_footprint(groom, *to_camera) : shadows::default_footprint_radius(groom);
+}
+
+/// With a camera, what is not given is what pictures use: a filter of one texel, and resolutions to compare.
+ShadowsOptions with_defaults(ShadowsOptions options) {
+  if (options.camera.empty()) return options;
+  if (options.filters.empty() && options.filter_texels.empty()) options.filter_texels = "1";
+  if (options.resolutions.empty()) options.resolutions = "128,256,512,1024";
+  return options;
 }
 
 Result<std::vector<glm::vec3>> read_positions(const std::string& path) {
@@ -180,18 +198,15 @@ Result<study::Comparison> compare(const ShadowsOptions& options, const shadows::
   request.groom = casters.groom;
   request.alpha = casters.alpha;
   request.to_light = casters.to_light;
-  request.footprint_radius = footprint_of(options, *casters.groom);
+  CUTICLE_ASSIGN(request.to_camera, camera_of(options));
+  request.footprint_radius = footprint_of(options, *casters.groom, request.to_camera);
   request.rays = options.rays;
   request.weights = weights_of(options.weights);
   request.flicker = options.flicker;
-  if (!options.camera.empty()) {
-    CUTICLE_ASSIGN(const glm::dvec3 to_camera, parse_direction("--camera", options.camera));
-    CUTICLE_ASSIGN(request.to_camera, shadows::unit_to_light(to_camera));
-  }
   request.receivers = options.quick ? std::min(options.receivers, k_quick_receivers) : options.receivers;
   std::vector<std::string> methods = method_names(options);
   std::erase(methods, "truth");  // computed in any case, as what the others are compared with
-  CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, request.footprint_radius));
+  CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(with_defaults(options), request.footprint_radius));
   CUTICLE_ASSIGN(request.candidates, study::candidates_of(methods, sweep));
   for (const std::string& sentence : study::left_out_of(methods, sweep)) progress.message(sentence);
   return study::compare_with_truth(request, progress);
@@ -282,7 +297,7 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
   command.add_option("--spacing", options.spacings, "spacings of the layers of the methods that have them, a,b,c");
   command
       .add_option("--footprint-mm", options.footprint_mm,
-                  "radius that the truth is averaged over; 0 = two fibre spacings")
+                  "radius that the truth is averaged over; 0 = two fibre spacings, with --camera half a pixel")
       ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--alpha", options.alpha, "opacity of one fibre crossing")->check(CLI::Range(0.0, 1.0));
   add_groom_options(command, options.read.metres_per_unit, options.read.radius);
@@ -293,15 +308,19 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
           "at_vertices; or in the middle of segments, looked up there (per_fragment), from both ends (per_vertex) or "
           "with tent weights of planes from both ends (tents_per_vertex); with --camera, these where pixels see hair")
       ->check(CLI::IsMember({"at_vertices", "per_fragment", "per_vertex", "tents_per_vertex"}));
-  command.add_option("--camera", options.camera,
-                     "direction to an orthographic camera, x,y,z: compare what its pixels see, not vertices");
+  command.add_option(
+      "--camera", options.camera,
+      "direction to an orthographic camera, x,y,z: compare what its pixels see, not vertices, with filters of one "
+      "texel and resolutions 128,256,512,1024 unless given");
   command.add_flag("--flicker", options.flicker,
                    "measure the change of the error as the light turns by 0.1 degree and hair moves by 0.1 texel too");
   command.add_flag("--on-device", options.on_device, "time the methods' passes on the Vulkan device too");
   command.add_flag("--quick", options.quick, "at most 300 receivers");
   command.add_option("--receivers", options.receivers, "strand vertices that are compared")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--budget-ms", options.request.budget_ms, "milliseconds for build and lookup at every vertex, at most")
+  command
+      .add_option("--budget-ms", options.request.budget_ms,
+                  "milliseconds for build and lookup at every vertex, at most")
       ->check(CLI::Range(0.0, infinity));
   command.add_option("--max-error", options.request.max_error, "mean error of transmittance, at most")
       ->check(CLI::Range(0.0, 1.0));

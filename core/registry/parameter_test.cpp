@@ -82,6 +82,12 @@ TEST(NearestName, OneLetterOff_IsFound) {
   EXPECT_EQ(nearest_name("", {}), "");
 }
 
+TEST(NearestName, AnotherCaseOrAUnitLeftOff_IsFound) {
+  constexpr std::string_view known[] = {"S", "M", "N", "fov_deg", "far"};
+  EXPECT_EQ(nearest_name("n", known), "N");
+  EXPECT_EQ(nearest_name("fov", known), "fov_deg");
+}
+
 TEST(ParameterSchema, OfATable_RefusesUnknownKeysAndStatesRanges) {
   const Json schema = Json::parse(json_schema(k_table)).value();
   EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#");

@@ -23,6 +23,7 @@ CameraRays::CameraRays(const Camera& camera, const Lens& lens)
 CameraRays::Ray CameraRays::through(const glm::dvec2& pixel, const glm::dvec2& lens) const {
   const glm::dvec2 place = (2.0 * (pixel - shift_) - size_) / size_.y * tangent_;
   const glm::dvec3 ahead = place.x * right_ - place.y * up_ - back_;  // one metre along the view
+  if (!(lens_.radius > 0)) return {position_, glm::normalize(ahead)};
   const glm::dvec3 origin = position_ + lens_.radius * (lens.x * right_ + lens.y * up_);
   return {origin, glm::normalize(position_ + lens_.focus_distance * ahead - origin)};
 }

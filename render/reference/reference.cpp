@@ -143,14 +143,14 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   }
   for (const glm::dvec3& part : {scene.camera.position, scene.camera.target, scene.camera.up}) hash.add(part);
   hash.add(scene.camera.vertical_field_of_view);
-  for (const double number : {double(options.scatterings), double(options.seed), options.lens.radius,
+  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
                               options.lens.focus_distance})
     hash.add(number);
   return hash.value();
 }
 
-Result<Picture> render(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
-                       Progress& progress) {
+Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
+                              Progress& progress) {
   CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
   Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
   const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);

@@ -18,7 +18,8 @@ struct TraceOptions {
   int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
   std::uint64_t seed = 0;
   bool layers = false;  ///< splits the light, which costs an evaluation of each lobe at the first scattering
-  Lens lens;
+  bool far_field = false;  ///< of models that have both fields
+  Lens lens = {};
 };
 
 /// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the

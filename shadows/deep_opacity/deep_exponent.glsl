@@ -3,25 +3,58 @@
 #include "shadows/map_filter.glsl"
 #include "shadows/splat.glslh"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(binding = 2) uniform usamplerBuffer ranges;
-layout(binding = 3) uniform usamplerBuffer layers;
-layout(binding = 4) uniform usamplerBuffer sums;
-layout(binding = 5) uniform usamplerBuffer table;  // deposits, shares, the exponents of codes
-layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
+layout(binding = 3) uniform usamplerBuffer ranges;
+layout(binding = 4) uniform usamplerBuffer layers;
+layout(binding = 5) uniform usamplerBuffer sums;
+layout(binding = 6) uniform usamplerBuffer table;  // deposits, shares, the exponents of codes, what they are rounded by
+layout(std430, binding = 7) writeonly buffer Transmittance { float transmittance[]; };
 
 const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
 
 float fibre_exponent;
 
-/// The exponent before the end of layer i % layers of texel i / layers.
-float exponent_before(uint i) {
+uint own_range, own_layer;      // the texel's range, and the layer that is looked up
+uint own_before, own_after;     // what the own fibre has left before that layer, and before its end
+bool is_nearest, is_farthest;   // whether it is the texel's nearest fibre, or its farthest
+
+Layer layer_of(uint behind) {
+  return unpacked_layer(texelFetch(layers, int(k_layer_table + table_step(behind))).r);
+}
+
+void own_deposit(uint covered, uint depth_step) {
+  const uint nearest = range_nearest(own_range), behind = depth_step - min(depth_step, nearest);
+  const uint amount = texelFetch(table, int(covered)).r, layer = layer_of(behind).index;
+  own_before += layer < own_layer ? amount : 0u;
+  own_after += layer <= own_layer ? amount : 0u;
+  is_nearest = is_nearest || behind == 0u;
+  is_farthest = is_farthest || depth_step >= range_farthest(own_range);
+}
+
+const uint k_exponents = k_coverage_steps + 1u + k_most_layers, k_thresholds = k_exponents + 256u;
+
+float exponent_of_code(uint code) { return uintBitsToFloat(texelFetch(table, int(k_exponents + code)).r); }
+
+/// How many of the 255 thresholds, which fall, are not below the sum.
+uint code_of(uint sum) {
+  uint first = 0u;
+  for (uint count = 255u; count > 0u;) {
+    const uint half_count = count / 2u;
+    const bool not_below = texelFetch(table, int(k_thresholds + first + half_count)).r >= sum;
+    first = not_below ? first + half_count + 1u : first;
+    count = not_below ? count - half_count - 1u : half_count;
+  }
+  return first;
+}
+
+/// The exponent before the end of layer i % layers of texel i / layers, without `own` of its sum.
+float exponent_before(uint i, uint own) {
   const bool packed = (push.flags & k_bytes) != 0u;
   const uint word = texelFetch(sums, int(packed ? i / 4u : i)).r;
-  float exponent = push.per_unit * float(word);
-  for (bool left = packed; left; left = false)  // a loop is skipped where a condition would be masked
-    exponent = uintBitsToFloat(texelFetch(table, int(k_coverage_steps + 1u + k_most_layers + packed_code(word, i % 4u))).r);
+  float exponent = push.per_unit * float(word - own);
+  for (bool left = packed; left; left = false) {  // a loop is skipped where a condition would be masked
+    exponent = exponent_of_code(packed_code(word, i % 4u));
+    if (own > 0u) exponent = min(0.0, exponent - exponent_of_code(code_of(own)));
+  }
   return exponent;
 }
 
@@ -30,13 +63,19 @@ float stored_exponent(uint texel, float z) {
   const float depth = z - float(range_nearest(range)), extent = depth_extent(range);
   float exponent = 0.0;
   if (range != k_no_range && depth > 0.0) {
-    const Layer layer = unpacked_layer(texelFetch(layers, int(k_layer_table + table_step(uint(depth)))).r);
+    const Layer layer = layer_of(uint(depth));
     const bool is_behind = depth >= extent;
-    const uint i = texel * push.layers + (is_behind ? push.layers - 1u : layer.index);
-    const float after = exponent_before(i);
+    own_range = range;
+    own_layer = is_behind ? push.layers - 1u : layer.index;
+    own_before = own_after = 0u;
+    is_nearest = is_farthest = false;
+    walk_own();
+    const uint i = texel * push.layers + own_layer;
+    const float after = exponent_before(i, own_after);
     float before = 0.0;
-    if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u);
-    exponent = exponent_within(layer, extent, depth, before, after, fibre_exponent);
+    if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u, own_before);
+    exponent = exponent_within(layer, extent, depth, before, after, is_nearest ? 0.0 : fibre_exponent,
+                               is_farthest ? 0.0 : fibre_exponent);
   }
   return exponent;
 }
@@ -44,5 +83,5 @@ float stored_exponent(uint texel, float z) {
 /// At a vertex: the mean over the filter's disc of T, or of sigma.
 void look_up(MapPlacement placement, uint v) {
   fibre_exponent = push.per_unit * float(texelFetch(table, int(texelFetch(layers, int(k_most_layers)).r)).r);
-  transmittance[v] = transmittance_at(placement, texelFetch(vertices, int(v)).xyz, k_deepest);
+  transmittance[v] = transmittance_of_vertex(placement, v, k_deepest);
 }

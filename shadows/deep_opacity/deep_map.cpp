@@ -1,11 +1,12 @@
 #include "shadows/deep_opacity/deep_map.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
+#include "shadows/deep_opacity/tiles.glslh"
 #include "shadows/deep_opacity/tiles.h"
 #include "shadows/detail/map_method.h"
-#include "shadows/deep_opacity/tiles.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 namespace {
@@ -95,41 +96,59 @@ std::vector<Layer> layer_table(const LayerEnds& ends) {
 }
 
 /// Deposits every piece into the layer that holds it.
-void fill_layers(const strands::Groom& groom, std::span<const Word> depths, std::span<const Word> table, Map& map) {
+void fill_layers(const strands::Groom& groom, std::span<const Word> depths, Map& map) {
   const std::vector<Layer> layers = layer_table(map.ends);
   for_each_covered_texel(map.view, groom, k_pieces_per_step, [&](std::size_t texel, Word covered, Word step) {
     const Word layer = layers[table_step(step - depths[2 * texel])].index;
-    add_to(map.sums[texel * map.ends.count + layer], table[covered]);
+    add_to(map.sums[texel * map.ends.count + layer], map.table[covered]);
   });
 }
 
-/// The exponent at depth z of a texel; exponent_before(i): at the end of its layer i.
+/// What the receiver's own fibre has left in a texel: before the end of layer i, and whether it is the nearest or the
+/// farthest there.
+struct OwnLayers {
+  std::array<Word, k_most_layers> before{};
+  bool is_nearest = false, is_farthest = false;
+};
+OwnLayers own_layers(const Map& map, std::span<const Layer> layers, Word range, std::span<const OwnDeposit> own) {
+  OwnLayers result;
+  for (const OwnDeposit& deposit : own) {
+    const Word nearest = range_nearest(range), behind = deposit.step - std::min(deposit.step, nearest);
+    for (Word i = layers[table_step(behind)].index; i < map.ends.count; ++i)
+      result.before[i] += map.table[deposit.covered];
+    result.is_nearest = result.is_nearest || behind == 0;
+    result.is_farthest = result.is_farthest || deposit.step >= range_farthest(range);
+  }
+  return result;
+}
+
+/// The exponent at depth z of a texel as it is stored, without the receiver's own fibre; exponent_before(i, own): at
+/// the end of number i of the map, of which `own` is left out.
 float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t texel, float z,
-                  const auto& exponent_before) {
+                  std::span<const OwnDeposit> own, const auto& exponent_before) {
   const Word range = map.ranges[texel];
   const float depth = z - float(range_nearest(range));
   if (range == k_no_range || !(depth > 0)) return 0;
+  const OwnLayers mine = own.empty() ? OwnLayers{} : own_layers(map, layers, range, own);
+  const auto before_end = [&](Word layer) {
+    return exponent_before(texel * map.ends.count + layer, mine.before[layer]);
+  };
   const float extent = depth_extent<float>(range);
-  if (depth >= extent) return exponent_before(map.ends.count - 1);
+  if (depth >= extent) return before_end(map.ends.count - 1);
   const Layer& layer = layers[table_step(Word(depth))];
-  const float before = layer.index == 0 ? 0.0f : exponent_before(layer.index - 1);
-  return exponent_within(layer, extent, depth, before, exponent_before(layer.index), map.fibre_exponent);
+  const float before = layer.index == 0 ? 0.0f : before_end(layer.index - 1);
+  return exponent_within(layer, extent, depth, before, before_end(layer.index),
+                         mine.is_nearest ? 0.0f : map.fibre_exponent, mine.is_farthest ? 0.0f : map.fibre_exponent);
 }
 
-/// Looks points up by exponent_before(texel, layer), texels being counted as they are stored.
-Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, std::span<const glm::vec3> points,
+/// Looks receivers up by exponent_before of exponent_at.
+Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, const Asked& asked,
                                       const auto& exponent_before) {
   const std::vector<Layer> layers = layer_table(map.ends);
-  const auto stored_exponent = [&](std::size_t texel, float z) {
-    return exponent_at(map, layers, texel, z, [&](Word layer) { return exponent_before(texel, layer); });
-  };
-  if (map.slots.empty())
-    return look_up_points(map.view, settings.map, k_deepest, points,
-                          [&](float z) { return [&, z](std::size_t texel) { return stored_exponent(texel, z); }; });
-  return look_up_points(map.view, settings.map, k_deepest, points, [&](float z) {
-    return [&, z](std::size_t texel) {
-      const Word stored = stored_texel(map, texel);
-      return stored == k_no_slot ? 0.0f : stored_exponent(stored, z);
+  return look_up_receivers(map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z) {
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
+      return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
     };
   });
 }
@@ -139,11 +158,13 @@ Word code_of(std::span<const Word> thresholds, Word sum) {
   return Word(std::lower_bound(thresholds.begin(), thresholds.end(), sum, std::greater_equal<>()) - thresholds.begin());
 }
 
-Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+/// The own fibre is rounded as the whole was, so that a texel that holds nothing else lets all light through.
+Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settings, const Asked& asked) {
   const std::vector<float> exponents = code_exponents();
-  return look_up_by(map, settings, points, [&](std::size_t texel, Word layer) {
-    const std::size_t i = texel * map.ends.count + layer;
-    return exponents[packed_code(map.codes[i / 4], Word(i % 4))];
+  const std::vector<Word> thresholds = code_thresholds(settings.map.accumulation.k, map.scale);
+  return look_up_by(map, settings, asked, [&](std::size_t i, Word own) {
+    const float all = exponents[packed_code(map.codes[i / 4], Word(i % 4))];
+    return own == 0 ? all : std::min(0.0f, all - exponents[code_of(thresholds, own)]);
   });
 }
 
@@ -184,12 +205,12 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.scale = fixed_point_scale(alpha, accumulation, groom.vertex_count() - groom.strand_count());
   const std::vector<Word> depths = texel_depths(map.view, groom);
   const std::vector<Word> histogram = depth_histogram(groom, map.view, depths);
-  const std::vector<Word> table = deposit_table(alpha, accumulation, map.scale);
+  map.table = deposit_table(alpha, accumulation, map.scale);
   map.ends = layer_ends(histogram, settings);
   map.fibre = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
-  map.fibre_exponent = exponent_per_unit(settings.map, map.scale) * float(table[map.fibre]);
+  map.fibre_exponent = exponent_per_unit(settings.map, map.scale) * float(map.table[map.fibre]);
   map.sums.resize(map.view.texels() * settings.layers);
-  fill_layers(groom, depths, table, map);
+  fill_layers(groom, depths, map);
   sum_along_depth(map.sums, settings.layers);
   map.ranges.resize(map.view.texels());
   for_each_index(map.view.texels(),
@@ -225,12 +246,10 @@ std::vector<Word> pack(const Map& map, double k) {
   return codes;
 }
 
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
-  if (settings.bytes) return look_up_packed(map, settings, points);
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
+  if (settings.bytes) return look_up_packed(map, settings, asked);
   const float per_unit = exponent_per_unit(settings.map, map.scale);
-  return look_up_by(map, settings, points, [&](std::size_t texel, Word layer) {
-    return per_unit * float(map.sums[texel * map.ends.count + layer]);
-  });
+  return look_up_by(map, settings, asked, [&](std::size_t i, Word own) { return per_unit * float(map.sums[i] - own); });
 }
 
 }  // namespace cuticle::shadows::deep_opacity

@@ -7,10 +7,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "shadows/deep_opacity/layers.glslh"
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
-#include "shadows/deep_opacity/layers.glslh"
 
 namespace cuticle::shadows::deep_opacity {
 
@@ -44,6 +45,7 @@ struct Map {
   std::vector<std::uint32_t> ranges;  ///< nearest and farthest depth step of each texel, or k_no_range
   std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> codes;  ///< instead of sums, where Settings::bytes: T in 255ths, four a word
+  std::vector<std::uint32_t> table;  ///< of deposits
   std::vector<std::uint32_t> slots;  ///< where each tile of a sparse map is stored, or k_no_slot; else empty
   std::size_t clamped = 0;           ///< texels of tiles that found no room
   std::size_t bytes() const { return 4 * (ranges.size() + sums.size() + codes.size() + slots.size()); }
@@ -58,8 +60,8 @@ std::vector<std::uint32_t> pack(const Map& map, double k);
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
+/// Transmittance at the receivers, one each, in [0, 1]; outside the map it is 1. Each texel that a lookup averages uses
 /// its own depths, which are never interpolated. Error: usage, for too wide a filter.
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked);
 
 }  // namespace cuticle::shadows::deep_opacity

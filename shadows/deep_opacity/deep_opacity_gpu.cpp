@@ -3,10 +3,10 @@
 #include <bit>
 
 #include "shadows/deep_opacity/deep_map.h"
-#include "shadows/deep_opacity/tiles.h"
-#include "shadows/map_shadow_gpu.h"
 #include "shadows/deep_opacity/layers.glslh"
 #include "shadows/deep_opacity/tiles.glslh"
+#include "shadows/deep_opacity/tiles.h"
+#include "shadows/map_shadow_gpu.h"
 #include "shadows/splat.glslh"
 
 #include <deep_histogram_comp.spv.h>
@@ -132,12 +132,12 @@ MapDescription describe(const Settings& settings) {
                           .buffers = {k_deposits, stored.sums, k_codes},
                           .run = MapRun::given,
                           .invocations = stored.texels});
-  MapPass lookup{
-      "shadow.lookup",
-      deep_lookup_comp,
-      {k_vertices, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums, k_deposits, k_transmittance},
-      MapRun::per_vertex};
-  lookup.texels = {2, 3, 4, 5};
+  MapPass lookup{"shadow.lookup",
+                 deep_lookup_comp,
+                 {k_vertices, k_segments, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums,
+                  k_deposits, k_transmittance},
+                 MapRun::per_vertex};
+  lookup.texels = {3, 4, 5, 6};
   if (settings.sparse) {
     lookup.code = deep_tile_lookup_comp;
     lookup.buffers.push_back(k_slots);

@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 #include "shadows/deep_opacity/deep_exponent.glsl"
 #include "shadows/deep_opacity/tiles.glslh"
 
-layout(std430, binding = 7) readonly buffer Slots { uint slots[]; };
+layout(std430, binding = 8) readonly buffer Slots { uint slots[]; };
 
 float exponent_at(uint texel, float z) {
   const uint i = texel % columns, j = texel / columns;

@@ -29,7 +29,7 @@ MapDescription describe(const Settings& settings) {
                         MapRun::per_texel});
   map.passes.push_back({"shadow.lookup",
                         deep_shadow_lookup_comp,
-                        {k_vertices, k_box, k_list_first, k_counts, k_knots, k_transmittance},
+                        {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance},
                         MapRun::per_vertex});
   return map;
 }

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "shadows/detail/map_walk.h"
+#include "shadows/deep_shadow/own_steps.glslh"
 #include "shadows/deep_shadow/slopes.glslh"
+#include "shadows/detail/map_walk.h"
 
 namespace cuticle::shadows::deep_shadow {
 namespace {
 
-constexpr double k_least_bound = 1e-3;  // of the growing bound, so that 0 grows too
 constexpr std::uint32_t k_half_visibility_bits = 7, k_half_visibility = 127, k_half_depth = 511;
 
 Slopes<double> through(const Slopes<double>& slopes, const Knot& from, const Knot& point, double bound) {
@@ -79,6 +79,10 @@ Knot knot_of(const PackedFunctions& functions, const KnotTile& tile, std::size_t
           float(number & k_half_visibility) * (1.0f / k_half_visibility)};
 }
 
+std::size_t tile_at(const PackedFunctions& functions, std::size_t column, std::size_t row) {
+  return row / k_tile_side * functions.tile_columns + column / k_tile_side;
+}
+
 }  // namespace
 
 void exact_function(std::span<const Fragment> fragments, float per_unit, std::vector<Knot>& knots) {
@@ -114,7 +118,7 @@ void compress(std::span<const Knot> exact, double bound, std::vector<Knot>& knot
 void compress_to(std::span<const Knot> exact, double bound, std::size_t pieces, std::vector<Knot>& knots) {
   compress(exact, bound, knots);
   while (knots.size() > pieces + 1) {
-    bound = std::max(k_least_bound, 1.5 * bound);
+    bound = std::max(double(k_least_bound), 1.5 * bound);
     compress(exact, bound, knots);
   }
 }
@@ -134,9 +138,15 @@ PackedFunctions pack(const FragmentLists& lists, float per_unit, double bound, s
   return functions;
 }
 
+float depth_rounding(const PackedFunctions& functions, std::size_t texel) {
+  const std::size_t column = texel % functions.columns, row = texel / functions.columns;
+  return functions.storage == KnotStorage::words ? 0
+                                                 : 0.5f * float(functions.tiles[tile_at(functions, column, row)].step);
+}
+
 float visibility_at(const PackedFunctions& functions, std::size_t texel, float depth) {
   const std::size_t column = texel % functions.columns, row = texel / functions.columns;
-  const std::size_t t = row / k_tile_side * functions.tile_columns + column / k_tile_side;
+  const std::size_t t = tile_at(functions, column, row);
   const KnotTile &tile = functions.tiles[t], &next = functions.tiles[t + 1];
   if (tile.first_knot == next.first_knot) return 1;
   const std::size_t i = row % k_tile_side * k_tile_side + column % k_tile_side;

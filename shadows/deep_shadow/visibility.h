@@ -52,6 +52,8 @@ struct PackedFunctions {
 /// the visibility and move knots by up to 1/1022 of the depths of their tile.
 PackedFunctions pack(const FragmentLists& lists, float per_unit, double bound, std::size_t pieces, KnotStorage storage);
 
+/// Depth steps by which a texel's knots may have moved where they are kept.
+float depth_rounding(const PackedFunctions& functions, std::size_t texel);
 /// A texel's visibility at a depth, in steps: 1 before the first knot, the last knot's behind it, linear between.
 float visibility_at(const PackedFunctions& functions, std::size_t texel, float depth);
 

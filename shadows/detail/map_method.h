@@ -27,28 +27,29 @@ inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& sett
   return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson};
 }
 
-/// Transmittance at world points. at_depth(z) gives a function of a texel, the exponent of T before depth z; depths are
-/// limited to 0 .. deepest, in steps. Error: usage, for a filter too wide for the map.
-Result<std::vector<float>> look_up_points(const MapView& view, const MapSettings& settings, float deepest,
-                                          std::span<const glm::vec3> points, const auto& at_depth) {
+/// Transmittance at the receivers. at_depth(i, z) gives, for receiver i, a function of a texel and of what the
+/// receiver's own fibre has left there: the exponent of T before depth z without that; depths are limited to 0 ..
+/// deepest, in steps. Pieces of fibres are at most 1 / steps_to_pieces steps deep. Error: usage, for a filter too wide
+/// for the map.
+Result<std::vector<float>> look_up_receivers(const MapView& view, const MapSettings& settings, float deepest,
+                                             float steps_to_pieces, const Asked& asked, const auto& at_depth) {
   CUTICLE_ASSIGN(const MapFilter filter, map_filter(view, settings));
-  std::vector<float> values(points.size());
-  for_each_index(points.size(),
-                 [&](std::size_t i) { values[i] = transmittance_at(view, filter, deepest, points[i], at_depth); });
+  std::vector<float> values(asked.receivers.points.size());
+  for_each_index(values.size(), [&](std::size_t i) {
+    thread_local OwnFibre own_fibre;
+    const auto find_own = [&](const glm::vec3& seen, const glm::vec2& at, float radius) {
+      own_fibre.leave_none();
+      if (const auto own = own_vertex(asked.groom, asked.receivers, i))
+        own_fibre.find(view, asked.groom, *own, seen, at, radius, steps_to_pieces);
+    };
+    values[i] = transmittance_at(view, filter, deepest, asked.receivers.points[i], own_fibre, find_own,
+                                 [&](float z) { return at_depth(i, z); });
+  });
   return values;
 }
 
-/// look_up(map, settings, receivers), or of their points where it takes no more.
-template <auto look_up>
-auto look_up_at(const auto& map, const auto& settings, const Receivers& receivers) {
-  if constexpr (requires { look_up(map, settings, receivers); })
-    return look_up(map, settings, receivers);
-  else
-    return look_up(map, settings, receivers.points);
-}
-
 /// Method::evaluate of a method of maps, from its settings_from(values), build(groom, alpha, axes, settings) and
-/// look_up(map, settings, receivers or their points), each a value or a Result of one. Errors: those of `check` and of
+/// look_up(map, settings, asked), each a value or a Result of one. Errors: those of `check` and of
 /// these.
 template <auto settings_from, auto build, auto look_up>
 Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& receivers,
@@ -61,7 +62,7 @@ Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& rece
   CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, axes, settings)));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(result.values, Result(look_up_at<look_up>(map, settings, receivers)));
+  CUTICLE_ASSIGN(result.values, Result(look_up(map, settings, Asked{*casters.groom, receivers})));
   result.cost.lookup_ms = milliseconds_since(built);
   result.cost.bytes = map.bytes();
   result.cost.device = cpu_device_name();

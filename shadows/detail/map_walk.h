@@ -9,10 +9,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "shadows/map_view.h"
-#include "strands/groom.h"
 #include "shadows/filter.glslh"
+#include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "shadows/splat.glslh"
+#include "strands/groom.h"
 
 namespace cuticle::shadows {
 
@@ -112,19 +113,24 @@ struct MapFilter {
   float depth_offset = 0;  ///< metres behind the point that fibres still count
   bool poisson = false;    ///< average the optical depth; else T
 };
-/// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel)), texels outside the map counting
-/// as free; `exponent` takes the index of a texel.
-float mean_transmittance(const MapView& view, const MapFilter& filter, float x, float y, const auto& exponent) {
+/// The mean over the filter's disc around map point (x, y) of T = exp(exponent(texel, own)), texels outside the map
+/// counting as free; `exponent` takes the index of a texel, and what the receiver's own fibre has left in it.
+float mean_transmittance(const MapView& view, const MapFilter& filter, float x, float y, OwnFibre& own_fibre,
+                         const auto& exponent) {
   const int j0 = int(std::floor(y)), reach = disc_reach(filter.radius);
   float sum = 0, weights = 0;
   for (int j = j0 - reach; j <= j0 + reach; ++j) {
     const float away = float(j) + 0.5f - y, half_row = disc_half_row(away, filter.radius);
     const int last = disc_last(x, half_row, filter.radius);
+    const OwnFibre::Columns own = own_fibre.enter_row(j);
     for (int i = disc_first(x, half_row, filter.radius); i <= last; ++i) {
       const float beside = float(i) + 0.5f - x;
       const float weight = disc_weight(std::sqrt(beside * beside + away * away), filter.radius);
       const bool outside = i < 0 || j < 0 || i >= int(view.columns) || j >= int(view.rows);
-      const float value = outside ? 0.0f : exponent(texel_index(view, i, j));
+      const bool may_own = i >= own.first && i <= own.last;
+      const float value =
+          outside ? 0.0f
+                  : exponent(texel_index(view, i, j), may_own ? own_fibre.deposits(i) : std::span<const OwnDeposit>());
       sum += weight * (filter.poisson ? value : value == 0 ? 1.0f : std::exp(value));  // many texels are free
       weights += weight;
     }
@@ -144,16 +150,19 @@ inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::
   return filter;
 }
 
-/// The transmittance at a world point: 1 far outside the map. at_depth(z), z in steps and limited to 0 .. deepest,
-/// gives the exponent as a function of the texel.
+/// The transmittance at a world point: 1 far outside the map. find_own(seen, point, radius) is called before, for the
+/// pieces of `own_fibre`; at_depth(z), z in steps and limited to 0 .. deepest, gives the exponent as a function of the
+/// texel and of what its own fibre has left there.
 float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
-                       const auto& at_depth) {
+                       OwnFibre& own_fibre, const auto& find_own, const auto& at_depth) {
   const glm::vec3 seen = view_point(view.axes, p), point = seen_to_map(view, seen);
   const float limit = float(std::max(view.columns, view.rows)) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit) || !is_seen_by_light(seen, view.axes.reach))
     return 1.0f;
   const float z = depth_in_map(view, filter, deepest, point.z);
-  return mean_transmittance(view, filter_there(view, filter, seen), point.x, point.y, at_depth(z));
+  const MapFilter there = filter_there(view, filter, seen);
+  find_own(seen, glm::vec2(point), there.radius);
+  return mean_transmittance(view, there, point.x, point.y, own_fibre, at_depth(z));
 }
 
 }  // namespace cuticle::shadows

@@ -1,8 +1,8 @@
 // Every fragment of every texel, sorted by depth: the ceiling of what a map of the light's view can do.
 #include <algorithm>
 
-#include "shadows/fragment_lists.h"
 #include "shadows/detail/map_method.h"
+#include "shadows/fragment_lists.h"
 
 namespace cuticle::shadows::exact_list {
 namespace {
@@ -11,24 +11,28 @@ constexpr registry::Parameter k_parameters[] = {k_resolution,   k_optical_k,  k_
                                                 k_depth_offset, k_accumulate, k_list_room};
 constexpr registry::StudyCase k_cases[] = {{"default", ""}};
 
-/// The sum of the fragments that lie in steps before that of depth z.
-float sum_before(const FragmentLists& lists, std::size_t texel, float z) {
+/// The sum of the fragments that lie in steps before that of depth z, without those of the receiver's own fibre.
+float sum_before(const FragmentLists& lists, std::size_t texel, float z, std::span<const OwnDeposit> own) {
   const std::span<const Fragment> list = lists.of(texel);
+  const auto before = std::uint32_t(z);
   const auto behind =
-      std::lower_bound(list.begin(), list.end(), std::uint32_t(z),
+      std::lower_bound(list.begin(), list.end(), before,
                        [](const Fragment& fragment, std::uint32_t step) { return fragment.depth < step; });
-  return behind == list.begin() ? 0.0f : float((behind - 1)->sum);
+  std::uint32_t sum = behind == list.begin() ? 0 : (behind - 1)->sum;
+  for (const OwnDeposit& deposit : own) sum -= deposit.step < before ? lists.table[deposit.covered] : 0;
+  return float(sum);
 }
 
 MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
 
-Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings,
-                                   std::span<const glm::vec3> points) {
+Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings, const Asked& asked) {
   const float per_unit = exponent_per_unit(settings, lists.scale);
-  const auto at_depth = [&](float z) {
-    return [&, z](std::size_t texel) { return per_unit * sum_before(lists, texel, z); };
-  };
-  return look_up_points(lists.view, settings, k_behind_lists, points, at_depth);
+  return look_up_receivers(lists.view, settings, k_behind_lists, k_list_pieces_per_step, asked,
+                           [&](std::size_t, float z) {
+                             return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+                               return per_unit * sum_before(lists, texel, z, own);
+                             };
+                           });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ MapDescription describe(const MapSettings& settings) {
   MapDescription map = describe_lists(settings);
   map.passes.push_back({"shadow.lookup",
                         exact_list_lookup_comp,
-                        {k_vertices, k_box, k_list_first, k_list_fragments, k_transmittance},
+                        {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments, k_transmittance},
                         MapRun::per_vertex});
   return map;
 }

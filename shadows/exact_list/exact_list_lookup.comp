@@ -4,11 +4,14 @@
 layout(local_size_x = 64) in;
 #include "shadows/map_filter.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer First { uint first[]; };
-layout(std430, binding = 3) readonly buffer Fragments { uvec2 fragments[]; };
-layout(std430, binding = 4) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };
+layout(std430, binding = 4) readonly buffer First { uint first[]; };
+layout(std430, binding = 5) readonly buffer Fragments { uvec2 fragments[]; };
+layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
+
+uint own_step, own_before;  // what the own fibre has left before that step
+
+void own_deposit(uint covered, uint depth_step) { own_before += depth_step < own_step ? table[covered] : 0u; }
 
 float exponent_at(uint texel, float z) {
   const uint begin = min(first[texel], push.layers), step = uint(z);
@@ -19,10 +22,14 @@ float exponent_at(uint texel, float z) {
     behind = is_before ? behind + half_count + 1u : behind;
     count = is_before ? count - half_count - 1u : half_count;
   }
-  return behind == begin ? 0.0 : push.per_unit * float(fragments[behind - 1u].y);
+  if (behind == begin) return 0.0;
+  own_step = step;
+  own_before = 0u;
+  walk_own();
+  return push.per_unit * float(fragments[behind - 1u].y - min(fragments[behind - 1u].y, own_before));
 }
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, push.intervals + 1.0);
+  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, push.intervals + 1.0);
 }

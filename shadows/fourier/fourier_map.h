@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shadows/map_series.h"
+#include "shadows/own_fibre.h"
 
 namespace cuticle::shadows::fourier {
 
@@ -23,7 +24,7 @@ std::vector<float> weights(const Settings& settings);
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
-Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, std::span<const glm::vec3> points);
+/// Transmittance at the receivers, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, const Asked& asked);
 
 }  // namespace cuticle::shadows::fourier

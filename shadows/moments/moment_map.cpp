@@ -7,9 +7,11 @@
 namespace cuticle::shadows::moments {
 namespace {
 
-float share_before(const SeriesMap& map, const Settings& settings, std::size_t texel, float depth) {
-  const float whole = map.sum(texel, 0), bias = float(settings.bias), overestimation = float(settings.overestimation);
-  const auto moment = [&](std::size_t i) { return map.sum(texel, i) / whole; };
+float share_before(const SeriesMap& map, const Settings& settings, std::size_t texel, float depth,
+                   std::span<const OwnDeposit> own) {
+  const float whole = map.sum(texel, 0, own), bias = float(settings.bias),
+              overestimation = float(settings.overestimation);
+  const auto moment = [&](std::size_t i) { return map.sum(texel, i, own) / whole; };
   if (settings.basis == Basis::trigonometric_4)
     return circle_share(glm::vec2(moment(1), moment(2)), glm::vec2(moment(3), moment(4)), bias, depth, overestimation);
   PowerMoments<float> moments{};
@@ -18,10 +20,11 @@ float share_before(const SeriesMap& map, const Settings& settings, std::size_t t
 }
 
 /// The sum before depth z of a texel.
-float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z) {
-  const float whole = map.sum(texel, 0), depth = z / float(k_series_steps);
+float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z,
+             std::span<const OwnDeposit> own) {
+  const float whole = map.sum(texel, 0, own), depth = z / float(k_series_steps);
   if (!(depth > 0) || !(whole > 0)) return 0;
-  return depth >= 1 ? whole : whole * share_before(map, settings, texel, depth);
+  return depth >= 1 ? whole : whole * share_before(map, settings, texel, depth, own);
 }
 
 }  // namespace
@@ -52,12 +55,14 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
   return build_series(groom, alpha, axes, settings.map, settings.functions(), weights(settings));
 }
 
-Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, std::span<const glm::vec3> points) {
+Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, const Asked& asked) {
   const float per_unit = exponent_per_unit(settings.map, map.scale);
-  const auto at_depth = [&](float z) {
-    return [&, z](std::size_t texel) { return per_unit * sum_at(map, settings, texel, z); };
+  const auto at_depth = [&](std::size_t, float z) {
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      return per_unit * sum_at(map, settings, texel, z, own);
+    };
   };
-  return look_up_points(map.view, settings.map, float(k_series_steps), points, at_depth);
+  return look_up_receivers(map.view, settings.map, float(k_series_steps), k_series_pieces_per_step, asked, at_depth);
 }
 
 }  // namespace cuticle::shadows::moments

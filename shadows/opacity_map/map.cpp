@@ -9,12 +9,25 @@
 namespace cuticle::shadows::opacity_map {
 namespace {
 
-/// The sum at depth z of a texel, linear between its two nearest slices.
-float sum_at(const Map& map, std::size_t texel, float z) {
+/// A steep segment is cut where it passes a slice.
+constexpr float k_pieces_per_step = 1;
+
+/// What is left of a sum that its format may have cut off.
+float without(std::uint32_t sum, std::uint32_t own) { return float(sum - std::min(sum, own)); }
+
+/// The sum at depth z of a texel, linear between its two nearest slices, without what the receiver's own fibre has left
+/// before them.
+float sum_at(const Map& map, std::size_t texel, float z, std::span<const OwnDeposit> own) {
   const float limited = std::min(z, float(map.layers));
   const std::uint32_t slice = std::min(std::uint32_t(limited), map.layers - 1);
   const std::uint32_t* sums = &map.sums[texel * map.layers];
-  return between_planes(slice == 0 ? 0.0f : float(sums[slice - 1]), float(sums[slice]), limited - float(slice));
+  std::uint32_t own_nearer = 0, own_farther = 0;
+  for (const OwnDeposit& deposit : own) {
+    own_nearer += deposit.step < slice ? map.table[deposit.covered] : 0;
+    own_farther += deposit.step <= slice ? map.table[deposit.covered] : 0;
+  }
+  return between_planes(slice == 0 ? 0.0f : without(sums[slice - 1], own_nearer), without(sums[slice], own_farther),
+                        limited - float(slice));
 }
 
 /// To the 11 significant bits of a half float, ties to even.
@@ -27,23 +40,20 @@ std::uint32_t rounded_to_half(std::uint32_t sum) {
 
 /// Tent weights are linear in sigma: interpolated between the depths of two vertices they give what lies as far between
 /// sigma at either depth.
-Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& settings, const Receivers& receivers) {
+Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& settings, const Asked& asked) {
   CUTICLE_ASSIGN(const MapFilter filter, map_filter(map.view, settings.map));
   const float per_unit = exponent_per_unit(settings.map, map.scale), deepest = settings.intervals();
   const auto depth_of = [&](const glm::vec3& p) {
     return depth_in_map(map.view, filter, deepest, to_map(map.view, p).z);
   };
-  std::vector<float> values(receivers.points.size());
-  for_each_index(values.size(), [&](std::size_t i) {
-    const SegmentPlace& place = receivers.segments[i];
-    const float from = depth_of(place.from), to = depth_of(place.to);
-    values[i] = transmittance_at(map.view, filter, deepest, receivers.points[i], [&](float) {
-      return [&](std::size_t texel) {
-        return per_unit * between_planes(sum_at(map, texel, from), sum_at(map, texel, to), place.fraction);
-      };
-    });
-  });
-  return values;
+  const auto at_depth = [&](std::size_t i, float) {
+    const SegmentPlace& place = asked.receivers.segments[i];
+    const float from = depth_of(place.from), to = depth_of(place.to), fraction = place.fraction;
+    return [&map, per_unit, from, to, fraction](std::size_t texel, std::span<const OwnDeposit> own) {
+      return per_unit * between_planes(sum_at(map, texel, from, own), sum_at(map, texel, to, own), fraction);
+    };
+  };
+  return look_up_receivers(map.view, settings.map, deepest, k_pieces_per_step, asked, at_depth);
 }
 
 double scale_of(const strands::Groom& groom, double alpha, const Settings& settings) {
@@ -92,20 +102,23 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.layers = settings.layers();
   map.scale = scale_of(groom, alpha, settings);
   map.sums.resize(map.view.texels() * map.layers);
-  const std::vector<std::uint32_t> table = deposit_table(alpha, accumulation, map.scale);
-  for_each_covered_texel(map.view, groom, 1.0f, [&](std::size_t texel, std::uint32_t covered, std::uint32_t step) {
-    if (step < map.layers) add_to(map.sums[texel * map.layers + step], table[covered]);
-  });
+  map.table = deposit_table(alpha, accumulation, map.scale);
+  const auto deposit = [&](std::size_t texel, std::uint32_t covered, std::uint32_t step) {
+    if (step < map.layers) add_to(map.sums[texel * map.layers + step], map.table[covered]);
+  };
+  for_each_covered_texel(map.view, groom, k_pieces_per_step, deposit);
   sum_along_depth(map.sums, map.layers);
   store(settings.form, map);
   return map;
 }
 
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Receivers& receivers) {
-  if (settings.vertex_weights && !receivers.segments.empty()) return look_up_by_vertex(map, settings, receivers);
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
+  if (settings.vertex_weights && !asked.receivers.segments.empty()) return look_up_by_vertex(map, settings, asked);
   const float per_unit = exponent_per_unit(settings.map, map.scale);
-  const auto at_depth = [&](float z) { return [&, z](std::size_t texel) { return per_unit * sum_at(map, texel, z); }; };
-  return look_up_points(map.view, settings.map, settings.intervals(), receivers.points, at_depth);
+  const auto at_depth = [&](std::size_t, float z) {
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) { return per_unit * sum_at(map, texel, z, own); };
+  };
+  return look_up_receivers(map.view, settings.map, settings.intervals(), k_pieces_per_step, asked, at_depth);
 }
 
 }  // namespace cuticle::shadows::opacity_map

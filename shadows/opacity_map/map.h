@@ -10,6 +10,7 @@
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
 #include "shadows/method.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows::opacity_map {
@@ -43,6 +44,7 @@ struct Map {
   std::size_t texel_bytes = 60;  ///< in the form's own format
   std::size_t clamped = 0;       ///< numbers that the form's range cut off
   std::vector<std::uint32_t> sums;
+  std::vector<std::uint32_t> table;  ///< of deposits
   std::size_t bytes() const { return texel_bytes * view.texels(); }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). The
@@ -51,6 +53,6 @@ struct Map {
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Transmittance at the receivers, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Receivers& receivers);
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked);
 
 }  // namespace cuticle::shadows::opacity_map

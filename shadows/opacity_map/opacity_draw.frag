@@ -3,9 +3,9 @@
 // N18: sigma of the segment in this texel, written to the planes behind it; blending adds.
 #define MAP_IS_DRAWN
 #include "shadows/map_geometry.glsl"
+#include "shadows/opacity_map/drawn_deposit.glsl"
 #include "shadows/splat.glslh"
 
-layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(location = 0) flat in vec4 one_end;
 layout(location = 1) flat in vec4 other_end;
 layout(location = 2) flat in uvec2 is_tip;
@@ -13,17 +13,6 @@ layout(location = 0) out vec4 planes_1_to_4;
 layout(location = 1) out vec4 planes_5_to_8;
 layout(location = 2) out vec4 planes_9_to_12;
 layout(location = 3) out vec4 planes_13_to_16;
-
-/// sigma where z_hair < z_slice, for four planes: the fragment lies before the end of its depth step.
-vec4 behind(int depth_step, int first_plane, float sigma) {
-  return sigma * vec4(lessThan(ivec4(depth_step), ivec4(first_plane) + ivec4(0, 1, 2, 3)));
-}
-
-/// sigma of a deposit; rounded as a target of 8 bits does, where own[1] steps are given.
-float sigma_of(uint covered) {
-  const float sigma = -push.per_unit / push.own[0] * float(table[covered]);
-  return push.own[1] > 0.0 ? floor(push.own[1] * sigma + 0.5) / push.own[1] : sigma;
-}
 
 /// Each piece of a steep segment counts at its own depth, as the splat by compute has it.
 void main() {

@@ -12,7 +12,7 @@ const vec2 k_corners[6] = vec2[](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1
 const float k_reach = 0.52;  // half a texel, and what snapping to the raster's grid may take
 
 void main() {
-  const MapSegment segment = map_segment(uint(gl_VertexIndex) / 6u, push.count);
+  const MapSegment segment = map_segment(uint(gl_VertexIndex) / 6u);
   const Footprint footprint = segment_footprint(segment.a, segment.b, segment.half_width, segment.is_first ? 1.0 : 0.0,
                                                 segment.is_last ? 1.0 : 0.0);
   one_end = vec4(segment.a, segment.half_width);

@@ -2,11 +2,12 @@
 #extension GL_GOOGLE_include_directive : require
 // N19: T at a point of a segment, by the weights of its own depth or by those that the rasteriser made of the ends'.
 #define MAP_IS_DRAWN
+const int k_first_target = 4;
 #include "shadows/opacity_map/opacity_planes.glsl"
 
-layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 weights_of_vertex[4];
+layout(location = 5) flat in uint segment;
 layout(location = 0) out float transmittance;
 
 const uint k_vertex_weights = 2u;  // k_vertex_weights_flag of opacity_map_gpu.cpp
@@ -18,4 +19,6 @@ float exponent_at(uint texel, float z) {
   return weighted_exponent(texel);
 }
 
-void main() { transmittance = transmittance_at(placement_of(least), position, push.intervals); }
+void main() {
+  transmittance = transmittance_at(placement_of(least), position, segment, first_vertex(segment), push.intervals);
+}

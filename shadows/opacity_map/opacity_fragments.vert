@@ -11,11 +11,13 @@ layout(binding = 1) uniform usamplerBuffer segments;
 layout(std430, binding = 2) readonly buffer Box { uint least[6]; };
 layout(location = 0) out vec3 position;  // metres
 layout(location = 1) out vec4 weights_of_vertex[4];
+layout(location = 5) flat out uint segment;
 
 const uvec2 k_corners[6] = uvec2[](uvec2(0, 0), uvec2(1, 0), uvec2(0, 1), uvec2(0, 1), uvec2(1, 0), uvec2(1, 1));
 
 void main() {
-  const uint segment = uint(gl_VertexIndex) / 6u, per_segment = uint(push.own[1]), side = uint(push.own[2]);
+  segment = uint(gl_VertexIndex) / 6u;
+  const uint per_segment = uint(push.own[1]), side = uint(push.own[2]);
   const uvec2 corner = k_corners[gl_VertexIndex % 6];
   position = texelFetch(vertices, int(texelFetch(segments, int(segment)).r + corner.x)).xyz;
   const MapPlacement placement = placement_of(least);

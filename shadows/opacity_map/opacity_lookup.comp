@@ -4,20 +4,30 @@
 layout(local_size_x = 64) in;
 #include "shadows/map_filter.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };
+layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
+layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
+
+uint slice_behind, own_nearer, own_farther;  // what the own fibre has left before that slice, and before the next
+
+void own_deposit(uint covered, uint depth_step) {
+  const uint amount = table[covered];
+  own_nearer += depth_step < slice_behind ? amount : 0u;
+  own_farther += depth_step <= slice_behind ? amount : 0u;
+}
 
 float exponent_at(uint texel, float z) {
   const float limited = min(z, float(push.layers));
-  const uint slice = min(uint(limited), push.layers - 1u);
+  slice_behind = min(uint(limited), push.layers - 1u);
+  own_nearer = own_farther = 0u;
+  walk_own();
   const uint first = texel * push.layers;
-  const float nearer = slice == 0u ? 0.0 : float(sums[first + slice - 1u]);
-  return push.per_unit * between_planes(nearer, float(sums[first + slice]), limited - float(slice));
+  const float nearer = slice_behind == 0u ? 0.0 : float(sums[first + slice_behind - 1u] - own_nearer);
+  const float farther = float(sums[first + slice_behind] - own_farther);
+  return push.per_unit * between_planes(nearer, farther, limited - float(slice_behind));
 }
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, push.intervals);
+  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, push.intervals);
 }

@@ -23,14 +23,14 @@ MapDescription describe_drawn(const Settings& settings) {
   map.settings = settings.map;
   map.intervals = settings.intervals();
   map.layers = settings.layers();
-  map.own = {float(settings.map.accumulation.k), settings.form == Form::graphics_8bit ? 255.0f : 0.0f};
+  map.own = {float(settings.map.accumulation.k)};
   map.drawing = {opacity_draw_vert, opacity_draw_frag, k_target_planes / 4,
                  settings.form == Form::graphics_8bit ? gpu::TextureFormat::rgba8 : gpu::TextureFormat::rgba16f};
   map.flags = settings.vertex_weights ? k_vertex_weights_flag : 0;
   map.fragments = {opacity_fragments_vert, opacity_fragments_frag};
   map.passes = {{"shadow.lookup",
                  opacity_target_lookup_comp,
-                 {k_vertices, k_box, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_transmittance},
                  MapRun::per_vertex,
                  /*reads_targets=*/true}};
   return map;
@@ -47,7 +47,10 @@ MapDescription describe(const Settings& settings) {
   map.passes = {
       {"shadow.splat", opacity_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}, MapRun::per_segment},
       {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
-      {"shadow.lookup", opacity_lookup_comp, {k_vertices, k_box, k_sums, k_transmittance}, MapRun::per_vertex}};
+      {"shadow.lookup",
+       opacity_lookup_comp,
+       {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
+       MapRun::per_vertex}};
   return map;
 }
 

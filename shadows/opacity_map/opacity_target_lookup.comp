@@ -2,11 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma.
 layout(local_size_x = 64) in;
+const int k_first_target = 5;
 #include "shadows/opacity_map/opacity_planes.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 4) writeonly buffer Transmittance { float transmittance[]; };
 
 float known_z = -1.0;  // the depth that the weights are of
 
@@ -18,5 +17,5 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_at(placement_of(least), texelFetch(vertices, int(v)).xyz, push.intervals);
+  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, push.intervals);
 }

@@ -1,9 +1,19 @@
 #include "shadows/shadow_map/depth_map.h"
 
+#include <algorithm>
+
 #include "shadows/detail/map_method.h"
 #include "shadows/shadow_map/depth.glslh"
 
 namespace cuticle::shadows::shadow_map {
+
+namespace {
+
+bool is_own(std::uint32_t nearest, std::span<const OwnDeposit> own) {
+  return std::ranges::any_of(own, [&](const OwnDeposit& deposit) { return deposit.step <= nearest; });
+}
+
+}  // namespace
 
 Result<Settings> settings_from(const registry::ParameterValues& values) {
   Settings settings;
@@ -25,17 +35,17 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   return map;
 }
 
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points) {
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   const float bias = float(settings.bias), steps_per_metre = map.view.scale.z;
   const float spacing = float(settings.fibre_spacing) * steps_per_metre;
-  const auto at_depth = [&](float z) {
-    return [&, z](std::size_t texel) {
-      if (map.nearest[texel] == k_no_depth) return 0.0f;
+  const auto at_depth = [&](std::size_t, float z) {
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      if (map.nearest[texel] == k_no_depth || is_own(map.nearest[texel], own)) return 0.0f;
       const float behind = steps_behind(z, map.nearest[texel], bias, steps_per_metre);
       return -depth_behind(behind, settings.opaque, map.crossing, spacing);
     };
   };
-  return look_up_points(map.view, settings.map, k_deepest, points, at_depth);
+  return look_up_receivers(map.view, settings.map, k_deepest, k_pieces_per_step, asked, at_depth);
 }
 
 }  // namespace cuticle::shadows::shadow_map

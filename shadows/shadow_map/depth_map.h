@@ -8,6 +8,7 @@
 
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
 namespace cuticle::shadows::shadow_map {
@@ -31,7 +32,8 @@ struct Map {
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Transmittance at world points, one each, in [0, 1]; outside the map it is 1. Error: usage, for too wide a filter.
-Result<std::vector<float>> look_up(const Map& map, const Settings& settings, std::span<const glm::vec3> points);
+/// Transmittance at the receivers, one each, in [0, 1]; outside the map it is 1. A texel whose nearest fibre is the
+/// receiver's own, or lies behind that, lets the light through. Error: usage, for too wide a filter.
+Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked);
 
 }  // namespace cuticle::shadows::shadow_map

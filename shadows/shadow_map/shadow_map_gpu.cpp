@@ -1,7 +1,7 @@
 // The shadow map on the GPU: clear (fills), fit, nearest, lookup; the integers of the map equal the CPU's.
 #include "shadows/map_shadow_gpu.h"
-#include "shadows/shadow_map/depth_map.h"
 #include "shadows/shadow_map/depth.glslh"
+#include "shadows/shadow_map/depth_map.h"
 #include "shadows/splat.glslh"
 
 #include <shadow_map_lookup_comp.spv.h>
@@ -23,7 +23,7 @@ MapDescription describe(const Settings& settings) {
   map.passes = {{"shadow.nearest", map_nearest_code(), {k_vertices, k_segments, k_box, k_nearest}},
                 {"shadow.lookup",
                  shadow_map_lookup_comp,
-                 {k_vertices, k_box, k_deposits, k_nearest, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_nearest, k_transmittance},
                  MapRun::per_vertex}};
   return map;
 }

@@ -6,17 +6,21 @@ layout(local_size_x = 64) in;
 #include "shadows/shadow_map/depth.glslh"
 #include "shadows/splat.glslh"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer Table { uint table[]; };
-layout(std430, binding = 3) readonly buffer Nearest { uint nearest[]; };
-layout(std430, binding = 4) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };
+layout(std430, binding = 4) readonly buffer Nearest { uint nearest[]; };
+layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
 
 const uint k_opaque = 2u;  // k_opaque_flag of shadow_map_gpu.cpp
 float steps_per_metre, crossing;
 
+uint own_nearest;
+
+void own_deposit(uint covered, uint depth_step) { own_nearest = min(own_nearest, depth_step); }
+
 float exponent_at(uint texel, float z) {
-  if (nearest[texel] == k_no_depth) return 0.0;
+  own_nearest = k_no_depth;
+  walk_own();
+  if (nearest[texel] >= own_nearest) return 0.0;
   const float behind = steps_behind(z, nearest[texel], push.own[0], steps_per_metre);
   return -depth_behind(behind, (push.flags & k_opaque) != 0u, crossing, push.own[1] * steps_per_metre);
 }
@@ -27,5 +31,5 @@ void main() {
   const MapPlacement placement = placement_of(least);
   steps_per_metre = placement.scale.z;
   crossing = -push.per_unit * float(table[k_coverage_steps]);
-  transmittance[v] = transmittance_at(placement, texelFetch(vertices, int(v)).xyz, k_deepest);
+  transmittance[v] = transmittance_of_vertex(placement, v, k_deepest);
 }

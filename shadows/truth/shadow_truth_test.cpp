@@ -104,6 +104,28 @@ TEST(ShadowTruth, OwnStrand_DoesNotShadowItsPoint) {
   EXPECT_EQ(own->values[0], 1.0f);
 }
 
+// The mean over points of the strands does not depend on the disc, because no disc lets a fibre shadow itself, however
+// much it leans to the light.
+TEST(ShadowTruth, AnyFootprint_SameMean) {
+  const strands::Groom groom = tests::random_slab(5000, 0.3, 0.1, 1e-4f, 7);
+  std::vector<glm::vec3> points;
+  std::vector<std::uint32_t> strands;
+  for (std::uint32_t v = 0; v < groom.vertex_count(); ++v) {
+    const glm::vec3& p = groom.positions[v];
+    if (std::abs(p.x) > 0.03f || std::abs(p.z) > 0.03f) continue;
+    points.push_back(p);
+    strands.push_back(v / 16);
+  }
+  std::vector<double> means;
+  for (const std::string disc : {"0.1", "1", "5", "23"}) {
+    auto result = run(groom, {points, strands}, "rays=9,footprint_radius_mm=" + disc, 0.4, {0.6, 1, 0.2});
+    ASSERT_TRUE(result);
+    means.push_back(mean(result->values));
+    std::printf("disc of %s mm: mean T %.4f over %zu points\n", disc.c_str(), means.back(), points.size());
+  }
+  for (const double value : means) EXPECT_NEAR(value, means.back(), 0.015);
+}
+
 TEST(ShadowTruth, OneAndThreeThreads_SameBits) {
   const strands::Groom groom = tests::coat(1000, 6, 0.03, 1e-4f, 3);
   const Receivers receivers{std::span(groom.positions).first(100)};

@@ -11,7 +11,9 @@
 #include "shadows/footprint.h"
 #include "shadows/light_frame.h"
 #include "shadows/method.h"
+#include "shadows/own_fibre.h"
 #include "strands/rays/rays.h"
+#include "strands/rays/round_cone.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
 #include "core/shared/philox.glslh"
 
@@ -49,8 +51,14 @@ class Tracer {
   Tracer(const strands::RayGroom& rays, const Casters& casters, double radius, std::int64_t count)
       : rays_(rays), casters_(casters), radius_(radius), side_(std::uint32_t(std::ceil(std::sqrt(double(count))))) {}
 
-  Estimate at(const Receivers& receivers, std::size_t i, std::vector<strands::Crossing>& scratch) const {
-    const PlaneAxes axes = plane_axes(way_from(glm::dvec3(receivers.points[i])).direction);
+  struct Scratch {
+    std::vector<strands::Crossing> crossings;
+    OwnStretch stretch;
+  };
+  Estimate at(const Receivers& receivers, std::size_t i, Scratch& scratch) const {
+    const glm::dvec3 direction = way_from(glm::dvec3(receivers.points[i])).direction;
+    const PlaneAxes axes = plane_axes(direction);
+    scratch.stretch = stretch_of(receivers, i, direction);
     double sum = 0, squares = 0;
     for (std::uint32_t ray = 0; ray < side_ * side_; ++ray) {
       const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i), axes), scratch);
@@ -88,27 +96,42 @@ class Tracer {
     return r * (std::cos(angle) * axes.first + std::sin(angle) * axes.second);
   }
 
-  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start,
-                       std::vector<strands::Crossing>& crossings) const {
+  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start, Scratch& scratch) const {
     const glm::dvec3 from = glm::dvec3(receivers.points[i]) + start;
     const Way way = way_from(from);
-    rays_.all_crossings(from, way.direction, crossings);
+    rays_.all_crossings(from, way.direction, scratch.crossings);
     int count = 0;
-    for (const strands::Crossing& crossing : crossings) {
+    for (const strands::Crossing& crossing : scratch.crossings) {
       const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
-      const bool own = !receivers.strands.empty() && is_own(receivers, i, start + middle * way.direction, crossing);
+      const bool own = !receivers.strands.empty() && crossing.strand == receivers.strands[i] &&
+                       is_own(scratch.stretch, from, way.direction, crossing);
       count += middle < way.distance && !own ? 1 : 0;
     }
     return std::pow(1 - casters_.alpha, count);
   }
 
-  /// A crossing of the point's own strand, its middle within two radii of the point: the fibre does not shadow its own
-  /// surface.
-  bool is_own(const Receivers& receivers, std::size_t i, const glm::dvec3& from_point,
-              const strands::Crossing& crossing) const {
-    return crossing.strand == receivers.strands[i] && glm::length(from_point) <= 2 * double(radius_of(crossing.strand));
+  /// The part of its strand that does not shadow a receiver: as far as a ray from its disc may be inside.
+  OwnStretch stretch_of(const Receivers& receivers, std::size_t i, const glm::dvec3& direction) const {
+    const strands::Groom& groom = *casters_.groom;
+    const auto own = own_vertex(groom, receivers, i);
+    if (!own) return {};
+    const double radius = double(groom.radii[own->vertex]);
+    return own_stretch(*own, radius_ + radius, 2 * radius, [&](std::uint32_t v) {
+      const glm::dvec3 away = glm::dvec3(groom.positions[v]) - glm::dvec3(receivers.points[i]);
+      return glm::length(away - glm::dot(away, direction) * direction);
+    });
   }
-  float radius_of(std::uint32_t strand) const { return casters_.groom->radii[casters_.groom->offsets[strand]]; }
+
+  /// A crossing of the point's own strand that begins, or goes on, in that part.
+  bool is_own(const OwnStretch& stretch, const glm::dvec3& from, const glm::dvec3& direction,
+              const strands::Crossing& crossing) const {
+    for (std::uint32_t v = stretch.begin; v < stretch.end; ++v) {
+      const strands::LineInterval inside = strands::round_cone_interval(from, direction, sphere(v), sphere(v + 1));
+      if (inside.first <= double(crossing.exit) && inside.last >= double(crossing.entry)) return true;
+    }
+    return false;
+  }
+  glm::vec4 sphere(std::uint32_t v) const { return {casters_.groom->positions[v], casters_.groom->radii[v]}; }
 
   const strands::RayGroom& rays_;
   const Casters& casters_;
@@ -122,7 +145,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& result) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.points.size()), [&](const auto& range) {
-    std::vector<strands::Crossing> scratch;
+    Tracer::Scratch scratch;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const Estimate estimate = tracer.at(receivers, i, scratch);
       result.values[i] = estimate.mean;

@@ -5,31 +5,28 @@
 #include <limits>
 #include <numbers>
 
-#include "shadows/detail/map_walk.h"
+#include <glm/geometric.hpp>
+
 #include "core/shared/disc.glslh"
+#include "shadows/detail/map_method.h"
 
 namespace cuticle::shadows::voxel {
 namespace {
 
 constexpr double k_largest_depth = 16 * std::numbers::ln2;  // of an opaque crossing, as in maps
 
-/// What a crossing counts as, and whether rays make it at random.
-struct Crossing {
-  float units = 0, meeting = 0;
-};
-
-void deposit_segment(Volume& volume, const strands::Groom& groom, std::uint32_t v, const glm::vec3& to_light,
-                     const Crossing& crossing, bool anisotropic) {
+/// deposit(cell, amount) for each piece of a segment, `cell` being the whole numbers of the cell.
+void for_each_deposit(const Volume& volume, const strands::Groom& groom, std::uint32_t v, bool anisotropic,
+                      const auto& deposit) {
   const VolumePlacement<float>& placement = volume.placement;
   const glm::vec3 a = groom.positions[v], b = groom.positions[v + 1], along = b - a;
   const std::uint32_t pieces = volume_pieces(placement, exact_length(along));
-  const float shown = shown_length(along, to_light, anisotropic);
+  const float shown = shown_length(along, -volume.axes.forward, anisotropic);
   const float width = groom.radii[v] + groom.radii[v + 1];
-  const std::uint32_t amount = piece_deposit(placement, crossing.units, crossing.meeting, width, shown, pieces);
-  for (std::uint32_t i = 0; i < pieces; ++i) {
-    const std::uint32_t cell = cell_number(placement, piece_in_cells(placement, a, b, i, pieces));
-    add_to(volume.sums[cell], amount);
-  }
+  const std::uint32_t amount =
+      piece_deposit(placement, volume.crossing_units, volume.crossing_meeting, width, shown, pieces);
+  for (std::uint32_t i = 0; i < pieces; ++i)
+    deposit(cell_of(placement, piece_in_cells(placement, a, b, i, pieces)), amount);
 }
 
 /// Trilinear between the middles of cells, 0 outside; `p` in cells.
@@ -66,16 +63,45 @@ Span span_inside(float lower, const glm::vec3& upper, const glm::vec3& p, const 
   return span;
 }
 
-/// From a point to the end of the volume along a unit direction: trilinear samples half a cell apart.
-float optical_depth(const Volume& volume, const glm::vec3& p, const glm::vec3& direction) {
-  constexpr float k_step = 0.5f;
+/// What the receiver's own fibre has left in a cell.
+struct OwnCell {
+  glm::vec3 cell{0};
+  float amount = 0;
+};
+
+/// Of the own fibre, in cells as far from the receiver as the rays of a disc of `radius`, metres, read them.
+void find_own_cells(const Volume& volume, const Settings& settings, const Asked& asked, std::size_t i,
+                    std::vector<OwnCell>& cells) {
+  cells.clear();
+  const auto own = own_vertex(asked.groom, asked.receivers, i);
+  if (!own) return;
+  const glm::vec3& forward = volume.axes.forward;
+  const auto distance_of = [&](std::uint32_t v) {
+    const glm::vec3 away = asked.groom.positions[v] - asked.receivers.points[i];
+    return double(glm::length(away - glm::dot(away, forward) * forward));
+  };
+  const double cell = double(volume.placement.cell);
+  const OwnStretch stretch =
+      own_stretch(*own, settings.map.filter_radius + double(k_own_cells) * cell, cell, distance_of);
+  for (std::uint32_t v = stretch.begin; v < stretch.end; ++v)
+    for_each_deposit(volume, asked.groom, v, settings.anisotropic, [&](const glm::vec3& at, std::uint32_t amount) {
+      if (cells.empty() || cells.back().cell != at) cells.push_back({at, 0});
+      cells.back().amount += float(amount);
+    });
+}
+
+/// From a point to the end of the volume along a unit direction: trilinear samples half a cell apart, without the
+/// receiver's own fibre.
+float optical_depth(const Volume& volume, const glm::vec3& p, const glm::vec3& direction,
+                    std::span<const OwnCell> own) {
   const glm::vec3 start = in_cells(volume.placement, p);
   const Span inside = span_inside(-0.5f, volume.placement.size + 0.5f, start, direction);
   const glm::vec3 entry = start + inside.enter * direction;
+  const float length = inside.leave - inside.enter;
   float sum = 0;
-  for (float t = 0.5f * k_step; t < inside.leave - inside.enter; t += k_step)
-    sum += sample(volume, entry + t * direction);
-  return sum * k_step / float(k_units);
+  for (float t = 0.5f * k_ray_step; t < length; t += k_ray_step) sum += sample(volume, entry + t * direction);
+  for (const OwnCell& mine : own) sum -= mine.amount * weight_of_cell(mine.cell, entry, direction, length);
+  return std::max(0.0f, sum) * k_ray_step / float(k_units);
 }
 
 /// Starts of the rays of a lookup, relative to its point, spread over the disc.
@@ -110,25 +136,32 @@ Result<Volume> build_volume(const strands::Groom& groom, double alpha, const Lig
                             const Settings& settings) {
   if (axes.reach > 0) return lamp_refused("voxel");
   const strands::Bounds box = strands::bounds(groom);
-  Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution), axes, {}};
+  Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution),
+                axes,
+                {},
+                units_per_crossing(alpha, settings),
+                crossing_met_at_random(alpha, settings)};
   const glm::vec3& size = volume.placement.size;
   volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-  const Crossing crossing{units_per_crossing(alpha, settings), crossing_met_at_random(alpha, settings)};
-  const glm::vec3 to_light = -axes.forward;
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
-      deposit_segment(volume, groom, v, to_light, crossing, settings.anisotropic);
+      for_each_deposit(volume, groom, v, settings.anisotropic, [&](const glm::vec3& cell, std::uint32_t amount) {
+        add_to(volume.sums[cell_number(volume.placement, cell)], amount);
+      });
   });
   return volume;
 }
 
-std::vector<float> look_up(const Volume& volume, const Settings& settings, std::span<const glm::vec3> points) {
+std::vector<float> look_up(const Volume& volume, const Settings& settings, const Asked& asked) {
   const auto starts = ray_starts(volume, settings.map.filter_radius);
   const glm::vec3 direction = -volume.axes.forward;
-  std::vector<float> values(points.size());
-  for_each_index(points.size(), [&](std::size_t i) {
+  std::vector<float> values(asked.receivers.points.size());
+  for_each_index(values.size(), [&](std::size_t i) {
+    thread_local std::vector<OwnCell> own;
+    find_own_cells(volume, settings, asked, i, own);
     float sum = 0;
-    for (const glm::vec3& start : starts) sum += std::exp(-optical_depth(volume, points[i] + start, direction));
+    for (const glm::vec3& start : starts)
+      sum += std::exp(-optical_depth(volume, asked.receivers.points[i] + start, direction, own));
     values[i] = sum / float(starts.size());
   });
   return values;

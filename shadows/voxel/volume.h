@@ -8,8 +8,9 @@
 
 #include "shadows/light_frame.h"
 #include "shadows/map_settings.h"
-#include "strands/groom.h"
+#include "shadows/own_fibre.h"
 #include "shadows/voxel/volume.glslh"
+#include "strands/groom.h"
 
 namespace cuticle::shadows::voxel {
 
@@ -32,6 +33,7 @@ struct Volume {
   VolumePlacement<float> placement;
   LightAxes axes;
   std::vector<std::uint32_t> sums;
+  float crossing_units = 0, crossing_meeting = 0;  ///< what a crossing counts as, and whether rays make it at random
   std::size_t bytes() const { return 4 * sums.size(); }
 };
 
@@ -40,7 +42,7 @@ struct Volume {
 /// Error: usage, for a lamp's view.
 Result<Volume> build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
-/// Mean transmittance over the rays from each point.
-std::vector<float> look_up(const Volume& volume, const Settings& settings, std::span<const glm::vec3> points);
+/// Mean transmittance over the rays from each receiver.
+std::vector<float> look_up(const Volume& volume, const Settings& settings, const Asked& asked);
 
 }  // namespace cuticle::shadows::voxel

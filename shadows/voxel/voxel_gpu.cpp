@@ -26,7 +26,10 @@ MapDescription describe(const Settings& settings) {
   };
   map.buffers = {{side * side * side}};
   map.passes = {{"shadow.deposit", voxel_deposit_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}},
-                {"shadow.march", voxel_march_comp, {k_vertices, k_box, k_sums, k_transmittance}, MapRun::per_vertex}};
+                {"shadow.march",
+                 voxel_march_comp,
+                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
+                 MapRun::per_vertex}};
   return map;
 }
 

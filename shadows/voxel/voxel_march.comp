@@ -3,15 +3,12 @@
 // One invocation per vertex: the mean over the rays from its disc of T through the volume.
 layout(local_size_x = 64) in;
 #include "core/shared/disc.glslh"
-#include "shadows/map_geometry.glsl"
-#include "shadows/voxel/volume.glslh"
+#include "shadows/map_segment.glsl"
+#include "shadows/own_segments.glsl"
+#include "shadows/voxel/segment_deposit.glsl"
 
-layout(binding = 0) uniform samplerBuffer vertices;
-layout(std430, binding = 1) readonly buffer Box { uint least[6]; };
-layout(std430, binding = 2) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 3) writeonly buffer Transmittance { float transmittance[]; };
-
-const float k_step = 0.5;
+layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
+layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
 
 VolumePlacement placement;
 
@@ -43,26 +40,50 @@ vec2 span_inside(vec3 p, vec3 direction) {
   return span;
 }
 
+/// Distance of a vertex from the receiver, across the light.
+vec3 receiver;
+float distance_across(uint v) {
+  const vec3 away = texelFetch(vertices, int(v)).xyz - receiver;
+  return length(away - dot(away, push.forward.xyz) * push.forward.xyz);
+}
+
+/// What the samples of a ray read of the receiver's own fibre.
+float own_samples(vec3 entry, vec3 direction, float span) {
+  float sum = 0.0;
+  for (uint s = own_begin; s < own_end; ++s) {
+    const SegmentDeposit deposit = segment_deposit(placement, s);
+    for (uint i = 0u; i < deposit.pieces; ++i) {
+      const vec3 cell = cell_of(placement, piece_in_cells(placement, deposit.a, deposit.b, i, deposit.pieces));
+      sum += float(deposit.amount) * weight_of_cell(cell, entry, direction, span);
+    }
+  }
+  return sum;
+}
+
 float transmittance_from(vec3 position, vec3 direction) {
   const vec3 start = in_cells(placement, position);
   const vec2 inside = span_inside(start, direction);
   const vec3 entry = start + inside.x * direction;
+  const float span = inside.y - inside.x;
   float sum = 0.0;
-  for (float t = 0.5 * k_step; t < inside.y - inside.x; t += k_step) sum += sample_at(entry + t * direction);
-  return exp(-sum * k_step / float(k_units));
+  for (float t = 0.5 * k_ray_step; t < span; t += k_ray_step) sum += sample_at(entry + t * direction);
+  sum = max(0.0, sum - own_samples(entry, direction, span));
+  return exp(-sum * k_ray_step / float(k_units));
 }
 
 void main() {
   const uint v = invocation();
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
+  receiver = texelFetch(vertices, int(v)).xyz;
+  find_own_segments(segment_from(v), v, push.filter_radius + k_own_cells * placement.cell, placement.cell);
   precise float cells = push.filter_radius * placement.per_metre;
   const int count = ray_count(cells);
   float sum = 0.0;
   for (int i = 0; i < count; ++i) {
     const vec2 place = count == 1 ? vec2(0.0) : push.filter_radius * disc_point(uint(i), uint(count), 0.0);
     const vec3 start = place.x * push.right.xyz + place.y * push.up.xyz;
-    sum += transmittance_from(texelFetch(vertices, int(v)).xyz + start, -push.forward.xyz);
+    sum += transmittance_from(receiver + start, -push.forward.xyz);
   }
   transmittance[v] = sum / float(count);
 }

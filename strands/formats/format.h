@@ -11,11 +11,21 @@
 
 namespace cuticle::strands {
 
+inline constexpr std::size_t k_most_follow_hairs = 255;  ///< per guide hair
+/// Hairs that a format wants drawn beside each of its strands, which are guides (strands/spline/place.h makes them).
+struct FollowHairs {
+  std::size_t first = 0, guides = 0;  ///< strands of the groom that have them
+  std::size_t per_guide = 0;
+  double reach = 0;           ///< how far a root may lie from its guide's along each of two axes; the groom's unit
+  double tip_separation = 0;  ///< at the tip a follow hair is 1 + this times as far from its guide as at the root
+};
+
 /// A groom as its file gives it: nothing scaled.
 struct ParsedGroom {
   Groom groom;                          ///< in file units
   double metres_per_unit = 0;           ///< as the file states it; 0: it does not
   std::vector<std::string> notes = {};  ///< what was found out or left out, one sentence each
+  std::vector<FollowHairs> follow_hairs = {};
 };
 
 /// What a parser does with numbers that are not finite and strands of fewer than two points.

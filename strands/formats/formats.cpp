@@ -32,7 +32,9 @@ Result<void> check_options(const ReadOptions& options) {
 }
 
 Result<void> mend(GroomFile& file, const std::string& path) {
+  const std::size_t strands = file.groom.strand_count();
   file.repairs = repair(file.groom);
+  if (file.groom.strand_count() != strands) file.follow_hairs.clear();
   const std::vector<std::string> said = sentences(*file.repairs);
   file.notes.insert(file.notes.end(), said.begin(), said.end());
   if (file.groom.strand_count() > 0) return {};
@@ -50,6 +52,7 @@ void apply_units(GroomFile& file, const ReadOptions& options, double stated) {
     file.notes.push_back(guess.why);
   }
   scale(file.groom, file.metres_per_unit);
+  for (FollowHairs& hairs : file.follow_hairs) hairs.reach *= file.metres_per_unit;
 }
 
 /// 0 of none. Eight at a time, which the compiler widens with vectors.
@@ -64,11 +67,9 @@ float greatest_of(std::span<const float> radii) {
 void apply_radius(GroomFile& file, const ReadOptions& options) {
   std::vector<float>& radii = file.groom.radii;
   const auto greatest = double(greatest_of(radii));
-  if (options.radius > 0) {
-    std::fill(radii.begin(), radii.end(), float(options.radius));
-    return;
-  }
-  if (greatest >= k_least_radius && greatest <= k_greatest_radius) return;
+  file.has_radii = options.radius > 0 || (greatest >= k_least_radius && greatest <= k_greatest_radius);
+  if (options.radius > 0) std::fill(radii.begin(), radii.end(), float(options.radius));
+  if (file.has_radii) return;
   std::fill(radii.begin(), radii.end(), k_default_radius);
   const std::string reason = greatest == 0
                                  ? "the file gives no thickness"
@@ -82,7 +83,8 @@ void apply_radius(GroomFile& file, const ReadOptions& options) {
 Result<GroomFile> read_groom(const std::string& path, const ReadOptions& options) {
   CUTICLE_TRY(check_options(options));
   CUTICLE_ASSIGN(ParsedGroom parsed, parse_file(path, options.repair ? Damage::keep : Damage::refuse));
-  GroomFile file{std::move(parsed.groom), 1, std::move(parsed.notes)};
+  GroomFile file{.groom = std::move(parsed.groom), .notes = std::move(parsed.notes)};
+  file.follow_hairs = std::move(parsed.follow_hairs);
   if (options.repair) CUTICLE_TRY(mend(file, path));
   apply_units(file, options, parsed.metres_per_unit);
   apply_radius(file, options);

@@ -26,7 +26,9 @@ struct GroomFile {
   Groom groom;
   double metres_per_unit = 1;
   std::vector<std::string> notes;
-  std::optional<Repairs> repairs = {};  ///< what was mended, where that was asked for
+  std::optional<Repairs> repairs = {};         ///< what was mended, where that was asked for
+  bool has_radii = false;                      ///< radii are the file's, or were asked for; false: k_default_radius
+  std::vector<FollowHairs> follow_hairs = {};  ///< in metres; none where repairs took strands out
 };
 
 /// By extension (format.h). Errors are bad_input and name file, field, offset and the allowed range.

@@ -119,7 +119,8 @@ TEST(Project, TwoParts_NamedInOrder) {
   const auto parts = parse_project(k_project, "a.tfxproj");
   ASSERT_TRUE(parts.ok()) << parts.error().message;
   EXPECT_THAT(parts->files, ElementsAre("top.tfx", "tail.tfx"));
-  EXPECT_EQ(parts->followers, 4u);
+  ASSERT_EQ(parts->follow_hairs.size(), parts->files.size());
+  EXPECT_EQ(parts->follow_hairs[0].per_guide, 4u);
 }
 
 struct Refused {
@@ -127,14 +128,16 @@ struct Refused {
   const char* why;
 };
 class RefusedProject : public testing::TestWithParam<Refused> {};
-INSTANTIATE_TEST_SUITE_P(All, RefusedProject,
-                         testing::Values(Refused{"top.tfx\n", "no line 'version'"},
-                                         Refused{"version x\ntop.tfx\n", "line 1: version 'x'"},
-                                         Refused{"version 9\ntop.tfx\n", "allowed 1 <= version < 5"},
-                                         Refused{"version 3\n", "names no .tfx"},
-                                         Refused{"version 3\n../top.tfx\n", "line 2: part '../top.tfx' lies outside"},
-                                         Refused{"version 3\n/etc/top.tfx\n", "outside"},
-                                         Refused{"version 3\na.tfx\na.tfx\n", "line 3: part 'a.tfx' is named twice"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedProject,
+    testing::Values(Refused{"top.tfx\n", "no line 'version'"}, Refused{"version x\ntop.tfx\n", "line 1: version 'x'"},
+                    Refused{"version 9\ntop.tfx\n", "allowed 1 <= version < 5"},
+                    Refused{"version 3\n", "names no .tfx"},
+                    Refused{"version 3\n../top.tfx\n", "line 2: part '../top.tfx' lies outside"},
+                    Refused{"version 3\n/etc/top.tfx\n", "outside"},
+                    Refused{"version 3\na.tfx 900 0.4 5\n", "line 2: follow hairs '900', allowed 0 .. 255"},
+                    Refused{"version 3\na.tfx 4 0.4 x\n", "tip separation 'x'"},
+                    Refused{"version 3\na.tfx\na.tfx\n", "line 3: part 'a.tfx' is named twice"}));
 
 TEST_P(RefusedProject, BadText_NamesFileLineAndReason) {
   const auto parts = parse_project(GetParam().text, "a.tfxproj");
@@ -163,7 +166,13 @@ TEST_F(ProjectFiles, ReadGroom_JoinsThePartsOfAnyStrandSize) {
   EXPECT_THAT(file->groom.offsets, ElementsAre(0u, 2u, 5u));
   EXPECT_EQ(file->groom.positions.back(), glm::vec3(0.2f, -0.3f, 0));
   EXPECT_THAT(file->notes, Contains("tail.tfx: 1 strands"));
-  EXPECT_THAT(file->notes, Contains(HasSubstr("4 follow hairs")));
+  EXPECT_THAT(file->notes, Contains(HasSubstr("6 follow hairs")));
+  ASSERT_EQ(file->follow_hairs.size(), 2u);
+  EXPECT_EQ(file->follow_hairs[1].first, 1u);
+  EXPECT_EQ(file->follow_hairs[1].guides, 1u);
+  EXPECT_EQ(file->follow_hairs[1].per_guide, 2u);
+  EXPECT_DOUBLE_EQ(file->follow_hairs[1].reach, 0.4);
+  EXPECT_DOUBLE_EQ(file->follow_hairs[1].tip_separation, 5);
 }
 
 TEST_F(ProjectFiles, MissingPart_IsNamed) {

@@ -11,6 +11,7 @@ enum class Chance : std::uint64_t {
   bun = 4,
   lock = 5,
   level_of_detail = 6,
+  follow = 7,
   shaping = 16
 };
 

@@ -14,8 +14,6 @@
 namespace cuticle::strands {
 namespace {
 
-constexpr float k_tip_radius = 0.5f;  // of the root's
-
 struct SmoothConstants {
   std::uint32_t hairs, vertices;
 };
@@ -54,21 +52,12 @@ Result<void> check(const StrandGeneratorInput& input) {
   return {};
 }
 
-// Segment k of a strand begins at its vertex k.
-std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t vertices) {
-  std::vector<std::uint32_t> firsts;
-  firsts.reserve(strands * (vertices - 1));
-  for (std::size_t s = 0; s < strands; ++s)
-    for (std::size_t i = 0; i + 1 < vertices; ++i) firsts.push_back(std::uint32_t(s * vertices + i));
-  return firsts;
-}
-
 }  // namespace
 
 struct StrandGenerator::Impl {
   std::shared_ptr<gpu::Device> device;
   std::size_t hairs = 0, strands = 0, vertices_per_strand = 0, run = 0;
-  float radius = 0;
+  float radius = 0, taper = 0;
   gpu::Kernel smooth, interpolate, smooth_velocity, interpolate_velocity;
   gpu::Buffer offsets, smoothed, hairs_of_strand, weights, vertices, tangents, segments;
   gpu::Buffer smoothed_velocities, velocities;  ///< empty unless asked for
@@ -118,12 +107,8 @@ const gpu::Buffer& StrandGenerator::vertices() const { return impl_->vertices; }
 const gpu::Buffer& StrandGenerator::tangents() const { return impl_->tangents; }
 const gpu::Buffer& StrandGenerator::velocities() const { return impl_->velocities; }
 const gpu::Buffer& StrandGenerator::segments() const { return impl_->segments; }
-std::uint32_t StrandGenerator::vertex_count() const {
-  return std::uint32_t(impl_->strands * impl_->vertices_per_strand);
-}
-std::uint32_t StrandGenerator::segment_count() const {
-  return std::uint32_t(impl_->strands * (impl_->vertices_per_strand - 1));
-}
+std::uint32_t StrandGenerator::strand_count() const { return std::uint32_t(impl_->strands); }
+std::uint32_t StrandGenerator::vertices_per_strand() const { return std::uint32_t(impl_->vertices_per_strand); }
 
 Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr<gpu::Device> device,
                                                                  const StrandGeneratorInput& input) {
@@ -137,11 +122,17 @@ Result<std::unique_ptr<StrandGenerator>> StrandGenerator::create(std::shared_ptr
   // threads.
   impl->run = impl->device->info().is_software ? impl->vertices_per_strand : 4;
   impl->radius = input.radius;
+  impl->taper = input.taper;
   CUTICLE_TRY(impl->make_outputs());
   CUTICLE_TRY(impl->upload(input));
   CUTICLE_TRY(impl->make_kernels());
   if (input.moves) CUTICLE_TRY(impl->make_velocities());
   return std::unique_ptr<StrandGenerator>(new StrandGenerator(std::move(impl)));
+}
+
+Result<void> StrandGenerator::record(gpu::Commands& commands, const gpu::Buffer& control_positions, const glm::mat3&) {
+  CUTICLE_TRY(record_smooth(commands, control_positions));
+  return record_interpolate(commands);
 }
 
 Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::Buffer& control_positions) {
@@ -157,7 +148,7 @@ Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::
 
 Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
   const InterpolateConstants constants{std::uint32_t(impl_->strands), std::uint32_t(impl_->vertices_per_strand),
-                                       std::uint32_t(impl_->run), impl_->radius, impl_->radius * k_tip_radius};
+                                       std::uint32_t(impl_->run), impl_->radius, impl_->radius * (1 - impl_->taper)};
   const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
   const gpu::Groups groups = gpu::groups_for(impl_->strands * runs);
   commands.begin_pass("generate.interpolate");

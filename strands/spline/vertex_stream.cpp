@@ -9,15 +9,15 @@
 #include <glm/geometric.hpp>
 
 #include "strands/large.h"
-#include "strands/spline/smooth.h"
 #include "strands/spline/bezier.glslh"
+#include "strands/spline/smooth.h"
 #include "strands/tangent.glslh"
 
 namespace cuticle::strands {
 
 namespace {
 
-constexpr float k_tip_radius = 0.5f;  // of the root's, as on the device
+constexpr float k_tip_radius = 0.5f;  // of the root's, as a generator's where nothing else is said
 
 template <class Work>
 void for_each(std::size_t count, const Work& work) {

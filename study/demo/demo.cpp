@@ -41,9 +41,11 @@ class DemoJob {
     CUTICLE_TRY(write_tables());
     CUTICLE_TRY(run_frames());
     CUTICLE_TRY(write_pictures());
+    add_notes();
     CUTICLE_TRY(write_costs());
     if (options_.study) CUTICLE_TRY(run_study());
-    page_.title = fmt::format("Cuticle: {}", options_.groom_file.empty() ? "hair grown on the head" : options_.groom_file);
+    page_.title =
+        fmt::format("Cuticle: {}", options_.groom_file.empty() ? "hair grown on the head" : options_.groom_file);
     return write_page(page_, options_.out);
   }
 
@@ -56,15 +58,17 @@ class DemoJob {
       scene_.groom.radius = options_.radius;
     }
     CUTICLE_ASSIGN(runner_, plan::FrameRunner::create(device_, scene_, progress_, trace_));
+    notes_.insert(notes_.end(), runner_->notes().begin(), runner_->notes().end());
     return write_text_file(options_.out + "/plan.json", plan::to_json(runner_->plan()));
   }
 
   /// A part of a hairdo is rarely what one wants to see: the project that names the file, where there is one.
-  std::string groom_or_project() const {
+  std::string groom_or_project() {
     const std::string project = options_.whole_project ? strands::project_of(options_.groom_file) : "";
     if (project.empty()) return options_.groom_file;
-    progress_.message(fmt::format("{} is a part of {}: the whole of it is drawn (--part-only draws the part)",
-                                  options_.groom_file, project));
+    notes_.push_back(fmt::format("{} is a part of {}: the whole of it is drawn (--part-only draws the part)",
+                                 options_.groom_file, project));
+    progress_.message(notes_.back());
     return project;
   }
 
@@ -74,13 +78,17 @@ class DemoJob {
     lut::TableSet certified = set;
     CUTICLE_TRY(lut::certify(certified, lut::half_exr(), progress_));
     CUTICLE_TRY(lut::write(certified, lut::half_exr(), options_.out + "/lut"));
-    DemoSection section{"Lookup textures", fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, in half floats.",
-                                                       set.layout->entry.name, set.size, set.size, set.model->entry.name, set.baked_on, set.bake_ms),
-                        {{"lut/preview.png", "the tables, tone mapped"}},
-                        {{"channel", "rms error / rms signal", "worst error / peak"}, {}}};
+    DemoSection section{
+        "Lookup textures",
+        fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, "
+                    "in half floats.",
+                    set.layout->entry.name, set.size, set.size, set.model->entry.name, set.baked_on, set.bake_ms),
+        {{"lut/preview.png", "the tables, tone mapped"}},
+        {{"channel", "rms error / rms signal", "worst error / peak"}, {}}};
     for (const lut::Table& table : certified.tables)
       for (const lut::ChannelError& error : table.errors)
-        section.table.rows.push_back({error.channel, fmt::format("{:.2e}", error.signal_rms > 0 ? error.rms / error.signal_rms : 0.0),
+        section.table.rows.push_back({error.channel,
+                                      fmt::format("{:.2e}", error.signal_rms > 0 ? error.rms / error.signal_rms : 0.0),
                                       fmt::format("{:.2e}", error.peak > 0 ? error.maximum / error.peak : 0.0)});
     page_.sections.push_back(std::move(section));
     return {};
@@ -98,6 +106,8 @@ class DemoJob {
   }
 
   Result<void> keep_frame(int frame, const plan::FrameResult& result) {
+    for (const std::string& note : result.notes)
+      if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
     wall_ms_ += result.cost.wall_ms;
     for (const gpu::PassCost& pass : result.cost.passes) {
       PassTotal& total = totals_[pass.name];
@@ -106,7 +116,8 @@ class DemoJob {
       total.draws += pass.draws;
     }
     const std::vector<float> stretch = sim::stretch(runner_->control_groom(), result.state.positions);
-    if (!stretch.empty()) largest_stretch_ = std::max(largest_stretch_, *std::max_element(stretch.begin(), stretch.end()));
+    if (!stretch.empty())
+      largest_stretch_ = std::max(largest_stretch_, *std::max_element(stretch.begin(), stretch.end()));
     const Image picture = tone_map(result.color, scene_.outputs.exposure_stops);
     if (on_sheet(frame)) sheet_.push_back(picture);
     return write_png(fmt::format("{}/frames/frame_{:04d}.png", options_.out, frame), picture);
@@ -125,28 +136,46 @@ class DemoJob {
     CUTICLE_ASSIGN(auto notes, strands::write_groom(options_.out + "/state.hair", drawn_));
     for (const std::string& note : notes) progress_.message(note);
     page_.sections.insert(page_.sections.begin(),
-                          {"Frames", fmt::format("{} strands, {} vertices drawn; {} control hairs simulated over {} frames; longest segment {:.3f} of its rest length.",
-                                                 drawn_.strand_count(), drawn_.vertex_count(), runner_->control_groom().strand_count(), options_.frames, largest_stretch_),
-                           {{"contact_sheet.png", "the head turn, camera turning"}}, {}});
+                          {"Frames",
+                           fmt::format("{} strands, {} vertices drawn; {} control hairs simulated over {} frames; "
+                                       "longest segment {:.3f} of its rest length.",
+                                       drawn_.strand_count(), drawn_.vertex_count(),
+                                       runner_->control_groom().strand_count(), options_.frames, largest_stretch_),
+                           {{"contact_sheet.png", "the head turn, camera turning"}},
+                           {}});
     return {};
   }
 
   Result<void> write_costs() {
     const double frames = options_.frames;
-    DemoSection section{"Plan and cost", fmt::format("Only these passes ran, each for the reason given; {:.0f} ms a frame by wall clock on {}. Device times are its own timestamps.",
-                                                     wall_ms_ / frames, device_->info().name),
-                        {}, {{"pass", "reason", "dispatches a frame", "draws a frame", "device ms a frame"}, {}}};
+    DemoSection section{"Plan and cost",
+                        fmt::format("Only these passes ran, each for the reason given; {:.0f} ms a frame by wall clock "
+                                    "on {}. Device times are its own timestamps.",
+                                    wall_ms_ / frames, device_->info().name),
+                        {},
+                        {{"pass", "reason", "dispatches a frame", "draws a frame", "device ms a frame"}, {}}};
     for (const plan::PlannedPass& pass : runner_->plan().passes) {
       const PassTotal total = totals_[std::string(pass.entry->name)];
-      section.table.rows.push_back({std::string(pass.entry->name), pass.reason, fmt::format("{:g}", double(total.dispatches) / frames),
-                                    fmt::format("{:g}", double(total.draws) / frames), fmt::format("{:.2f}", total.gpu_ms / frames)});
+      section.table.rows.push_back(
+          {std::string(pass.entry->name), pass.reason, fmt::format("{:g}", double(total.dispatches) / frames),
+           fmt::format("{:g}", double(total.draws) / frames), fmt::format("{:.2f}", total.gpu_ms / frames)});
     }
     for (const plan::LeftOut& left : runner_->plan().left_out)
       section.table.rows.push_back({std::string(left.entry->name), "left out: " + left.reason, "0", "0", "0"});
     CUTICLE_TRY(write_text_file(options_.out + "/costs.csv", csv_of(section.table)));
     page_.sections.push_back(std::move(section));
-    progress_.message(fmt::format("{} frames in {:.1f} s, {:.0f} ms of device work a frame", options_.frames, frames_seconds_, wall_ms_ / frames));
+    progress_.message(fmt::format("{} frames in {:.1f} s, {:.0f} ms of device work a frame", options_.frames,
+                                  frames_seconds_, wall_ms_ / frames));
     return {};
+  }
+
+  /// What was guessed or left out, as the terminal says it.
+  void add_notes() {
+    if (notes_.empty()) return;
+    DemoSection section{
+        "Notes on this hair", "What was guessed, left out or added when the hair was read.", {}, {{"note"}, {}}};
+    for (const std::string& note : notes_) section.table.rows.push_back({note});
+    page_.sections.push_back(std::move(section));
   }
 
   static std::string csv_of(const DemoTable& table) {
@@ -174,6 +203,7 @@ class DemoJob {
   std::unique_ptr<plan::FrameRunner> runner_;
   strands::Groom drawn_;
   std::vector<Image> sheet_;
+  std::vector<std::string> notes_;
   std::map<std::string, PassTotal> totals_;
   double wall_ms_ = 0, frames_seconds_ = 0;
   float largest_stretch_ = 1;
@@ -182,7 +212,8 @@ class DemoJob {
 
 }  // namespace
 
-Result<void> run_demo(std::shared_ptr<gpu::Device> device, const DemoOptions& options, Progress& progress, Trace* trace) {
+Result<void> run_demo(std::shared_ptr<gpu::Device> device, const DemoOptions& options, Progress& progress,
+                      Trace* trace) {
   if (options.frames < 2 || options.frames > 2000)
     return usage_error(fmt::format("--frames: {} is outside 2 .. 2000", options.frames));
   return DemoJob(std::move(device), options, progress, trace).run();

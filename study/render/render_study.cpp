@@ -187,7 +187,8 @@ class Study {
           if (what == "strands") sized.strand_count = std::max(1, int(scene.strand_count * factor));
           if (what == "pixels")
             sized.camera.camera.resolution = glm::ivec2(glm::dvec2(scene.camera.camera.resolution) * std::sqrt(factor));
-          if (what == "overlap") sized.fibre_count = scene.fibre_count * factor;
+          if (what == "overlap")
+            sized.fibre_count = (scene.fibre_count > 0 ? scene.fibre_count : scene::k_usual_fibre_count) * factor;
           CUTICLE_ASSIGN(const Picture picture, draw_variant({std::string(method)}, sized));
           study_.growth.push_back({std::string(what), std::string(method), factor, picture.ms});
         }

@@ -44,6 +44,7 @@ Comparison describe(const ComparisonRequest& request, std::size_t receivers) {
   comparison.footprint_radius =
       request.footprint_radius > 0 ? request.footprint_radius : shadows::default_footprint_radius(*request.groom);
   comparison.rays = request.rays;
+  comparison.at_pixels = request.to_camera.has_value();
   comparison.receivers = receivers;
   return comparison;
 }
@@ -127,6 +128,12 @@ double excess(const ComparisonRow& row, const Request& request) {
 
 }  // namespace
 
+double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera) {
+  const shadows::LightBox box = shadows::light_box(shadows::light_axes(to_camera), groom.positions);
+  const glm::vec3 size = box.upper - box.lower;
+  return 0.5 * double(std::max(size.x, size.y)) / 1024;
+}
+
 ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half) {
   CUTICLE_EXPECT(values.size() == truth.size(), "one value per truth");
   std::vector<double> errors;
@@ -160,7 +167,7 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   const shadows::Casters casters{request.groom, request.alpha, to_light};
   CUTICLE_TRY(shadows::check(casters, {}));
   const Probes probes = probes_of(request);
-  const shadows::Receivers receivers{probes.points, probes.strands};
+  const shadows::Receivers receivers{probes.points, probes.strands, {}, probes.vertices};
   Comparison comparison = describe(request, probes.points.size());
   progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
   CUTICLE_ASSIGN(auto truth, evaluate_truth(request, casters, receivers, comparison.footprint_radius));

@@ -18,6 +18,9 @@
 
 namespace cuticle::study {
 
+/// Radius of half a pixel, metres, of a picture 1,024 pixels wide of the groom: the footprint of what a camera sees.
+double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera);
+
 /// Settings that several methods have, under names of their own: each method takes those that it has a parameter for.
 struct Sweep {
   std::vector<std::int64_t> layers;        ///< "slices" or "layers"; empty: the method's default
@@ -88,6 +91,7 @@ struct Comparison {
   double alpha = 0, spacing = 0, footprint_radius = 0;  ///< metres
   glm::dvec3 to_light{0, 1, 0};
   int rays = 0;
+  bool at_pixels = false;                  ///< receivers are what a camera sees
   std::size_t receivers = 0, counted = 0;  ///< asked for, and of those with 0.05 < truth < 0.95
   double truth_standard_error = 0;         ///< mean over the receivers counted
   shadows::Cost truth_cost;

@@ -119,11 +119,14 @@ std::vector<const ComparisonRow*> best_of_each(const Comparison& comparison) {
 
 std::string to_json(const Comparison& comparison) {
   Json json{{"name", comparison.name}, {"title", comparison.title}};
-  json["x"] = {{"key", "total_ms"}, {"label", "build + lookup at every vertex, ms"}, {"scale", "log"}};
+  if (comparison.at_pixels)
+    json["x"] = {{"key", "resolution"}, {"label", "resolution: at most its square of texels"}, {"scale", "log"}};
+  else
+    json["x"] = {{"key", "total_ms"}, {"label", "build + lookup at every vertex, ms"}, {"scale", "log"}};
   json["y"] = {{"key", "mean_error"}, {"label", "mean |error| of transmittance"}, {"scale", "log"}};
-  json["series"] = "resolution";
+  json["series"] = comparison.at_pixels ? "layers" : "resolution";
   json["label"] = "layers";
-  json["pareto"] = true;
+  json["pareto"] = !comparison.at_pixels;
   json["groom"] = {{"name", comparison.groom_name},
                    {"strands", comparison.strands},
                    {"vertices", comparison.vertices},

@@ -129,8 +129,8 @@ Result<shadows::Transmittance> evaluate_with_tents(const Candidate& candidate, c
     return usage_error("no tent weights of planes: not looked up per vertex");
   registry::ParameterValues values = candidate.values;
   values.set("weights", std::string("per_vertex"));
-  return candidate.method->evaluate(casters, {probes.points, probes.strands, places_of(*casters.groom, probes)},
-                                    values);
+  return candidate.method->evaluate(
+      casters, {probes.points, probes.strands, places_of(*casters.groom, probes), probes.vertices}, values);
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const sha
                                            const Probes& probes, Weights weights) {
   if (weights == Weights::tents_per_vertex) return evaluate_with_tents(candidate, casters, probes);
   if (weights != Weights::per_vertex)
-    return candidate.method->evaluate(casters, {probes.points, probes.strands}, candidate.values);
+    return candidate.method->evaluate(casters, {probes.points, probes.strands, {}, probes.vertices}, candidate.values);
   std::vector<glm::vec3> ends;
   std::vector<std::uint32_t> strands;
   for (const shadows::SegmentPlace& place : places_of(*casters.groom, probes)) {

@@ -78,8 +78,8 @@ def test_FolderAsAGroom_SaysWhatItHolds(tmp_path):
 
 def test_Shadows_LayersThatAMethodDoesNotTake_AreNamed(tmp_path):
     groom = tmp_path / "a.hair"
-    assert run("grow", "--strands", "vertices=8", "--share", "0.01", "--out", groom).returncode == 0
-    done = run("shadows", groom, "--methods", "opacity_map,deep_opacity", "--layers", "4,64", "--resolution", "32", "--quick", "--rays", "16")
+    assert run("grow", "--strands", "vertices=8", "--share", "0.05", "--out", groom).returncode == 0
+    done = run("shadows", groom, "--radius", "0.0005", "--methods", "opacity_map,deep_opacity", "--layers", "4,64", "--resolution", "32", "--quick", "--rays", "16")
     assert done.returncode == 0 and "deep_opacity: layers 64 left out, it takes 1 .. 16" in done.stderr
 
 

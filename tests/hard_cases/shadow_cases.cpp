@@ -37,8 +37,10 @@ Result<ShadowSetting> setting_from(const Json& inputs) {
 Result<Values> run_shadow_f32(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(const ShadowSetting setting, setting_from(inputs));
   const shadows::Casters casters{&setting.groom, setting.alpha, setting.to_light};
+  std::vector<std::uint32_t> strands;
+  for (std::uint32_t s = 0; s < setting.groom.strand_count(); ++s) strands.resize(setting.groom.offsets[s + 1], s);
   CUTICLE_ASSIGN(const shadows::Transmittance transmittance,
-                 setting.method->evaluate(casters, {setting.groom.positions}, setting.values));
+                 setting.method->evaluate(casters, {setting.groom.positions, strands}, setting.values));
   return Values(transmittance.values.begin(), transmittance.values.end());
 }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,21 @@ namespace cuticle::tests {
 /// The method's values for "name=value,..."; an error where they are refused.
 inline Result<registry::ParameterValues> values_of(std::string_view method, const std::string& set) {
   return registry::parse_assignments((*shadows::find_method(method))->entry.parameters, set);
+}
+
+/// A groom's vertices as receivers, with the numbers that shadows::Receivers asks for.
+struct VertexReceivers {
+  std::vector<std::uint32_t> strands, vertices;
+  shadows::Receivers of(const strands::Groom& groom) const { return {groom.positions, strands, {}, vertices}; }
+};
+inline VertexReceivers vertex_receivers(const strands::Groom& groom) {
+  VertexReceivers receivers;
+  for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
+    for (std::uint32_t v = groom.offsets[s]; v < groom.offsets[s + 1]; ++v) {
+      receivers.strands.push_back(s);
+      receivers.vertices.push_back(v);
+    }
+  return receivers;
 }
 
 /// Transmittance at points; errors as the method's.

@@ -49,7 +49,8 @@ Push push_of(const FrameResources& resources) {
   push.corners = draw.corners;
   push.width_scale =
       float(draw.width_factor * part.width * push.size.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
-  push.least_half_width = draw.line_width > 0 ? lines::widened(draw.line_width, part.width) / 2 : 0;
+  const float line_width = lines::line_width(resources, parameters_of(resources, lines::entry()));
+  push.least_half_width = draw.of_one_width ? lines::widened(line_width, part.width) / 2 : 0;
   push.near = float(camera.near_plane);
   push.far = float(camera.far_plane);
   push.has_scene = resources.keep_target ? 1 : 0;

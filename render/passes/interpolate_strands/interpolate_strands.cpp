@@ -4,7 +4,7 @@ namespace cuticle::render::interpolate_strands {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color"};
+constexpr std::string_view k_demands[] = {"strands", "output_color", "strands_interpolated"};
 constexpr std::string_view k_after[] = {"smooth_strands"};
 constexpr std::string_view k_systems[] = {"N5"};
 

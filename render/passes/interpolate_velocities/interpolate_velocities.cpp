@@ -5,7 +5,8 @@ namespace cuticle::render::interpolate_velocities {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments"};
+constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments",
+                                          "strands_interpolated"};
 constexpr std::string_view k_systems[] = {"F2"};
 constexpr std::string_view k_after[] = {"interpolate_strands"};
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "strands/lod/lod.h"
 #include <fmt/core.h>
-#include "strands/lod/lod.glslh"
 #include <glm/geometric.hpp>
+#include "strands/lod/lod.glslh"
+#include "strands/lod/lod.h"
 
 namespace cuticle::render::lines {
 
@@ -115,14 +115,45 @@ DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterV
   return part;
 }
 
+namespace {
+
+/// Supersamples across a metre that is a metre away.
+double texels_at_a_metre(const FrameResources& resources) {
+  const Camera& camera = resources.camera;
+  return camera.resolution.y * resources.supersampling / (2 * std::tan(camera.vertical_field_of_view / 2));
+}
+
+/// Depth at which the strands may begin, at least a quarter of the target's.
+double nearest_depth(const FrameResources& resources) {
+  constexpr double k_least = 0.25;
+  const Camera& camera = resources.camera;
+  const double target = glm::distance(camera.position, camera.target);
+  const glm::dvec3 forward = (camera.target - camera.position) / std::max(target, 1e-9);
+  double nearest = target;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] =
+          double((corner >> axis & 1) ? resources.strands.bounds.upper[axis] : resources.strands.bounds.lower[axis]);
+    nearest = std::min(nearest, glm::dot(point - camera.position, forward));
+  }
+  return std::max(nearest, k_least * target);
+}
+
+}  // namespace
+
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters) {
   const double given = parameters.real("width_px");
   if (given > 0) return float(given * resources.supersampling);
-  const Camera& camera = resources.camera;
-  const double pixel = 2 * glm::distance(camera.position, camera.target) * std::tan(camera.vertical_field_of_view / 2) /
-                       double(camera.resolution.y);
-  const double width = 2 * resources.strand_radius / pixel;
-  return float(std::max(1.0, std::min(width, parameters.real("widest_px")) * resources.supersampling));
+  const double width = 2 * resources.strand_radius * texels_at_a_metre(resources) / nearest_depth(resources);
+  const double step = std::exp2(std::ceil(4 * std::log2(std::max(width, 1.0))) / 4);
+  return float(std::max(1.0, std::min(step, parameters.real("widest_px") * resources.supersampling)));
+}
+
+float opacity_of_radius(const FrameResources& resources, const registry::ParameterValues& parameters,
+                        const DrawnPart& part, float width) {
+  if (parameters.real("width_px") > 0) return 0;
+  return float(2 * texels_at_a_metre(resources) * part.width / double(width));
 }
 
 float widened(float width, double factor) { return std::max(width, std::min(width * float(factor), k_widest_lines)); }

@@ -13,10 +13,12 @@ struct Frame {
   glm::vec4 multiple;
   std::uint32_t light_count, vertex_count, vertices_per_strand;
   float variation, tip_variation;
-  std::uint32_t drawn_segments, packed_vertices, over_angles;
+  std::uint32_t drawn_segments, packed_vertices;
+  float opacity_of_radius;  ///< a strand's width over a line's, times depth, per metre of radius; 0: lines are opaque
+  std::uint32_t over_angles, unused[3];
   LightRows lights;
 };
-static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 3 * k_most_lights);
+static_assert(sizeof(Frame) == 64 + 16 * 10 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
 /// Error: bad_input when the tables are not those of a three-texture Nalu layout, over sines and cosines or angles.
@@ -36,11 +38,14 @@ struct DrawnPart {
 /// All where the strands cover the parameter `full_px` pixels, or where it is 0. Widths go in steps of the fourth root
 /// of 2, each with as many strands as cover the area of all.
 DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters);
-/// Line width in supersampled pixels: as given, or a strand's width seen at the camera's target, at least one
-/// supersample and at most `widest_px`.
+/// Line width in supersampled pixels: as given, or that of the widest strand where it may be nearest in this frame, up
+/// to the next fourth root of 2, at least one supersample and at most `widest_px`.
 float line_width(const FrameResources& resources, const registry::ParameterValues& parameters);
-inline constexpr float k_widest_lines =
-    8;  ///< that a level of detail asks for; devices with wide lines have 8 at least
+/// What a radius is multiplied by, over its depth, for the opacity of its strand: its width over that of a line, which
+/// is `width` supersamples. 0, all opaque, where the parameter `width_px` gives a width.
+float opacity_of_radius(const FrameResources& resources, const registry::ParameterValues& parameters,
+                        const DrawnPart& part, float width);
+inline constexpr float k_widest_lines = 8;  ///< supersamples; devices with wide lines have 8 at least
 /// A width times a factor of at least 1, up to k_widest_lines.
 float widened(float width, double factor);
 

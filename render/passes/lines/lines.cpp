@@ -18,12 +18,14 @@ constexpr Parameter k_parameters[] = {
      .minimum = 0,
      .maximum = 16,
      .default_text = "0",
-     .summary = "line width in pixels of the picture; 0: the width of a drawn strand at the camera's target"},
+     .summary =
+         "line width in pixels of the picture, opaque; 0: as wide as the widest strand where it is nearest, with the "
+         "opacity of a strand's own width"},
     {.name = "widest_px",
      .unit = "px",
      .minimum = 0.1,
      .maximum = 16,
-     .default_text = "1.25",
+     .default_text = "4",
      .summary = "limit of the derived width, in pixels of the picture"},
     {.name = "full_px",
      .unit = "px",
@@ -40,7 +42,7 @@ constexpr Parameter k_parameters[] = {
     {.name = "tip_variation",
      .minimum = 0,
      .maximum = 1,
-     .default_text = "0.2",
+     .default_text = "0",
      .summary = "share of the length that chance takes away from a drawn strand's tip"},
     {.name = "ambient",
      .minimum = 0,
@@ -50,7 +52,7 @@ constexpr Parameter k_parameters[] = {
     {.name = "variation",
      .minimum = 0,
      .maximum = 1,
-     .default_text = "0.22",
+     .default_text = "0",
      .summary = "difference between strands: tilt of their tangents and brightness"},
 };
 

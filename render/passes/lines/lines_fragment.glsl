@@ -16,6 +16,10 @@ layout(location = 2) flat in float brightness;
 layout(location = 3) in vec4 reached[2 * CHANNELS];
 layout(location = 3 + 2 * CHANNELS) in vec3 often;
 layout(constant_id = 4) const uint k_dual = 0u;  // 1: `often` in place of the frame's `multiple`
+layout(constant_id = 8) const uint k_samples = 1u;  // of a texel
+layout(location = 5 + 2 * CHANNELS) in float opacity;
+layout(location = 6 + 2 * CHANNELS) flat in float chance;
+#include "render/passes/lines/thin.glsl"
 layout(location = 0) out vec4 color;
 #ifdef SAYS_SEEN
 layout(location = 4 + 2 * CHANNELS) flat in uint id;
@@ -32,6 +36,9 @@ vec3 share_of(uint light) {
 }
 
 void main() {
+  const uint samples = samples_of(opacity, chance);
+  if (samples == 0u) discard;
+  gl_SampleMask[0] = int(samples);
   vec3 t = normalize(tangent);
   if (k_mip_levels != 0u) {
     tangent_right = dFdx(t);

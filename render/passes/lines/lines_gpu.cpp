@@ -35,6 +35,7 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
       dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
   constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
   constants.push_back(cull_strands::is_listed(resources));
+  constants.push_back(std::uint32_t(resources.color->samples()));
   description.interface = {7, 3, 0, std::move(constants)};
 }
 
@@ -44,7 +45,7 @@ class Lines : public GpuPass {
       : device_(std::move(device)), inputs_(std::move(inputs)) {}
 
   void publish(FrameResources& resources) const override {
-    resources.strand_draw = StrandDraw{.pass = &entry(), .corners = k_corners, .line_width = line_width_};
+    resources.strand_draw = StrandDraw{.pass = &entry(), .corners = k_corners, .of_one_width = true};
     if (seen_) resources.seen_samples = &seen_;
   }
 
@@ -64,10 +65,12 @@ class Lines : public GpuPass {
     CUTICLE_ASSIGN(Frame* const frame, inputs_.update(resources));
     const DrawnPart part = drawn_part(resources, parameters_of(resources, entry()));
     frame->drawn_segments = part.segments;
+    const float width = widened(line_width(resources, parameters_of(resources, entry())), part.width);
+    frame->opacity_of_radius = opacity_of_radius(resources, parameters_of(resources, entry()), part, width);
+    CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, width));
     const DrawnBuffers buffers = packed_or_full(commands, resources);
     frame->packed_vertices = buffers.packed ? 1 : 0;
     CUTICLE_TRY(inputs_.record(commands, resources));
-    CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, widened(line_width_, part.width)));
     begin(commands, resources);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     cull_strands::draw(commands, resources, *pipeline,
@@ -81,11 +84,9 @@ class Lines : public GpuPass {
 
   Result<void> make_parts(const FrameResources& resources) {
     const registry::ParameterValues parameters = parameters_of(resources, entry());
-    line_width_ = line_width(resources, parameters);
     if (resources.says_seen) {
       CUTICLE_ASSIGN(seen_, make_visibility(*device_, *resources.color));
     }
-    CUTICLE_TRY(pipeline_of(resources, line_width_));
     if (!parameters.boolean("packed")) return {};
     const std::uint32_t size = resources.vertices_per_strand;
     CUTICLE_ASSIGN(packing_, strands::GpuPacking::create(*device_, resources.strands.vertex_count / size, size));
@@ -110,9 +111,8 @@ class Lines : public GpuPass {
   }
 
   std::shared_ptr<gpu::Device> device_;
-  gpu::Texture seen_;     ///< per sample the segment that it sees, from 1, where that is asked for
-  float line_width_ = 1;  ///< of all strands
-  std::map<float, gpu::GraphicsPipeline> pipelines_;  ///< by the width of their lines: few, see drawn_part
+  gpu::Texture seen_;  ///< per sample the segment that it sees, from 1, where that is asked for
+  std::map<float, gpu::GraphicsPipeline> pipelines_;  ///< by the width of their lines: few, see line_width
   ShadingInputs inputs_;
   std::optional<strands::GpuPacking> packing_;  ///< where the scene asks for it
 };

@@ -22,12 +22,16 @@ layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float trans
 #define LISTED_BINDING 6
 #include "render/passes/cull_strands/listed_strand.glsl"
 
+const uint k_of_opacity = 6u;  // purpose of a chance
+
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
 layout(location = 3) out vec4 reached[2 * CHANNELS];
 layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering
 layout(location = 4 + 2 * CHANNELS) flat out uint id;  // of the segment, from 1
+layout(location = 5 + 2 * CHANNELS) out float opacity;       // the strand's width over the line's
+layout(location = 6 + 2 * CHANNELS) flat out float chance;   // of the strand
 
 vec3 position_of(uint vertex) {
   if (packed_vertices == 0u) return vertices[vertex].xyz;
@@ -36,6 +40,10 @@ vec3 position_of(uint vertex) {
   return vec3(unpacked_length(xy & 0xffffu, strand_units[unit], extent),
               unpacked_length(xy >> 16, strand_units[unit + 1u], extent),
               unpacked_length(z & 0xffffu, strand_units[unit + 2u], extent));
+}
+float radius_of(uint vertex) {
+  if (packed_vertices == 0u) return vertices[vertex].w;
+  return unpacked_length(words[3u * vertex + 1u] >> 16, 0.0, strand_units[vertex / vertices_per_strand * 5u + 4u]);
 }
 vec3 tangent_of(uint vertex) {
   return packed_vertices == 0u ? tangents[vertex].xyz : unpacked_tangent(words[3u * vertex + 2u]);
@@ -75,4 +83,6 @@ void main() {
   const bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation) &&
                     has_numbers(vertex) && has_numbers(other);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  opacity = opacity_of_radius > 0.0 ? opacity_of_radius * radius_of(vertex) / max(gl_Position.w, 1e-9) : 1.0;
+  chance = mixed(strand, k_of_opacity);
 }

@@ -4,7 +4,7 @@ namespace cuticle::render::smooth_strands {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color"};
+constexpr std::string_view k_demands[] = {"strands", "output_color", "strands_interpolated"};
 constexpr std::string_view k_systems[] = {"N4"};
 
 }  // namespace

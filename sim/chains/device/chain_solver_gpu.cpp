@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 
 #include <fmt/core.h>
 
 #include "sim/chains/contact/frame_colliders.h"
 #include "sim/chains/device/chain_solver_gpu.h"
+#include "sim/chains/device/layout.glslh"
 #include "sim/chains/placing.h"
 #include "sim/chains/skin/on_skin.h"
 #include "sim/clumping/clumping_gpu.h"
@@ -20,25 +22,21 @@ constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_skin_buffer
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
 
-/// The kernel's push constants.
-struct Constants {
-  std::uint32_t strand_count = 0, step_count = 0, sphere_count = 0, box_count = 0, field_count = 0, carries = 0,
-                still = 0;
-  float sleep_speed = 0, sleep_time = 0, frame_time = 0;
-};
-
-/// FramePlace of chain_storage.glsl: columns of three matrices, then two vectors.
-std::vector<glm::vec4> frame_place(const glm::vec4& carry, const Placing& placing) {
-  std::vector<glm::vec4> place;
+FramePlace frame_place(const glm::vec4& carry, const Placing& placing) {
   const glm::dmat3 carried = matrix_of(carry);
-  const auto axis = [](int k) { return glm::dvec3(k == 0, k == 1, k == 2); };
-  const glm::dvec3 zero(0), moving = placing.velocity(zero);
-  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(carried[k], 0));
-  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(placing.turned(axis(k)), 0));
-  for (int k = 0; k < 3; ++k) place.emplace_back(glm::dvec4(placing.velocity(axis(k)) - moving, 0));
-  place.emplace_back(glm::dvec4(placing.world(zero), 0));
-  place.emplace_back(glm::dvec4(moving, 0));
-  return place;
+  const glm::dvec3 zero(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), moving = placing.velocity(zero);
+  const auto packed = [](const glm::dvec3& v) { return glm::vec4(glm::dvec4(v, 0)); };
+  return {.carry_x = packed(carried[0]),
+          .carry_y = packed(carried[1]),
+          .carry_z = packed(carried[2]),
+          .turn_x = packed(placing.turned(x)),
+          .turn_y = packed(placing.turned(y)),
+          .turn_z = packed(placing.turned(z)),
+          .turning_x = packed(placing.velocity(x) - moving),
+          .turning_y = packed(placing.velocity(y) - moving),
+          .turning_z = packed(placing.velocity(z) - moving),
+          .translation = packed(placing.world(zero)),
+          .moving = packed(moving)};
 }
 
 struct Buffers {
@@ -48,7 +46,7 @@ struct Buffers {
 
 template <class T>
 Result<void> refill(gpu::Device& device, gpu::Buffer& buffer, const T& data) {
-  const std::span values(data);
+  const std::span<const typename T::value_type> values(data);
   if (buffer.size() >= values.size_bytes()) return device.upload(buffer, std::as_bytes(values));
   CUTICLE_ASSIGN(buffer, gpu::make_buffer_from(device, values));
   return {};
@@ -88,7 +86,7 @@ class ChainGpuSolver final : public GpuSolver {
     if (settings_.sleep) set_sleep(constants, input, steps);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     CUTICLE_TRY(upload(colliders));
-    CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place(parts[0].carry, placing_)));
+    CUTICLE_TRY(refill(*device_, buffers_.frame, std::array{frame_place(parts[0].carry, placing_)}));
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants, !colliders.carries.empty()));
     if (clumping_ && !steps.empty())
       clumping_->record(commands, buffers_.state, buffers_.rest, clumping::to_rest(parts[0]));
@@ -176,7 +174,8 @@ class ChainGpuSolver final : public GpuSolver {
       std::fill_n(strands.begin() + std::ptrdiff_t(row), 3 * k_lanes, 0.f);
     if (!strands.empty()) CUTICLE_TRY(refill(*device_, buffers_.strands, strands));
     CUTICLE_TRY(refill(*device_, buffers_.skin_strands, skin_strands(rest_, settings_)));
-    CUTICLE_TRY(refill(*device_, buffers_.frame, frame_place({0, 0, 0, 1}, placing_)));  // which nobody reads
+    CUTICLE_TRY(
+        refill(*device_, buffers_.frame, std::array{frame_place({0, 0, 0, 1}, placing_)}));  // which nobody reads
     CUTICLE_ASSIGN(buffers_.skin_begin, device_->make_buffer(buffers_.world.size()));
     return {};
   }

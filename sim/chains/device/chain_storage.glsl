@@ -1,5 +1,6 @@
 // Buffers of the solvers of rigid links, and the rows of their vertices.
 #include "sim/chains/contact/box_contact.glslh"
+#include "sim/chains/device/layout.glslh"
 #include "sim/chains/rows.glslh"
 #include "sim/finite.glsl"
 #if ON_SKIN
@@ -19,9 +20,6 @@ layout(binding = 6) buffer Strands { float strands[]; };
 layout(binding = 7) buffer Scratch { float scratch[]; };
 layout(binding = 8) readonly buffer Steps { ChainStep steps[]; };
 layout(binding = 9) readonly buffer Spheres { LinkSphere spheres[]; };
-struct FramePlace {
-  vec4 carry_x, carry_y, carry_z, turn_x, turn_y, turn_z, turning_x, turning_y, turning_z, translation, moving;
-};
 layout(binding = 10) readonly buffer Frame { FramePlace frame; };
 layout(binding = 11) writeonly buffer World { vec4 world[]; };
 layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
@@ -48,11 +46,6 @@ layout(binding = k_skin_binding) readonly buffer SkinStrands { SkinStrand skin_s
 layout(binding = k_skin_binding + 1) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices
 layout(binding = k_skin_binding + 2) readonly buffer SkinEnd { vec4 skin_end[]; };      // at the frame's begin and end
 #endif
-layout(push_constant) uniform Constants {
-  uint strand_count, step_count, sphere_count, box_count, field_count, carries;
-  uint still;                                // whether nothing acts that did not in the frame before
-  float sleep_speed, sleep_time, frame_time;  // of k_sleeps: m/s, s, s
-};
 layout(constant_id = 0) const bool k_sleeps = false;
 
 uint first_vertex, lane, strand_base, part;  // of the frame's substeps

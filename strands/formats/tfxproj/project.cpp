@@ -34,6 +34,27 @@ Result<void> read_version(std::string_view line, const std::string& where, int n
   return line_error(where, number, fmt::format("version '{}', allowed 1 <= version < 5", word));
 }
 
+/// A number within a range; 0 where the line has ended.
+Result<double> read_number(std::string_view& line, std::string_view what, double least, double most,
+                           const std::string& where, int number) {
+  const std::string_view word = next_word(line);
+  if (word.empty()) return 0.0;
+  double value = 0;
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (code == std::errc() && end == word.data() + word.size() && value >= least && value <= most) return value;
+  return line_error(where, number, fmt::format("{} '{}', allowed {} .. {}", what, word, least, most));
+}
+
+/// How many per guide hair, how far from it, and how much farther at the tip.
+Result<FollowHairs> read_follow_hairs(std::string_view line, const std::string& where, int number) {
+  FollowHairs hairs;
+  CUTICLE_ASSIGN(const double count, read_number(line, "follow hairs", 0, double(k_most_follow_hairs), where, number));
+  CUTICLE_ASSIGN(hairs.reach, read_number(line, "follow hairs' radius", 0, 1e6, where, number));
+  CUTICLE_ASSIGN(hairs.tip_separation, read_number(line, "tip separation", -1, 1e3, where, number));
+  hairs.per_guide = std::size_t(count);
+  return hairs;
+}
+
 Result<void> read_part(std::string_view name, std::string_view line, const std::string& where, int number,
                        ProjectParts& parts) {
   if (!stays_inside(name))
@@ -41,10 +62,7 @@ Result<void> read_part(std::string_view name, std::string_view line, const std::
   if (std::find(parts.files.begin(), parts.files.end(), name) != parts.files.end())
     return line_error(where, number, fmt::format("part '{}' is named twice", name));
   parts.files.emplace_back(name);
-  const std::string_view word = next_word(line);
-  std::size_t followers = 0;
-  std::from_chars(word.data(), word.data() + word.size(), followers);
-  parts.followers = std::max(parts.followers, followers);
+  CUTICLE_ASSIGN(parts.follow_hairs.emplace_back(), read_follow_hairs(line, where, number));
   return {};
 }
 
@@ -83,18 +101,24 @@ Result<ParsedGroom> read_project(const std::string& path, Damage damage) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
   CUTICLE_ASSIGN(const ProjectParts parts, parse_project(text, path));
   ParsedGroom file;
-  for (const std::string& name : parts.files) {
+  std::size_t followers = 0;
+  for (std::size_t k = 0; k < parts.files.size(); ++k) {
+    const std::string& name = parts.files[k];
     CUTICLE_ASSIGN(Groom part, read_part_file((fs::path(path).parent_path() / name).string(), damage));
     CUTICLE_TRY(check_room(file.groom, part, path));
     file.notes.push_back(fmt::format("{}: {} strands", name, part.strand_count()));
+    FollowHairs hairs = parts.follow_hairs[k];
+    hairs.first = file.groom.strand_count();
+    hairs.guides = part.strand_count();
+    followers += hairs.guides * hairs.per_guide;
+    if (hairs.per_guide > 0) file.follow_hairs.push_back(hairs);
     if (name == parts.files.front())
       file.groom = std::move(part);
     else
       append(file.groom, part);
   }
-  if (parts.followers > 0)
-    file.notes.push_back(
-        fmt::format("the project asks for {} follow hairs per guide hair: only the guides are read", parts.followers));
+  if (followers > 0)
+    file.notes.push_back(fmt::format("{} follow hairs are made beside them where they are drawn", followers));
   return file;
 }
 

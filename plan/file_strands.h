@@ -1,0 +1,18 @@
+#pragma once
+// The strands of a groom file as a scene's hair.
+#include "plan/strand_set.h"
+
+namespace cuticle::plan {
+
+/// Of each of so many drawn strands, metres: a drawn strand shades, covers and shadows for several fibres side by side;
+/// past a millimetre it would look like one itself.
+float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std::size_t strands);
+
+/// What every strand's own hair is: itself.
+void draw_each_strand(StrandSet& set);
+
+/// Reads the scene's groom file into `set`: control hairs, what is drawn of them, the head under them, colliders.
+/// Error: bad_input from the readers, or naming the key that cannot be met.
+Result<void> read_file_strands(const scene::Scene& scene, StrandSet& set);
+
+}  // namespace cuticle::plan

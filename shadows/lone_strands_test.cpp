@@ -1,0 +1,117 @@
+// Strands far apart: nothing lies between them and the light, so every method must leave them all of it, whatever the
+// resolution, filter, opacity and tilt.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/support/lone_strands.h"
+#include "tests/support/shadow_runs.h"
+
+namespace cuticle::shadows::lone_strands_test {
+
+namespace {
+
+using tests::Lone;
+using tests::lone_strands;
+
+/// Mean T over the vertices; those that know their strand, or points that do not.
+double light_left(const std::string& method, const std::string& set, double alpha, const Lone& lone, bool knows) {
+  const auto values = tests::values_of(method, set).value();
+  const Receivers named{lone.groom.positions, lone.strands}, points{lone.groom.positions};
+  const auto result = (*find_method(method))->evaluate({&lone.groom, alpha, {0, 1, 0}}, knows ? named : points, values);
+  EXPECT_TRUE(result) << method << " " << set << ": " << (result ? "" : result.error().message);
+  return result ? tests::mean(result->values) : 0;
+}
+
+/// Methods with a filter in texels, the first setting with layers enough for any depth, the second small.
+struct Setting {
+  std::string method, full, small;
+};
+std::vector<Setting> map_settings() {
+  return {{"opacity_map", "slices=32", "slices=2"},
+          {"deep_opacity", "layers=16", "layers=1"},
+          {"deep_opacity", "layers=8,storage=bytes", "layers=1,storage=bytes"},
+          {"deep_opacity", "layers=7,tiles=sparse", "layers=1,tiles=sparse"},
+          {"exact_list", "", ""},
+          {"deep_shadow", "", ""},
+          {"deep_shadow", "storage=halves", "storage=halves"},
+          {"moments", "", "basis=power_4"},
+          {"moments", "basis=power_6", "basis=power_4"},
+          {"fourier", "", "harmonics=1"},
+          {"shadow_map", "", ""}};
+}
+std::string with(const std::string& set, const std::string& more) { return set.empty() ? more : set + "," + more; }
+
+/// One setting, at every tilt together: the bias stays below .005.
+void expect_lit(const std::string& method, const std::string& set, double alpha) {
+  const double left = light_left(method, set, alpha, lone_strands(), true);
+  EXPECT_GT(left, 0.995) << method << " " << set << ", alpha " << alpha;
+  EXPECT_LE(left, 1) << method << " " << set << ", alpha " << alpha;
+}
+
+}  // namespace
+
+TEST(LoneStrands, AnyFilterAndOpacity_AreLit) {
+  for (const Setting& setting : map_settings())
+    for (const std::string filter : {"filter_texels=0", "filter_texels=1", "filter_texels=3.3", "filter_radius_mm=9"})
+      for (const double alpha : {1.0, 0.4})
+        expect_lit(setting.method, with(setting.full, filter + ",resolution=256"), alpha);
+}
+
+TEST(LoneStrands, FineMaps_AreLit) {
+  for (const Setting& setting : map_settings()) {
+    expect_lit(setting.method, with(setting.full, "resolution=512"), 1);
+    expect_lit(setting.method, with(setting.small, "resolution=1024"), 0.4);
+    expect_lit(setting.method, with(setting.small, "resolution=2048"), 1);
+  }
+}
+
+TEST(LoneStrands, FinestMaps_AreLit) {
+  for (const std::string method : {"exact_list", "shadow_map"}) expect_lit(method, "resolution=4096", 0.4);
+  expect_lit("deep_opacity", "layers=1,resolution=4096", 1);
+  expect_lit("opacity_map", "slices=2,resolution=4096", 1);
+}
+
+TEST(LoneStrands, OtherAccumulationAndForms_AreLit) {
+  for (const std::string method : {"opacity_map", "deep_opacity", "exact_list", "deep_shadow", "moments", "fourier"})
+    expect_lit(method, "accumulate=poisson,resolution=512", 0.4);
+  for (const std::string form : {"graphics_8bit", "graphics_half"})
+    for (const double alpha : {1.0, 0.4}) expect_lit("opacity_map", "slices=17,resolution=512,form=" + form, alpha);
+}
+
+TEST(LoneStrands, Volumes_AreLit) {
+  for (const std::string set : {"resolution=48", "resolution=128", "resolution=96,filter_radius_mm=9"})
+    for (const double alpha : {1.0, 0.4}) expect_lit("voxel", set, alpha);
+}
+
+TEST(LoneStrands, TruthOfAnyFootprint_IsLit) {
+  if (!find_method("truth")) GTEST_SKIP() << "this build has no Embree";
+  for (const std::string disc : {"0.001", "0.3", "5", "23"})
+    expect_lit("truth", "rays=64,footprint_radius_mm=" + disc, 1);
+}
+
+// What the fibre itself would take away, were it not left out: the tests above could not pass.
+TEST(LoneStrands, PointsThatKnowNoStrand_AreShadowedByIt) {
+  for (const Setting& setting : map_settings())
+    if (setting.method != "shadow_map") {
+      const double left = light_left(setting.method, with(setting.full, "resolution=512"), 1, lone_strands(), false);
+      EXPECT_LT(left, 0.85) << setting.method;
+    }
+}
+
+/// A strand that comes back in front of its own points shadows them: only what lies around a point is left out.
+TEST(LoneStrands, AStrandThatTurnsBack_ShadowsItself) {
+  const Lone lone = tests::hairpin();
+  for (const std::string method : {"opacity_map", "deep_opacity", "exact_list", "deep_shadow", "fourier"}) {
+    const auto values = tests::values_of(method, method == "opacity_map" ? "slices=64" : "").value();
+    const auto result =
+        (*find_method(method))->evaluate({&lone.groom, 0.4, {0, 1, 0}}, {lone.groom.positions, lone.strands}, values);
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(result->values[10], 0.6, 0.05) << method;
+    EXPECT_GT(result->values.back(), 0.97f) << method;
+  }
+}
+
+}  // namespace cuticle::shadows::lone_strands_test

@@ -1,0 +1,21 @@
+// The sums of a series without the receiver's own fibre. The shader that includes this says, as k_most_functions, how many
+// sums a texel may have.
+#include "shadows/map_filter.glsl"
+#include "shadows/series.glslh"
+
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then push.layers weights a depth step
+layout(std430, binding = 4) readonly buffer Sums { int sums[]; };
+layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
+
+int sums_left[k_most_functions];
+
+void own_deposit(uint covered, uint depth_step) {
+  const uint weights = k_coverage_steps + 1u + min(depth_step, k_series_steps - 1u) * push.layers;
+  for (uint i = 0u; i < push.layers; ++i)
+    sums_left[i] -= weighted_amount(table[covered], uintBitsToFloat(table[weights + i]));
+}
+
+void read_sums(uint texel) {
+  for (uint i = 0u; i < push.layers; ++i) sums_left[i] = sums[texel * push.layers + i];
+  walk_own();
+}

@@ -1,0 +1,23 @@
+// What a strand segment leaves in a volume; needs map_geometry.glsl, vertices and segments.
+#include "shadows/splat.glslh"
+#include "shadows/voxel/volume.glslh"
+
+layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then the two numbers of a crossing
+
+const uint k_anisotropic = 2u;  // k_anisotropic_flag of voxel_gpu.cpp
+
+struct SegmentDeposit {
+  vec3 a, b;
+  uint pieces, amount;  // of each piece
+};
+SegmentDeposit segment_deposit(VolumePlacement placement, uint s) {
+  const int v = int(texelFetch(segments, int(s)).r);
+  const vec4 a = texelFetch(vertices, v), b = texelFetch(vertices, v + 1);
+  precise vec3 along = b.xyz - a.xyz;
+  precise float width = a.w + b.w;
+  const uint pieces = volume_pieces(placement, exact_length(along));
+  const float shown = shown_length(along, -push.forward.xyz, (push.flags & k_anisotropic) != 0u);
+  const float units = uintBitsToFloat(table[k_coverage_steps + 1u]);
+  const float meeting = uintBitsToFloat(table[k_coverage_steps + 2u]);
+  return SegmentDeposit(a.xyz, b.xyz, pieces, piece_deposit(placement, units, meeting, width, shown, pieces));
+}

@@ -1,0 +1,41 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// One thread per drawn strand: its vertices as they are given, tangents and fractions of the length.
+#include "gpu/groups.glsl"
+#include "strands/tangent.glslh"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 1) readonly buffer Controls { vec4 controls[]; };   // world positions
+layout(std430, binding = 2) readonly buffer Radii { float radii[]; };        // per control vertex
+layout(std430, binding = 3) writeonly buffer Vertices { vec4 vertices[]; };  // position, radius
+layout(std430, binding = 4) writeonly buffer Tangents { vec4 tangents[]; };  // unit tangent, fraction of the length
+
+vec3 control_at(uint k) { return controls[k].xyz; }
+#include "strands/spline/place.glsl"
+
+void main() {
+  const uint strand = invocation();
+  if (strand >= strands) return;
+  const Row row = rows[strand];
+  const vec3 offset = offset_now(row), root = placed_at(row, offset, 0u), tip = placed_at(row, offset, row.size - 1u);
+  float whole = 0.0;
+  vec3 before = root;
+  for (uint i = 1u; i < row.size; ++i) {
+    const vec3 point = placed_at(row, offset, i);
+    whole += distance(before, point);
+    before = point;
+  }
+  float along = 0.0;
+  vec3 here = root;
+  before = root;
+  for (uint i = 0u; i < size; ++i) {
+    const uint k = min(i, row.size - 1u);
+    const vec3 after = placed_at(row, offset, i + 1u);
+    const float fraction = whole > 0.0 ? min(along / whole, 1.0) : float(k) / float(row.size - 1u);
+    vertices[strand * size + i] = vec4(here, radii[row.first + k]);
+    tangents[strand * size + i] = vec4(vertex_tangent(before, after, root, tip), fraction);
+    along += distance(here, after);
+    if (i + 1u < row.size) before = here;
+    here = after;
+  }
+}

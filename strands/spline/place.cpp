@@ -1,0 +1,71 @@
+#include "strands/spline/place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "strands/growing/random.h"
+#include "strands/tangent.glslh"
+
+namespace cuticle::strands {
+
+namespace {
+
+constexpr std::uint64_t k_follow_seed = 20140401;
+
+/// Two unit vectors across a direction and each other.
+std::array<glm::vec3, 2> across(const glm::vec3& direction) {
+  const glm::vec3 away = std::abs(direction.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 first = glm::normalize(glm::cross(direction, away));
+  return {first, glm::cross(direction, first)};
+}
+
+}  // namespace
+
+std::vector<PlacedStrand> placed_strands(std::size_t strands) {
+  std::vector<PlacedStrand> placed(strands);
+  for (std::size_t s = 0; s < strands; ++s) placed[s].guide = std::uint32_t(s);
+  return placed;
+}
+
+std::vector<PlacedStrand> follow_strands(const Groom& groom, std::span<const FollowHairs> groups) {
+  std::vector<PlacedStrand> placed;
+  for (const FollowHairs& group : groups) {
+    CUTICLE_EXPECT(group.first + group.guides <= groom.strand_count(), "guides are strands of the groom");
+    for (std::size_t guide = group.first; guide < group.first + group.guides; ++guide) {
+      const auto strand = groom.strand(guide);
+      const auto [u, v] = across(direction_or<float>(strand[1] - strand[0], glm::vec3(0, 1, 0)));
+      RandomStream chance = random_stream(k_follow_seed, Chance::follow, guide);
+      for (std::size_t k = 0; k < group.per_guide; ++k) {
+        const double along_u = 2 * chance.next_unit() - 1, along_v = 2 * chance.next_unit() - 1;
+        placed.push_back({std::uint32_t(guide), float(group.tip_separation),
+                          u * float(group.reach * along_u) + v * float(group.reach * along_v)});
+      }
+    }
+  }
+  return placed;
+}
+
+Groom place(const Groom& groom, std::span<const PlacedStrand> strands) {
+  Groom result;
+  for (const PlacedStrand& placed : strands) {
+    const auto guide = groom.strand(placed.guide);
+    for (std::size_t k = 0; k < guide.size(); ++k)
+      result.positions.push_back(guide[k] +
+                                 placed.offset * (1 + placed.tip_separation * float(k) / float(guide.size())));
+    const auto first = groom.radii.begin() + groom.offsets[placed.guide];
+    result.radii.insert(result.radii.end(), first, first + std::ptrdiff_t(guide.size()));
+    result.offsets.push_back(std::uint32_t(result.positions.size()));
+  }
+  return result;
+}
+
+std::uint32_t longest_strand(const Groom& groom) {
+  std::size_t longest = 2;
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) longest = std::max(longest, groom.strand_size(s));
+  return std::uint32_t(longest);
+}
+
+}  // namespace cuticle::strands

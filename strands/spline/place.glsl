@@ -1,0 +1,31 @@
+// A strand as it is given, or a follow hair beside one. Before this: `vec3 control_at(uint k)`.
+
+struct Row {
+  vec4 offset;      // from the guide's root in the rest pose; how much more of it there is at the tip
+  vec3 direction;   // of the guide's first segment, there
+  uint first, size; // vertices of the guide
+  uint unused0, unused1, unused2;
+};
+layout(std430, binding = 0) readonly buffer Rows { Row rows[]; };
+layout(push_constant) uniform Constants { vec4 turn[3]; uint strands; uint size; float since; };
+
+// The vector turned as the shortest turn takes one unit vector to another; as it is where they are opposite.
+vec3 turned(vec3 v, vec3 from, vec3 to) {
+  const float cosine = dot(from, to);
+  const vec3 axis = cross(from, to);
+  return cosine > -0.999 ? v + cross(axis, v) + cross(axis, cross(axis, v)) / (1.0 + cosine) : v;
+}
+
+// The offset at the root, as the head and the guide's first segment have turned.
+vec3 offset_now(Row row) {
+  if (dot(row.offset.xyz, row.offset.xyz) == 0.0) return vec3(0.0);
+  const mat3 head = mat3(turn[0].xyz, turn[1].xyz, turn[2].xyz);
+  const vec3 from = head * row.direction, step = control_at(row.first + 1u) - control_at(row.first);
+  return turned(head * row.offset.xyz, from, direction_or(step, from));
+}
+
+// Vertex i; past the tip: the tip.
+vec3 placed_at(Row row, vec3 offset, uint i) {
+  const uint k = min(i, row.size - 1u);
+  return control_at(row.first + k) + offset * (1.0 + row.offset.w * float(k) / float(row.size));
+}

@@ -1,0 +1,127 @@
+#include "strands/spline/place_gpu.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "gpu/groups.h"
+#include "strands/tangent.glslh"
+
+#include <place_comp.spv.h>
+#include <place_velocity_comp.spv.h>
+
+namespace cuticle::strands {
+
+namespace {
+
+/// Row of place.glsl, word for word.
+struct Row {
+  glm::vec3 offset;
+  float tip_separation;
+  glm::vec3 direction;  ///< of the guide's first segment in the rest pose
+  std::uint32_t first;  ///< vertex of the guide
+  std::uint32_t size, unused[3];
+};
+static_assert(sizeof(Row) == 48);
+
+struct Constants {
+  glm::vec4 turn[3];
+  std::uint32_t strands, size;
+  float since;
+};
+
+Constants constants_of(const glm::mat3& turn, std::uint32_t strands, std::uint32_t size, float since) {
+  Constants constants{{}, strands, size, since};
+  for (int column = 0; column < 3; ++column) constants.turn[column] = glm::vec4(turn[column], 0);
+  return constants;
+}
+
+Result<void> check(const Groom& control, std::span<const PlacedStrand> strands) {
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    const std::uint32_t guide = strands[s].guide;
+    if (guide >= control.strand_count())
+      return bad_input(fmt::format("drawn strand {}: guide {} of {}", s, guide, control.strand_count()));
+    const std::size_t size = control.strand_size(guide);
+    if (size < 2 || size > k_longest_placed)
+      return bad_input(fmt::format("strand {} has {} vertices; allowed: 2 .. {}", guide, size, k_longest_placed),
+                       "groom.interpolate draws such strands with strand_vertices each");
+  }
+  return {};
+}
+
+std::vector<Row> rows_of(const Groom& control, std::span<const PlacedStrand> strands) {
+  std::vector<Row> rows;
+  for (const PlacedStrand& placed : strands) {
+    const auto guide = control.strand(placed.guide);
+    rows.push_back({placed.offset,
+                    placed.tip_separation,
+                    direction_or<float>(guide[1] - guide[0], glm::vec3(0, 1, 0)),
+                    control.offsets[placed.guide],
+                    std::uint32_t(guide.size()),
+                    {}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> first_vertices(std::size_t strands, std::size_t vertices) {
+  std::vector<std::uint32_t> firsts;
+  firsts.reserve(strands * (vertices - 1));
+  for (std::size_t s = 0; s < strands; ++s)
+    for (std::size_t i = 0; i + 1 < vertices; ++i) firsts.push_back(std::uint32_t(s * vertices + i));
+  return firsts;
+}
+
+Result<void> StrandPlacer::upload(gpu::Device& device, const Groom& control, std::span<const PlacedStrand> strands) {
+  const std::size_t bytes = std::size_t(strands_) * size_ * sizeof(glm::vec4);
+  CUTICLE_ASSIGN(vertices_, device.make_buffer(bytes));
+  CUTICLE_ASSIGN(tangents_, device.make_buffer(bytes));
+  CUTICLE_ASSIGN(rows_, gpu::make_buffer_from<Row>(device, rows_of(control, strands)));
+  CUTICLE_ASSIGN(radii_, gpu::make_buffer_from<float>(device, control.radii));
+  CUTICLE_ASSIGN(segments_, gpu::make_buffer_from<std::uint32_t>(device, first_vertices(strands_, size_)));
+  return {};
+}
+
+Result<void> StrandPlacer::make_kernels(gpu::Device& device, bool moves) {
+  CUTICLE_ASSIGN(place_, device.make_kernel(place_comp, {5, 0, sizeof(Constants)}));
+  if (!moves) return {};
+  CUTICLE_ASSIGN(place_velocity_, device.make_kernel(place_velocity_comp, {4, 0, sizeof(Constants)}));
+  CUTICLE_ASSIGN(velocities_, device.make_buffer(vertices_.size()));
+  return {};
+}
+
+Result<std::unique_ptr<StrandPlacer>> StrandPlacer::create(std::shared_ptr<gpu::Device> device, const Groom& control,
+                                                           std::span<const PlacedStrand> strands, bool moves) {
+  CUTICLE_TRY(check(control, strands));
+  std::unique_ptr<StrandPlacer> placer(new StrandPlacer());
+  placer->strands_ = std::uint32_t(strands.size());
+  placer->size_ = longest_strand(control);
+  CUTICLE_TRY(placer->upload(*device, control, strands));
+  CUTICLE_TRY(placer->make_kernels(*device, moves));
+  return placer;
+}
+
+Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& control_positions,
+                                  const glm::mat3& turn) {
+  const Constants constants = constants_of(turn, strands_, size_, 0);
+  const gpu::Groups groups = gpu::groups_for(strands_);
+  commands.begin_pass("generate.place");
+  commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices_, &tangents_}, {}, gpu::bytes_of(constants),
+                    groups.x, groups.y);
+  commands.end_pass();
+  return {};
+}
+
+Result<void> StrandPlacer::record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
+                                             const ControlMotion& motion, const glm::mat3& turn) {
+  CUTICLE_EXPECT(velocities_ && motion.values, "strands placed for velocities are told them");
+  const Constants constants = constants_of(turn, strands_, size_, motion.since);
+  const gpu::Groups groups = gpu::groups_for(strands_);
+  commands.begin_pass("generate.place_velocities");
+  commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities_}, {},
+                    gpu::bytes_of(constants), groups.x, groups.y);
+  commands.end_pass();
+  return {};
+}
+
+}  // namespace cuticle::strands
