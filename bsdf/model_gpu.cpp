@@ -59,11 +59,9 @@ Result<void> GpuEvaluator::evaluate_chunk(const gpu::Buffer& parameters, const R
   const std::vector<DevicePoint> narrowed = narrow_all<DevicePoint>(request.points);
   CUTICLE_ASSIGN(gpu::Buffer points, gpu::make_buffer_from(*device_, std::span<const DevicePoint>(narrowed)));
   CUTICLE_ASSIGN(gpu::Buffer results, device_->make_buffer(out.size() * sizeof(glm::vec3)));
-  const Batch batch{std::uint32_t(out.size()), std::int32_t(request.quantity), request.lobe};
   gpu::Commands commands = device_->record();
-  const gpu::Groups groups = gpu::groups_for(batch.count);
   commands.begin_pass("bsdf evaluate");
-  commands.dispatch(kernel_, {&parameters, &points, &results}, {}, gpu::bytes_of(batch), groups.x, groups.y);
+  record(commands, parameters, points, results, std::uint32_t(out.size()), request.quantity, request.lobe);
   commands.end_pass();
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(std::vector<glm::vec3> values, gpu::read_buffer<glm::vec3>(*device_, results, out.size()));
@@ -71,7 +69,14 @@ Result<void> GpuEvaluator::evaluate_chunk(const gpu::Buffer& parameters, const R
   return {};
 }
 
-Result<gpu::Buffer> GpuEvaluator::parameters_of(const registry::ParameterValues& values) {
+void GpuEvaluator::record(gpu::Commands& commands, const gpu::Buffer& parameters, const gpu::Buffer& points,
+                          const gpu::Buffer& results, std::uint32_t count, Quantity quantity, int lobe) const {
+  const Batch batch{count, std::int32_t(quantity), lobe};
+  const gpu::Groups groups = gpu::groups_for(count);
+  commands.dispatch(kernel_, {&parameters, &points, &results}, {}, gpu::bytes_of(batch), groups.x, groups.y);
+}
+
+Result<gpu::Buffer> GpuEvaluator::upload(const registry::ParameterValues& values) const {
   const std::vector<float> packed = model_->pack(values);
   CUTICLE_EXPECT(packed.size() == CUTICLE_PACKED_COUNT, "a model packs as many numbers as Packed holds");
   return gpu::make_buffer_from(*device_, std::span<const float>(packed));
@@ -80,7 +85,7 @@ Result<gpu::Buffer> GpuEvaluator::parameters_of(const registry::ParameterValues&
 Result<void> GpuEvaluator::evaluate(const registry::ParameterValues& values, const Request& request,
                                     std::span<glm::dvec3> out) {
   CUTICLE_TRY(check_request(*model_, request, out.size()));
-  CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
+  CUTICLE_ASSIGN(const gpu::Buffer parameters, upload(values));
   const std::uint64_t limit = device_->info().max_storage_buffer_bytes;
   for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DevicePoint), limit)) {
     const std::size_t size = chunk.end - chunk.begin;
@@ -121,7 +126,7 @@ Result<void> GpuEvaluator::sample(const registry::ParameterValues& values, std::
                                   std::span<Sample> out) {
   CUTICLE_TRY(check_queries(queries, out.size()));
   CUTICLE_TRY(make_sample_kernel());
-  CUTICLE_ASSIGN(const gpu::Buffer parameters, parameters_of(values));
+  CUTICLE_ASSIGN(const gpu::Buffer parameters, upload(values));
   const std::uint64_t limit = device_->info().max_storage_buffer_bytes;
   for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DeviceQuery), limit)) {
     const std::size_t size = chunk.end - chunk.begin;

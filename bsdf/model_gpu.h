@@ -24,6 +24,12 @@ class GpuEvaluator {
   /// In float, in chunks that respect the device's buffer limit; the same bits from run to run. Errors: as
   /// check_request.
   Result<void> evaluate(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out);
+  /// What `record` reads of parameter values, on the device.
+  Result<gpu::Buffer> upload(const registry::ParameterValues& values) const;
+  /// Records the evaluation of `count` points that lie on the device, six floats each as in Point, with nothing
+  /// checked; three floats each to `results`. `parameters`: what `upload` gave.
+  void record(gpu::Commands& commands, const gpu::Buffer& parameters, const gpu::Buffer& points,
+              const gpu::Buffer& results, std::uint32_t count, Quantity quantity, int lobe) const;
   /// Draws directions in float, as bsdf::sample does on the CPU; its kernel is compiled at the first call. Errors:
   /// usage, where the model has no sampler; as check_queries.
   Result<void> sample(const registry::ParameterValues& values, std::span<const SampleQuery> queries,
@@ -32,7 +38,6 @@ class GpuEvaluator {
  private:
   GpuEvaluator(gpu::Device& device, const Model& model, gpu::Kernel kernel)
       : device_(&device), model_(&model), kernel_(std::move(kernel)) {}
-  Result<gpu::Buffer> parameters_of(const registry::ParameterValues& values);
   Result<void> evaluate_chunk(const gpu::Buffer& parameters, const Request& request, std::span<glm::dvec3> out);
   Result<void> make_sample_kernel();
   Result<void> sample_chunk(const gpu::Buffer& parameters, std::span<const SampleQuery> queries, std::span<Sample> out);

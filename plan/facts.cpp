@@ -112,7 +112,9 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
   facts["seen_segments"] = {scene.render_method != "cards" && on_device, why};
   facts["drawn_on_device"] = {on_device, why};
-  facts["shaded_from_tables"] = {scene.render_method != "cards" && !traced, why};
+  const bool direct = scene.material.evaluate == "direct";
+  facts["shaded_from_tables"] = {scene.render_method != "cards" && !traced && !direct,
+                                 direct ? "the material is evaluated by its formulas" : why};
 }
 
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {

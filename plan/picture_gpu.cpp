@@ -119,6 +119,7 @@ Result<void> Picture::make_strands() {
 Result<void> Picture::make_rest() {
   CUTICLE_ASSIGN(resources_.model, bsdf::find_model(scene_.material.model.name));
   resources_.model_values = &scene_.material.model.values;
+  resources_.evaluates_directly = scene_.material.evaluate == "direct";
   if (!find_pass(plan_, "cards")) return {};
   std::vector<glm::vec4> positions;
   for (const glm::vec3& position : set_.control.positions) positions.emplace_back(position, 1);
@@ -132,6 +133,9 @@ Result<void> Picture::make_rest() {
 }
 
 Result<void> Picture::make_tables(Progress& progress) {
+  if (resources_.evaluates_directly && (scene_.render_method == "lines" || scene_.render_method == "quads"))
+    return bad_input(fmt::format("material.evaluate = 'direct': '{}' reads tables", scene_.render_method),
+                     "set render.method to tiles, or material.evaluate to tables");
   if (!find_pass(plan_, "bake_tables")) return {};
   progress.message("baking lookup tables");
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));

@@ -123,6 +123,7 @@ Block default_block(std::span<const registry::Entry* const> entries, std::string
 void read_material(const Reader& reader, const Catalogue& catalogue, Scene& scene) {
   scene.material.model = reader.has("model") ? block_of(catalogue.models, reader.value["model"])
                                              : default_block(catalogue.models, "marschner");
+  reader.get("evaluate", scene.material.evaluate);
   reader.get("layout", scene.material.layout);
   reader.get("lut_size", scene.material.lut_size);
 }

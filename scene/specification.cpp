@@ -115,9 +115,13 @@ Spec character() {
 Spec material(const Catalogue& catalogue) {
   Spec layout = text("layout", "layout of the lookup tables");
   for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
+  Spec evaluate = text("evaluate",
+                       "tables: lookups in tables of the model, unless given; direct: its formulas at every "
+                       "vertex, where render.method is tiles or truth");
+  evaluate.choices = {"tables", "direct"};
   return object("material", "how a fibre scatters light",
-                {block("model", "scattering model and its parameters", catalogue.models), std::move(layout),
-                 integer("lut_size", 16, 1024, "texels along each side of a table")});
+                {block("model", "scattering model and its parameters", catalogue.models), std::move(evaluate),
+                 std::move(layout), integer("lut_size", 16, 1024, "texels along each side of a table")});
 }
 
 Spec simulation(const Catalogue& catalogue) {

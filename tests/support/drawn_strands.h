@@ -54,8 +54,9 @@ struct Drawing {
       colors.emplace_back(color, 1);
     }
   }
-  Image truth() const {
-    return render::truth::rasterise(camera(), {vertices, colors, segments}, {}, {.samples = 16, .opacity = opacity});
+  Image truth(int samples = 16) const {
+    return render::truth::rasterise(camera(), {vertices, colors, segments}, {},
+                                    {.samples = samples, .opacity = opacity});
   }
 };
 

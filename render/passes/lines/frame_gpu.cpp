@@ -1,6 +1,7 @@
 #include "render/passes/lines/frame_gpu.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,18 +19,19 @@ struct ReadTable {
   std::string_view name;
   AxisQuantity u, v;
 };
-constexpr ReadTable k_tables[] = {{"M", AxisQuantity::sin_theta_i, AxisQuantity::sin_theta_o},
-                                  {"N_TT_R", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d},
-                                  {"N_TRT", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d}};
+using ReadTables = std::array<ReadTable, 3>;
+constexpr ReadTables k_over_sines = {{{"M", AxisQuantity::sin_theta_i, AxisQuantity::sin_theta_o},
+                                      {"N_TT_R", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d},
+                                      {"N_TRT", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d}}};
+constexpr ReadTables k_over_angles = {{{"M", AxisQuantity::theta_i, AxisQuantity::theta_o},
+                                       {"N_TT_R", AxisQuantity::phi, AxisQuantity::theta_d},
+                                       {"N_TRT", AxisQuantity::phi, AxisQuantity::theta_d}}};
 
-bool is_readable(const lut::TableSet& set) {
-  if (set.tables.size() != std::size(k_tables)) return false;
-  for (std::size_t k = 0; k < std::size(k_tables); ++k) {
-    const lut::TableLayout& table = *set.tables[k].layout;
-    const ReadTable& read = k_tables[k];
-    if (table.name != read.name || table.u.quantity != read.u || table.v.quantity != read.v) return false;
-  }
-  return true;
+bool are(const lut::TableSet& set, const ReadTables& tables) {
+  return std::ranges::equal(set.tables, tables, [](const lut::Table& has, const ReadTable& read) {
+    const lut::TableLayout& table = *has.layout;
+    return table.name == read.name && table.u.quantity == read.u && table.v.quantity == read.v;
+  });
 }
 
 glm::vec4 scale_bias(const lut::Table& table, int size) {
@@ -69,14 +71,19 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   frame.tip_variation = float(parameters.real("tip_variation"));
   frame.vertices_per_strand = resources.vertices_per_strand;
   frame.vertex_count = resources.strands.vertex_count;
+  if (resources.evaluates_directly) {
+    CUTICLE_ASSIGN(frame.multiple,
+                   multiple_scattering(*resources.model, *resources.model_values, parameters.real("ambient")));
+    return frame;
+  }
   if (!resources.table_set) return frame;
   const lut::TableSet& set = *resources.table_set;
-  if (!is_readable(set))
-    return bad_input(
-        fmt::format(
-            "material.layout = '{}': the pass 'lines' reads three tables M, N_TT_R, N_TRT over sines and cosines",
-            set.layout->entry.name),
-        "use the layout 'nalu'");
+  frame.over_angles = are(set, k_over_angles) ? 1 : 0;
+  if (frame.over_angles == 0 && !are(set, k_over_sines))
+    return bad_input(fmt::format("material.layout = '{}': drawing reads three tables M, N_TT_R, N_TRT over sines and "
+                                 "cosines or over angles",
+                                 set.layout->entry.name),
+                     "use the layout 'nalu_theta' or 'nalu', or material.evaluate 'direct'");
   frame.m_scale_bias = scale_bias(set.tables[0], set.size);
   frame.n_scale_bias = scale_bias(set.tables[1], set.size);
   frame.m_scale = channel_scale(set.tables[0]);

@@ -15,12 +15,13 @@ struct Frame {
   float variation, tip_variation;
   std::uint32_t drawn_segments, packed_vertices;
   float opacity_of_radius;  ///< a strand's width over a line's, times depth, per metre of radius; 0: lines are opaque
+  std::uint32_t over_angles, unused[3];
   LightRows lights;
 };
-static_assert(sizeof(Frame) == 64 + 16 * 9 + 16 * 3 * k_most_lights);
+static_assert(sizeof(Frame) == 64 + 16 * 10 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
-/// Error: bad_input when the tables are not those of a three-texture Nalu layout.
+/// Error: bad_input when the tables are not those of a three-texture Nalu layout, over sines and cosines or angles.
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Radiance per irradiance and `ambient_share` (ambient.glsl) of light that fibres of the model have scattered many
 /// times; `strength`: the parameter `ambient`. Error: of the model.

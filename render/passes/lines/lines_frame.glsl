@@ -12,6 +12,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   uint drawn_segments;                    // of a strand
   uint packed_vertices;                   // 1: strands/packing
   float opacity_of_radius;                // a strand's width over a line's, times depth, per metre; 0: lines are opaque
+  uint over_angles;                       // 1: tables are over angles, 0: over their sines and cosines
   LightRow lights[k_most_lights];
 };
 

@@ -18,21 +18,28 @@ vec3 tangent_right = vec3(0.0), tangent_below = vec3(0.0);
 vec4 looked_up(sampler2D table, vec2 at, vec2 right, vec2 below) {
   return MIP_LEVELS == 0u ? texture(table, at) : textureGrad(table, at, 0.5 * (right - at), 0.5 * (below - at));
 }
-vec2 m_coordinate(Angles a) { return vec2(a.sin_i, a.sin_o) * m_scale_bias.xy + m_scale_bias.zw; }
-vec2 n_coordinate(Angles a, float cos_d) { return vec2(a.cos_phi, cos_d) * n_scale_bias.xy + n_scale_bias.zw; }
+vec2 m_coordinate(Angles a) {
+  vec2 sines = vec2(a.sin_i, a.sin_o);
+  return (over_angles == 0u ? sines : asin(clamp(sines, -1.0, 1.0))) * m_scale_bias.xy + m_scale_bias.zw;
+}
+vec2 n_value(Angles a, float cos_d) {
+  vec2 cosines = vec2(a.cos_phi, cos_d);
+  return over_angles == 0u ? cosines : acos(clamp(cosines, -1.0, 1.0));
+}
+vec2 n_coordinate(Angles a, float cos_d) { return n_value(a, cos_d) * n_scale_bias.xy + n_scale_bias.zw; }
 
-// cos theta_d without the table: of the next pixels, which have no lookup of their own.
+// cos theta_d without the table: of the next pixels, which have no lookup of their own, and over angles.
 float cos_half_difference(Angles a) {
   float cosines = sqrt(max((1.0 - a.sin_i * a.sin_i) * (1.0 - a.sin_o * a.sin_o), 0.0));
   return sqrt(max(0.5 * (1.0 + cosines + a.sin_i * a.sin_o), 0.0));
 }
 vec2 n_step(Angles here, Angles there) {
-  return vec2(there.cos_phi - here.cos_phi, cos_half_difference(there) - cos_half_difference(here)) * n_scale_bias.xy;
+  return (n_value(there, cos_half_difference(there)) - n_value(here, cos_half_difference(here))) * n_scale_bias.xy;
 }
 
 vec3 scattering(Angles here, Angles right, Angles below) {
   vec4 m = looked_up(table_m, m_coordinate(here), m_coordinate(right), m_coordinate(below)) * m_scale;
-  vec2 n = n_coordinate(here, m.a), n_right = n, n_below = n;
+  vec2 n = n_coordinate(here, over_angles == 0u ? m.a : cos_half_difference(here)), n_right = n, n_below = n;
   if (MIP_LEVELS != 0u) {
     n_right += n_step(here, right);
     n_below += n_step(here, below);
@@ -42,6 +49,9 @@ vec3 scattering(Angles here, Angles right, Angles below) {
   return m.r * n_tt_r.aaa + m.g * n_tt_r.rgb + m.b * n_trt;
 }
 vec3 scattering_of(Angles here, vec3 to_light, vec3 t, vec3 to_eye) {
+#ifdef EVALUATED
+  if (EVALUATED) return evaluated;  // of this light and vertex, by the model's formulas
+#endif
   if (MIP_LEVELS == 0u) return scattering(here, here, here);
   return scattering(here, angles_of(to_light, normalize(t + tangent_right), to_eye),
                     angles_of(to_light, normalize(t + tangent_below), to_eye));

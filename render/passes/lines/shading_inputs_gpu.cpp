@@ -4,6 +4,16 @@
 
 namespace cuticle::render::lines {
 
+namespace {
+
+/// Of the model that strands are shaded by; null: they are not.
+const registry::ParameterValues* values_of(const FrameResources& resources) {
+  if (resources.evaluates_directly) return resources.model_values;
+  return resources.table_set ? &resources.table_set->values : nullptr;
+}
+
+}  // namespace
+
 Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   ShadingInputs inputs;
   CUTICLE_ASSIGN(inputs.frame_buffer_, device->make_buffer(sizeof(Frame)));
@@ -16,12 +26,13 @@ Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, c
 
 Result<void> ShadingInputs::take_tables(const FrameResources& resources) {
   CUTICLE_ASSIGN(frame_, constant_part(resources, parameters_of(resources, entry())));
-  if (resources.table_set) values_ = resources.table_set->values;
+  if (const registry::ParameterValues* values = values_of(resources)) values_ = *values;
   return {};
 }
 
 Result<Frame*> ShadingInputs::update(const FrameResources& resources) {
-  if (resources.table_set && resources.table_set->values != values_) CUTICLE_TRY(take_tables(resources));
+  const registry::ParameterValues* values = values_of(resources);
+  if (values && *values != values_) CUTICLE_TRY(take_tables(resources));
   set_view(frame_, resources);
   return &frame_;
 }

@@ -26,7 +26,7 @@ class ShadingInputs {
   gpu::Buffer frame_buffer_;
   GatheredTransmittance transmittance_;
   gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
-  registry::ParameterValues values_;  ///< of the tables that frame_ was made for
+  registry::ParameterValues values_;  ///< of the model that frame_ was made for
   Frame frame_{};
 };
 

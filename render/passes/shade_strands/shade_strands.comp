@@ -13,19 +13,28 @@ layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; }
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
 layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
-layout(set = 0, binding = 9) uniform sampler2D table_m;
-layout(set = 0, binding = 10) uniform sampler2D table_n_tt_r;
-layout(set = 0, binding = 11) uniform sampler2D table_n_trt;
+layout(std430, set = 0, binding = 9) readonly buffer Scattered { float scattered[]; };  // S of a light and vertex: rgb
+layout(set = 0, binding = 10) uniform sampler2D table_m;
+layout(set = 0, binding = 11) uniform sampler2D table_n_tt_r;
+layout(set = 0, binding = 12) uniform sampler2D table_n_trt;
+layout(constant_id = 6) const uint k_direct = 0u;  // 1: `scattered` in place of the tables
 layout(push_constant) uniform Push {
   uint only_visible;
   uint listed;  // 1: the vertices of the list `shaded`
 };
 #define CHANNEL_CONSTANT 2
 #include "render/passes/lines/transmittance.glsl"
+vec3 evaluated = vec3(0.0);
+#define EVALUATED k_direct != 0u
 #include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 0
 #define DUAL_BINDING 7
 #include "render/passes/dual_scattering/lit.glsl"
+
+vec3 scattered_at(uint light, uint vertex) {
+  uint first = 3u * (light * vertex_count + vertex);
+  return vec3(scattered[first], scattered[first + 1u], scattered[first + 2u]);
+}
 
 void main() {
   uint vertex = invocation();
@@ -38,6 +47,7 @@ void main() {
   vec3 sum = vec3(0.0);
   uint k = 0u;
   do {  // a loop that asks before its first turn runs its body once more on lavapipe, masked
+    if (k_direct != 0u && k < light_count) evaluated = scattered_at(k, vertex);
     if (k < light_count)
       sum += lit(arriving_at(vertices[vertex].xyz, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
   } while (++k < light_count);

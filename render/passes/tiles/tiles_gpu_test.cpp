@@ -106,9 +106,9 @@ struct BundleCase {
 };
 
 TEST(Tiles, BundleOfStrands_IsNearTheTruth) {
-  for (const BundleCase& of : {BundleCase{1, 0, 0.03, 0.035}, BundleCase{0.4, 8, 0.03, 0.035}, BundleCase{1, 2, 0.013, 0.02},
-                               BundleCase{1, 4, 0.008, 0.016}, BundleCase{1, 8, 0.007, 0.015},
-                               BundleCase{1, 16, 0.0065, 0.015}}) {
+  for (const BundleCase& of :
+       {BundleCase{1, 0, 0.03, 0.035}, BundleCase{0.4, 8, 0.03, 0.035}, BundleCase{1, 2, 0.013, 0.02},
+        BundleCase{1, 4, 0.008, 0.016}, BundleCase{1, 8, 0.007, 0.015}, BundleCase{1, 16, 0.0065, 0.015}}) {
     Drawing drawing = bundle(300);
     drawing.opacity = of.opacity;
     drawing.coverage_rows = of.rows;
@@ -120,6 +120,30 @@ TEST(Tiles, BundleOfStrands_IsNearTheTruth) {
                 color);
     EXPECT_LT(coverage, of.coverage);
     EXPECT_LT(color, of.color);
+  }
+}
+
+// A lock combed straight, at an angle to rows and columns, of one width; the error must fall with the rows.
+TEST(Tiles, StraightBundle_IsCoveredWithinAFewThousandths) {
+  for (float width : {0.1f, 0.3f, 1.2f}) {
+    Drawing drawing;
+    for (int k = 0; k < int(90 / width); ++k) {
+      const float x = -5.5f + 8 * std::fmod(float(k) * 0.618034f, 1.0f) + 0.7f * std::fmod(float(k) * 0.754878f, 1.0f);
+      drawing.strand({{x, -4, -0.001f * float(k)}, {x + 3, 4, -0.001f * float(k)}}, 0.5f * width * drawing.pixel(),
+                     k_red);
+    }
+    const Image truth = drawing.truth(48);
+    double last = 1;
+    for (std::int64_t rows : {0, 2, 4, 8, 16}) {
+      drawing.coverage_rows = rows;
+      const double error = mean_difference(draw(drawing).color, truth, 3, 4);
+      std::printf("straight, %g px wide, %d rows: coverage error %.5f\n", double(width), int(rows), error);
+      EXPECT_LT(error, rows <= 8 ? last : 1.15 * last) << width << " " << rows;
+      if (rows >= 8) {
+        EXPECT_LT(error, width > 0.2f ? 0.005 : 0.008) << width;
+      }
+      last = error;
+    }
   }
 }
 
