@@ -111,7 +111,7 @@ TEST(Bvh, ChannelGivenTwice_IsRefused) {
 
 TEST(Bvh, UnknownJointOfAThousand_ListsSome) {
   Motion motion;
-  for (int i = 0; i < 1000; ++i) motion.joints.push_back({.name = "joint " + std::to_string(i)});
+  for (int i = 0; i < 1000; ++i) motion.joints.emplace_back().name = "joint " + std::to_string(i);
   const std::string message = find_joint(motion, "Tail").error().message;
   EXPECT_THAT(message, HasSubstr("joint 39 and 960 more"));
   EXPECT_LT(message.size(), 1000u);
