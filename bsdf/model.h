@@ -96,6 +96,9 @@ struct Model {
   /// A physical fibre in this model's parameters, with the mapping in words; null: it has none.
   FibreMapping (*from_fibre)(const Fibre&) = nullptr;
   std::span<const Exception> exceptions = {};
+  /// Loop rounds that one point's kernel may take; null: far below 65,536, where Mesa's software Vulkan ends the loops
+  /// of an invocation without a word.
+  std::uint64_t (*loop_rounds)(const registry::ParameterValues&, Quantity) = nullptr;
   /// Means of N of a lobe over intervals without a quadrature through its peaks; false where these values have none
   /// such; null: never. Neighbours in the list that share an end are found faster.
   bool (*azimuthal_means)(const registry::ParameterValues&, int lobe, std::span<const AzimuthInterval>,

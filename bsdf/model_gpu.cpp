@@ -44,7 +44,20 @@ Sample widened(const DeviceSample& drawn) {
   return {drawn.theta_i, drawn.phi, drawn.pdf, {drawn.weight[0], drawn.weight[1], drawn.weight[2]}, int(drawn.lobe)};
 }
 
+/// Mesa's software Vulkan ends all loops of an invocation after 65,535 rounds, and the result is wrong.
+constexpr std::uint64_t most_software_rounds = 65535;
+
 }  // namespace
+
+Result<void> check_loops(const gpu::Device& device, const Model& model, const registry::ParameterValues& values,
+                         Quantity quantity) {
+  if (!device.info().is_software || !model.loop_rounds) return {};
+  const std::uint64_t rounds = model.loop_rounds(values, quantity);
+  if (rounds <= most_software_rounds) return {};
+  return usage_error(fmt::format("model {}: about {} loop rounds a point, software Vulkan takes at most {}",
+                                 model.entry.name, rounds, most_software_rounds),
+                     "precision f32, or fewer samples");
+}
 
 Result<GpuEvaluator> GpuEvaluator::make(gpu::Device& device, const Model& model) {
   const GpuModel* gpu_model = find_gpu_model(model.entry.name);
@@ -85,6 +98,7 @@ Result<gpu::Buffer> GpuEvaluator::upload(const registry::ParameterValues& values
 Result<void> GpuEvaluator::evaluate(const registry::ParameterValues& values, const Request& request,
                                     std::span<glm::dvec3> out) {
   CUTICLE_TRY(check_request(*model_, request, out.size()));
+  CUTICLE_TRY(check_loops(*device_, *model_, values, request.quantity));
   CUTICLE_ASSIGN(const gpu::Buffer parameters, upload(values));
   const std::uint64_t limit = device_->info().max_storage_buffer_bytes;
   for (const gpu::Chunk& chunk : gpu::chunks(out.size(), sizeof(DevicePoint), limit)) {

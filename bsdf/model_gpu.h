@@ -16,13 +16,17 @@ struct GpuModel {
 };
 std::span<const GpuModel> gpu_models();  // written by CMake (bsdf/CMakeLists.txt)
 
+/// Error: usage, where the device is Mesa's software Vulkan and would cut the model's loops short (Model::loop_rounds).
+Result<void> check_loops(const gpu::Device& device, const Model& model, const registry::ParameterValues& values,
+                         Quantity quantity);
+
 /// A model's kernels on a device, made once for many batches. Belongs to the device, which must outlive it.
 class GpuEvaluator {
  public:
   /// Error: usage where the model has no kernel, or what the device says.
   static Result<GpuEvaluator> make(gpu::Device& device, const Model& model);
   /// In float, in chunks that respect the device's buffer limit; the same bits from run to run. Errors: as
-  /// check_request.
+  /// check_request; usage where software Vulkan would cut the model's loops short.
   Result<void> evaluate(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out);
   /// What `record` reads of parameter values, on the device.
   Result<gpu::Buffer> upload(const registry::ParameterValues& values) const;

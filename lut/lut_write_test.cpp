@@ -115,7 +115,7 @@ TEST_F(Written, Png8WithScale_GivesTheValuesBack) {
 
 TEST_F(Written, Folder_HoldsTheFilesAndNothingElse) {
   bake_and_write(half_exr());
-  EXPECT_THAT(names(), testing::UnorderedElementsAre("M.exr", "N_TT_R.exr", "N_TRT.exr", "manifest.json", "preview.png",
+  EXPECT_THAT(names(), testing::UnorderedElementsAre("M.exr", "N_TT_R.exr", "N_TRT.exr", "manifest.json", "preview.png", "timings.json",
                                                      "cuticle_hair.glsl", "cuticle_hair.hlsl", "cuticle_hair.wgsl"));
 }
 

@@ -34,6 +34,9 @@ std::size_t typing_distance(std::string_view typed, std::string_view name) {
   return edit_distance(typed, name);
 }
 
+/// Letters that a unit may have, "_m2_per_s2".
+constexpr std::size_t longest_unit = 16;
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
@@ -41,7 +44,9 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (std::string_view candidate : known) {
     // As many changes are needed at least; a name of megabytes is compared with none.
-    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= best_distance) continue;
+    const bool may_lack_unit = candidate.size() > name.size() && candidate.size() <= name.size() + longest_unit;
+    const std::size_t changes = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    if (changes >= best_distance && !may_lack_unit) continue;
     const std::size_t distance = typing_distance(name, candidate);
     if (distance >= best_distance) continue;
     best_distance = distance;

@@ -145,6 +145,7 @@ def test_Environment_StatesMoreThanItHolds_IsRefusedBySize(tmp_path, write, name
     write(tmp_path / name)
     scene = json.loads(DEMO.read_text())
     scene.pop("motion", None)
+    scene["lights"] = scene["lights"][:1]
     scene["environment"] = {"file": name}
     (tmp_path / "scene.json").write_text(json.dumps(scene))
     message = refused(3, "render", tmp_path / "scene.json", "--out", tmp_path / "out")

@@ -110,6 +110,7 @@ Verdict run_case(const Json& item, Precision precision, GpuSession* session, Val
   const Result<Values> values = run(item.at("inputs"), session);
   if (exact.empty() && values) exact = *values;
   const Json& expect = item.at("expect");
+  if (!values && precision == Precision::gpu && expect.contains("cpu_alone")) return verdict;
   const Complaint complaint = values ? complaint_about(*values, expect, precision, exact) : complaint_about(values.error(), expect);
   verdict.state = complaint ? State::failed : State::passed;
   verdict.detail = complaint.value_or("");

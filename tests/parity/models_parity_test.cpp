@@ -159,6 +159,13 @@ std::vector<Point> points_for(Quantity quantity, const std::vector<Point>& all) 
   return some;
 }
 
+#ifdef CUTICLE_HAS_GPU
+/// Whether the kernel takes no more loop rounds than software Vulkan runs; others are refused there.
+bool fits_software_loops(const Model& model, const registry::ParameterValues& values, Quantity quantity) {
+  return !model.loop_rounds || model.loop_rounds(values, quantity) <= 65535;
+}
+#endif
+
 class ModelsParity : public testing::TestWithParam<const Model*> {};
 INSTANTIATE_TEST_SUITE_P(Registry, ModelsParity, testing::ValuesIn(models().begin(), models().end()),
                          [](const auto& at) { return std::string(at.param->entry.name); });
@@ -182,7 +189,8 @@ TEST_P(ModelsParity, RandomPoints_AgreeInFloat) {
     const auto truth = on_cpu(*GetParam(), values, Precision::f64, quantity, points);
     const double off = typical_difference(truth, on_cpu(*GetParam(), values, Precision::f32, quantity, points));
     RecordProperty("quantity_" + std::to_string(int(quantity)), std::to_string(off * 1e9));
-    EXPECT_LE(off, 1e-5) << "quantity " << int(quantity);
+    // A walk that turns otherwise in float is one path of the mean's thousands.
+    EXPECT_LE(off, GetParam()->loop_rounds ? 5e-5 : 1e-5) << "quantity " << int(quantity);
   }
 }
 
@@ -204,6 +212,10 @@ TEST_P(ModelsParity, DeviceAtRandomPoints_AgreesWithDouble) {
   for (Quantity quantity : values_of_models) {
     const std::vector<Point> points = points_for(quantity, random_points(400));
     std::vector<glm::dvec3> result(points.size());
+    if (!fits_software_loops(*GetParam(), values, quantity)) {
+      EXPECT_EQ(evaluator.evaluate(values, {quantity, -1, points}, result).error().kind, ErrorKind::usage);
+      continue;
+    }
     ASSERT_TRUE(evaluator.evaluate(values, {quantity, -1, points}, result).ok());
     // An albedo is a sum over hundreds of nodes.
     EXPECT_LE(typical_difference(on_cpu(*GetParam(), values, Precision::f64, quantity, points), result),
@@ -217,6 +229,7 @@ TEST_P(ModelsParity, DeviceAtTheEdgesOfTheDomain_IsFinite) {
   const std::vector<registry::ParameterValues> settings = settings_of(*GetParam());
   for (std::size_t k = 0; k < settings.size(); ++k) {
     for (Quantity quantity : quantities) {
+      if (!fits_software_loops(*GetParam(), settings[k], quantity)) continue;
       const std::vector<Point> points = points_for(quantity, edge_points_for(k));
       std::vector<glm::dvec3> result(points.size());
       ASSERT_TRUE(evaluator.evaluate(settings[k], {quantity, -1, points}, result).ok());

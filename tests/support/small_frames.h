@@ -2,6 +2,8 @@
 // Frames of small scenes, made of parts of a scene file.
 #include "plan/frame_runner_gpu.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "plan/plan.h"
@@ -29,9 +31,20 @@ inline std::shared_ptr<gpu::Device> software_device() {
   return opened ? *opened : nullptr;
 }
 
+/// What a scene has unless a part of the same key is given.
+inline constexpr std::string_view k_usual_parts[] = {
+    R"("strand_count": 500)", R"("strand_vertices": 12)", R"("material": {"lut_size": 32})",
+    R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})"};
+
+inline bool names_key_of(std::initializer_list<std::string_view> parts, std::string_view usual) {
+  const std::string_view key = usual.substr(0, usual.find(':') + 1);
+  return std::ranges::any_of(parts, [&](std::string_view part) { return part.find(key) != part.npos; });
+}
+
 inline scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
-  std::string text = R"({"schema_version": 1, "strand_count": 500, "strand_vertices": 12, "material": {"lut_size": 32},
-    "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})";
+  std::string text = R"({"schema_version": 1)";
+  for (std::string_view usual : k_usual_parts)
+    if (!names_key_of(parts, usual)) text += ", " + std::string(usual);
   for (std::string_view part : parts) text += ", " + std::string(part);
   const auto scene = scene::parse_scene(text + "}", CUTICLE_SOURCE_DIR "/scenes", "test", plan::catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);

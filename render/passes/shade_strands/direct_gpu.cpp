@@ -36,6 +36,7 @@ Result<void> check(const gpu::Device& device, const FrameResources& resources) {
 
 Result<DirectScattering> DirectScattering::make(gpu::Device& device, const FrameResources& resources) {
   CUTICLE_TRY(check(device, resources));
+  CUTICLE_TRY(bsdf::check_loops(device, *resources.model, *resources.model_values, bsdf::Quantity::S));
   CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *resources.model));
   CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(shade_angles_comp, {4, 0, sizeof(std::uint32_t)}));
   DirectScattering direct(std::move(evaluator), std::move(angles));
