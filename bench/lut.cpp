@@ -60,6 +60,7 @@ void bake_tables(benchmark::State& state, const char* settings, const char* layo
 }
 
 BENCHMARK_CAPTURE(bake_tables, nalu, "", "nalu")->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(bake_tables, nalu_caustic, "", "nalu_caustic")->Arg(128)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(bake_tables, nalu2, "", "nalu2")->Arg(128)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(bake_tables, nalu_smoothed, "caustic=smoothed", "nalu")
     ->Arg(128)

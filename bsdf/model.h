@@ -103,6 +103,9 @@ struct Model {
   /// such; null: never. Neighbours in the list that share an end are found faster.
   bool (*azimuthal_means)(const registry::ParameterValues&, int lobe, std::span<const AzimuthInterval>,
                           std::span<AzimuthMean> out) = nullptr;
+  /// Index of refraction of the smooth circular fibre whose caustic N of TRT has, infinite and at its place; 0: these
+  /// values have none such; null: never.
+  double (*caustic_index)(const registry::ParameterValues&) = nullptr;
 };
 
 /// All registered models, and one by name (Error: usage, with the nearest name).

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lut/caustic.glslh"
 #include "lut/evaluate.h"
 
 namespace cuticle::lut {
@@ -14,6 +15,9 @@ double sine(double x) { return std::sin(x); }
 double cosine(double x) { return std::cos(x); }
 double arc_sine(double x) { return std::asin(x); }
 double arc_cosine(double x) { return std::acos(x); }
+/// An azimuth at about that place of the axis, where phi_c is in the middle: for weights.
+double whole_turn(double x) { return std::copysign(x * x, x) * k_pi / 2; }
+double turn_root(double x) { return std::copysign(std::sqrt(std::abs(x) * 2 / k_pi), x); }
 
 /// In the order of AxisQuantity.
 constexpr AxisInfo k_quantities[] = {
@@ -35,6 +39,12 @@ constexpr AxisInfo k_quantities[] = {
      &bsdf::Point::phi, itself, itself, 0, k_pi},
     {AxisQuantity::theta_d, "theta_d", "abs(theta_d), theta_d = (theta_o - theta_i) / 2, radians; N is even in theta_d",
      &bsdf::Point::theta_d, itself, itself, 0, k_pi / 2},
+    {AxisQuantity::from_caustic, "from_caustic",
+     "side * (gap + (1 - gap) * root), with q = 3 cos^2 theta_d - (eta^2 - 1), phi_c = 2 atan(max(q, 0)^1.5 / "
+     "(sqrt(eta^2 - 1) * (eta^2 - 1 + 9 cos^2 theta_d))); side -1 and root sqrt(1 - phi / phi_c) where phi < phi_c, "
+     "else 1 and sqrt((phi - phi_c) / (pi - phi_c)); the table's values times 1 / max(side < 0 ? q * root : abs(q) + "
+     "4 (phi - phi_c), 1e-5)",
+     nullptr, whole_turn, turn_root, -1, 1},
     {AxisQuantity::none, "none", "nothing: the table has one row", nullptr, itself, itself, 0, 1},
 };
 
@@ -69,18 +79,45 @@ double axis_value(const Axis& axis, int size, double coordinate) {
   return std::clamp((coordinate - map.bias) / map.scale, axis.lower, axis.upper);
 }
 
-bsdf::Point make_point(const TableLayout& table, double u_value, double v_value) {
+namespace {
+
+bool is_from_caustic(const TableLayout& table) { return table.u.quantity == AxisQuantity::from_caustic; }
+
+double cosine_squared(double angle) { return std::cos(angle) * std::cos(angle); }
+
+/// Where a texel of an axis from the caustic lies.
+void set_beside_caustic(bsdf::Point& point, double value, int size, double index) {
+  const double found = cosine_squared(point.theta_d);
+  const glm::dvec2 texel = caustic_texel(index * index - 1, 1.0 / (size - 1), value, found);
+  point.phi = texel.x;
+  if (texel.y != found) point.theta_d = std::acos(std::sqrt(texel.y));
+}
+
+FromCaustic<double> place_beside(const bsdf::Point& point, int size, double index) {
+  return from_caustic(index * index - 1, 1.0 / (size - 1), std::abs(point.phi), cosine_squared(point.theta_d));
+}
+
+}  // namespace
+
+bsdf::Point make_point(const TableLayout& table, double u_value, double v_value, int size, double caustic_index) {
   bsdf::Point point;
   set_quantity(point, table.u.quantity, u_value);
   set_quantity(point, table.v.quantity, v_value);
   if (carries(table, &bsdf::Point::theta_i) && carries(table, &bsdf::Point::theta_o))
     point.theta_d = (point.theta_o - point.theta_i) / 2;
+  if (is_from_caustic(table)) set_beside_caustic(point, u_value, size, caustic_index);
   return point;
 }
 
-double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point) {
+double left_out_factor(const TableLayout& table, const bsdf::Point& point, double caustic_index) {
+  return is_from_caustic(table) ? place_beside(point, 2, caustic_index).peak : 1;
+}
+
+double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, double caustic_index) {
   const AxisInfo& info = axis_info(axis.quantity);
   const AxisMap map = axis_map(axis, size);
+  if (axis.quantity == AxisQuantity::from_caustic)
+    return place_beside(point, size, caustic_index).value * map.scale + map.bias;
   return info.angle ? info.from_angle(point.*info.angle) * map.scale + map.bias : map.bias;
 }
 

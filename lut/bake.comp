@@ -4,6 +4,7 @@
 // data (bake_kernel_gpu.h), written once; only the parameters change. model_of_kernel.glslh is written by CMake for each model.
 #include "model_of_kernel.glslh"
 #include "bsdf/shared/adaptive_quadrature.glslh"
+#include "lut/caustic.glslh"
 
 layout(constant_id = 0) const uint k_words_per_texel = 2u;  // 2: four halves; 5: four floats and whether a caustic lies inside
 const int k_none = -1, k_mean = 1, k_cos_theta_d = 2;
@@ -12,13 +13,14 @@ const float k_tolerance = 3e-4;  // of a mean by quadrature: below what a half h
 const float k_end_gap = 0.008544628637;  // from the outermost of 15 nodes to the end of [-1, 1]
 
 // What is evaluated once: kind, quantity, lobes as bits, 0. A channel takes one component of one of them.
-struct Table { uint first, count, unused_a, unused_b; ivec4 terms[4]; ivec4 term_of_channel, component_of_channel; };
+struct Table { uint first, count, from_caustic, unused; ivec4 terms[4]; ivec4 term_of_channel, component_of_channel; };
 struct TexelPoint { float theta_i, theta_o, theta_d, phi, h, phi_o, begin, end; };
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Parameters { Packed packed; };
 layout(std430, binding = 1) readonly buffer Tables { Table tables[]; };
 layout(std430, binding = 2) readonly buffer Points { TexelPoint points[]; };
+layout(push_constant) uniform Push { float glass; };  // eta^2 - 1 of the fibre with the caustic
 layout(std430, binding = 3) writeonly buffer Stored { uint words[]; };
 
 // Whether a peak may stand between a panel's ends, whose values these are, and the nodes next to them.
@@ -96,17 +98,28 @@ void store(uint texel, vec4 value, bool singular) {
   words[first + 4u] = uint(singular);
 }
 
+// A texel beside the caustic (caustic.glslh), and the factor that it leaves out.
+float placed_beside_caustic(inout TexelPoint p) {
+  float cosine = precise_cos(p.theta_d);
+  vec2 texel = caustic_texel(glass, p.begin, p.phi, cosine * cosine);
+  if (texel.y != cosine * cosine) p.theta_d = precise_atan2(sqrt(1.0 - texel.y), sqrt(texel.y));
+  p.phi = texel.x;
+  return from_caustic(glass, p.begin, p.phi, texel.y).peak;
+}
+
 void main() {
   uint table = gl_WorkGroupID.y;
   uint i = gl_GlobalInvocationID.x;
   if (i >= tables[table].count) return;
   uint texel = tables[table].first + i;
   vec4 stored = vec4(0.0);
+  TexelPoint point = points[texel];
+  float left_out = tables[table].from_caustic != 0u ? placed_beside_caustic(point) : 1.0;
   bool singular = false;
   for (int t = 0; t < 4; ++t) {
     ivec4 term = tables[table].terms[t];
     if (term.x == k_none) break;
-    vec3 value = value_of(term, points[texel], singular);
+    vec3 value = value_of(term, point, singular) / left_out;
     for (int c = 0; c < 4; ++c)
       if (tables[table].term_of_channel[c] == t) stored[c] = value[tables[table].component_of_channel[c]];
   }

@@ -18,14 +18,14 @@ struct LobeGrid {
   std::vector<std::uint8_t> singular;
 };
 
-std::vector<bsdf::Point> texel_points(const TableLayout& table, int size) {
+std::vector<bsdf::Point> texel_points(const TableLayout& table, int size, double caustic_index) {
   std::vector<bsdf::Point> points;
   const glm::ivec2 texels = table_size(table, size);
   points.reserve(std::size_t(texels.x) * texels.y);
   for (int y = 0; y < texels.y; ++y)
     for (int x = 0; x < texels.x; ++x)
       points.push_back(make_point(table, axis_value(table.u, texels.x, (x + 0.5) / texels.x),
-                                  axis_value(table.v, texels.y, (y + 0.5) / texels.y)));
+                                  axis_value(table.v, texels.y, (y + 0.5) / texels.y), texels.x, caustic_index));
   return points;
 }
 
@@ -45,7 +45,8 @@ Result<LobeGrid> evaluate_grid(const Source& source, const Channel& channel, con
     grid.values = std::move(averages.values);
     grid.singular = std::move(averages.singular);
   } else {
-    CUTICLE_ASSIGN(grid.values, channel_values(source, channel, texel_points(table, size)));
+    CUTICLE_ASSIGN(grid.values,
+                   held_values(source, table, channel, texel_points(table, size, source.caustic_index)));
   }
   return grid;
 }
@@ -74,7 +75,8 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
                                                 std::span<bsdf::AzimuthMean> out) {
     return bsdf::azimuthal_means(model, values, lobe, intervals, out);
   };
-  return {&model, evaluate, evaluate, average_fibre(model, values), means};
+  const double index = model.caustic_index ? model.caustic_index(values) : 0;
+  return {&model, evaluate, evaluate, average_fibre(model, values), means, index};
 }
 
 Table empty_table(const TableLayout& layout, int size) {
@@ -89,8 +91,34 @@ Table empty_table(const TableLayout& layout, int size) {
   return table;
 }
 
+namespace {
+
+void suit_channel(Image& image, int channel) {
+  const Image points = image;
+  const auto bend = [&](int x, int y, int step_x, int step_y) {
+    return points.at(x - step_x, y - step_y, channel) + points.at(x + step_x, y + step_y, channel) -
+           2 * points.at(x, y, channel);
+  };
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      float bent = 0;
+      if (x > 0 && x + 1 < image.width) bent += bend(x, y, 1, 0);
+      if (y > 0 && y + 1 < image.height) bent += bend(x, y, 0, 1);
+      const float value = points.at(x, y, channel);
+      image.at(x, y, channel) = std::max(value - bent / 12, value / 2);
+    }
+}
+
+}  // namespace
+
+void suit_to_filter(Table& table) {
+  for (int c = 0; c < int(table.layout->channels.size()); ++c)
+    if (table.layout->channels[std::size_t(c)].texel == Texel::for_filter) suit_channel(table.image, c);
+}
+
 Result<Table> bake_table(const Source& source, const TableLayout& layout, int size) {
   Table table = empty_table(layout, size);
+  table.caustic_index = source.caustic_index;
   LobeGrid grid;
   for (int c = 0; c < int(layout.channels.size()); ++c) {
     const Channel& channel = layout.channels[c];
@@ -100,6 +128,7 @@ Result<Table> bake_table(const Source& source, const TableLayout& layout, int si
     }
     store(table, c, grid);
   }
+  suit_to_filter(table);
   return table;
 }
 
@@ -145,6 +174,13 @@ Result<std::vector<glm::dvec3>> channel_values(const Source& source, const Chann
   return values;
 }
 
+Result<std::vector<glm::dvec3>> held_values(const Source& source, const TableLayout& table, const Channel& channel,
+                                            std::span<const bsdf::Point> points) {
+  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source, channel, points));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] /= left_out_factor(table, points[i], source.caustic_index);
+  return values;
+}
+
 namespace {
 
 /// Tables have no axis for the offset h.
@@ -153,6 +189,17 @@ Result<void> check_far_field(const bsdf::Model& model, const registry::Parameter
   return usage_error(fmt::format("{}: a near-field model depends on the offset h, for which '{}' has no axis",
                                  model.entry.name, layout.entry.name),
                      "choose a far-field model or setting (cuticle models)");
+}
+
+/// An axis from the caustic needs one whose place is known.
+Result<void> check_caustic(const Source& source, const Layout& layout) {
+  const bool measured = std::ranges::any_of(
+      layout.tables, [](const TableLayout& table) { return table.u.quantity == AxisQuantity::from_caustic; });
+  if (!measured || source.caustic_index > 1) return {};
+  return usage_error(fmt::format("layout '{}' is measured from the caustic of a smooth circular fibre, which {} with "
+                                 "these parameters has not",
+                                 layout.entry.name, source.model->entry.name),
+                     "--layout nalu_theta");
 }
 
 /// The model must have every lobe that the layout's channels hold.
@@ -168,11 +215,16 @@ Result<void> check_lobes(const bsdf::Model& model, const Layout& layout) {
 
 }  // namespace
 
+Result<void> check_bakeable(const Source& source, const registry::ParameterValues& values, const Layout& layout) {
+  CUTICLE_TRY(check_far_field(*source.model, values, layout));
+  CUTICLE_TRY(check_lobes(*source.model, layout));
+  return check_caustic(source, layout);
+}
+
 Result<TableSet> bake_from(const Source& source, const registry::ParameterValues& values, const Layout& layout,
                            int size, Progress& progress) {
   CUTICLE_TRY(check_size(size));
-  CUTICLE_TRY(check_far_field(*source.model, values, layout));
-  CUTICLE_TRY(check_lobes(*source.model, layout));
+  CUTICLE_TRY(check_bakeable(source, values, layout));
   TableSet set;
   set.layout = &layout;
   set.model = source.model;
@@ -198,9 +250,11 @@ Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues&
 
 double exact_value(const bsdf::Model& model, const registry::ParameterValues& values, const TableLayout& table,
                    const Channel& channel, double u, double v) {
+  constexpr int k_exact_size = 1 << 20;  // the gap beside a caustic has no width
+  const Source source = cpu_source(model, values);
   const bsdf::Point point = make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
-                                       table.v.lower + v * (table.v.upper - table.v.lower));
-  const auto result = channel_values(cpu_source(model, values), channel, std::span(&point, 1));
+                                       table.v.lower + v * (table.v.upper - table.v.lower), k_exact_size, source.caustic_index);
+  const auto result = held_values(source, table, channel, std::span(&point, 1));
   CUTICLE_EXPECT(result.ok(), "the model has the layout's lobes");
   return (*result)[0][channel.component];
 }

@@ -37,7 +37,10 @@ Result<void> fill_on_device(gpu::Device& device, TableSet& set) {
                  gpu::read_buffer<std::uint32_t>(device, texels, kernel.bytes() / 4));
   std::size_t at = 0;
   for (Table& table : set.tables)
-    if (is_baked_on_device(*table.layout)) take_texels(table, words, at);
+    if (is_baked_on_device(*table.layout)) {
+      take_texels(table, words, at);
+      suit_to_filter(table);
+    }
   return {};
 }
 
@@ -58,6 +61,7 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
   CUTICLE_TRY(check_size(size));
   const auto start = std::chrono::steady_clock::now();
   const Source source = cpu_source(model, values);
+  CUTICLE_TRY(check_bakeable(source, values, layout));
   TableSet set;
   set.layout = &layout;
   set.model = &model;
@@ -66,6 +70,7 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
   for (const TableLayout& table : layout.tables) {
     if (is_baked_on_device(table)) {
       set.tables.push_back(empty_table(table, size));
+      set.tables.back().caustic_index = source.caustic_index;
     } else {
       CUTICLE_ASSIGN(set.tables.emplace_back(), bake_table(source, table, size));
     }

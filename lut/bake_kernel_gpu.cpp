@@ -19,7 +19,7 @@ struct Term {
   std::int32_t quantity = 0, lobes = 0, unused = 0;
 };
 struct TableRecord {
-  std::uint32_t first = 0, count = 0, unused[2] = {0, 0};
+  std::uint32_t first = 0, count = 0, from_caustic = 0, unused = 0;
   std::array<Term, k_channels> terms{};
   std::array<std::int32_t, k_channels> term_of_channel{-1, -1, -1, -1}, component_of_channel{};
 };
@@ -53,9 +53,14 @@ bool has_means(const TableLayout& table) {
   return std::ranges::any_of(table.channels, [](const Channel& c) { return c.texel == Texel::cell_average; });
 }
 
+bool is_from_caustic(const TableLayout& table) { return table.u.quantity == AxisQuantity::from_caustic; }
+
+/// Beside a caustic phi is the axis' value and begin its gap: the kernel knows the parameters, and so the caustic's place.
 TexelPoint point_of(const TableLayout& table, glm::ivec2 texels, int x, int y) {
   const double u = (x + 0.5) / texels.x, v = (y + 0.5) / texels.y;
-  const bsdf::Point at = make_point(table, axis_value(table.u, texels.x, u), axis_value(table.v, texels.y, v));
+  const double u_value = axis_value(table.u, texels.x, u), v_value = axis_value(table.v, texels.y, v);
+  if (is_from_caustic(table)) return {0, 0, float(v_value), float(u_value), 0, 0, float(1.0 / (texels.x - 1)), 0};
+  const bsdf::Point at = make_point(table, u_value, v_value);
   TexelPoint point{
       float(at.theta_i), float(at.theta_o), float(at.theta_d), float(at.phi), float(at.h), float(at.phi_o), 0, 0};
   if (!has_means(table)) return point;
@@ -92,7 +97,9 @@ Result<BakeKernel> BakeKernel::make(gpu::Device& device, const bsdf::Model& mode
   made.tables_ = std::move(tables);
   made.words_ = words;
   CUTICLE_ASSIGN(made.kernel_,
-                 device.make_kernel(spirv, {.storage_buffers = 4, .specialization = {std::uint32_t(words)}}));
+                 device.make_kernel(spirv, {.storage_buffers = 4,
+                                            .push_constant_bytes = sizeof(float),
+                                            .specialization = {std::uint32_t(words)}}));
   CUTICLE_TRY(made.describe(device, size));
   return made;
 }
@@ -106,6 +113,7 @@ Result<void> BakeKernel::describe(gpu::Device& device, int size) {
     TableRecord& record = records.emplace_back();
     record.first = std::uint32_t(points.size());
     record.count = std::uint32_t(texels.x * texels.y);
+    record.from_caustic = is_from_caustic(*table) ? 1 : 0;
     groups_ = std::max(groups_, gpu::groups_for(record.count).x);
     CUTICLE_TRY(add_channels(record, *model_, table->channels));
     for (int y = 0; y < texels.y; ++y)
@@ -126,7 +134,9 @@ void BakeKernel::record(gpu::Commands& commands, const registry::ParameterValues
                         const gpu::Buffer& texels) const {
   const std::vector<float> packed = model_->pack(values);
   commands.write(parameters_, std::as_bytes(std::span(packed)));
-  commands.dispatch(kernel_, {&parameters_, &table_records_, &points_, &texels}, {}, {}, groups_,
+  const double index = model_->caustic_index ? model_->caustic_index(values) : 0;
+  const float glass = float(index * index - 1);
+  commands.dispatch(kernel_, {&parameters_, &table_records_, &points_, &texels}, {}, gpu::bytes_of(glass), groups_,
                     std::uint32_t(tables_.size()));
 }
 

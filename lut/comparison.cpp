@@ -19,8 +19,9 @@ Result<ExactValues> exact_points(const Source& source, const Channel& channel, c
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x)
       points.push_back(
-          make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y))));
-  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source, channel, points));
+          make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y)), size,
+                     source.caustic_index));
+  CUTICLE_ASSIGN(std::vector<glm::dvec3> values, held_values(source, layout, channel, points));
   return ExactValues{std::move(values), {}};
 }
 
@@ -99,7 +100,7 @@ bool touches_singular(const Table& table, double u_begin, double u_end, double v
 
 double filtered_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t i) {
   const int x = int(i % grid.columns), y = int(i / grid.columns);
-  if (table.layout->channels[channel].texel == Texel::point) return sample(table, channel, grid.middle(x), grid.row(y));
+  if (table.layout->channels[channel].texel != Texel::cell_average) return sample(table, channel, grid.middle(x), grid.row(y));
   return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
 }
 

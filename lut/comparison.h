@@ -63,4 +63,8 @@ void add_levels(Table& table, const Format& format, std::span<const ExactValues>
 /// directions evenly over the sphere; those that filter a texel on a caustic are left out.
 Result<void> certify_scattering(const Source& source, TableSet& set);
 
+/// What a layout's assumption alone costs S: rms over rms at a few hundred of these pairs of directions, before any
+/// texel. A model whose kernel takes long is asked at fewer.
+Result<double> assumption_error(const Source& source, const Layout& layout);
+
 }  // namespace cuticle::lut

@@ -26,14 +26,17 @@ struct Source {
   Evaluate evaluate_in_double;
   AverageFibre average = {};            ///< for the channels that need it
   AzimuthalMeans azimuthal_means = {};  ///< empty: none
+  double caustic_index = 0;             ///< bsdf::Model::caustic_index
 };
 /// The CPU in double.
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values);
 
-/// The model's point for two axis values.
-bsdf::Point make_point(const TableLayout& table, double u_value, double v_value);
+/// The model's point for two axis values of a table; `caustic_index`: of an axis `from_caustic`.
+bsdf::Point make_point(const TableLayout& table, double u_value, double v_value, int size = 0, double caustic_index = 0);
 /// Texture coordinate at which a shader reads the axis for a point.
-double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point);
+double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, double caustic_index = 0);
+/// What a shader multiplies a table's values by at a point: 1 but for an axis `from_caustic`.
+double left_out_factor(const TableLayout& table, const bsdf::Point& point, double caustic_index);
 /// The angle (radians) behind a texture coordinate.
 double axis_angle(const Axis& axis, int size, double coordinate);
 /// Whether two channels differ in the colour component only, so that one evaluation serves both.
@@ -47,11 +50,18 @@ Result<std::vector<glm::dvec3>> evaluate_points(const bsdf::Model& model, const 
 /// Exact values of a channel of points, whatever their source but the solver.
 Result<std::vector<glm::dvec3>> channel_values(const Source& source, const Channel& channel,
                                                std::span<const bsdf::Point> points);
+/// The same as a table holds them: without the factor that it leaves out.
+Result<std::vector<glm::dvec3>> held_values(const Source& source, const TableLayout& table, const Channel& channel,
+                                            std::span<const bsdf::Point> points);
 
 /// Error: usage for a size outside 16 .. 1024.
 Result<void> check_size(int size);
+/// Error: usage where the layout does not suit the model: a near field, a lobe that it lacks, a caustic that it has not.
+Result<void> check_bakeable(const Source& source, const registry::ParameterValues& values, const Layout& layout);
 /// A table of one size before it is baked: all 0, scales of 1.
 Table empty_table(const TableLayout& layout, int size);
+/// Suits channels of Texel::for_filter, which hold points, to the filter.
+void suit_to_filter(Table& table);
 /// One table; solved channels stay 0.
 Result<Table> bake_table(const Source& source, const TableLayout& layout, int size);
 /// `bake` from any source; bake_ms and baked_on are left to the caller.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "lut/comparison.h"
 #include "lut/format.h"
 #include "lut/table_set.h"
 
@@ -30,6 +31,31 @@ Result<const Format*> find_format(std::string_view name) {
     known.push_back(format->name);
   }
   return unknown("format", name, known);
+}
+
+namespace {
+
+constexpr std::string_view k_candidates[] = {"nalu_caustic", "nalu_theta", "deon"};  ///< the least bytes first
+constexpr std::string_view k_any_model = "factored";
+constexpr double k_most_error = 0.01;
+
+}  // namespace
+
+Result<const Layout*> find_layout(std::string_view name, const bsdf::Model& model,
+                                  const registry::ParameterValues& values) {
+  if (name != k_best_layout) return find_layout(name);
+  const Source source = cpu_source(model, values);
+  CUTICLE_ASSIGN(const Layout* best, find_layout(k_any_model));
+  double least = k_most_error;
+  for (const std::string_view candidate : k_candidates) {
+    CUTICLE_ASSIGN(const Layout* layout, find_layout(candidate));
+    if (!check_bakeable(source, values, *layout).ok()) continue;
+    CUTICLE_ASSIGN(const double error, assumption_error(source, *layout));
+    if (error >= 0.5 * least) continue;
+    least = error;
+    best = layout;
+  }
+  return best;
 }
 
 }  // namespace cuticle::lut

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "lut/evaluate.h"
+
 namespace cuticle::lut {
 namespace {
 
@@ -73,6 +75,7 @@ Result<void> LiveTables::start(const registry::ParameterValues& values) {
 }
 
 Result<void> LiveTables::change(const registry::ParameterValues& values) {
+  CUTICLE_TRY(check_bakeable(cpu_source(*set_.model, values), values, *set_.layout));
   if (!running_) return start(values);
   waiting_ = values;
   return {};
@@ -87,6 +90,7 @@ Result<void> LiveTables::swap() {
   cost_.latency_ms = ms_since(started_);
   front_ = 1 - front_;
   set_.values = baking_;
+  for (Table& table : set_.tables) table.caustic_index = cpu_source(*set_.model, baking_).caustic_index;
   set_.bake_ms = cost_.latency_ms;
   if (!waiting_) return {};
   return start(*std::exchange(waiting_, std::nullopt));

@@ -25,6 +25,7 @@ class LiveTables {
   static Result<LiveTables> make(gpu::Device& device, const bsdf::Model& model, const registry::ParameterValues& values,
                                  const Layout& layout, int size);
   /// Asks for tables of these values and returns at once. While a bake runs, the latest values asked for wait for it.
+  /// Error: usage for values that the layout does not suit.
   Result<void> change(const registry::ParameterValues& values);
   /// Between frames: swaps where a bake has ended, and starts what waits. Does not wait. True where the front is new.
   Result<bool> update();

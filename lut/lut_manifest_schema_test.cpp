@@ -38,7 +38,7 @@ json baked_manifest(const char* layout, const Format& format) {
 }
 
 TEST(ManifestSchema, WhatBakeWrites_IsTakenByBoth) {
-  for (const char* layout : {"nalu", "nalu2", "nalu_theta", "realengine"})
+  for (const char* layout : {"nalu", "nalu2", "nalu_theta", "nalu_caustic", "realengine"})
     for (const Format* format : formats()) {
       const json manifest = baked_manifest(layout, *format);
       EXPECT_TRUE(schema_accepts(manifest)) << layout << " " << format->name;

@@ -8,9 +8,9 @@
 namespace cuticle::lut {
 namespace {
 
-Json axis_json(const Axis& axis, int size) {
+Json axis_json(const Axis& axis, int size, double caustic_index) {
   const AxisMap map = axis_map(axis, size);
-  return {{"quantity", axis_info(axis.quantity).name},
+  Json json{{"quantity", axis_info(axis.quantity).name},
           {"formula", axis_info(axis.quantity).formula},
           {"range", {axis.lower, axis.upper}},
           {"sample_positions", axis.corner_aligned ? "end points on texel centres" : "end points on texel borders"},
@@ -18,6 +18,11 @@ Json axis_json(const Axis& axis, int size) {
           {"scale", map.scale},
           {"bias", map.bias},
           {"address_mode", "clamp"}};
+  if (axis.quantity == AxisQuantity::from_caustic) {
+    json["eta"] = caustic_index;
+    json["gap"] = 1.0 / (size - 1);
+  }
+  return json;
 }
 
 Json measures_json(const ChannelError& error) {
@@ -68,6 +73,11 @@ Json scattering_json(const std::vector<ChannelError>& errors, std::string_view w
   return json;
 }
 
+std::string_view texel_words(Texel texel) {
+  if (texel == Texel::for_filter) return "point, suited to a bilinear filter";
+  return texel == Texel::point ? "point" : "cell average";
+}
+
 Json channel_json(const Table& table, const Format& format, int c) {
   const Channel& channel = table.layout->channels[c];
   const double maximum = channel_maximum(table, c);
@@ -78,7 +88,7 @@ Json channel_json(const Table& table, const Format& format, int c) {
             {"maximum", maximum},
             {"probe_tolerance", probe_tolerance(format, maximum)},
             {"unit", channel.source == ChannelSource::model ? "1/rad" : "1"},
-            {"texel", channel.texel == Texel::point ? "point" : "cell average"}};
+            {"texel", texel_words(channel.texel)}};
   if (c < int(table.errors.size())) json["error"] = error_json(table.errors[c], channel.texel);
   return json;
 }
@@ -112,8 +122,8 @@ Json table_json(const Table& table, const Format& format, int size) {
   return {{"name", table.layout->name},
           {"file", file_name(table, format)},
           {"size", {table.image.width, table.image.height}},
-          {"u", axis_json(table.layout->u, size)},
-          {"v", axis_json(table.layout->v, size)},
+          {"u", axis_json(table.layout->u, size, table.caustic_index)},
+          {"v", axis_json(table.layout->v, size, table.caustic_index)},
           {"mip_maps", "none"},
           {"compression", "none"},
           {"channels", channels},

@@ -14,6 +14,7 @@ namespace cuticle::lut {
 struct ManifestAxis {
   std::string quantity;  ///< an AxisInfo's name, "cos_phi"
   double scale = 1, bias = 0;
+  double eta = 0, gap = 0;  ///< of an axis from_caustic
 };
 struct ManifestChannel {
   std::string name;

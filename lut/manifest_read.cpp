@@ -110,6 +110,10 @@ Result<ManifestAxis> axis_of(const Node& table, const char* key) {
   CUTICLE_ASSIGN(axis.scale, number(node, "scale", -k_largest_number, k_largest_number));
   CUTICLE_ASSIGN(axis.bias, number(node, "bias", -k_largest_number, k_largest_number));
   CUTICLE_TRY(expect_word(node, "address_mode", {"clamp"}));
+  if (axis.quantity == "from_caustic") {
+    CUTICLE_ASSIGN(axis.eta, number(node, "eta", 1 + 1e-6, 10));
+    CUTICLE_ASSIGN(axis.gap, number(node, "gap", 0, 0.1));
+  }
   return axis;
 }
 

@@ -28,7 +28,10 @@ class Search {
 
   Result<ErrorSearch> run() {
     std::vector<Trend> trends;
-    for (const Layout* layout : choices_.layouts) trends.push_back({layout, {}, false});
+    const Source source = cpu_source(model_, values_);
+    for (const Layout* layout : choices_.layouts)
+      if (check_bakeable(source, values_, *layout).ok()) trends.push_back({layout, {}, false});
+    if (trends.empty()) CUTICLE_TRY(check_bakeable(source, values_, *choices_.layouts.front()));
     for (std::size_t i = 0; i < choices_.sizes.size() && !result_.reached; ++i)
       for (Trend& trend : trends)
         if (!trend.given_up) CUTICLE_TRY(try_size(trend, i));

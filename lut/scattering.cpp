@@ -70,7 +70,8 @@ class Reader {
     at = as_stored(at);
     const double sum = composed(places_[std::size_t(colour)], [&](const FactorPlace& place) {
       const glm::dvec2 coordinate = coordinates(*place.table, at);
-      return sample(*place.table, place.channel, coordinate.x, coordinate.y);
+      return sample(*place.table, place.channel, coordinate.x, coordinate.y) *
+             left_out_factor(*place.table->layout, at, place.table->caustic_index);
     });
     return sum / divisor(at);
   }
@@ -93,7 +94,8 @@ class Reader {
     return at;
   }
   glm::dvec2 coordinates(const Table& table, const bsdf::Point& at) const {
-    return {axis_coordinate(table.layout->u, set_.size, at), axis_coordinate(table.layout->v, set_.size, at)};
+    return {axis_coordinate(table.layout->u, set_.size, at, table.caustic_index),
+            axis_coordinate(table.layout->v, set_.size, at)};
   }
   const TableSet& set_;
   FactorPlace cosine_;
@@ -234,6 +236,25 @@ Result<void> certify_scattering(const Source& source, TableSet& set) {
   set.assumption = compare(scattering.assumed, scattering.exact);
   set.scattering = compare(scattering.stored, scattering.exact);
   return {};
+}
+
+Result<double> assumption_error(const Source& source, const Layout& layout) {
+  constexpr std::size_t k_few = 16, k_many = 512;
+  std::vector<bsdf::Point> points = directions();
+  points.resize(source.model->loop_rounds ? k_few : k_many);
+  TableSet set;
+  set.layout = &layout;
+  for (const TableLayout& table : layout.tables) {
+    set.tables.push_back(empty_table(table, 16));
+    set.tables.back().caustic_index = source.caustic_index;
+  }
+  CUTICLE_ASSIGN(const std::vector<glm::dvec3> made, assumed_scattering(source, set, Reader(set), points));
+  std::vector<glm::dvec3> exact(points.size());
+  CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, exact));
+  double worst = 0;
+  for (const ChannelError& error : compare(made, exact))
+    worst = std::max(worst, relative_error(error.rms, error.signal_rms));
+  return worst;
 }
 
 }  // namespace cuticle::lut

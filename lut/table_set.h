@@ -17,8 +17,9 @@
 
 namespace cuticle::lut {
 
-/// What an axis of a table carries; `none`: the table has one row.
-enum class AxisQuantity { sin_theta_i, sin_theta_o, cos_phi, cos_theta_d, theta_i, theta_o, phi, theta_d, none };
+/// What an axis of a table carries; `none`: the table has one row. `from_caustic` (u only, over theta_d): the table
+/// holds N over a factor that is known (lut/caustic.glslh).
+enum class AxisQuantity { sin_theta_i, sin_theta_o, cos_phi, cos_theta_d, theta_i, theta_o, phi, theta_d, from_caustic, none };
 /// One row of the table of quantities.
 struct AxisInfo {
   AxisQuantity quantity;
@@ -40,7 +41,9 @@ inline constexpr Axis k_no_axis{AxisQuantity::none, 0, 1, false};
 /// What a texel holds: the value at its centre, or, where the lobe has an infinite peak (the caustic of TRT), its mean
 /// over the azimuths that the texel covers: the integral of N over phi divided by the width in phi, at the row's cos
 /// theta_d.
-enum class Texel { point, cell_average };
+/// `for_filter`: the point's value less a twelfth of the second differences along both axes, but at the borders and never
+/// less than half of it: of smooth values a bilinear filter then reads 0.4 times the error (rms).
+enum class Texel { point, cell_average, for_filter };
 /// Where a channel's texels come from: the model's quantity for a lobe; the auxiliary angle; the average fibre of dual
 /// scattering; or the layout's own solver.
 enum class ChannelSource { model, cos_theta_d, average_fibre, solver };
@@ -75,6 +78,14 @@ struct Layout {
 };
 std::span<const Layout* const> layouts();
 Result<const Layout*> find_layout(std::string_view name);
+/// How scenes and `bake` name the layout that suits the model, their default.
+inline constexpr std::string_view k_best_layout = "auto";
+/// The layout of this name or, for k_best_layout, the one whose tables lose least of the model's S for their bytes:
+/// `nalu_caustic`, `nalu_theta` or `deon`, whose own assumption is measured at random directions (in this order where
+/// they are equal), and `factored` where that is more than 1 % rms (Layout.Best_HasTheLeastErrorOfItsBytes in
+/// lut_best_layout_test). Error: usage for an unknown name.
+Result<const Layout*> find_layout(std::string_view name, const bsdf::Model& model,
+                                  const registry::ParameterValues& values);
 
 /// Errors with every direction alike: weighted by the angles that a texture coordinate covers, so that what the axes
 /// squeeze together counts for less.
@@ -103,6 +114,7 @@ struct Table {
   const TableLayout* layout = nullptr;
   Image image;                         ///< stored numbers, one channel per layout channel; row 0 = lower end of v
   std::vector<double> scale;           ///< per channel, 1 unless the format needs it: value = stored * scale
+  double caustic_index = 0;            ///< of the fibre that an axis `from_caustic` belongs to
   std::vector<std::uint8_t> singular;  ///< per texel: 1 where a cell average covers a caustic
   std::vector<ChannelError> errors;    ///< filled by `certify`
   std::vector<MipLevel> levels;        ///< filled by `certify`; level 1 first; same scale

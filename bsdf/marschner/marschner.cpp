@@ -157,6 +157,10 @@ bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::spa
   return true;
 }
 
+double caustic_index(const registry::ParameterValues& values) {
+  return has_exact_means(make(values)) ? values.real("eta") : 0;
+}
+
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta = std::clamp(fibre.longitudinal_deviation, 1e-3, 1.0);
   const double alpha = std::clamp(-fibre.scale_tilt, -0.17453292519943295, 0.0);
@@ -195,7 +199,8 @@ Model table() {
           .presets = pigment_presets,
           .from_fibre = from_fibre,
           .exceptions = exceptions,
-          .azimuthal_means = azimuthal_means};
+          .azimuthal_means = azimuthal_means,
+          .caustic_index = caustic_index};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Five points a texel each way, among which are texel centres; or the bins of `certify` on three rows a texel.
 ComparisonGrid fitting_grid(const Channel& channel, int size) {
-  return channel.texel == Texel::point ? ComparisonGrid{5 * size, 5 * size} : ComparisonGrid{2 * size, 3 * size};
+  return channel.texel == Texel::cell_average ? ComparisonGrid{2 * size, 3 * size} : ComparisonGrid{5 * size, 5 * size};
 }
 
 bool can_be_fitted(const Table& table, const Channel& channel) {

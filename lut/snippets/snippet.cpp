@@ -1,6 +1,7 @@
 #include "lut/snippets/snippet.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@ struct Angle {
   std::string_view name, value;
   bool rare = false;  ///< an arc function, written only where an axis needs it
 };
+constexpr std::string_view k_caustic_axis = "from_caustic";
 constexpr Angle k_angles[] = {
     {"sin_theta_i", "clamp(dot(light, tangent), -1.0, 1.0)"},
     {"sin_theta_o", "clamp(dot(eye, tangent), -1.0, 1.0)"},
@@ -41,7 +43,8 @@ bool is_angle(std::string_view name) {
 /// theta_d is made of both inclinations.
 bool is_needed(const Manifest& manifest, const Angle& angle) {
   const auto matches = [&](const ManifestAxis& axis) {
-    return axis.quantity == angle.name || (axis.quantity == "theta_d" && angle.name != "phi");
+    return axis.quantity == angle.name || (axis.quantity == "theta_d" && angle.name != "phi") ||
+           (axis.quantity == k_caustic_axis && angle.name == "phi");
   };
   return !angle.rare || std::any_of(manifest.tables.begin(), manifest.tables.end(),
                                     [&](const ManifestTable& table) { return matches(table.u) || matches(table.v); });
@@ -52,6 +55,33 @@ std::string angles_text(const Manifest& manifest, const Dialect& dialect) {
   for (const Angle& angle : k_angles)
     if (is_needed(manifest, angle)) text += constant(dialect, Type::scalar, angle.name, angle.value);
   return text;
+}
+
+/// The place of phi on an axis from the caustic, and the factor that its table leaves out (lut/caustic.glslh).
+std::string caustic_text(const ManifestAxis& axis, const Dialect& dialect) {
+  const auto line = [&](std::string_view name, const std::string& value) {
+    return constant(dialect, Type::scalar, name, value);
+  };
+  const double glass = axis.eta * axis.eta - 1;
+  return line("cos2_theta_d", "0.5 * (1.0 + cos_theta_i * cos_theta_o + sin_theta_i * sin_theta_o)") +
+         line("caustic_excess", fmt::format("3.0 * cos2_theta_d - {}", literal(glass))) +
+         line("caustic_rise", "max(caustic_excess, 0.0)") +
+         line("caustic_phi", fmt::format("2.0 * atan(caustic_rise * sqrt(caustic_rise) / ({} + {} * cos2_theta_d))",
+                                         literal(glass * std::sqrt(glass)), literal(9 * std::sqrt(glass)))) +
+         line("beside", "phi - caustic_phi") + line("outside", "step(0.0, beside)") +
+         line("caustic_root",
+              "sqrt(abs(beside) / (outside * 3.14159265 + (1.0 - 2.0 * outside) * caustic_phi))") +
+         line("from_caustic", fmt::format("(2.0 * outside - 1.0) * ({} + {} * caustic_root)", literal(axis.gap),
+                                          literal(1 - axis.gap))) +
+         line("caustic_peak",
+              "1.0 / max((1.0 - outside) * caustic_excess * caustic_root + outside * (abs(caustic_excess) + 4.0 * "
+              "beside), 1.0e-5)");
+}
+
+std::string caustic_text(const Manifest& manifest, const Dialect& dialect) {
+  for (const ManifestTable& table : manifest.tables)
+    if (table.u.quantity == k_caustic_axis) return caustic_text(table.u, dialect);
+  return {};
 }
 
 std::string coordinate(const ManifestAxis& axis, const std::string& value) {
@@ -68,7 +98,9 @@ std::string cosine_of_difference(const Manifest& manifest) {
 }
 
 Result<std::string> axis_value(const ManifestAxis& axis) {
-  if (axis.quantity == "none" || axis.quantity == "cos_theta_d" || is_angle(axis.quantity)) return axis.quantity;
+  if (axis.quantity == "none" || axis.quantity == "cos_theta_d" || axis.quantity == k_caustic_axis ||
+      is_angle(axis.quantity))
+    return axis.quantity;
   return internal_error(fmt::format("snippet: no expression is known for the axis '{}'", axis.quantity));
 }
 
@@ -81,7 +113,8 @@ Result<std::string> reading(const ManifestTable& table, const Dialect& dialect) 
   CUTICLE_ASSIGN(const std::string v, axis_value(table.v));
   const std::string at = vector(dialect, Type::pair, {coordinate(table.u, u), coordinate(table.v, v)});
   return constant(dialect, Type::quad, fmt::format("read_{}", table.name),
-                  fmt::format("cuticle_read_{}({})", table.name, at));
+                  fmt::format("cuticle_read_{}({}){}", table.name, at,
+                              table.u.quantity == k_caustic_axis ? " * caustic_peak" : ""));
 }
 
 /// The tables that no cos theta_d addresses come first: one of them may hold it.
@@ -133,7 +166,7 @@ Result<std::string> scattering_function(const Manifest& manifest, const Dialect&
   return fmt::format(
       "\n// {}; without the cosine of theta_i. Unit vectors: to the light, to the eye, from root to tip.\n{}{}{}{}}}\n",
       manifest.composition, open_function(dialect, Type::triple, "cuticle_hair_scattering", directions),
-      angles_text(manifest, dialect), reads, sum);
+      angles_text(manifest, dialect) + caustic_text(manifest, dialect), reads, sum);
 }
 
 std::vector<std::string> four(std::vector<std::string> parts, const char* filler) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "lut/caustic.glslh"
+
 namespace cuticle::study {
 namespace {
 
@@ -33,6 +35,8 @@ void TableSampler::add_texture(const lut::Table& table, int size) {
   texture.size = texels;
   texture.u = address(table.layout->u, texels.x);
   texture.v = address(table.layout->v, texels.y);
+  texture.glass = float(table.caustic_index * table.caustic_index - 1);
+  texture.gap = 1.0F / float(texels.x - 1);
   texture.texels.assign(std::size_t(texels.x) * std::size_t(texels.y), glm::vec4(0));
   const std::size_t channels = table.scale.size();
   for (std::size_t i = 0; i < texture.texels.size(); ++i)
@@ -99,10 +103,17 @@ float TableSampler::coordinate(const Address& address, const ShaderInputs& in, f
 }
 
 glm::vec4 TableSampler::fetch(const Texture& texture, const ShaderInputs& in, float cos_theta_d) const {
+  const float v = coordinate(texture.v, in, cos_theta_d);
+  if (texture.u.quantity != lut::AxisQuantity::from_caustic)
+    return filtered(texture, {coordinate(texture.u, in, cos_theta_d), v});
+  const float phi = std::acos(std::clamp(in.cos_phi, -1.0f, 1.0f));
+  const auto beside = lut::from_caustic(texture.glass, texture.gap, phi, cos_theta_d * cos_theta_d);
+  return filtered(texture, {beside.value * texture.u.scale + texture.u.bias, v}) * beside.peak;
+}
+
+glm::vec4 TableSampler::filtered(const Texture& texture, glm::vec2 coordinates) const {
   const glm::vec2 last = glm::vec2(texture.size - 1);
-  const glm::vec2 place = glm::vec2(coordinate(texture.u, in, cos_theta_d), coordinate(texture.v, in, cos_theta_d)) *
-                              glm::vec2(texture.size) -
-                          0.5f;
+  const glm::vec2 place = coordinates * glm::vec2(texture.size) - 0.5f;
   const glm::vec2 held = glm::clamp(place, glm::vec2(0), last);
   const glm::ivec2 from = glm::ivec2(held), to = glm::min(from + 1, texture.size - 1);
   const glm::vec2 share = held - glm::vec2(from);

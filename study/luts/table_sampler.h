@@ -30,6 +30,7 @@ class TableSampler {
   struct Texture {
     glm::ivec2 size;
     Address u, v;
+    float glass = 0, gap = 0;  ///< of an axis from the caustic: eta^2 - 1, and its gap
     std::vector<glm::vec4> texels;
   };
   /// A factor of a term: one channel, or three that are colours.
@@ -42,6 +43,7 @@ class TableSampler {
   void add_texture(const lut::Table& table, int size);
   Result<void> add_terms(const lut::TableSet& set);
   float coordinate(const Address& address, const ShaderInputs& in, float cos_theta_d) const;
+  glm::vec4 filtered(const Texture& texture, glm::vec2 coordinates) const;
   glm::vec4 fetch(const Texture& texture, const ShaderInputs& in, float cos_theta_d) const;
   float cosine_of_theta_d(const ShaderInputs& in) const;
 
