@@ -14,37 +14,6 @@ namespace cuticle::render::lines {
 
 namespace {
 
-using lut::AxisQuantity;
-struct ReadTable {
-  std::string_view name;
-  AxisQuantity u, v;
-};
-using ReadTables = std::array<ReadTable, 3>;
-constexpr ReadTables k_over_sines = {{{"M", AxisQuantity::sin_theta_i, AxisQuantity::sin_theta_o},
-                                      {"N_TT_R", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d},
-                                      {"N_TRT", AxisQuantity::cos_phi, AxisQuantity::cos_theta_d}}};
-constexpr ReadTables k_over_angles = {{{"M", AxisQuantity::theta_i, AxisQuantity::theta_o},
-                                       {"N_TT_R", AxisQuantity::phi, AxisQuantity::theta_d},
-                                       {"N_TRT", AxisQuantity::phi, AxisQuantity::theta_d}}};
-
-bool are(const lut::TableSet& set, const ReadTables& tables) {
-  return std::ranges::equal(set.tables, tables, [](const lut::Table& has, const ReadTable& read) {
-    const lut::TableLayout& table = *has.layout;
-    return table.name == read.name && table.u.quantity == read.u && table.v.quantity == read.v;
-  });
-}
-
-glm::vec4 scale_bias(const lut::Table& table, int size) {
-  const lut::AxisMap u = lut::axis_map(table.layout->u, size), v = lut::axis_map(table.layout->v, size);
-  return {u.scale, v.scale, u.bias, v.bias};
-}
-
-glm::vec4 channel_scale(const lut::Table& table) {
-  glm::vec4 scale{1};
-  for (std::size_t c = 0; c < std::min<std::size_t>(table.scale.size(), 4); ++c) scale[int(c)] = float(table.scale[c]);
-  return scale;
-}
-
 /// Share of light that a fibre lit and seen across scatters in total.
 Result<glm::dvec3> albedo(const bsdf::Model& model, const registry::ParameterValues& values) {
   const bsdf::Point across;
@@ -78,17 +47,10 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   }
   if (!resources.table_set) return frame;
   const lut::TableSet& set = *resources.table_set;
-  frame.over_angles = are(set, k_over_angles) ? 1 : 0;
-  if (frame.over_angles == 0 && !are(set, k_over_sines))
-    return bad_input(fmt::format("material.layout = '{}': drawing reads three tables M, N_TT_R, N_TRT over sines and "
-                                 "cosines or over angles",
-                                 set.layout->entry.name),
-                     "use the layout 'nalu_theta' or 'nalu', or material.evaluate 'direct'");
-  frame.m_scale_bias = scale_bias(set.tables[0], set.size);
-  frame.n_scale_bias = scale_bias(set.tables[1], set.size);
-  frame.m_scale = channel_scale(set.tables[0]);
-  frame.n_tt_r_scale = channel_scale(set.tables[1]);
-  frame.n_trt_scale = channel_scale(set.tables[2]);
+  CUTICLE_ASSIGN(const DrawnTables drawn, drawn_tables(set));
+  frame.table_maps = drawn.maps;
+  frame.table_scales = drawn.scales;
+  frame.caustic = drawn.caustic;
   CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*set.model, set.values, parameters.real("ambient")));
   return frame;
 }

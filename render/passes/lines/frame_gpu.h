@@ -1,6 +1,7 @@
 #pragma once
 // What a frame tells the line shaders (lines_frame.glsl).
 #include "render/lights_gpu.h"
+#include "render/passes/lines/tables_gpu.h"
 #include "render/pass_gpu.h"
 
 namespace cuticle::render::lines {
@@ -8,20 +9,19 @@ namespace cuticle::render::lines {
 struct Frame {
   glm::mat4 world_to_clip;
   glm::vec4 eye;
-  glm::vec4 m_scale_bias, n_scale_bias;
-  glm::vec4 m_scale, n_tt_r_scale, n_trt_scale;
+  std::array<glm::vec4, k_most_tables> table_maps, table_scales;
   glm::vec4 multiple;
   std::uint32_t light_count, vertex_count, vertices_per_strand;
   float variation, tip_variation;
   std::uint32_t drawn_segments, packed_vertices;
   float opacity_of_radius;  ///< a strand's width over a line's, times depth, per metre of radius; 0: lines are opaque
-  std::uint32_t over_angles, unused[3];
+  glm::vec2 caustic, unused;
   LightRows lights;
 };
-static_assert(sizeof(Frame) == 64 + 16 * 10 + 16 * 3 * k_most_lights);
+static_assert(sizeof(Frame) == 64 + 16 * 13 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
-/// Error: bad_input when the tables are not those of a three-texture Nalu layout, over sines and cosines or angles.
+/// Error: bad_input as drawn_tables.
 Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
 /// Radiance per irradiance and `ambient_share` (ambient.glsl) of light that fibres of the model have scattered many
 /// times; `strength`: the parameter `ambient`. Error: of the model.

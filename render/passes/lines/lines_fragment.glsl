@@ -3,11 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/lines/lines_frame.glsl"
 
-layout(set = 0, binding = 7) uniform sampler2D table_m;       // M_R, M_TT, M_TRT, cos theta_d
-layout(set = 0, binding = 8) uniform sampler2D table_n_tt_r;  // N_TT rgb, N_R
-layout(set = 0, binding = 9) uniform sampler2D table_n_trt;   // N_TRT rgb
+layout(set = 0, binding = 7) uniform sampler2D table_first;
+layout(set = 0, binding = 8) uniform sampler2D table_second;
+layout(set = 0, binding = 9) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
 #define MIP_LEVELS k_mip_levels
+#define LAYOUT_CONSTANT 9
 #include "render/passes/lines/scattering.glsl"
 
 layout(location = 0) in vec3 position;

@@ -36,7 +36,7 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
   constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
   constants.push_back(cull_strands::is_listed(resources));
   constants.push_back(std::uint32_t(resources.color->samples()));
-  description.interface = {7, 3, 0, std::move(constants)};
+  description.interface = {7, 3, 0, with_layout(std::move(constants), resources.table_set)};
 }
 
 class Lines : public GpuPass {

@@ -86,8 +86,10 @@ class Quads : public GpuPass {
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
     description.interface = {.storage_buffers = 6,
                              .textures = 4,
-                             .specialization = dual_scattering::with_dual_scattering(
-                                 with_channels({std::uint32_t(samples)}, resources.channels), resources)};
+                             .specialization = lines::with_layout(
+                                 dual_scattering::with_dual_scattering(
+                                     with_channels({std::uint32_t(samples)}, resources.channels), resources),
+                                 resources.table_set)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }

@@ -9,11 +9,12 @@ layout(constant_id = 0) const int k_samples = 1;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
-layout(set = 0, binding = 6) uniform sampler2D table_m;
-layout(set = 0, binding = 7) uniform sampler2D table_n_tt_r;
-layout(set = 0, binding = 8) uniform sampler2D table_n_trt;
+layout(set = 0, binding = 6) uniform sampler2D table_first;
+layout(set = 0, binding = 7) uniform sampler2D table_second;
+layout(set = 0, binding = 8) uniform sampler2D table_rest;
 #define CHANNEL_CONSTANT 1
 #include "render/passes/lines/transmittance.glsl"
+#define LAYOUT_CONSTANT 7
 #include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 5
 #define DUAL_BINDING 4

@@ -10,8 +10,11 @@
 #include "bsdf/model_gpu.h"
 #include "core/random.h"
 #include "lut/bake_gpu.h"
+#include "render/pass_gpu.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/lines/tables_gpu.h"
 #include "render/passes/shade_strands/shade_strands.h"
+#include "study/luts/table_sampler.h"
 #include "tests/support/drawn_strands.h"
 
 namespace cuticle::render::shade_direct_gpu_test {
@@ -65,7 +68,8 @@ std::vector<glm::dvec3> expected(const Strands& strands, const bsdf::Model& mode
 
 /// What shade_strands makes of them: `layout` null for the model's formulas.
 Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model& model,
-                                       const registry::ParameterValues& values, const lut::Layout* layout) {
+                                       const registry::ParameterValues& values, const lut::Layout* layout,
+                                       int size = 128) {
   const gpu::Buffer vertices = upload(strands.points), segments = upload(strands.segments),
                     tangents = upload(strands.tangents);
   lut::TableSet set;
@@ -81,8 +85,8 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
   resources.model_values = &values;
   resources.evaluates_directly = layout == nullptr;
   if (layout) {
-    CUTICLE_ASSIGN(set, lut::bake(model, values, *layout, 128, silent_progress()));
-    CUTICLE_ASSIGN(textures, lut::upload(*device(), set));
+    CUTICLE_ASSIGN(set, lut::bake(model, values, *layout, size, silent_progress()));
+    CUTICLE_ASSIGN(textures, lines::upload_drawn(*device(), set, false));
     for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
     resources.table_set = &set;
   }
@@ -145,27 +149,71 @@ std::vector<std::string> names() {
 INSTANTIATE_TEST_SUITE_P(ShadeDirect, EveryGpuModel, testing::ValuesIn(names()),
                          [](const auto& info) { return info.param; });
 
-// Of dark hair, whose tables no caustic spoils.
-TEST(ShadeDirect, TablesOverSinesAndOverAngles_AreNearTheModel) {
-  const bsdf::Model& model = **bsdf::find_model("marschner");
-  const auto values = *registry::parse_assignments(model.entry.parameters, "beta=0.2,sigma_a=2/3/4");
+/// As a shader puts the stored tables together, on the CPU in float.
+std::vector<glm::dvec3> read_from_tables(const Strands& strands, const lut::TableSet& set) {
+  const study::TableSampler sampler = *study::TableSampler::make(set);
+  std::vector<glm::dvec3> values;
+  for (std::size_t v = 0; v < strands.points.size(); ++v) {
+    const bsdf::Point at = angles_at(strands.points[v], strands.tangents[v]);
+    const glm::vec3 found =
+        sampler.scattering({float(std::sin(at.theta_i)), float(std::sin(at.theta_o)), float(std::cos(at.phi))});
+    values.push_back(glm::dvec3(found) * k_irradiance);
+  }
+  return values;
+}
+
+struct LayoutCase {
+  const char *model, *settings, *layout;
+  int size = 64;
+};
+class EveryLayout : public testing::TestWithParam<LayoutCase> {};
+
+TEST_P(EveryLayout, StrandInThePicture_IsReadAsItsTermsSay) {
+  const LayoutCase& each = GetParam();
+  const bsdf::Model& model = **bsdf::find_model(each.model);
+  const auto values = *registry::parse_assignments(model.entry.parameters, each.settings);
+  const lut::Layout& layout = **lut::find_layout(each.layout);
   const Strands strands;
-  const std::vector<glm::dvec3> wanted = expected(strands, model, values);
-  for (const char* layout : {"nalu", "nalu_borders", "nalu_theta"}) {
-    const auto colors = shaded(strands, model, values, *lut::find_layout(layout));
+  const auto colors = shaded(strands, model, values, &layout, each.size);
+  ASSERT_TRUE(colors) << colors.error().message;
+  const lut::TableSet set = *lut::bake(model, values, layout, each.size, silent_progress());
+  const Apart off = apart(*colors, read_from_tables(strands, set));
+  std::printf("%s: at most %.5f of the value, %.5f of the peak\n", each.layout, off.relative, off.of_peak);
+  EXPECT_LT(off.relative, 0.005);
+  EXPECT_LT(off.of_peak, 0.003);
+}
+INSTANTIATE_TEST_SUITE_P(
+    ShadeDirect, EveryLayout,
+    testing::Values(LayoutCase{"marschner", "", "nalu"}, LayoutCase{"marschner", "", "nalu_borders"},
+                    LayoutCase{"marschner", "", "nalu_theta"}, LayoutCase{"marschner", "", "nalu_caustic"},
+                    LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=literal", "barbu"},
+                    LayoutCase{"marschner", "variant=literal", "realengine"}, LayoutCase{"deon", "", "deon", 32},
+                    LayoutCase{"kajiya_kay", "", "factored", 16}),
+    [](const auto& info) { return info.param.layout; });
+
+TEST(ShadeDirect, DefaultTables_AreTheModelWithinAPercent) {
+  const bsdf::Model& model = **bsdf::find_model("marschner");
+  const Strands strands;
+  for (const char* settings : {"", "eta=1.55,sigma_a=0.06/0.1/0.2", "beta=0.2,sigma_a=2/3/4"}) {
+    const auto values = *registry::parse_assignments(model.entry.parameters, settings);
+    const auto colors = shaded(strands, model, values, *lut::find_layout(lut::k_best_layout, model, values));
     ASSERT_TRUE(colors) << colors.error().message;
-    const Apart off = apart(*colors, wanted);
-    std::printf("%s: %.5f rms, %.5f of the peak\n", layout, off.rms_of_rms, off.of_peak);
-    EXPECT_LT(off.rms_of_rms, 0.03);
+    const Apart off = apart(*colors, expected(strands, model, values));
+    std::printf("%s: %.5f rms, at most %.5f of the value, %.5f of the peak\n", settings, off.rms_of_rms, off.relative,
+                off.of_peak);
+    EXPECT_LT(off.rms_of_rms, 0.003);
+    EXPECT_LT(off.of_peak, 0.003);
+    EXPECT_LT(off.relative, 0.01);
   }
 }
 
-TEST(ShadeDirect, LayoutThatDrawingDoesNotRead_IsRefusedByName) {
+TEST(ShadeDirect, LayoutWhoseTablesDoNotMakeS_IsRefusedByName) {
   const bsdf::Model& model = **bsdf::find_model("marschner");
-  const auto refused =
-      shaded(Strands(), model, registry::default_values(model.entry.parameters), *lut::find_layout("nalu2"));
+  const auto refused = shaded(Strands(), model, registry::default_values(model.entry.parameters),
+                              *lut::find_layout("dual_scattering"), 16);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("material.layout = 'nalu2'"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("material.layout = 'dual_scattering'"), std::string::npos)
+      << refused.error().message;
 }
 
 TEST(ShadeDirect, NearField_IsRefused) {

@@ -14,9 +14,9 @@ layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float trans
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
 layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Scattered { float scattered[]; };  // S of a light and vertex: rgb
-layout(set = 0, binding = 10) uniform sampler2D table_m;
-layout(set = 0, binding = 11) uniform sampler2D table_n_tt_r;
-layout(set = 0, binding = 12) uniform sampler2D table_n_trt;
+layout(set = 0, binding = 10) uniform sampler2D table_first;
+layout(set = 0, binding = 11) uniform sampler2D table_second;
+layout(set = 0, binding = 12) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_direct = 0u;  // 1: `scattered` in place of the tables
 layout(push_constant) uniform Push {
   uint only_visible;
@@ -26,6 +26,7 @@ layout(push_constant) uniform Push {
 #include "render/passes/lines/transmittance.glsl"
 vec3 evaluated = vec3(0.0);
 #define EVALUATED k_direct != 0u
+#define LAYOUT_CONSTANT 7
 #include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 0
 #define DUAL_BINDING 7

@@ -119,6 +119,7 @@ Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resource
   std::vector<std::uint32_t> constants =
       with_channels(dual_scattering::with_dual_scattering({}, resources), resources.channels);
   constants.push_back(resources.evaluates_directly ? 1 : 0);
+  constants = lines::with_layout(std::move(constants), resources.table_set);
   CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
