@@ -9,6 +9,7 @@
 #include "lut/bake_gpu.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/lines/tables_gpu.h"
 #include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/quads/quads.h"
@@ -138,15 +139,15 @@ Result<void> Picture::make_tables(Progress& progress) {
                      "set render.method to tiles, or material.evaluate to tables");
   if (!find_pass(plan_, "bake_tables")) return {};
   progress.message("baking lookup tables");
-  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));
   const registry::ParameterValues& values = scene_.material.model.values;
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout, *resources_.model, values));
   // A software device runs on the same cores and has a kernel to compile first.
   CUTICLE_ASSIGN(table_set_,
                  device_->info().is_software
                      ? lut::bake(*resources_.model, values, *layout, scene_.material.lut_size, progress)
                      : lut::bake_gpu(*device_, *resources_.model, values, *layout, scene_.material.lut_size));
   const bool mip_levels = parameters_of(resources_, render::bake_tables::entry()).boolean("mip_levels");
-  CUTICLE_ASSIGN(tables_, lut::upload(*device_, table_set_, mip_levels));
+  CUTICLE_ASSIGN(tables_, render::lines::upload_drawn(*device_, table_set_, mip_levels));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;
   return {};

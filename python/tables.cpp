@@ -15,7 +15,7 @@ Result<lut::TableSet> make_tables(const std::string& model_name, const std::stri
                                   const std::string& preset, const std::string& settings) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(model_name));
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, preset, settings));
-  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(layout_name));
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(layout_name, *model, values));
   SignalProgress progress;
   CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, size, progress));
   CUTICLE_TRY(lut::certify(set, lut::half_exr(), progress));

@@ -64,7 +64,7 @@ struct CharacterSource {
 struct MaterialSource {
   Block model;  ///< bsdf model with its parameters
   std::string evaluate = "tables";  ///< or "direct": by the model's formulas
-  std::string layout = "nalu";
+  std::string layout = "auto";
   int lut_size = 128;
   bool operator==(const MaterialSource&) const = default;
 };

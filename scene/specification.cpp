@@ -113,7 +113,8 @@ Spec character() {
 }
 
 Spec material(const Catalogue& catalogue) {
-  Spec layout = text("layout", "layout of the lookup tables");
+  Spec layout = text("layout", "layout of the lookup tables; auto: the one that loses least of the model's light");
+  layout.choices = {"auto"};
   for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
   Spec evaluate = text("evaluate",
                        "tables: lookups in tables of the model, unless given; direct: its formulas at every "

@@ -22,7 +22,7 @@ namespace cuticle::cli {
 namespace {
 
 struct BakeOptions {
-  std::string model = "marschner", layout = "nalu", format = "exr", processor = "cpu", fit = "none",
+  std::string model = "marschner", layout = "auto", format = "exr", processor = "cpu", fit = "none",
               max_error, max_error_kind = "rms", targets, out;
   ParameterRequest parameters;
   int size = 128;
@@ -61,7 +61,7 @@ Result<Baked> make_tables(const BakeOptions& options, const lut::Format& format,
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  parameters_of(*model, options.parameters));
-  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout));
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(options.layout, *model, values));
   CUTICLE_ASSIGN(const std::vector<const lut::Target*> targets, lut::find_targets(options.targets));
   CUTICLE_ASSIGN(lut::TableSet set, bake_on(options, context, *model, values, *layout));
   CUTICLE_ASSIGN(Baked baked, certify_or_fit(options, format, context, std::move(set)));
@@ -110,7 +110,7 @@ void print_gains(const Baked& baked) {
 }
 
 std::string layout_names() {
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names = {"auto: the one that loses least of S"};
   for (const lut::Layout* layout : lut::layouts()) names.push_back(layout->entry.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -126,9 +126,10 @@ Result<double> parse_error_limit(const std::string& text) {
 }
 
 /// The layouts of one family, along other axes; the sizes and formats that the command line leaves open.
-Result<lut::TableChoices> table_choices(const BakeOptions& options) {
+Result<lut::TableChoices> table_choices(const BakeOptions& options, const bsdf::Model& model,
+                                        const registry::ParameterValues& values) {
   lut::TableChoices choices;
-  CUTICLE_ASSIGN(const lut::Layout* named, lut::find_layout(options.layout));
+  CUTICLE_ASSIGN(const lut::Layout* named, lut::find_layout(options.layout, model, values));
   for (const lut::Layout* layout : lut::layouts())
     if (layout->family == named->family) choices.layouts.push_back(layout);
   for (int size = 16; size <= 1024; size *= 2) choices.sizes.push_back(size);
@@ -143,10 +144,10 @@ Result<lut::TableChoices> table_choices(const BakeOptions& options) {
 Result<lut::ErrorSearch> search(const BakeOptions& options, const Context& context) {
   CUTICLE_ASSIGN(const double wanted, parse_error_limit(options.max_error));
   CUTICLE_ASSIGN(const lut::ErrorMeasure measure, lut::find_error_measure(options.max_error_kind));
-  CUTICLE_ASSIGN(const lut::TableChoices choices, table_choices(options));
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(options.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  parameters_of(*model, options.parameters));
+  CUTICLE_ASSIGN(const lut::TableChoices choices, table_choices(options, *model, values));
   return lut::search_tables(*model, values, choices, wanted, measure, *context.progress);
 }
 

@@ -145,7 +145,7 @@ def check_model(model, *, pdf=None, sample=None, albedo=None, near_field=False, 
     return json.loads(text)[0]
 
 
-def bake(model, layout="nalu", size=128, set=None, preset=None):
+def bake(model, layout="auto", size=128, set=None, preset=None):
     """Lookup tables as half-float values in float arrays [v, u, channel], by name, and under "manifest" what they are."""
     _check(model=(model, str), layout=(layout, str), size=(size, numbers.Integral), preset=(preset or "", str))
     tables, manifest = _cuticle.bake(model, layout, int(size), preset or "", _settings(set))

@@ -166,7 +166,7 @@ def test_Models_EachOfThem_SaysWhatAResearcherAsks():
 
 
 def test_Bake_Tables_HoldTheModelsValues():
-    tables = cuticle.bake("marschner", size=16, set={"sigma_a": 0.3})
+    tables = cuticle.bake("marschner", layout="nalu", size=16, set={"sigma_a": 0.3})
     assert set(tables) == {"M", "N_TT_R", "N_TRT", "manifest"}
     assert tables["N_TT_R"].shape == (16, 16, 4)
     phi, theta_d = numpy.degrees(numpy.arccos(numpy.linspace(-1, 1, 16))), numpy.degrees(numpy.arccos(9 / 15))

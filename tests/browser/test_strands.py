@@ -85,7 +85,7 @@ def test_Pixels_OfStrands_AreTheModelWithinTheStatedError(form, tmp_path):
     drawn = pairs(900)
     (work / "pairs.json").write_text(json.dumps(drawn))
     result = result_of(HERE / "pages", "strands.html", lut=lut, work=work)
-    assert result["verdict"] == f"LUT OK: marschner, nalu, {form}" and not result["wrong"]
+    assert result["verdict"] == f"LUT OK: marschner, nalu_caustic, {form}" and not result["wrong"]
     stated = json.loads((lut / "manifest.json").read_text())["scattering"]
     truth = exact(work, drawn)
     for c, name in enumerate("rgb"):

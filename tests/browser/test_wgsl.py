@@ -15,10 +15,14 @@ from program import run  # noqa: E402
 COUNT = 256
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+# Arc functions of a device may be coarse, and beside a caustic their error counts most: two steps of a half more.
+BOUNDS = {"nalu": 1.5 / 1024, "nalu_caustic": 4 / 1024}
+
+
+@pytest.fixture(scope="module", params=BOUNDS)
+def folder(request, tmp_path_factory):
     made = tmp_path_factory.mktemp("lut")
-    done = run("bake", "--model", "marschner", "--preset", "blond", "--size", 32, "--format", "dds", "--out", made)
+    done = run("bake", "--model", "marschner", "--preset", "blond", "--layout", request.param, "--size", 32, "--format", "dds", "--out", made)
     assert done.returncode == 0, done.stderr
     return made
 
@@ -36,8 +40,9 @@ def test_Snippet_OnWebGpu_AgreesWithTheDecodedTablesToHalfPrecision(folder, tmp_
     result = result_of(HERE / "pages", "wgsl.html", lut=folder, given=tmp_path)
     assert result["messages"] == []
     found = np.array(result["found"]).reshape(COUNT, 4)
-    wanted = Tables(folder).nalu_scattering(*vectors.transpose(1, 0, 2))
-    assert (np.abs(found[:, :3] - wanted) / (wanted + 0.01)).max() < 1.5 / 1024
+    tables = Tables(folder)
+    wanted = tables.scattering(*vectors.transpose(1, 0, 2))
+    assert (np.abs(found[:, :3] - wanted) / (wanted + 0.01)).max() < BOUNDS[tables.manifest["layout"]]
     assert (found[:, 3] == 0).all()
 
 

@@ -155,11 +155,27 @@ class Tables:
         u, v = self.tables[name]["u"], self.tables[name]["v"]
         return self.at(name, u_value * u["scale"] + u["bias"], v_value * v["scale"] + v["bias"])
 
-    def nalu_scattering(self, light, eye, tangent):
-        """S of the layout nalu from unit vectors, one a row."""
+    def scattering(self, light, eye, tangent):
+        """S of the layouts nalu and nalu_caustic from unit vectors, one a row."""
         sine_i, sine_o = (light * tangent).sum(1), (eye * tangent).sum(1)
         cosines = np.sqrt((1 - sine_i ** 2) * (1 - sine_o ** 2))
         cos_phi = np.clip(((light * eye).sum(1) - sine_i * sine_o) / cosines, -1, 1)
+        if self.manifest["layout"] == "nalu_caustic":
+            return self.caustic_scattering(np.arcsin(sine_i), np.arcsin(sine_o), np.arccos(cos_phi))
         m = self.read("M", sine_i, sine_o)
         tt_r, trt = self.read("N_TT_R", cos_phi, m[:, 3]), self.read("N_TRT", cos_phi, m[:, 3])
+        return m[:, :1] * tt_r[:, 3:] + m[:, 1:2] * tt_r[:, :3] + m[:, 2:3] * trt
+
+    def caustic_scattering(self, theta_i, theta_o, phi):
+        """N_TRT as its axis' formula in the manifest says."""
+        theta_d, axis = abs(theta_o - theta_i) / 2, self.tables["N_TRT"]["u"]
+        glass, squared = axis["eta"] ** 2 - 1, np.cos(theta_d) ** 2
+        q = 3 * squared - glass
+        place = 2 * np.arctan(np.maximum(q, 0) ** 1.5 / (np.sqrt(glass) * (glass + 9 * squared)))
+        inside = phi < place
+        root = np.sqrt(abs(phi - place) / np.where(inside, place, np.pi - place))
+        held = np.maximum(np.where(inside, q * root, abs(q) + 4 * (phi - place)), 1e-5)
+        value = np.where(inside, -1, 1) * (axis["gap"] + (1 - axis["gap"]) * root)
+        m, tt_r = self.read("M", theta_i, theta_o), self.read("N_TT_R", phi, theta_d)
+        trt = self.read("N_TRT", value, theta_d) / held[:, None]
         return m[:, :1] * tt_r[:, 3:] + m[:, 1:2] * tt_r[:, :3] + m[:, 2:3] * trt

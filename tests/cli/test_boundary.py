@@ -334,7 +334,7 @@ def test_Scene_ManyUnknownKeys_AreRefusedByTheFirst(tmp_path):
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (["bake", "--model", "kajiya_kay", "--out", "lut"], ["nalu", "kajiya_kay"]),
+    (["bake", "--model", "kajiya_kay", "--layout", "nalu", "--out", "lut"], ["nalu", "kajiya_kay"]),
     (["eval", "--model", "marschner", "--set", "eta=1.4,eta=1.5", "--theta-i", "0", "--theta-o", "0", "--phi", "0"], ["eta", "twice"]),
 ])
 def test_Usage_Message_NamesWhatWasGiven(tmp_path, arguments, words):

@@ -25,7 +25,7 @@ def folders(tmp_path_factory):
     made = {}
     for name in FORMATS:
         made[name] = tmp_path_factory.mktemp(name)
-        done = run("bake", *HAIR, "--size", 32, "--format", name, "--out", made[name])
+        done = run("bake", *HAIR, "--layout", "nalu", "--size", 32, "--format", name, "--out", made[name])
         assert done.returncode == 0, done.stderr
     return made
 
@@ -58,6 +58,17 @@ def test_Files_SampledByTheManifest_GiveEvalWithinTheStatedError(folders, name, 
     exact = evaluated(tmp_path, "M", "TRT", {"theta_i": np.arcsin(sine_i), "theta_o": np.arcsin(sine_o)})
     error = np.abs(tables.read("M", sine_i, sine_o)[:, 2] - exact[:, 0])
     assert error.max() <= 1.1 * stated(tables, "M", 2)["maximum"]
+
+
+def test_CausticLayout_ReadByTheFormulaInItsManifest_IsTheModelEverywhere(tmp_path):
+    done = run("bake", *HAIR, "--layout", "nalu_caustic", "--out", tmp_path / "lut")
+    assert done.returncode == 0, done.stderr
+    tables, generator = Tables(tmp_path / "lut"), np.random.default_rng(3)
+    theta_i, theta_o = (np.arcsin(generator.uniform(-0.98, 0.98, 2000)) for _ in range(2))
+    phi = generator.uniform(0, np.pi, 2000)
+    exact = evaluated(tmp_path, "S", "sum", {"theta_i": theta_i, "theta_o": theta_o, "phi": phi})
+    error = tables.caustic_scattering(theta_i, theta_o, phi) - exact
+    assert np.sqrt((error ** 2).mean() / (exact ** 2).mean()) < 5e-3 and abs(error).max() < 2e-2 * exact.max()
 
 
 @pytest.mark.parametrize("name", FORMATS)

@@ -33,7 +33,7 @@ inline std::shared_ptr<gpu::Device> software_device() {
 
 /// What a scene has unless a part of the same key is given.
 inline constexpr std::string_view k_usual_parts[] = {
-    R"("strand_count": 500)", R"("strand_vertices": 12)", R"("material": {"lut_size": 32})",
+    R"("strand_count": 500)", R"("strand_vertices": 12)", R"("material": {"lut_size": 32, "layout": "nalu"})",
     R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 30, "resolution_px": [64, 64]})"};
 
 inline bool names_key_of(std::initializer_list<std::string_view> parts, std::string_view usual) {
