@@ -43,8 +43,7 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resour
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
                  set ? table_of(*set->model, set->values) : table_of(*resources.model, *resources.model_values));
   const registry::ParameterValues values = parameters_of(resources, entry());
-  std::vector<glm::vec4> terms = {glm::vec4(resources.fibre_alpha, 0),
-                                  {values.real("forward_density"), values.real("backward_density"), 0, 0}};
+  std::vector<glm::vec4> terms = {{values.real("forward_density"), values.real("backward_density"), 0, 0}};
   for (const bsdf::DualScatteringRow& row : table.rows) {
     append(row.average.forward, terms);
     append(row.average.backward, terms);
