@@ -5,7 +5,7 @@
   python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320]
 
 Each program draws two pictures with other random numbers. Their difference gives its noise, their mean is compared with ours: coverage, mean
-radiance of red, green and blue, root mean square of the differences of means over 8 x 8 pixels, and its share that noise explains. Time is that of the
+radiance of red, green and blue, root mean square of the differences of means over 8 x 8 pixels, and the part of it that is noise. Time is that of the
 processor, scene built and picture drawn; `equal error` is how long a program takes for the noise of ours, over our time.
 """
 import argparse
@@ -97,9 +97,10 @@ def show(name, mine, other):
     against_reference.show(name, picture, reference)
     blocks = against_reference.block_means(reference)
     lit = blocks.sum(-1) > 0.05 * blocks.sum(-1).max()
-    explained = np.sqrt((noise + ours_noise) * picture[..., 0].size / 64 / (3 * lit.sum() * (blocks[lit] ** 2).mean()) * 3)
+    of_blocks = (noise + ours_noise) * picture[..., 0].size / 64**2 / lit.sum()  # variance of a lit block's mean
+    explained = np.sqrt(of_blocks / (blocks[lit] ** 2).mean())
     equal = seconds * noise / (ours_seconds * ours_noise) if ours_seconds * ours_noise > 0 else float("nan")
-    print(f"    noise {explained:.3f} of the rms; processor {seconds:.0f} s, ours {ours_seconds:.0f} s; equal error {equal:.1f}",
+    print(f"    noise alone: rms {explained:.3f}; processor {seconds:.0f} s, ours {ours_seconds:.0f} s; equal error {equal:.1f}",
           flush=True)
 
 

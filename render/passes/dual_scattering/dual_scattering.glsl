@@ -4,6 +4,7 @@
 layout(std430, set = 0, binding = DUAL_BINDING) readonly buffer DualTerms {
   float forward_density;   // the paper's d_f
   float backward_density;  // its d_b
+  float direction_variance;  // of the inclinations of fibres about a point, rad^2
   vec4 dual_terms[];  // k_dual_terms of each of k_dual_rows inclinations, the middles of equal parts of -pi/2 .. pi/2
 };
 
@@ -43,10 +44,10 @@ vec3 dual_scattering(Angles angles, vec3 through) {
   float theta_d = 0.5 * (theta_o - theta_i), sum = theta_i + theta_o;
   float away = acos(clamp(angles.cos_phi, -1.0, 1.0)) / k_pi, toward = 1.0 - away;
   vec3 events, scattered = sent_on(through, dual_term(k_forward, theta_i), events);
-  vec3 spread = events * dual_term(k_forward + 2u, theta_i);
+  vec3 bent = vec3(direction_variance), spread = events * (dual_term(k_forward + 2u, theta_i) + bent);
   vec3 once = away * dual_lobe(k_forward, theta_d, sum, spread) + toward * dual_lobe(k_backward, theta_d, sum, spread);
-  vec3 back = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, vec3(0.0));
-  vec3 back_spread = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, spread);
+  vec3 back = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, bent);
+  vec3 back_spread = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, spread + bent);
   float cos_d = cos(theta_d), inclined = cos(theta_i) / (k_pi * max(cos_d * cos_d, 1e-3));
   return inclined * (through * back + forward_density * scattered * (once + back_spread));
 }
