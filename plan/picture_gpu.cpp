@@ -133,9 +133,6 @@ Result<void> Picture::make_rest() {
 }
 
 Result<void> Picture::make_tables(Progress& progress) {
-  if (resources_.evaluates_directly && (scene_.render_method == "lines" || scene_.render_method == "quads"))
-    return bad_input(fmt::format("material.evaluate = 'direct': '{}' reads tables", scene_.render_method),
-                     "set render.method to tiles, or material.evaluate to tables");
   if (!find_pass(plan_, "bake_tables")) return {};
   progress.message("baking lookup tables");
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout));

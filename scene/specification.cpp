@@ -117,7 +117,7 @@ Spec material(const Catalogue& catalogue) {
   for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
   Spec evaluate = text("evaluate",
                        "tables: lookups in tables of the model, unless given; direct: its formulas at every "
-                       "vertex, where render.method is tiles or truth");
+                       "vertex of strands");
   evaluate.choices = {"tables", "direct"};
   return object("material", "how a fibre scatters light",
                 {block("model", "scattering model and its parameters", catalogue.models), std::move(evaluate),

@@ -13,6 +13,7 @@
 #include "render/passes/lines/lines.h"
 #include "render/passes/shade_strands/shade_strands.h"
 #include "tests/support/drawn_strands.h"
+#include "tests/support/strand_angles.h"
 
 namespace cuticle::render::shade_direct_gpu_test {
 namespace {
@@ -40,23 +41,12 @@ struct Strands {
   }
 };
 
-bsdf::Point angles_at(const glm::vec4& point, const glm::vec4& tangent) {
-  const glm::dvec3 t = glm::normalize(glm::dvec3(tangent)), eye = glm::normalize(k_eye - glm::dvec3(point));
-  const glm::dvec3 across_i = k_to_light - glm::dot(k_to_light, t) * t, across_o = eye - glm::dot(eye, t) * t;
-  bsdf::Point at;
-  at.theta_i = std::asin(glm::dot(k_to_light, t));
-  at.theta_o = std::asin(glm::dot(eye, t));
-  at.theta_d = 0.5 * (at.theta_o - at.theta_i);
-  at.phi = std::acos(std::clamp(glm::dot(glm::normalize(across_i), glm::normalize(across_o)), -1.0, 1.0));
-  return at;
-}
-
 /// Of every vertex: S of the model in double, times what arrives.
 std::vector<glm::dvec3> expected(const Strands& strands, const bsdf::Model& model,
                                  const registry::ParameterValues& values) {
   std::vector<bsdf::Point> points;
   for (std::size_t v = 0; v < strands.points.size(); ++v)
-    points.push_back(angles_at(strands.points[v], strands.tangents[v]));
+    points.push_back(tests::angles_at(glm::dvec3(strands.points[v]), glm::dvec3(strands.tangents[v]), k_eye, k_to_light));
   std::vector<glm::dvec3> scattered(points.size());
   EXPECT_TRUE(bsdf::evaluate(model, values, bsdf::Precision::f64, {.points = points}, scattered));
   for (glm::dvec3& value : scattered) value *= k_irradiance;
@@ -101,27 +91,6 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
   return colors;
 }
 
-struct Apart {
-  double relative = 0, of_peak = 0, rms_of_rms = 0;
-};
-
-/// The largest difference over the value, where that is above a hundredth of the peak, and over the peak.
-Apart apart(const std::vector<glm::dvec3>& has, const std::vector<glm::dvec3>& wanted) {
-  double peak = 0, square = 0, whole = 0;
-  for (const glm::dvec3& value : wanted) peak = std::max({peak, value.x, value.y, value.z});
-  Apart result;
-  for (std::size_t k = 0; k < has.size(); ++k)
-    for (int c = 0; c < 3; ++c) {
-      const double off = std::abs(has[k][c] - wanted[k][c]);
-      result.of_peak = std::max(result.of_peak, off / peak);
-      if (wanted[k][c] > 0.01 * peak) result.relative = std::max(result.relative, off / wanted[k][c]);
-      square += off * off;
-      whole += wanted[k][c] * wanted[k][c];
-    }
-  result.rms_of_rms = std::sqrt(square / whole);
-  return result;
-}
-
 class EveryGpuModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryGpuModel, StrandInThePicture_IsTheModelItself) {
@@ -131,7 +100,7 @@ TEST_P(EveryGpuModel, StrandInThePicture_IsTheModelItself) {
   const Strands strands;
   const auto colors = shaded(strands, model, values, nullptr);
   ASSERT_TRUE(colors) << colors.error().message;
-  const Apart off = apart(*colors, expected(strands, model, values));
+  const tests::Apart off = tests::apart(*colors, expected(strands, model, values));
   std::printf("%s: at most %.5f of the value, %.5f of the peak\n", GetParam().c_str(), off.relative, off.of_peak);
   EXPECT_LT(off.relative, 0.01);
   EXPECT_LT(off.of_peak, 0.002);
@@ -154,7 +123,7 @@ TEST(ShadeDirect, TablesOverSinesAndOverAngles_AreNearTheModel) {
   for (const char* layout : {"nalu", "nalu_borders", "nalu_theta"}) {
     const auto colors = shaded(strands, model, values, *lut::find_layout(layout));
     ASSERT_TRUE(colors) << colors.error().message;
-    const Apart off = apart(*colors, wanted);
+    const tests::Apart off = tests::apart(*colors, wanted);
     std::printf("%s: %.5f rms, %.5f of the peak\n", layout, off.rms_of_rms, off.of_peak);
     EXPECT_LT(off.rms_of_rms, 0.03);
   }

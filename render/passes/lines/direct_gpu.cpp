@@ -1,4 +1,4 @@
-#include "render/passes/shade_strands/direct_gpu.h"
+#include "render/passes/lines/direct_gpu.h"
 
 #include <algorithm>
 #include <span>
@@ -7,9 +7,9 @@
 
 #include "gpu/groups.h"
 
-#include <shade_angles_comp.spv.h>
+#include <strand_angles_comp.spv.h>
 
-namespace cuticle::render::shade_strands {
+namespace cuticle::render::lines {
 
 namespace {
 
@@ -38,7 +38,7 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Frame
   CUTICLE_TRY(check(device, resources));
   CUTICLE_TRY(bsdf::check_loops(device, *resources.model, *resources.model_values, bsdf::Quantity::S));
   CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *resources.model));
-  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(shade_angles_comp, {4, 0, sizeof(std::uint32_t)}));
+  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp, {4, 0, sizeof(std::uint32_t)}));
   DirectScattering direct(std::move(evaluator), std::move(angles));
   const std::size_t vertices = resources.strands.vertex_count,
                     lights = std::max<std::size_t>(1, resources.lights.size());
@@ -64,4 +64,4 @@ Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& comman
   return {};
 }
 
-}  // namespace cuticle::render::shade_strands
+}  // namespace cuticle::render::lines

@@ -3,7 +3,7 @@
 #include "bsdf/model_gpu.h"
 #include "render/pass_gpu.h"
 
-namespace cuticle::render::shade_strands {
+namespace cuticle::render::lines {
 
 class DirectScattering {
  public:
@@ -25,4 +25,4 @@ class DirectScattering {
   gpu::Buffer parameters_, points_, of_light_, scattered_;
 };
 
-}  // namespace cuticle::render::shade_strands
+}  // namespace cuticle::render::lines
