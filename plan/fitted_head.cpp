@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/core.h>
@@ -40,6 +41,16 @@ Result<Sphere> scalp_sphere(std::span<const glm::vec3> roots) {
                   sphere.radius, off, k_least, k_most));
 }
 
+/// The turn about the vertical, in quarters, by which a face at +z looks away from where most roots are: hair grows on
+/// the back of a head, and not on its face.
+glm::dmat3 facing(std::span<const glm::vec3> roots, const Sphere& sphere) {
+  glm::dvec3 mean{0};
+  for (const glm::vec3& root : roots) mean += (glm::dvec3(root) - sphere.center) / double(roots.size());
+  const double quarter = std::round(std::atan2(-mean.x, -mean.z) / (std::numbers::pi / 2));
+  const double angle = std::hypot(mean.x, mean.z) > 0 ? quarter * std::numbers::pi / 2 : 0;
+  return {{std::cos(angle), 0, -std::sin(angle)}, {0, 1, 0}, {std::sin(angle), 0, std::cos(angle)}};
+}
+
 }  // namespace
 
 Result<Sphere> fit_sphere(std::span<const glm::vec3> points) {
@@ -66,9 +77,13 @@ Result<strands::Head> fitted_head(strands::Head head, std::span<const glm::vec3>
   CUTICLE_ASSIGN(const Sphere wanted, scalp_sphere(roots));
   CUTICLE_ASSIGN(const Sphere own, fit_sphere(head.scalp.positions));
   const double scale = k_below_roots * wanted.radius / own.radius;
-  const auto placed = [&](const glm::dvec3& point) { return wanted.center + scale * (point - own.center); };
+  const glm::dmat3 turn = facing(roots, wanted);
+  const auto placed = [&](const glm::dvec3& point) { return wanted.center + turn * (scale * (point - own.center)); };
   for (strands::Mesh* mesh : {&head.mesh, &head.scalp})
-    for (glm::vec3& position : mesh->positions) position = placed(position);
+    for (std::size_t v = 0; v < mesh->positions.size(); ++v) {
+      mesh->positions[v] = placed(mesh->positions[v]);
+      mesh->normals[v] = turn * glm::dvec3(mesh->normals[v]);
+    }
   for (Sphere& sphere : head.colliders) sphere = {placed(sphere.center), scale * sphere.radius};
   return head;
 }

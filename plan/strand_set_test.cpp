@@ -66,6 +66,60 @@ TEST(FitSphere, FewPointsOrOnePlace_IsRefused) {
   EXPECT_FALSE(fit_sphere(std::vector<glm::vec3>(10, glm::vec3(1, 2, 3))));
 }
 
+// Roots on the back and the sides of a skull twice as large that faces -x: most lie at +x.
+TEST(FittedHead, RootsOfATurnedLargerHead_AreAboutItsScalp) {
+  std::vector<glm::vec3> roots;
+  for (float around = -1.2f; around < 1.3f; around += 0.3f)
+    for (float up = -0.2f; up < 1.4f; up += 0.3f)
+      roots.push_back(glm::vec3(0.3f, 1, 0) +
+                      0.2f * glm::vec3(std::cos(up) * std::cos(around), std::sin(up), std::cos(up) * std::sin(around)));
+  const strands::Head own = strands::make_head();
+  const auto head = fitted_head(own, roots);
+  ASSERT_TRUE(head) << head.error().message;
+  const auto scalp = fit_sphere(head->scalp.positions), before = fit_sphere(own.scalp.positions);
+  EXPECT_LT(glm::distance(scalp->center, glm::dvec3(0.3, 1, 0)), 1e-4);
+  EXPECT_NEAR(scalp->radius, 0.98 * 0.2, 1e-4);
+  const auto nose = [](const strands::Mesh& mesh, const glm::dvec3& middle) {
+    glm::dvec3 farthest{0};
+    for (const glm::vec3& point : mesh.positions) {
+      const glm::dvec3 away = glm::dvec3(point) - middle;
+      if (std::hypot(away.x, away.z) > std::hypot(farthest.x, farthest.z)) farthest = away;
+    }
+    return farthest;
+  };
+  EXPECT_GT(nose(own.mesh, before->center).z, 0.05);
+  EXPECT_LT(nose(head->mesh, scalp->center).x, -0.1) << "it looks away from the roots";
+}
+
+TEST(FittedHead, RootsThatAreNoHeads_AreRefused) {
+  std::vector<glm::vec3> row;
+  for (int k = 0; k < 30; ++k) row.emplace_back(0.1f * float(k), 0.02f * float(k % 3), 0.01f * float(k % 5));
+  EXPECT_FALSE(fitted_head(strands::make_head(), row));
+  EXPECT_FALSE(fitted_head(strands::make_head(), on_sphere({0, 0, 0}, 3)));
+}
+
+TEST(StrandSet, SpecificationWithFollowHairs_DrawsThemBesideEachStrandAndSimulatesTheirGuides) {
+  scene::Scene scene = grown(10);
+  scene.groom.specification = strands::default_specification();
+  scene.groom.specification->strands.set("density", 2e3);
+  const std::size_t guides = build_strand_set(scene)->control.strand_count();
+  scene.groom.follow_hairs = strands::FollowHairs{.per_guide = 3, .reach = 0.002, .tip_separation = -0.5};
+  scene.groom.thickness_spread = 0.2;
+  const auto set = build_strand_set(scene);
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->control.strand_count(), guides);
+  EXPECT_EQ(drawn_strands(scene, *set), 4 * guides);
+  EXPECT_EQ(shape_of(scene, *set).strands, 4 * guides);
+  EXPECT_LE(set->follow_reach, 0.0029f);
+  float thinnest = 1, thickest = 1;
+  for (const strands::PlacedStrand& placed : set->placed) {
+    thinnest = std::min(thinnest, placed.thickness);
+    thickest = std::max(thickest, placed.thickness);
+  }
+  EXPECT_NEAR(thinnest, 0.8f, 0.01f);
+  EXPECT_NEAR(thickest, 1.2f, 0.01f);
+}
+
 TEST(StrandSet, Grown_HasTheStrandsAskedForWithWeightsOfSumOne) {
   const auto set = build_strand_set(grown(700));
   ASSERT_TRUE(set);
