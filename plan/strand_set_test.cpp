@@ -98,28 +98,6 @@ TEST(FittedHead, RootsThatAreNoHeads_AreRefused) {
   EXPECT_FALSE(fitted_head(strands::make_head(), on_sphere({0, 0, 0}, 3)));
 }
 
-TEST(StrandSet, SpecificationWithFollowHairs_DrawsThemBesideEachStrandAndSimulatesTheirGuides) {
-  scene::Scene scene = grown(10);
-  scene.groom.specification = strands::default_specification();
-  scene.groom.specification->strands.set("density", 2e3);
-  const std::size_t guides = build_strand_set(scene)->control.strand_count();
-  scene.groom.follow_hairs = strands::FollowHairs{.per_guide = 3, .reach = 0.002, .tip_separation = -0.5};
-  scene.groom.thickness_spread = 0.2;
-  const auto set = build_strand_set(scene);
-  ASSERT_TRUE(set);
-  EXPECT_EQ(set->control.strand_count(), guides);
-  EXPECT_EQ(drawn_strands(scene, *set), 4 * guides);
-  EXPECT_EQ(shape_of(scene, *set).strands, 4 * guides);
-  EXPECT_LE(set->follow_reach, 0.0029f);
-  float thinnest = 1, thickest = 1;
-  for (const strands::PlacedStrand& placed : set->placed) {
-    thinnest = std::min(thinnest, placed.thickness);
-    thickest = std::max(thickest, placed.thickness);
-  }
-  EXPECT_NEAR(thinnest, 0.8f, 0.01f);
-  EXPECT_NEAR(thickest, 1.2f, 0.01f);
-}
-
 TEST(StrandSet, Grown_HasTheStrandsAskedForWithWeightsOfSumOne) {
   const auto set = build_strand_set(grown(700));
   ASSERT_TRUE(set);

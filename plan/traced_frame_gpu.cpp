@@ -104,6 +104,7 @@ Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, 
   const render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
                                                 .seed = std::uint64_t(values.integer("seed")),
                                                 .layers = scene.outputs.aovs,
+                                                .far_field = values.choice("field") == "far",
                                                 .lens = lens_of(scene, camera)};
   const render::reference::Quality quality{
       .samples = int(values.integer("samples")), .max_error = values.real("max_error"), .state = state};

@@ -24,6 +24,7 @@ struct RenderOptions {
   std::optional<std::int64_t> samples, bounces;
   std::optional<double> max_error;
   std::string state;
+  std::vector<std::string> match;
 };
 
 /// Sums over the frames, per pass.
@@ -142,9 +143,9 @@ void tell_left_out(const plan::Plan& plan, Progress& progress) {
 
 /// The options that only paths know, as parameters of the pass 'reference'.
 Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene) {
-  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty();
+  const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty() || !options.match.empty();
   if (asks && scene.render_method != "reference")
-    return usage_error(fmt::format("--samples, --bounces, --max-error and --state are of the method 'reference', and "
+    return usage_error(fmt::format("--samples, --bounces, --max-error, --match and --state are of the method 'reference', and "
                                    "strands are drawn by '{}'",
                                    scene.render_method),
                        "add --method reference");
@@ -153,6 +154,11 @@ Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene)
   if (options.samples) values.set("samples", *options.samples);
   if (options.bounces) values.set("bounces", *options.bounces);
   if (options.max_error) values.set("max_error", *options.max_error);
+  for (const std::string& restriction : options.match)
+    if (restriction == "far_field")
+      values.set("field", std::string("far"));
+    else
+      values.set("bounces", std::int64_t(1));
   return {};
 }
 
@@ -208,6 +214,10 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--max-error", options->max_error,
                       "reference: relative standard error of a pixel at which its tile rests (default 0: none does)")
       ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--match", options->match,
+                      "reference: restrictions of the real-time ways: far_field (the model's mean over the width), single_scattering")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"far_field", "single_scattering"}));
   command->add_option("--state", options->state,
                       "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");
   command->add_option("--out", options->out, "folder to write (default: render)");

@@ -198,11 +198,9 @@ TEST(CheckLut, ColoursDecodedOrMultipliedAndRoundedToTheFormatsBits_AreNamed) {
 }
 
 TEST(CheckLut, HalfFloatsRoundedToBytes_AreNamed) {
-  for (const char* name : {"exr", "png16"}) {
-    Image image = stored(name).tables[1].image;
-    values([](double v) { return std::round(std::min(v, 1.0) * 255) / 255; })(image);
-    EXPECT_EQ(check_table(manifest(name).tables[1], image).mistake.name, "half precision lost") << name;
-  }
+  Image image = stored("exr").tables[1].image;
+  values([](double v) { return std::round(std::min(v, 1.0) * 255) / 255; })(image);
+  EXPECT_EQ(check_table(manifest("exr").tables[1], image).mistake.name, "half precision lost");
 }
 
 TEST(CheckLut, ValuesAboveOneCutOff_AreNamed) {

@@ -102,8 +102,7 @@ void add_numbers(const ManifestTable& table, const Image& image, std::vector<Und
                    true});
 }
 
-/// What was done to colours alone or to all channels: a transfer curve, or a product with alpha. Undone exactly where
-/// numbers kept their bits, else nearly.
+/// A transfer curve over all channels or over colours alone. Undone exactly where numbers kept their bits, else nearly.
 void add_colors(const Image& image, bool exact, std::vector<Undo>& undos) {
   const Mistake decoded{
       "sRGB decoded", "encoded as sRGB again, every probe reads right",
@@ -117,16 +116,6 @@ void add_colors(const Image& image, bool exact, std::vector<Undo>& undos) {
   if (image.channels() < 4) return;
   undos.push_back({linear_alpha, kept(colors_changed(image, srgb_encoded)), exact});
   undos.push_back({encoded, kept(colors_changed(image, srgb_decoded)), exact});
-  Image divided = image;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        if (image.at(x, y, 3) > 0) divided.at(x, y, c) /= image.at(x, y, 3);
-  undos.push_back({{"premultiplied alpha", "with its colours divided by alpha every probe reads right",
-                    "Alpha is data: Unity alphaIsTransparency off, three.js premultiplyAlpha = false, Godot "
-                    "process/premult_alpha=false, and no export that multiplies by alpha."},
-                   kept(std::move(divided)),
-                   exact});
 }
 
 /// Channels in another order.
@@ -172,6 +161,28 @@ void add_shifts(const Image& image, std::vector<Undo>& undos) {
                        kept(std::move(picture)),
                        false});
     }
+}
+
+/// Colours multiplied by alpha: at texel centres, where no filter mixes, they read as the wanted value times alpha. (The
+/// product cannot be undone where alpha is 0.)
+std::optional<Mistake> premultiplied(const ManifestTable& table, const Image& image) {
+  if (table.channels.size() < 4 || image.channels() < 4) return {};
+  const Reading at = reading_of(image);
+  bool changed = false;
+  for (const Probe& probe : table.probes) {
+    if (probe.interpolated) continue;
+    const double alpha = at(3, probe.u, probe.v);
+    for (int c = 0; c < 3; ++c) {
+      const ManifestChannel& channel = table.channels[std::size_t(c)];
+      const double wanted = probe.values[std::size_t(c)] / channel.scale, tolerance = channel.tolerance / channel.scale;
+      if (std::abs(at(c, probe.u, probe.v) - wanted * alpha) > tolerance) return {};
+      changed |= std::abs(wanted - wanted * alpha) > tolerance;
+    }
+  }
+  if (!changed) return {};
+  return Mistake{"premultiplied alpha", "at every texel centre the colours are the wanted ones times alpha",
+                 "Alpha is data: Unity alphaIsTransparency off, three.js premultiplyAlpha = false, Godot "
+                 "process/premult_alpha=false, and no export that multiplies by alpha."};
 }
 
 /// Whether two channels hold the same numbers.
@@ -317,6 +328,7 @@ Mistake find_mistake(const ManifestTable& table, const Image& image) {
   add_shifts(image, shifts);
   if (auto found = undone(table, exact, before)) return *found;
   if (auto found = copied_channel(table, image)) return *found;
+  if (auto found = premultiplied(table, image)) return *found;
   if (auto found = undone(table, rounded, before)) return *found;
   if (auto found = marked(table, image)) return *found;
   if (auto found = undone(table, shifts, before)) return *found;

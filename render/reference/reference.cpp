@@ -143,7 +143,7 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   }
   for (const glm::dvec3& part : {scene.camera.position, scene.camera.target, scene.camera.up}) hash.add(part);
   hash.add(scene.camera.vertical_field_of_view);
-  for (const double number : {double(options.scatterings), double(options.seed), options.lens.radius,
+  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
                               options.lens.focus_distance})
     hash.add(number);
   return hash.value();

@@ -13,10 +13,10 @@ struct Tracer::Parts {
 
 namespace {
 
-/// The model's own field at each hit, where it has one.
-registry::ParameterValues near_field(const bsdf::Model& model, registry::ParameterValues values) {
+/// The field asked for, of a model that has both.
+registry::ParameterValues of_field(const bsdf::Model& model, registry::ParameterValues values, bool far) {
   for (const registry::Parameter& parameter : model.entry.parameters)
-    if (parameter.name == "field") values.set("field", std::string("near"));
+    if (parameter.name == "field") values.set("field", std::string(far ? "far" : "near"));
   return values;
 }
 
@@ -41,7 +41,7 @@ Result<std::unique_ptr<Tracer>> Tracer::make(const TracedScene& scene, const Tra
     return usage_error(fmt::format("model {} has no sampler, which paths need", scene.model->entry.name));
   auto parts = std::make_unique<Parts>();
   parts->scene = scene;
-  parts->scene.values = near_field(*scene.model, scene.values);
+  parts->scene.values = of_field(*scene.model, scene.values, options.far_field);
   CUTICLE_TRY(parts->wave.build(parts->scene, options));
   return std::unique_ptr<Tracer>(new Tracer(std::move(parts)));
 }

@@ -18,6 +18,7 @@ struct TraceOptions {
   int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
   std::uint64_t seed = 0;
   bool layers = false;  ///< splits the light, which costs an evaluation of each lobe at the first scattering
+  bool far_field = false;  ///< of models that have both fields
   Lens lens = {};
 };
 

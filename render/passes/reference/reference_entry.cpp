@@ -8,6 +8,7 @@ using registry::Parameter;
 using registry::ParameterType;
 
 constexpr std::string_view k_reference_demands[] = {"strands", "output_color", "drawn_by_reference"};
+constexpr std::string_view k_fields[] = {"near", "far"};
 constexpr Parameter k_reference_parameters[] = {
     {.name = "samples",
      .type = ParameterType::integer,
@@ -32,6 +33,11 @@ constexpr Parameter k_reference_parameters[] = {
      .maximum = 4294967295.0,
      .default_text = "0",
      .summary = "of the random numbers"},
+    {.name = "field",
+     .type = ParameterType::choice,
+     .default_text = "near",
+     .choices = k_fields,
+     .summary = "of models that have both; near: at the offset of the hit; far: the mean over the fibre's width"},
 };
 
 }  // namespace
