@@ -12,7 +12,7 @@
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
 #include "strands/growing/grow.h"
-#include "strands/growing/shoulders.h"
+#include "strands/growing/bust.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {
@@ -24,7 +24,7 @@ constexpr std::uint64_t k_root_seed = 20050401;
 void take_head(const scene::Scene& scene, strands::Head head, StrandSet& set) {
   if (!set.character) set.scalp = std::move(head.scalp);
   if (scene.head.present) set.head = set.character ? set.character->mesh : std::move(head.mesh);
-  if (scene.head.present && scene.head.bust && !set.character) strands::add_shoulders(set.head);
+  if (scene.head.present && scene.head.bust && !set.character) strands::add_bust(set.head);
   if (scene.head_colliders) set.colliders = std::move(head.colliders);
 }
 

@@ -209,7 +209,9 @@ Spec lamps() {
 Spec environment() {
   return object(
       "environment", "light from all around, as distant lights beside `lights` and `lamps`, eight in all",
-      {required(file("file", "picture in latitude and longitude, linear radiance: top row up, middle at +z")),
+      {file("file",
+            "picture in latitude and longitude, linear radiance: top row up, middle at +z; absent: a built-in sky"),
+       boolean("or_sky", "the built-in sky where the file is not there; false unless given"),
        integer("lights", 1, 8, "at most, of like luminance; 6 unless given"),
        real("turn_deg", -360, 360, "about the vertical, +z towards +x"), real("scale", 0, 1e6, "of the radiance")});
 }

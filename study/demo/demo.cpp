@@ -14,6 +14,7 @@
 #include "strands/formats/tfxproj/project.h"
 #include "study/demo/demo_page.h"
 #include "study/demo/demo_study.h"
+#include "study/demo/frame_numbers.h"
 
 namespace cuticle::study {
 
@@ -41,6 +42,7 @@ class DemoJob {
     CUTICLE_TRY(write_tables());
     CUTICLE_TRY(run_frames());
     CUTICLE_TRY(write_pictures());
+    add_frame_numbers();
     add_notes();
     CUTICLE_TRY(write_costs());
     if (options_.study) CUTICLE_TRY(run_study());
@@ -78,6 +80,7 @@ class DemoJob {
     lut::TableSet certified = set;
     CUTICLE_TRY(lut::certify(certified, lut::half_exr(), progress_));
     CUTICLE_TRY(lut::write(certified, lut::half_exr(), options_.out + "/lut"));
+    certified_ = certified;
     DemoSection section{
         "Lookup textures",
         fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, "
@@ -146,6 +149,12 @@ class DemoJob {
     return {};
   }
 
+  void add_frame_numbers() {
+    if (!options_.study) return;
+    page_.sections.insert(page_.sections.begin() + 1,
+                          frame_numbers(device_, scene_, certified_, drawn_, progress_));
+  }
+
   Result<void> write_costs() {
     const double frames = options_.frames;
     DemoSection section{"Plan and cost",
@@ -200,6 +209,7 @@ class DemoJob {
   Progress& progress_;
   Trace* trace_;
   scene::Scene scene_;
+  lut::TableSet certified_;
   std::unique_ptr<plan::FrameRunner> runner_;
   strands::Groom drawn_;
   std::vector<Image> sheet_;

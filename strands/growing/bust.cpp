@@ -1,10 +1,12 @@
 // Neck and shoulders as rings of superellipses, blended by Catmull-Rom curves through a few sections.
+#include "strands/growing/bust.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "strands/growing/shoulders.h"
+#include "strands/growing/face_parts.h"
 #include "strands/spline/curves.glslh"
 
 namespace cuticle::strands {
@@ -16,10 +18,11 @@ struct Section {
   double height, side, front, middle, exponent;
 };
 // An adult's: the neck 0.11 m wide, shoulders 0.40 m across, 0.15 m below the chin.
-constexpr Section k_sections[] = {
-    {0.020, 0.040, 0.042, -0.026, 2},    {-0.030, 0.051, 0.052, -0.028, 2},   {-0.070, 0.056, 0.056, -0.030, 2},
-    {-0.092, 0.070, 0.060, -0.032, 2},   {-0.108, 0.112, 0.070, -0.033, 2},   {-0.126, 0.160, 0.082, -0.033, 2.2},
-    {-0.155, 0.196, 0.094, -0.030, 2.4}, {-0.210, 0.212, 0.105, -0.026, 2.5}, {-0.300, 0.205, 0.112, -0.022, 2.5}};
+constexpr Section k_sections[] = {{0.020, 0.036, 0.038, -0.028, 2},    {-0.020, 0.043, 0.046, -0.028, 2},
+                                  {-0.045, 0.0472, 0.0505, -0.028, 2}, {-0.070, 0.054, 0.055, -0.030, 2},
+                                  {-0.092, 0.070, 0.060, -0.032, 2},   {-0.108, 0.112, 0.070, -0.033, 2},
+                                  {-0.126, 0.160, 0.082, -0.033, 2.2}, {-0.155, 0.196, 0.094, -0.030, 2.4},
+                                  {-0.210, 0.212, 0.105, -0.026, 2.5}, {-0.300, 0.205, 0.112, -0.022, 2.5}};
 constexpr int k_between = 6, k_around = 96;
 
 double signed_power(double value, double power) { return std::copysign(std::pow(std::abs(value), power), value); }
@@ -54,19 +57,28 @@ Mesh make_shoulders() {
                           d = b + k_around;
       mesh.triangles.insert(mesh.triangles.end(), {{a, c, b}, {b, c, d}});
     }
-  compute_normals(mesh);
   return mesh;
+}
+
+/// A part, on the side of `side` times its own.
+void append(const Mesh& part, float side, Mesh& head) {
+  const auto first = std::uint32_t(head.positions.size());
+  for (const glm::vec3& point : part.positions) head.positions.emplace_back(side * point.x, point.y, point.z);
+  for (auto [a, b, c] : part.triangles) {
+    if (side < 0) std::swap(b, c);
+    head.triangles.push_back({first + a, first + b, first + c});
+  }
 }
 
 }  // namespace
 
-void add_shoulders(Mesh& head) {
-  const Mesh shoulders = make_shoulders();
-  const auto first = std::uint32_t(head.positions.size());
-  head.positions.insert(head.positions.end(), shoulders.positions.begin(), shoulders.positions.end());
-  head.normals.insert(head.normals.end(), shoulders.normals.begin(), shoulders.normals.end());
-  for (const auto& [a, b, c] : shoulders.triangles) head.triangles.push_back({first + a, first + b, first + c});
+void add_bust(Mesh& head) {
+  append(make_shoulders(), 1, head);
+  append(make_lips(), 1, head);
+  for (const Mesh& part : {make_ear(), make_eyelids()})
+    for (const float side : {1.0f, -1.0f}) append(part, side, head);
   head.uv.clear();
+  compute_normals(head);
 }
 
 }  // namespace cuticle::strands
