@@ -17,7 +17,7 @@ struct Environment {
 };
 
 /// The surroundings where no picture is given: a clear sky in the afternoon over grey ground, a low sun in front to the
-/// right (+x). 64 x 32 texels; as a surface that faces up receives it, the irradiance is about 3.
+/// right (+x). 64 x 32 texels; as a surface that faces up receives it, the irradiance is about 2.
 Image built_in_sky();
 /// The picture of a file, values of -0.001 .. 0 as 0, or, where the name is empty, the built-in sky. Error: as read_image.
 Result<Image> surroundings_of(const std::string& file);

@@ -95,7 +95,7 @@ Mesh make_lips() {
       const double lower = 0.0074 * std::pow(narrow, 0.6);
       const double bulge = at < 1 ? 0.0034 * std::sin(std::numbers::pi * std::pow(at, 0.7)) : -0.02 * (at - 1);
       lips.positions.emplace_back(k_half * u, seam + s * (s > 0 ? upper : lower),
-                                  0.0892 - 0.0105 * u * u + bulge * std::sqrt(narrow) - 0.0022 * bump(s, 0, 0.09));
+                                  0.0912 - 0.0105 * u * u + bulge * std::sqrt(narrow) - 0.0022 * bump(s, 0, 0.09));
     }
   add_grid(k_rows, k_columns, false, lips);
   return lips;

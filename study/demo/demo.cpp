@@ -10,6 +10,7 @@
 #include "core/image/image.h"
 #include "lut/format.h"
 #include "plan/frame_runner_gpu.h"
+#include "render/passes/reference/reference_entry.h"
 #include "strands/formats/formats.h"
 #include "strands/formats/tfxproj/project.h"
 #include "study/demo/demo_page.h"
@@ -43,6 +44,7 @@ class DemoJob {
     CUTICLE_TRY(run_frames());
     CUTICLE_TRY(write_pictures());
     add_frame_numbers();
+    CUTICLE_TRY(add_traced_frame());
     add_notes();
     CUTICLE_TRY(write_costs());
     if (options_.study) CUTICLE_TRY(run_study());
@@ -153,6 +155,27 @@ class DemoJob {
     if (!options_.study) return;
     page_.sections.insert(page_.sections.begin() + 1,
                           frame_numbers(device_, scene_, certified_, drawn_, progress_));
+  }
+
+  /// The first frame by the path tracer, half as wide and high.
+  Result<void> add_traced_frame() {
+    if (!options_.study) return {};
+    scene::Scene traced = scene_;
+    traced.render_method = "reference";
+    traced.camera.camera.resolution /= 2;
+    auto values = registry::default_values(render::reference::entry().entry.parameters);
+    values.set("samples", std::int64_t(16));
+    traced.passes["reference"] = values;
+    CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device_, traced, progress_));
+    CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(0));
+    CUTICLE_TRY(write_png(options_.out + "/traced.png", tone_map(result.color, scene_.outputs.exposure_stops)));
+    page_.sections.insert(page_.sections.begin() + 2,
+                          {"The same frame by the path tracer",
+                           "Frame 0 with every scattering between fibres followed, 16 paths a pixel, beside the frame "
+                           "as it was drawn.",
+                           {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
+                           {}});
+    return {};
   }
 
   Result<void> write_costs() {
