@@ -157,21 +157,21 @@ class DemoJob {
                           frame_numbers(device_, scene_, certified_, drawn_, progress_));
   }
 
-  /// The first frame by the path tracer, half as wide and high.
+  /// The first frame by the path tracer, a third as wide and high.
   Result<void> add_traced_frame() {
     if (!options_.study) return {};
     scene::Scene traced = scene_;
     traced.render_method = "reference";
-    traced.camera.camera.resolution /= 2;
+    traced.camera.camera.resolution /= 3;
     auto values = registry::default_values(render::reference::entry().entry.parameters);
-    values.set("samples", std::int64_t(16));
+    values.set("samples", std::int64_t(64));
     traced.passes["reference"] = values;
     CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device_, traced, progress_));
     CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(0));
     CUTICLE_TRY(write_png(options_.out + "/traced.png", tone_map(result.color, scene_.outputs.exposure_stops)));
     page_.sections.insert(page_.sections.begin() + 2,
                           {"The same frame by the path tracer",
-                           "Frame 0 with every scattering between fibres followed, 16 paths a pixel, beside the frame "
+                           "Frame 0 with every scattering between fibres followed, 64 paths a pixel, beside the frame "
                            "as it was drawn.",
                            {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
                            {}});

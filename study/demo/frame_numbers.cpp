@@ -31,6 +31,7 @@ Result<Image> hair_alone(std::shared_ptr<gpu::Device> device, scene::Scene scene
   scene.head.present = false;
   scene.material.evaluate = "tables";
   scene.passes.erase("surface_shadow");
+  scene.passes.erase("resolve");  // a background would leave no alpha
   scene.passes.erase("motion_blur");
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
   CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
