@@ -48,9 +48,9 @@ std::vector<GalleryPicture> hair() {
            .parts = {"cards/frame_0000.png", "strands/frame_0000.png"},
            .columns = 2},
           {.name = "hard_case",
-           .title = "Light along the hair: the 2003 formula as printed, and the corrected one",
-           .commands = {"render {scenes}/grazing.json --set variant=literal --size {360} {396} --out {work}/before",
-                        "render {scenes}/grazing.json --size {360} {396} --out {work}/after"},
+           .title = "Rings of too few opacity slices, and layers that follow the hair",
+           .commands = {"render {scenes}/rings.json --size {360} {396} --out {work}/before",
+                        "render {scenes}/straight.json --size {360} {396} --out {work}/after"},
            .parts = {"before/frame_0000.png", "after/frame_0000.png"},
            .columns = 2}};
 }
@@ -69,8 +69,8 @@ std::vector<GalleryPicture> diagrams() {
        .parts = {"preview.png"}},
       {.name = "shadow_slices",
        .title = "Light in a cut through the hair: truth, 16 opacity slices, 8 deep opacity layers",
-       .commands = {"grow {scenes}/presets/wavy.json --share 0.1 --out {work}/hair.hair",
-                    "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 "
+       .commands = {"grow {scenes}/presets/wavy.json --share 0.6 --out {work}/hair.hair",
+                    "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 --alpha 1 "
                     "--rays 64 --cut {work}/cut.png --cut-size {260}"},
        .parts = {"cut.png"}},
       {.name = "error_against_time",
