@@ -164,14 +164,14 @@ class DemoJob {
     traced.render_method = "reference";
     traced.camera.camera.resolution /= 3;
     auto values = registry::default_values(render::reference::entry().entry.parameters);
-    values.set("samples", std::int64_t(64));
+    values.set("samples", std::int64_t(24));
     traced.passes["reference"] = values;
     CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device_, traced, progress_));
     CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(0));
     CUTICLE_TRY(write_png(options_.out + "/traced.png", tone_map(result.color, scene_.outputs.exposure_stops)));
     page_.sections.insert(page_.sections.begin() + 2,
                           {"The same frame by the path tracer",
-                           "Frame 0 with every scattering between fibres followed, 64 paths a pixel, beside the frame "
+                           "Frame 0 with every scattering between fibres followed, 24 paths a pixel, beside the frame "
                            "as it was drawn.",
                            {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
                            {}});
