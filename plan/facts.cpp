@@ -22,7 +22,8 @@ registry::Fact strands_fact(const scene::Scene& scene) {
 /// Whether drawn strands are those of a file, or between control hairs.
 void add_ways_of_strands(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_given = scene::draws_as_given(scene);
-  std::string why = "the hair is grown between control hairs";
+  std::string why = as_given ? "grown strands and the hairs that follow them are drawn as they are"
+                             : "the hair is grown between control hairs";
   if (!scene.groom.file.empty())
     why = as_given                  ? "a file's strands are drawn as they are"
           : scene.groom.interpolate ? "the scene asks for strands between those of the file"

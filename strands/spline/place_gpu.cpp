@@ -19,7 +19,9 @@ struct Row {
   float tip_separation;
   glm::vec3 direction;  ///< of the guide's first segment in the rest pose
   std::uint32_t first;  ///< vertex of the guide
-  std::uint32_t size, unused[3];
+  std::uint32_t size;
+  float thickness;
+  std::uint32_t unused[2];
 };
 static_assert(sizeof(Row) == 48);
 
@@ -57,6 +59,7 @@ std::vector<Row> rows_of(const Groom& control, std::span<const PlacedStrand> str
                     direction_or<float>(guide[1] - guide[0], glm::vec3(0, 1, 0)),
                     control.offsets[placed.guide],
                     std::uint32_t(guide.size()),
+                    placed.thickness,
                     {}});
   }
   return rows;

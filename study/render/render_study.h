@@ -9,15 +9,9 @@
 #include "core/progress.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
+#include "study/render/picture_error.h"
 
 namespace cuticle::study {
-
-/// Errors of one picture against the truth's: coverage (alpha) and colour (premultiplied linear radiance, over the
-/// truth's mean where it covers). Means are over all pixels that either of the two covers.
-struct PictureError {
-  double coverage = 0, p95_coverage = 0, max_coverage = 0, coverage_bias = 0, color = 0;
-};
-PictureError compare(const Image& picture, const Image& truth);
 
 struct RenderRow {
   std::string view, method, settings;

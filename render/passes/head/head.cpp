@@ -36,6 +36,11 @@ constexpr Parameter k_parameters[] = {
      .maximum = 1,
      .default_text = "0.12",
      .summary = "share of the lights' sum that arrives from everywhere"},
+    {.name = "bleed",
+     .minimum = 0,
+     .maximum = 1,
+     .default_text = "0",
+     .summary = "as of light under skin: red is carried so much farther past the terminator, and blue less far"},
 };
 
 float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
