@@ -6,6 +6,7 @@
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
+#include "core/registry/members.h"
 #include "bsdf/scheuermann/scheuermann.glslh"
 
 namespace cuticle::bsdf::scheuermann {
@@ -15,34 +16,29 @@ constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "s
 constexpr std::array<std::string_view, 3> system_rows = {"A4", "A5", "A6"};
 using std::numbers::pi;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 11> parameters = {{
-    {"base", ParameterType::rgb, "1", 0, 1, "1", {}, "base colour, of a texture, on every lobe"},
-    {"occlusion", ParameterType::real, "1", 0, 1, "1", {}, "ambient occlusion of the vertex, 1: open, on every lobe"},
-    {"diffuse", ParameterType::rgb, "1", 0, 1, "0.12", {}, "colour of the diffuse lobe"},
-    {"primary", ParameterType::rgb, "1", 0, 10, "0.025", {}, "colour of the primary highlight"},
-    {"primary_exponent", ParameterType::real, "1", 1, 1e6, "100", {}, "of the sine of the angle between T and H"},
-    {"primary_shift",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "0.05",
-     {},
-     "of the tangent along the normal; positive reflects toward the root"},
-    {"secondary", ParameterType::rgb, "1", 0, 10, "0.01", {}, "colour of the secondary highlight"},
-    {"secondary_exponent", ParameterType::real, "1", 1, 1e6, "25", {}, "of the sine of the angle between T and H"},
-    {"secondary_shift",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "-0.08",
-     {},
-     "of the tangent along the normal; negative reflects toward the tip"},
-    {"shift_texture", ParameterType::real, "1", 0, 1, "0.5", {}, "texel of the shift texture; 0.5 moves nothing"},
-    {"mask", ParameterType::real, "1", 0, 1, "1", {}, "texel of the noise that makes the secondary highlight sparkle"},
-}};
+struct Parameters {
+  glm::dvec3 base{1};
+  double occlusion = 1;
+  glm::dvec3 diffuse{0.12}, primary{0.025};
+  double primary_exponent = 100, primary_shift = 0.05;
+  glm::dvec3 secondary{0.01};
+  double secondary_exponent = 25, secondary_shift = -0.08, shift_texture = 0.5, mask = 1;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.base, "base", "1", 0, 1, "base colour, of a texture, on every lobe");
+  members(p.occlusion, "occlusion", "1", 0, 1, "ambient occlusion of the vertex, 1: open, on every lobe");
+  members(p.diffuse, "diffuse", "1", 0, 1, "colour of the diffuse lobe");
+  members(p.primary, "primary", "1", 0, 10, "colour of the primary highlight");
+  members(p.primary_exponent, "primary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.primary_shift, "primary_shift", "1", -1, 1,
+          "of the tangent along the normal; positive reflects toward the root");
+  members(p.secondary, "secondary", "1", 0, 10, "colour of the secondary highlight");
+  members(p.secondary_exponent, "secondary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.secondary_shift, "secondary_shift", "1", -1, 1,
+          "of the tangent along the normal; negative reflects toward the tip");
+  members(p.shift_texture, "shift_texture", "1", 0, 1, "texel of the shift texture; 0.5 moves nothing");
+  members(p.mask, "mask", "1", 0, 1, "texel of the noise that makes the secondary highlight sparkle");
+}
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -77,14 +73,14 @@ Proposal pack_highlight(const glm::dvec3& color, double exponent, double shift, 
 }
 
 Packed<double> pack_double(const registry::ParameterValues& values) {
-  const glm::dvec3 all = values.rgb("base") * values.real("occlusion"), diffuse = all * values.rgb("diffuse");
-  const double shift = values.real("shift_texture") - 0.5;
+  const Parameters p = registry::from_values<Parameters>(values);
+  const glm::dvec3 all = p.base * p.occlusion, diffuse = all * p.diffuse;
+  const double shift = p.shift_texture - 0.5;
   Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b}};
-  const Proposal primary = pack_highlight(all * values.rgb("primary"), values.real("primary_exponent"),
-                                          values.real("primary_shift") + shift, packed.value + 3);
+  const Proposal primary =
+      pack_highlight(all * p.primary, p.primary_exponent, p.primary_shift + shift, packed.value + 3);
   const Proposal secondary =
-      pack_highlight(all * values.rgb("secondary") * values.real("mask"), values.real("secondary_exponent"),
-                     values.real("secondary_shift") + shift, packed.value + 9);
+      pack_highlight(all * p.secondary * p.mask, p.secondary_exponent, p.secondary_shift + shift, packed.value + 9);
   pack_mixture(mean_of(diffuse) * 4 * pi / 3, primary, secondary, packed.value + 15);
   return packed;
 }
@@ -115,7 +111,7 @@ Model table() {
                 .summary =
                     "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
                 .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
-                .parameters = parameters,
+                .parameters = registry::table_of<Parameters>(),
                 .systems = system_rows},
       .lobes = lobe_names,
       .conventions = {.field = "far",
