@@ -5,6 +5,7 @@
 
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
+#include "core/registry/members.h"
 #include "bsdf/huang/huang.glslh"
 
 namespace cuticle::bsdf::huang {
@@ -15,34 +16,31 @@ constexpr std::array<std::string_view, 2> fields = {"far", "near"};
 constexpr std::array<std::string_view, 2> facets = {"multiple", "single"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 8> parameters = {{
-    eta_parameter,
-    {"sigma_a",
-     ParameterType::rgb,
-     "1/radius",
-     0,
-     100,
-     "0.2",
-     {},
-     "absorption per semi-major axis of the cross-section, for red, green and blue"},
-    {"roughness", ParameterType::real, "1", 1e-3, 1, "0.2", {}, "alpha of the GGX facets on the scales"},
-    {"tilt",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "0.05235987755982988",
-     {},
-     "of the scales against the axis; positive: they lean to the tip, and R goes to theta_i + theta_o = -2 tilt"},
-    {"aspect", ParameterType::real, "1", 0.2, 1, "1", {}, "minor over major axis of the cross-section"},
-    {"field", ParameterType::choice, "1", 0, 0, "far", fields,
-     "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer"},
-    {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature"},
-    {"facets", ParameterType::choice, "1", 0, 0, "multiple", facets,
-     "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
-     "would stop is lost, and paths after TRT (the lobe residual is 0)"},
-}};
+enum class Field { far, near };
+enum class Facets { multiple, single };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double roughness = 0.2, tilt = 0.05235987755982988, aspect = 1;
+  Field field = Field::far;
+  std::int64_t samples = 512;
+  Facets facets = Facets::multiple;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, "sigma_a", "1/radius", 0, 100,
+          "absorption per semi-major axis of the cross-section, for red, green and blue");
+  members(p.roughness, "roughness", "1", 1e-3, 1, "alpha of the GGX facets on the scales");
+  members(p.tilt, "tilt", "rad", -0.17453292519943295, 0.17453292519943295,
+          "of the scales against the axis; positive: they lean to the tip, and R goes to theta_i + theta_o = -2 tilt");
+  members(p.aspect, "aspect", "1", 0.2, 1, "minor over major axis of the cross-section");
+  members(p.field, "field", fields,
+          "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer");
+  members(p.samples, "samples", 64, 65536, "paths of the quadrature");
+  members(p.facets, "facets", facets,
+          "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
+          "would stop is lost, and paths after TRT (the lobe residual is 0)");
+}
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"64 paths", "samples=64"},
@@ -86,7 +84,7 @@ Model table() {
                     .name = "huang",
                     .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
                     .source = "Huang, Hullin and Hanika 2022",
-                    .parameters = parameters,
+                    .parameters = registry::table_of<Parameters>(),
                     .systems = system_rows,
                     .study_cases = tiers},
           .lobes = lobe_names,

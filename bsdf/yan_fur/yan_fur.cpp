@@ -7,6 +7,7 @@
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
 #include "bsdf/shared/rough_packing.h"
+#include "core/registry/members.h"
 #include "bsdf/yan_fur/way_out.h"
 #include "bsdf/yan_fur/yan_fur.glslh"
 
@@ -19,58 +20,36 @@ constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "thet
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 constexpr double largest_anisotropy = 0.9;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 13> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of cortex and medulla"},
-    {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption of the cortex per fibre radius"},
-    {"kappa", ParameterType::real, "1", 0, 0.99, "0.7", {}, "radius of the medulla over that of the fibre"},
-    {"sigma_ms", ParameterType::real, "1/radius", 0, 100, "2", {}, "scattering of the medulla per fibre radius"},
-    {"sigma_ma", ParameterType::real, "1/radius", 0, 100, "0.1", {}, "absorption of the medulla per fibre radius"},
-    {"g",
-     ParameterType::real,
-     "1",
-     -largest_anisotropy,
-     largest_anisotropy,
-     "0.4",
-     {},
-     "mean cosine of the medulla's phase function"},
-    {"layers", ParameterType::real, "1", 0.1, 10, "1", {}, "layers of the cuticle, which reflect together"},
-    {"beta_m",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the R lobe in theta_i; TT has half of it, TRT 3/2"},
-    {"beta_n",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the azimuthal blur of the R lobe; TT has sqrt(2), TRT sqrt(3) of it"},
-    {"alpha",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "-0.05235987755982988",
-     {},
-     "shift of the R lobe in theta_h by the cuticle's scales (half the paper's, which is in theta_i)"},
-    {"azimuthal_tolerance",
-     ParameterType::real,
-     "1",
-     1e-12,
-     0.1,
-     "1e-6",
-     {},
-     "relative error of the far field's azimuthal quadrature"},
-    {"field", ParameterType::choice, "1", 0, 0, "far", fields, "far: averaged over the fibre; near: at an offset h"},
-    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_o", attenuation_angles,
-     "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i"},
-}};
+enum class Field { far, near };
+enum class AttenuationAngle { theta_o, theta_d };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double kappa = 0.7, sigma_ms = 2, sigma_ma = 0.1, g = 0.4, layers = 1;
+  double beta_m = 0.2, beta_n = 0.2, alpha = -0.05235987755982988, azimuthal_tolerance = 1e-6;
+  Field field = Field::far;
+  AttenuationAngle attenuation_angle = AttenuationAngle::theta_o;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, "eta", "1", 1.05, 3, "refractive index of cortex and medulla");
+  members(p.sigma_a, "sigma_a", "1/radius", 0, 100, "absorption of the cortex per fibre radius");
+  members(p.kappa, "kappa", "1", 0, 0.99, "radius of the medulla over that of the fibre");
+  members(p.sigma_ms, "sigma_ms", "1/radius", 0, 100, "scattering of the medulla per fibre radius");
+  members(p.sigma_ma, "sigma_ma", "1/radius", 0, 100, "absorption of the medulla per fibre radius");
+  members(p.g, "g", "1", -largest_anisotropy, largest_anisotropy, "mean cosine of the medulla's phase function");
+  members(p.layers, "layers", "1", 0.1, 10, "layers of the cuticle, which reflect together");
+  members(p.beta_m, "beta_m", "rad", 1e-3, 1,
+          "standard deviation of the R lobe in theta_i; TT has half of it, TRT 3/2");
+  members(p.beta_n, "beta_n", "rad", 1e-3, 1,
+          "standard deviation of the azimuthal blur of the R lobe; TT has sqrt(2), TRT sqrt(3) of it");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "shift of the R lobe in theta_h by the cuticle's scales (half the paper's, which is in theta_i)");
+  members(p.azimuthal_tolerance, "azimuthal_tolerance", "1", 1e-12, 0.1,
+          "relative error of the far field's azimuthal quadrature");
+  members(p.field, "field", fields, "far: averaged over the fibre; near: at an offset h");
+  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
+          "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i");
+}
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"near field", "field=near"},
@@ -160,7 +139,7 @@ Model table() {
                     .name = "yan_fur",
                     .summary = "fur: rough cortex around a scattering medulla, near and far field",
                     .source = "Yan et al. 2017; M of d'Eon et al. 2011",
-                    .parameters = parameters,
+                    .parameters = registry::table_of<Parameters>(),
                     .systems = system_rows,
                     .study_cases = tiers},
           .lobes = lobe_names,
