@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/chiang/chiang.glslh"
 #include "bsdf/chiang/conversions.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
 #include "core/registry/members.h"
-#include "bsdf/chiang/chiang.glslh"
 
 namespace cuticle::bsdf::chiang {
 namespace {
@@ -47,32 +47,12 @@ constexpr std::array<Exception, 1> exceptions = {{
     {"reciprocity", "A takes theta_o alone, so exchanging the directions changes the energy of each path"},
 }};
 
-void pack_interval(const registry::ParameterValues& values, double* out) {
-  const Parameters p = registry::from_values<Parameters>(values);
+Chiang<double> prepare(const Parameters& p) {
+  Chiang<double> c = make_chiang<double>(p.eta, p.sigma_a, p.beta_m, p.beta_n, p.alpha);
   const auto [from, to] = std::minmax({p.h_from, p.h_to});
-  out[0] = from;
-  out[1] = to;
-  out[2] = to == from ? 0 : 1 / (to - from);
-  out[3] = p.tolerance;
-}
-
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
-  const Chiang<double> c = make_chiang<double>(p.eta, p.sigma_a, p.beta_m, p.beta_n, p.alpha);
-  Packed<double> packed{};
-  pack_longitudinal(c.r, packed.value);
-  pack_longitudinal(c.tt, packed.value + 4);
-  pack_longitudinal(c.trt, packed.value + 8);
-  pack_longitudinal(c.rest, packed.value + 12);
-  packed.value[16] = c.blur.inverse_scale;
-  packed.value[17] = c.blur.norm;
-  packed.value[18] = c.blur.edge;
-  packed.value[19] = c.glass.eta_squared;
-  packed.value[20] = c.glass.eta_squared_minus_one;
-  for (int k = 0; k < 3; ++k) packed.value[21 + k] = c.glass.sigma_a[k];
-  pack_interval(values, packed.value + 24);
-  packed.value[28] = p.field == Field::near ? 1 : 0;
-  return packed;
+  c.interval = {from, to, to == from ? 0 : 1 / (to - from), p.tolerance};
+  c.near_field = p.field == Field::near;
+  return c;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
@@ -86,8 +66,7 @@ FibreMapping from_fibre(const Fibre& fibre) {
 }
 
 bool near_field(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
-  return p.field == Field::near;
+  return registry::from_values<Parameters>(values).field == Field::near;
 }
 
 Model table() {
@@ -114,6 +93,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::chiang

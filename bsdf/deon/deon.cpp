@@ -3,11 +3,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/deon/deon.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/shared/rough_packing.h"
 #include "core/registry/members.h"
-#include "bsdf/deon/deon.glslh"
 
 namespace cuticle::bsdf::deon {
 namespace {
@@ -53,28 +52,22 @@ constexpr std::array<Exception, 2> exceptions = {{
     furnace_at_theta_d,
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
-  const double beta_m = p.beta_m, beta_n = p.beta_n, alpha = p.alpha;
-  const double eta = p.eta, tolerance = p.azimuthal_tolerance;
-  Packed<double> packed{};
-  pack_longitudinal(beta_m, 2 * alpha, packed.value);
-  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
-  pack_longitudinal(beta_m * 2, -3 * alpha, packed.value + 8);
-  pack_detector(beta_n, packed.value + 12);
-  pack_detector(beta_n / 2, packed.value + 16);
-  pack_detector(beta_n * 2, packed.value + 20);
-  packed.value[24] = eta * eta;
-  packed.value[25] = (eta - 1) * (eta + 1);
-  for (int c = 0; c < 3; ++c) packed.value[26 + c] = p.sigma_a[c];
-  packed.value[29] = tolerance;
-  packed.value[30] = detector_reach(tolerance);
-  packed.value[31] = beta_m;
-  packed.value[32] = std::sin(alpha);
-  packed.value[33] = std::cos(alpha);
-  packed.value[34] = p.r_lobe == RLobe::non_separable;
-  packed.value[35] = p.attenuation_angle == AttenuationAngle::theta_o;
-  return packed;
+Deon<double> prepare(const Parameters& p) {
+  Deon<double> m;
+  m.r = make_longitudinal_lobe(p.beta_m, 2 * p.alpha);
+  m.tt = make_longitudinal_lobe(p.beta_m / 2, -p.alpha);
+  m.trt = make_longitudinal_lobe(p.beta_m * 2, -3 * p.alpha);
+  m.wide_r = make_detector(p.beta_n);
+  m.wide_tt = make_detector(p.beta_n / 2);
+  m.wide_trt = make_detector(p.beta_n * 2);
+  m.dielectric = {p.eta * p.eta, (p.eta - 1) * (p.eta + 1), p.sigma_a};
+  m.accuracy = make_accuracy(p.azimuthal_tolerance);
+  m.beta_m = p.beta_m;
+  m.sin_alpha = std::sin(p.alpha);
+  m.cos_alpha = std::cos(p.alpha);
+  m.non_separable = p.r_lobe == RLobe::non_separable;
+  m.at_theta_o = p.attenuation_angle == AttenuationAngle::theta_o;
+  return m;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
@@ -101,6 +94,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::deon

@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/hairworks/hairworks.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
 #include "core/registry/members.h"
-#include "bsdf/hairworks/hairworks.glslh"
 
 namespace cuticle::bsdf::hairworks {
 namespace {
@@ -59,20 +59,25 @@ constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "the diffuse lobe is a function of the light's direction only"},
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
+Hairworks<double> prepare(const Parameters& p) {
   const double toward_tip = std::min(p.along / p.root_reach, 1.0);
-  const glm::dvec3 root = p.root_color, color = root + (p.tip_color - root) * toward_tip;
-  const glm::dvec3 primary = p.specular_color, secondary = primary * p.secondary_scale;
-  const double exponent = p.exponent, width = p.secondary_width;
-  const double wider = exponent / (width * width), shift = p.secondary_shift;
-  const double blended = p.diffuse_blend, theta = p.normal_theta;
-  Packed<double> packed{{color.r, color.g, color.b, primary.r, primary.g, primary.b, secondary.r, secondary.g,
-                         secondary.b, exponent, wider, shift, blended, std::sin(theta), std::cos(theta), p.normal_phi}};
-  const Proposal first{mean_of(primary) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
-  const Proposal second{mean_of(secondary) * 2 * pi * highlight_width(wider), 1 / std::sqrt(wider), shift};
-  pack_mixture(mean_of(color) * pi * (pi + blended * (1 - pi)), first, second, packed.value + 16);
-  return packed;
+  Hairworks<double> m;
+  m.diffuse = p.root_color + (p.tip_color - p.root_color) * toward_tip;
+  m.primary = p.specular_color;
+  m.secondary = m.primary * p.secondary_scale;
+  m.primary_exponent = p.exponent;
+  m.secondary_exponent = p.exponent / (p.secondary_width * p.secondary_width);
+  m.secondary_shift = p.secondary_shift;
+  m.blend = p.diffuse_blend;
+  m.normal_along = std::sin(p.normal_theta);
+  m.normal_across = std::cos(p.normal_theta);
+  m.normal_phi = p.normal_phi;
+  const Proposal first{mean_of(m.primary) * 2 * pi * highlight_width(m.primary_exponent),
+                       1 / std::sqrt(m.primary_exponent), 0};
+  const Proposal second{mean_of(m.secondary) * 2 * pi * highlight_width(m.secondary_exponent),
+                        1 / std::sqrt(m.secondary_exponent), m.secondary_shift};
+  m.mixture = make_mixture(mean_of(m.diffuse) * pi * (pi + m.blend * (1 - pi)), first, second);
+  return m;
 }
 
 /// The primary highlight as R; the secondary as wide as TRT, where TRT stands, with its mean energy; the rest is the
@@ -118,6 +123,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::hairworks

@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/huang/huang.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
 #include "core/registry/members.h"
-#include "bsdf/huang/huang.glslh"
 
 namespace cuticle::bsdf::huang {
 namespace {
@@ -37,9 +37,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.field, "field", fields,
           "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer");
   members(p.samples, "samples", 64, 65536, "paths of the quadrature");
-  members(p.facets, "facets", facets,
-          "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
-          "would stop is lost, and paths after TRT (the lobe residual is 0)");
+  members(
+      p.facets, "facets", facets,
+      "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
+      "would stop is lost, and paths after TRT (the lobe residual is 0)");
 }
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
@@ -49,13 +50,21 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"32768 paths", "samples=32768"},
 }};
 
-bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+bool is_near(const registry::ParameterValues& values) {
+  return registry::from_values<Parameters>(values).field == Field::near;
+}
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const glm::dvec3 sigma_a = values.rgb("sigma_a");
-  const double eta = values.real("eta"), tilt = values.real("tilt");
-  return {{eta, 1 / eta, values.real("roughness"), std::sin(tilt), std::cos(tilt), values.real("aspect"), sigma_a.x,
-           sigma_a.y, sigma_a.z, is_near(values) ? 1.0 : 0.0, double(values.integer("samples")), values.choice("facets") == "multiple" ? 1.0 : 0.0}};
+Huang<double> prepare(const Parameters& p) {
+  return {p.eta,
+          1 / p.eta,
+          p.roughness,
+          std::sin(p.tilt),
+          std::cos(p.tilt),
+          p.aspect,
+          p.sigma_a,
+          p.field == Field::near ? 1.0 : 0.0,
+          double(p.samples),
+          p.facets == Facets::multiple ? 1.0 : 0.0};
 }
 
 /// A deviation of theta_i is that of twice the facets' slope, which for the Gaussian slopes of the same alpha is
@@ -74,33 +83,35 @@ FibreMapping map_fibre(const Fibre& fibre) {
 /// Paths, times the rounds that one takes where light turns often. Measured on software Vulkan: S is right with 1,024
 /// paths and wrong with 2,048.
 std::uint64_t loop_rounds(const registry::ParameterValues& values, Quantity quantity) {
-  if (values.choice("facets") != "multiple" || quantity == Quantity::pdf) return 0;
+  const Parameters p = registry::from_values<Parameters>(values);
+  if (p.facets != Facets::multiple || quantity == Quantity::pdf) return 0;
   const bool is_sum_of_paths = quantity == Quantity::S || quantity == Quantity::error;
-  return 48 * std::uint64_t(is_sum_of_paths ? values.integer("samples") : CUTICLE_HUANG_PATHS_OF_MEANS);
+  return 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
 }
 
 Model table() {
-  return {.entry = {.kind = registry::EntryKind::model,
-                    .name = "huang",
-                    .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
-                    .source = "Huang, Hullin and Hanika 2022",
-                    .parameters = registry::table_of<Parameters>(),
-                    .systems = system_rows,
-                    .study_cases = tiers},
-          .lobes = lobe_names,
-          .conventions = {.field = "near or far",
-                          .cosine = "not included",
-                          .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
-                          .roughness = "alpha of GGX's slopes",
-                          .absorption = "per semi-major axis"},
-          .presets = pigment_presets,
-          .near_field = is_near,
-          .from_fibre = map_fibre,
-          .loop_rounds = loop_rounds};
+  return {
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "huang",
+                .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
+                .source = "Huang, Hullin and Hanika 2022",
+                .parameters = registry::table_of<Parameters>(),
+                .systems = system_rows,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions = {.field = "near or far",
+                      .cosine = "not included",
+                      .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
+                      .roughness = "alpha of GGX's slopes",
+                      .absorption = "per semi-major axis"},
+      .presets = pigment_presets,
+      .near_field = is_near,
+      .from_fibre = map_fibre,
+      .loop_rounds = loop_rounds};
 }
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::huang

@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/kajiya_kay/kajiya_kay.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
 #include "core/registry/members.h"
-#include "bsdf/kajiya_kay/kajiya_kay.glslh"
 
 namespace cuticle::bsdf::kajiya_kay {
 namespace {
@@ -38,14 +38,9 @@ constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "the diffuse lobe is a function of the light's inclination only"},
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
-  const glm::dvec3 diffuse = p.diffuse, specular = p.specular;
-  const double exponent = p.exponent;
-  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b, specular.r, specular.g, specular.b, exponent}};
-  const Proposal highlight{mean_of(specular) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
-  pack_mixture(mean_of(diffuse) * pi * pi, highlight, {}, packed.value + 7);
-  return packed;
+KajiyaKay<double> prepare(const Parameters& p) {
+  const Proposal highlight{mean_of(p.specular) * 2 * pi * highlight_width(p.exponent), 1 / std::sqrt(p.exponent), 0};
+  return {p.diffuse, p.specular, p.exponent, make_mixture(mean_of(p.diffuse) * pi * pi, highlight, {})};
 }
 
 /// The highlight as wide as the fibre's R lobe and with its energy; everything that crosses the fibre is the diffuse
@@ -82,6 +77,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::kajiya_kay

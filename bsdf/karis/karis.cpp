@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/karis/karis.glslh"
 #include "bsdf/shared/batch.h"
 #include "core/registry/members.h"
-#include "bsdf/karis/karis.glslh"
 
 namespace cuticle::bsdf::karis {
 namespace {
@@ -43,10 +43,7 @@ glm::dvec3 density_of(const glm::dvec3& color) {
   return {density(color.r), density(color.g), density(color.b)};
 }
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
-  return pack_karis(make_karis<double>(density_of(p.color), p.roughness, p.shift));
-}
+Karis<double> prepare(const Parameters& p) { return make_karis<double>(density_of(p.color), p.roughness, p.shift); }
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(std::sqrt(fibre.longitudinal_deviation), 0.032, 1.0);
@@ -79,6 +76,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::karis

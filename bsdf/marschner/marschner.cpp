@@ -4,10 +4,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/marschner/marschner.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
 #include "core/registry/members.h"
-#include "bsdf/marschner/marschner.glslh"
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 4> system_rows = {"N11", "N16", "G1", "G7
 enum class Variant { corrected, literal };
 enum class CausticKind { exact, smoothed };
 enum class AttenuationAngle { theta_d, theta_o };
-/// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees
-/// in theta_i.
+/// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15
+/// degrees in theta_i.
 struct Parameters {
   double eta = 1.55;
   glm::dvec3 sigma_a{0.2};
@@ -71,8 +71,7 @@ AzimuthMixture<double> mixture_for(const Marschner<double>& m) {
   return {glow, even};
 }
 
-Marschner<double> make(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
+Marschner<double> prepare(const Parameters& p) {
   Marschner<double> m = make_marschner<double>(p.eta, p.sigma_a, p.beta, p.alpha);
   m.literal = p.variant == Variant::literal;
   m.removal = {p.k_g, p.w_c, p.delta_eta, p.delta_h_max, p.caustic == CausticKind::smoothed};
@@ -81,8 +80,6 @@ Marschner<double> make(const registry::ParameterValues& values) {
   m.at_theta_o = !m.literal && p.attenuation_angle == AttenuationAngle::theta_o;
   return m;
 }
-
-Packed<double> pack_double(const registry::ParameterValues& values) { return pack_marschner(make(values)); }
 
 /// Means over intervals of one theta_d after another; what two neighbours share is found once.
 class AzimuthalMeans {
@@ -125,7 +122,7 @@ class AzimuthalMeans {
 
 bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::span<const AzimuthInterval> intervals,
                      std::span<AzimuthMean> out) {
-  const Marschner<double> m = make(values);
+  const Marschner<double> m = prepare(registry::from_values<Parameters>(values));
   if (!has_exact_means(m) || lobe < 0) return false;
   AzimuthalMeans means(m, lobe);
   std::transform(intervals.begin(), intervals.end(), out.begin(),
@@ -176,6 +173,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::marschner

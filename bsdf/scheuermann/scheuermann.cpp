@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/scheuermann/scheuermann.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
 #include "core/registry/members.h"
-#include "bsdf/scheuermann/scheuermann.glslh"
 
 namespace cuticle::bsdf::scheuermann {
 namespace {
@@ -61,28 +61,25 @@ double energy_at_normal(double exponent, double tilt) {
   return highlight_energy<double>({std::sin(tilt), std::cos(tilt), exponent, {}}, 0);
 }
 
-/// A highlight's numbers and what to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 atan(shift), and
-/// cos^exponent of half the angle from there falls off with the deviation 2 / sqrt(exponent).
-Proposal pack_highlight(const glm::dvec3& color, double exponent, double shift, double* out) {
-  const double tilt = std::atan(shift);
-  out[0] = std::sin(tilt);
-  out[1] = std::cos(tilt);
-  out[2] = exponent;
-  for (int c = 0; c < 3; ++c) out[3 + c] = color[c];
+Highlight<double> make_highlight(const glm::dvec3& color, double exponent, double tilt) {
+  return {std::sin(tilt), std::cos(tilt), exponent, color};
+}
+
+/// What to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 tilt, and cos^exponent of half the angle from
+/// there falls off with the deviation 2 / sqrt(exponent).
+Proposal proposal_of(const glm::dvec3& color, double exponent, double tilt) {
   return {mean_of(color) * energy_at_normal(exponent, tilt), 2 / std::sqrt(exponent), -2 * tilt};
 }
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Parameters p = registry::from_values<Parameters>(values);
+Scheuermann<double> prepare(const Parameters& p) {
   const glm::dvec3 all = p.base * p.occlusion, diffuse = all * p.diffuse;
-  const double shift = p.shift_texture - 0.5;
-  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b}};
-  const Proposal primary =
-      pack_highlight(all * p.primary, p.primary_exponent, p.primary_shift + shift, packed.value + 3);
-  const Proposal secondary =
-      pack_highlight(all * p.secondary * p.mask, p.secondary_exponent, p.secondary_shift + shift, packed.value + 9);
-  pack_mixture(mean_of(diffuse) * 4 * pi / 3, primary, secondary, packed.value + 15);
-  return packed;
+  const glm::dvec3 primary = all * p.primary, secondary = all * p.secondary * p.mask;
+  const double texel = p.shift_texture - 0.5;
+  const double tilt = std::atan(p.primary_shift + texel), second_tilt = std::atan(p.secondary_shift + texel);
+  return {diffuse, make_highlight(primary, p.primary_exponent, tilt),
+          make_highlight(secondary, p.secondary_exponent, second_tilt),
+          make_mixture(mean_of(diffuse) * 4 * pi / 3, proposal_of(primary, p.primary_exponent, tilt),
+                       proposal_of(secondary, p.secondary_exponent, second_tilt))};
 }
 
 /// The primary highlight as R, the secondary as TRT, with their widths, shifts and energies; the rest is the diffuse
@@ -126,6 +123,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::scheuermann

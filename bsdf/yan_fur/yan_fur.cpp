@@ -6,10 +6,9 @@
 
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/shared/rough_packing.h"
-#include "core/registry/members.h"
 #include "bsdf/yan_fur/way_out.h"
 #include "bsdf/yan_fur/yan_fur.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::yan_fur {
 namespace {
@@ -79,49 +78,47 @@ double width_of_mean(double mean) {
 
 /// The medulla's light, fitted to walks (README.md): the lobe thrown forward has the phase function's mean, and the
 /// share that keeps to it falls with the mean depth of the medulla, sigma_ms kappa pi / 2.
-void pack_thrown(double g, double mean_depth, double* lobe, double& directed) {
-  const double forward = std::max(g, 0.0);
-  pack_longitudinal(width_of_mean(std::max(forward, 0.01)), 0, lobe);
-  directed = forward * std::exp(-0.3 * mean_depth);
+LongitudinalLobe<double> thrown_lobe(double g) {
+  return make_longitudinal_lobe<double>(width_of_mean(std::max(g, 0.01)), 0);
 }
-void pack_medulla(const registry::ParameterValues& values, double* out) {
-  const double g = values.real("g");
-  out[0] = values.real("kappa");
-  out[1] = values.real("sigma_ms");
-  out[2] = values.real("sigma_ma");
-  out[3] = g * (0.65 + 0.25 * g);
-  out[4] = -3.4 + 2.6 * g - 1.1 * g * g;
-  out[5] = 1.37 - 0.85 * g + 0.25 * g * g;
-  const glm::dvec3 left = share_let_out({values.real("eta"), values.real("layers"), values.rgb("sigma_a"),
-                                         values.real("kappa"), values.real("sigma_ms"), values.real("sigma_ma")});
-  for (int c = 0; c < 3; ++c) out[6 + c] = left[c];
+double directed_share(const Parameters& p) {
+  const double mean_depth = p.sigma_ms * p.kappa * 1.5707963267948966;
+  return std::max(p.g, 0.0) * std::exp(-0.3 * mean_depth);
 }
-
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
-  const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
-  Packed<double> packed{};
-  pack_longitudinal(beta_m, 2 * alpha, packed.value);
-  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
-  pack_longitudinal(beta_m * 1.5, -3 * alpha, packed.value + 8);
-  const double mean_depth = values.real("sigma_ms") * values.real("kappa") * 1.5707963267948966;
-  pack_thrown(values.real("g"), mean_depth, packed.value + 12, packed.value[45]);
-  pack_detector(beta_n, packed.value + 16);
-  pack_detector(beta_n * std::sqrt(2.0), packed.value + 20);
-  pack_detector(beta_n * std::sqrt(3.0), packed.value + 24);
-  packed.value[28] = eta * eta;
-  packed.value[29] = (eta - 1) * (eta + 1);
-  for (int c = 0; c < 3; ++c) packed.value[30 + c] = values.rgb("sigma_a")[c];
-  pack_medulla(values, packed.value + 33);
-  packed.value[42] = tolerance;
-  packed.value[43] = detector_reach(tolerance);
-  packed.value[44] = values.real("layers");
-  packed.value[46] = values.choice("field") == "near";
-  packed.value[47] = values.choice("attenuation_angle") == "theta_d";
-  return packed;
+Medulla<double> make_medulla(const Parameters& p) {
+  Medulla<double> m;
+  m.kappa = p.kappa;
+  m.scattering = p.sigma_ms;
+  m.absorption = p.sigma_ma;
+  m.single_turn = p.g * (0.65 + 0.25 * p.g);
+  m.log_rate = -3.4 + 2.6 * p.g - 1.1 * p.g * p.g;
+  m.power = 1.37 - 0.85 * p.g + 0.25 * p.g * p.g;
+  m.left = share_let_out({p.eta, p.layers, p.sigma_a, p.kappa, p.sigma_ms, p.sigma_ma});
+  return m;
 }
 
-bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+YanFur<double> prepare(const Parameters& p) {
+  YanFur<double> m;
+  m.r = make_longitudinal_lobe(p.beta_m, 2 * p.alpha);
+  m.tt = make_longitudinal_lobe(p.beta_m / 2, -p.alpha);
+  m.trt = make_longitudinal_lobe(p.beta_m * 1.5, -3 * p.alpha);
+  m.thrown = thrown_lobe(p.g);
+  m.wide_r = make_detector(p.beta_n);
+  m.wide_tt = make_detector(p.beta_n * std::sqrt(2.0));
+  m.wide_trt = make_detector(p.beta_n * std::sqrt(3.0));
+  m.dielectric = {p.eta * p.eta, (p.eta - 1) * (p.eta + 1), p.sigma_a};
+  m.medulla = make_medulla(p);
+  m.accuracy = make_accuracy(p.azimuthal_tolerance);
+  m.layers = p.layers;
+  m.directed = directed_share(p);
+  m.near_field = p.field == Field::near;
+  m.symmetric = p.attenuation_angle == AttenuationAngle::theta_d;
+  return m;
+}
+
+bool is_near(const registry::ParameterValues& values) {
+  return registry::from_values<Parameters>(values).field == Field::near;
+}
 
 FibreMapping from_fibre(const Fibre& fibre) {
   return {
@@ -152,6 +149,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::yan_fur
