@@ -8,6 +8,7 @@
 
 #include "core/file.h"
 #include "core/json/position.h"
+#include "core/registry/read_json.h"
 #include "scene/reader.h"
 #include "scene/specification.h"
 
@@ -20,7 +21,7 @@ const registry::Entry& entry_of(std::span<const registry::Entry* const> entries,
 }
 
 registry::ParameterValues values_of(registry::ParameterTable table, const Json& json) {
-  return registry::values_from_json(table, json.dump(), "").value();
+  return registry::values_from_object(table, json, "").value();
 }
 
 Block block_of(std::span<const registry::Entry* const> entries, const Json& json) {

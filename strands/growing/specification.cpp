@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/json/json.h"
 #include "core/json/position.h"
+#include "core/registry/read_json.h"
 #include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
@@ -69,7 +70,7 @@ Result<void> check_keys(const Json& object, const std::string& where) {
 
 Result<registry::ParameterValues> values_of(registry::ParameterTable table, const Json& value,
                                             const std::string& where) {
-  return registry::values_from_json(table, value.dump(), where);
+  return registry::values_from_object(table, value, where);
 }
 
 /// The table's values under a key; its defaults where the key is absent.

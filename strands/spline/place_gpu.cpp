@@ -108,7 +108,7 @@ Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& co
                                   const glm::mat3& turn) {
   const Constants constants = constants_of(turn, strands_, size_, 0);
   const gpu::Groups groups = gpu::groups_for(strands_);
-  commands.begin_pass("generate.place");
+  commands.begin_pass("place_strands");
   commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices_, &tangents_}, {}, gpu::bytes_of(constants),
                     groups.x, groups.y);
   commands.end_pass();
@@ -120,7 +120,7 @@ Result<void> StrandPlacer::record_velocities(gpu::Commands& commands, const gpu:
   CUTICLE_EXPECT(velocities_ && motion.values, "strands placed for velocities are told them");
   const Constants constants = constants_of(turn, strands_, size_, motion.since);
   const gpu::Groups groups = gpu::groups_for(strands_);
-  commands.begin_pass("generate.place_velocities");
+  commands.begin_pass("place_velocities");
   commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities_}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);
   commands.end_pass();

@@ -33,7 +33,7 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
   description.fragment_spirv = fragment_shader(coloured, resources.says_seen);
   std::vector<std::uint32_t> constants =
       dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
-  constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
+  constants.push_back(parameters_of<bake_tables::Parameters>(resources).mip_levels ? 1 : 0);
   constants.push_back(cull_strands::is_listed(resources));
   constants.push_back(std::uint32_t(resources.color->samples()));
   constants.push_back(resources.evaluates_directly ? 1 : 0);

@@ -124,7 +124,7 @@ Result<Buffers> make_buffers(gpu::Device& device, const FrameResources& resource
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const double point_px = parameters_of(resources, entry()).real("point_px");
+  const double point_px = parameters_of<Parameters>(resources).point_px;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));
   CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(std::move(device), resources));
