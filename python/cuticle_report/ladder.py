@@ -5,7 +5,7 @@ from matplotlib import pyplot
 import plotly.graph_objects as plotly
 
 from . import results
-from .pareto import COLUMN_INCHES, PRINT
+from .pareto import COLUMN_INCHES, PRINT, tick_step
 
 CAPTION = "Bars: what a rung adds (against the rung before). Points: the picture against the truth. Dotted: noise of the truth. Above: time of the frame."
 ADDED, AGAINST, SLOW = "#9db8d6", "#a8324a", "#777777"
@@ -46,7 +46,7 @@ def interactive(group, _cost_label):
         figure.add_annotation(x=name, y=1.04, yref="paper", text=text, showarrow=False, font={"size": 11})
     figure.update_layout(height=440, margin={"l": 75, "r": 20, "t": 40, "b": 90}, paper_bgcolor="rgba(0,0,0,0)", plot_bgcolor="rgba(0,0,0,0)", legend={"orientation": "h", "y": -0.25},
                          modebar={"bgcolor": "rgba(0,0,0,0)", "color": "rgba(128,128,128,0.6)"})
-    figure.update_yaxes(title="relative MSE of the picture", type="log", gridcolor="rgba(128,128,128,0.2)", dtick="D2")
+    figure.update_yaxes(title="relative MSE of the picture", type="log", gridcolor="rgba(128,128,128,0.2)", dtick=tick_step([error["value"] for error in added + against if error["value"]]))
     return figure
 
 

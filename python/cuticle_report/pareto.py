@@ -51,6 +51,11 @@ def hover(point, group, factor, unit):
     return "<br>".join(lines + ([f"{point.bytes:,.0f} bytes"] if point.bytes else []))
 
 
+def tick_step(values):
+    """Every power of ten where there are many, else 1, 2 and 5 too."""
+    return 1 if max(values, default=1) > 300 * min(values, default=1) else "D2"
+
+
 def interactive(group, cost_label):
     """A plotly figure: curves labelled at their ends, the rest as grey points, the front as a broad line."""
     figure = plotly.Figure()
@@ -71,8 +76,10 @@ def interactive(group, cost_label):
                            error_y={"array": up, "arrayminus": down, "thickness": 1, "width": 2},
                            hovertext=[hover(p, group, factor, unit) for p in points], hoverinfo="text")
     figure.update_layout(height=440, margin={"l": 75, "r": 170, "t": 15, "b": 55}, paper_bgcolor="rgba(0,0,0,0)", plot_bgcolor="rgba(0,0,0,0)", modebar={"bgcolor": "rgba(0,0,0,0)", "color": "rgba(128,128,128,0.6)"})
-    figure.update_xaxes(title=f"{cost_label}, {unit}", type="log", gridcolor="rgba(128,128,128,0.2)", exponentformat="power", dtick="D2")
-    figure.update_yaxes(title=group.raw["metrics"][0]["label"], type="log", gridcolor="rgba(128,128,128,0.2)", exponentformat="power", dtick="D2")
+    figure.update_xaxes(title=f"{cost_label}, {unit}", type="log", gridcolor="rgba(128,128,128,0.2)", exponentformat="power",
+                        dtick=tick_step([point.seconds["value"] for point in group.drawable()]))
+    figure.update_yaxes(title=group.raw["metrics"][0]["label"], type="log", gridcolor="rgba(128,128,128,0.2)", exponentformat="power",
+                        dtick=tick_step([point.error(group.metric)["value"] for point in group.drawable()]))
     return figure
 
 

@@ -15,7 +15,7 @@ from . import ReportError, curves, findings, flip, ladder, page, pareto, results
 HERE = pathlib.Path(__file__).parent
 CONFIG = {"responsive": True, "displaylogo": False, "displayModeBar": "hover"}
 BAR = {"bgcolor": "rgba(0,0,0,0)", "color": "rgba(128,128,128,0.6)"}
-MOST_PLOTS = 12  # of curves shown at once; the rest open on demand
+MOST_PLOTS = 4  # of curves shown at once; the rest open on demand
 
 
 @dataclasses.dataclass

@@ -38,6 +38,8 @@ Result<std::vector<Group>> tier_groups(const bsdf::Model& model, const std::stri
                                        const LobesRequest& request);
 /// The settings with those of the model's last study case over them: the reference's.
 std::string finest_settings(const bsdf::Model& model, const std::string& settings);
+/// The same, or `settings` where so many points by the reference would walk too many paths: those of the curves.
+std::string shown_settings(const bsdf::Model& model, const std::string& settings, std::size_t points);
 Result<std::vector<Plot>> lobe_plots(const bsdf::Model& model, const std::string& settings, std::size_t samples);
 /// S of green light over phi and theta_i at theta_o = 20 degrees.
 Result<Grid> lobe_grid(const bsdf::Model& model, const std::string& settings, std::size_t samples);

@@ -40,7 +40,7 @@ std::vector<Tier> tiers_of(const bsdf::Model& model, const std::string& settings
   return tiers;
 }
 
-constexpr double k_most_rounds = 5e7;  ///< loop rounds of a reference, all directions together
+constexpr double k_most_rounds = 3e7;  ///< loop rounds of a reference, all directions together
 constexpr std::size_t k_fewest_points = 16;
 
 /// How many directions: fewer where the model walks many paths.
@@ -83,10 +83,13 @@ Result<Measured> errors_of(const Case& at) {
 }
 
 constexpr std::size_t k_timed_points = 64;
+constexpr double k_timed_rounds = 5e6;
 
 /// One thread over the first directions.
 Work work_of(const Case& at) {
-  const std::size_t count = std::min(k_timed_points, at.reference->points.size());
+  const double rounds = at.model->loop_rounds ? double(at.model->loop_rounds(at.values, bsdf::Quantity::S)) : 0;
+  const double most = rounds > 0 ? std::max(1.0, k_timed_rounds / rounds) : 1e9;
+  const std::size_t count = std::min({k_timed_points, at.reference->points.size(), std::size_t(most)});
   const auto out = std::make_shared<Values>(count);
   const auto evaluate = at.precision == Precision::f64 ? at.model->evaluate_f64 : at.model->evaluate_f32;
   return {{},
@@ -127,6 +130,13 @@ Point make_point(const Case& at, const Tier& tier) {
 
 std::string finest_settings(const bsdf::Model& model, const std::string& settings) {
   return tiers_of(model, settings).back().settings;
+}
+
+std::string shown_settings(const bsdf::Model& model, const std::string& settings, std::size_t points) {
+  const std::string finest = finest_settings(model, settings);
+  const auto values = bsdf::parse_settings(model, "", finest);
+  const bool is_slow = values && model.loop_rounds && double(model.loop_rounds(*values, bsdf::Quantity::S)) * double(points) > 10 * k_most_rounds;
+  return is_slow ? settings : finest;
 }
 
 Result<std::vector<Group>> tier_groups(const bsdf::Model& model, const std::string& settings,
