@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cuticle::study {
 
@@ -14,27 +15,35 @@ double luminance(const Image& image, std::size_t pixel) {
 
 }  // namespace
 
-PictureError compare(const Image& picture, const Image& truth) {
-  PictureError error;
-  std::vector<double> apart;
-  double color = 0, brightness = 0;
-  for (std::size_t pixel = 0; pixel < truth.pixels.size() / 4; ++pixel) {
-    const double more = double(picture.pixels[4 * pixel + 3]) - double(truth.pixels[4 * pixel + 3]);
-    if (picture.pixels[4 * pixel + 3] <= 0 && truth.pixels[4 * pixel + 3] <= 0) continue;
-    apart.push_back(std::abs(more));
-    error.coverage += std::abs(more);
-    error.coverage_bias += more;
-    color += std::abs(luminance(picture, pixel) - luminance(truth, pixel));
-    brightness += luminance(truth, pixel);
-  }
-  if (apart.empty()) return error;
-  std::ranges::sort(apart);
-  error.coverage /= double(apart.size());
-  error.coverage_bias /= double(apart.size());
-  error.p95_coverage = apart[apart.size() * 95 / 100];
-  error.max_coverage = apart.back();
-  error.color = brightness > 0 ? color / brightness : 0;
-  return error;
+PictureErrors compare(const Image& picture, const Image& truth) {
+  constexpr int k_tile = 16;
+  PictureErrors errors;
+  double brightness = 0, pixels = 0;
+  for (int y0 = 0; y0 < truth.height; y0 += k_tile)
+    for (int x0 = 0; x0 < truth.width; x0 += k_tile) {
+      double coverage = 0, color = 0, count = 0;
+      for (int y = y0; y < std::min(y0 + k_tile, truth.height); ++y)
+        for (int x = x0; x < std::min(x0 + k_tile, truth.width); ++x) {
+          const float alpha = picture.at(x, y, 3), wanted = truth.at(x, y, 3);
+          if (alpha <= 0 && wanted <= 0) continue;
+          const std::size_t pixel = std::size_t(y) * std::size_t(truth.width) + std::size_t(x);
+          coverage += std::abs(double(alpha) - double(wanted));
+          color += std::abs(luminance(picture, pixel) - luminance(truth, pixel));
+          brightness += luminance(truth, pixel);
+          ++count;
+        }
+      if (count == 0) continue;
+      errors.coverage.push_back(coverage / count);
+      errors.color.push_back(color / count);
+      pixels += count;
+    }
+  if (brightness > 0)
+    for (double& error : errors.color) error *= pixels / brightness;
+  return errors;
+}
+
+double mean_error(const std::vector<double>& errors) {
+  return errors.empty() ? 0 : std::accumulate(errors.begin(), errors.end(), 0.0) / double(errors.size());
 }
 
 }  // namespace cuticle::study

@@ -1,15 +1,19 @@
 #pragma once
 // How far a picture of hair is from another.
+#include <vector>
+
 #include "core/image/image.h"
 
 namespace cuticle::study {
 
-/// Errors of one picture against the truth's: coverage (alpha) and colour (premultiplied linear radiance, over the
-/// truth's mean where it covers). Means are over all pixels that either of the two covers.
-struct PictureError {
-  double coverage = 0, p95_coverage = 0, max_coverage = 0, coverage_bias = 0, color = 0;
+/// Errors of one picture against the truth's, a mean for each tile of 16 x 16 pixels where either of the two covers
+/// some: of coverage (|difference of alpha|), and of colour (|difference of premultiplied luminance| over the mean of
+/// the truth's, over the same pixels).
+struct PictureErrors {
+  std::vector<double> coverage = {}, color = {};
 };
-/// Both of R, G, B, A and of one size.
-PictureError compare(const Image& picture, const Image& truth);
+PictureErrors compare(const Image& picture, const Image& truth);
+/// The mean over the tiles; 0 where there is none.
+double mean_error(const std::vector<double>& errors);
 
 }  // namespace cuticle::study
