@@ -254,7 +254,8 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
     double worst = 0, brightest = 0;
     for (std::size_t k = 5; k < with.colors.size(); k += 311) {
       const glm::dvec3 to_eye = glm::normalize(glm::dvec3(0, 0, 1) - glm::dvec3(field.point(k)));
-      const glm::dvec3 exact = k_irradiance * dual_scattering_at(glm::dvec3(field.tangent(k)), to_eye, double(through), spread);
+      const glm::dvec3 exact =
+          k_irradiance * dual_scattering_at(glm::dvec3(field.tangent(k)), to_eye, double(through), spread);
       const glm::dvec3 more = glm::dvec3(with.colors[k]) - glm::dvec3(without.colors[k]);
       for (int c = 0; c < 3; ++c) {
         worst = std::max(worst, std::abs(more[c] - exact[c]));
@@ -262,8 +263,8 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
       }
     }
     gain = brightness(with) / brightness(without);
-    std::printf("transmittance %g, directions %g: off by %.5f of %.5f, %.3f times as bright\n", double(through), spread, worst, brightest,
-                gain);
+    std::printf("transmittance %g, directions %g: off by %.5f of %.5f, %.3f times as bright\n", double(through), spread,
+                worst, brightest, gain);
     EXPECT_LT(worst, 0.015 * brightest);
   }
   EXPECT_GT(gain, 2) << "blond, where a fifth of the light arrives directly";
