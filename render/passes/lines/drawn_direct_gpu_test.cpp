@@ -31,8 +31,8 @@ struct Strands {
     for (std::uint32_t k = 0; k < k_directions; ++k) {
       const double z = 1.9 * random.next_unit() - 0.95, turn = 2 * std::numbers::pi * random.next_unit();
       directions.emplace_back(std::sqrt(1 - z * z) * glm::dvec2(std::cos(turn), std::sin(turn)), z);
-      middles.emplace_back(k_cell * glm::dvec2(k % k_columns - 0.5 * (k_columns - 1), 0.5 * (k_columns - 1) - k / k_columns),
-                           0);
+      middles.emplace_back(
+          k_cell * glm::dvec2(k % k_columns - 0.5 * (k_columns - 1), 0.5 * (k_columns - 1) - k / k_columns), 0);
       segments.push_back(3 * k);
       segments.push_back(3 * k + 1);
       for (double end : {-1.0, 0.0, 1.0}) {

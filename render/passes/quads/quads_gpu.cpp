@@ -84,8 +84,8 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    std::vector<std::uint32_t> constants = dual_scattering::with_dual_scattering(
-        with_channels({std::uint32_t(samples)}, resources.channels), resources);
+    std::vector<std::uint32_t> constants =
+        dual_scattering::with_dual_scattering(with_channels({std::uint32_t(samples)}, resources.channels), resources);
     constants.push_back(resources.evaluates_directly ? 1 : 0);
     description.interface = {.storage_buffers = 7, .textures = 4, .specialization = std::move(constants)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));

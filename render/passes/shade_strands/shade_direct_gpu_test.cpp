@@ -46,7 +46,8 @@ std::vector<glm::dvec3> expected(const Strands& strands, const bsdf::Model& mode
                                  const registry::ParameterValues& values) {
   std::vector<bsdf::Point> points;
   for (std::size_t v = 0; v < strands.points.size(); ++v)
-    points.push_back(tests::angles_at(glm::dvec3(strands.points[v]), glm::dvec3(strands.tangents[v]), k_eye, k_to_light));
+    points.push_back(
+        tests::angles_at(glm::dvec3(strands.points[v]), glm::dvec3(strands.tangents[v]), k_eye, k_to_light));
   std::vector<glm::dvec3> scattered(points.size());
   EXPECT_TRUE(bsdf::evaluate(model, values, bsdf::Precision::f64, {.points = points}, scattered));
   for (glm::dvec3& value : scattered) value *= k_irradiance;
