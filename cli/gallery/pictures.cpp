@@ -84,7 +84,7 @@ std::vector<GalleryPicture> diagrams() {
       {.name = "tension",
        .title = "Stretch along simulated strands as the head turns",
        .commands = {"simulate {scenes}/head_turn.json --frames 0:12 --out {work}",
-                    "view strands {work}/frame_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
+                    "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
        .needs_display = true}};
 }
