@@ -50,11 +50,11 @@ std::vector<GalleryPicture> hair() {
           {.name = "hard_case",
            .title = "The caustic of TRT: infinite, and smoothed",
            .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
-                        "--size {560} {480} --screenshot {work}/before.png",
+                        "--size {760} {520} --screenshot {work}/before.png",
                         "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
-                        "--size {560} {480} --screenshot {work}/after.png"},
+                        "--size {760} {520} --screenshot {work}/after.png"},
            .parts = {"before.png", "after.png"},
-           .columns = 2,
+
            .needs_display = true}};
 }
 
@@ -83,7 +83,7 @@ std::vector<GalleryPicture> diagrams() {
        .parts = {"error_against_time.png"}},
       {.name = "tension",
        .title = "Stretch along simulated strands as the head turns",
-       .commands = {"simulate {scenes}/head_turn.json --frames 0:12 --out {work}",
+       .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
                     "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
        .needs_display = true}};
