@@ -42,17 +42,20 @@ std::vector<GalleryPicture> hair() {
            .commands = {"render {scenes}/nalu.json --frames 40 --size {480} {480} --out {work}"},
            .parts = {"frame_0040.png"}},
           {.name = "cards_beside_strands",
-           .title = "600 cards beside the strands that they were made of",
-           .commands = {"render {scenes}/cards.json --size {360} {360} --out {work}/cards",
-                        "render {scenes}/cards.json --method tiles --size {360} {360} --out {work}/strands"},
+           .title = "Hair cards beside the strands that they are made of",
+           .commands = {"render {scenes}/waves.json --method cards --size {360} {396} --out {work}/cards",
+                        "render {scenes}/waves.json --size {360} {396} --out {work}/strands"},
            .parts = {"cards/frame_0000.png", "strands/frame_0000.png"},
            .columns = 2},
           {.name = "hard_case",
-           .title = "Rings of too few opacity slices, and layers that follow the hair",
-           .commands = {"render {scenes}/rings.json --size {360} {396} --out {work}/before",
-                        "render {scenes}/straight.json --size {360} {396} --out {work}/after"},
-           .parts = {"before/frame_0000.png", "after/frame_0000.png"},
-           .columns = 2}};
+           .title = "The caustic of TRT: infinite, and smoothed",
+           .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
+                        "--size {760} {520} --screenshot {work}/before.png",
+                        "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
+                        "--size {760} {520} --screenshot {work}/after.png"},
+           .parts = {"before.png", "after.png"},
+
+           .needs_display = true}};
 }
 
 /// What the functions, tables and shadows look like.
@@ -69,9 +72,10 @@ std::vector<GalleryPicture> diagrams() {
        .parts = {"preview.png"}},
       {.name = "shadow_slices",
        .title = "Light in a cut through the hair: truth, 16 opacity slices, 8 deep opacity layers",
-       .commands = {"grow {scenes}/presets/wavy.json --share 0.6 --out {work}/hair.hair",
-                    "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 --alpha 1 "
-                    "--rays 64 --cut {work}/cut.png --cut-size {260}"},
+       .commands =
+           {"grow {scenes}/presets/wavy.json --share 0.6 --out {work}/hair.hair",
+            "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 --alpha 1 "
+            "--rays 64 --cut {work}/cut.png --cut-size {260}"},
        .parts = {"cut.png"}},
       {.name = "error_against_time",
        .title = "Error against time of the tiers of every model",
@@ -79,8 +83,8 @@ std::vector<GalleryPicture> diagrams() {
        .parts = {"error_against_time.png"}},
       {.name = "tension",
        .title = "Stretch along simulated strands as the head turns",
-       .commands = {"simulate {scenes}/head_turn.json --frames 0:12 --out {work}",
-                    "view strands {work}/frame_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
+       .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
+                    "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
        .needs_display = true}};
 }

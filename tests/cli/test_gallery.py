@@ -26,7 +26,7 @@ def test_Gallery_Page_HasEachPictureAndItsCommand():
 def test_Gallery_Picture_IsMade(name, tmp_path):
     if name in LONG and not os.environ.get("CUTICLE_SWEEPS"):
         pytest.skip("long: scripts/test.sh --full")
-    if name in ("lobes", "tension") and not shutil.which("xvfb-run"):
+    if name in ("lobes", "tension", "hard_case") and not shutil.which("xvfb-run"):
         pytest.skip("xvfb is in scripts/packages.txt")
     done = run("gallery", "--only", name, "--scale", "0.3", "--out", tmp_path, timeout=280)
     assert done.returncode == 0, done.stderr
