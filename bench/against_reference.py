@@ -1,11 +1,13 @@
-"""A scene's picture by the real-time ways of drawing strands, against the path tracer.
+"""Pictures by the real-time ways of drawing strands, against the path tracer.
 
-  pip install numpy OpenEXR        (in a virtual environment of its own)
-  CUTICLE=build/release/bin/cuticle python bench/against_reference.py SCENE.json OUT [--methods tiles,quads,lines] [--samples 64]
+  pip install -r bench/requirements.txt        (in a virtual environment of its own)
+  export CUTICLE=build/release/bin/cuticle CUTICLE_TEST_DATA=...
+  python bench/against_reference.py OUT [--grooms ponytail,dense] [--methods tiles,lines] [--colours blond,black] [--samples 64]
+  python bench/against_reference.py OUT --scene SCENE.json      (a scene of your own, on a black background)
 
-Prints, for each way: its coverage, its light (mean radiance of red, green, blue) and the root mean square of the differences of means over
-8 x 8 pixels (where the reference has light), each as a share of the reference's. Direct light is compared with paths of one scattering; with
-dual scattering (`passes.dual_scattering`), light with paths of any length. The scene must have a black background.
+Prints, for each way of drawing: its coverage, its light (mean radiance of red, green, blue) and the root mean square of the differences of
+means over 8 x 8 pixels (where the reference has light), each as a share of the reference's. Direct light is compared with paths of one
+scattering; with dual scattering (`passes.dual_scattering`), light with paths of any length, for each colour. Pictures that OUT has are kept.
 """
 import argparse
 import json
@@ -16,29 +18,43 @@ import sys
 import numpy as np
 import OpenEXR
 
+import measured_scenes
+
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("scene")
     parser.add_argument("out")
-    parser.add_argument("--methods", default="tiles,quads,lines,truth")
+    parser.add_argument("--scene")
+    parser.add_argument("--grooms", default=",".join(measured_scenes.GROOMS))
+    parser.add_argument("--methods", default="truth,tiles,quads,lines")
+    parser.add_argument("--colours", default="black,brown,blond")
     parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--size", type=int, default=240)
+    parser.add_argument("--evaluate", choices=("direct", "tables"), default="direct", help="of the real-time ways")
+    parser.add_argument("--shadow", type=json.loads, help="method with its parameters, JSON")
+    parser.add_argument("--to-light", default="0.6,0.9,0.8")
+    parser.add_argument("--densities", help="d_f,d_b of dual scattering")
+    parser.add_argument("--only", choices=("direct", "dual"))
     return parser.parse_args()
 
 
-def render(scene, out, *options):
-    program = os.environ.get("CUTICLE", "build/release/bin/cuticle")
-    done = subprocess.run([program, "render", scene, "--out", out, *options], capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(done.stderr)
-    for line in done.stderr.splitlines():
-        if line.startswith("reference:"):
-            print(line)
-    with OpenEXR.File(os.path.join(out, "frame_0000.exr")) as file:
+def pixels(folder):
+    with OpenEXR.File(os.path.join(folder, "frame_0000.exr")) as file:
         channels = file.channels()
         if "RGBA" in channels:
             return channels["RGBA"].pixels.astype(float)
         return np.stack([channels[name].pixels for name in "RGBA"], -1).astype(float)
+
+
+def render(scene, out, *options):
+    if not os.path.exists(os.path.join(out, "frame_0000.exr")):
+        os.makedirs(out, exist_ok=True)
+        path = measured_scenes.write(scene, os.path.join(out, "scene.json"))
+        done = subprocess.run([measured_scenes.PROGRAM, "render", path, "--out", out, *options], capture_output=True,
+                              text=True)
+        if done.returncode:
+            sys.exit(f"{out}: {done.stderr}")
+    return pixels(out)
 
 
 def block_means(picture, side=8):
@@ -53,31 +69,53 @@ def show(name, picture, reference):
     rms = np.sqrt(((mine - wanted)[lit] ** 2).mean() / (wanted[lit] ** 2).mean())
     light = picture[..., :3].mean((0, 1)) / reference[..., :3].mean((0, 1))
     coverage = picture[..., 3].mean() / reference[..., 3].mean()
-    print(f"{name:24} coverage {coverage:.3f}  light {light[0]:.3f} {light[1]:.3f} {light[2]:.3f}  rms {rms:.3f}")
+    print(f"{name:34} coverage {coverage:.3f}  light {light[0]:.3f} {light[1]:.3f} {light[2]:.3f}  rms {rms:.3f}",
+          flush=True)
 
 
-def with_dual_scattering(path, out):
-    with open(path) as file:
-        scene = json.load(file)
-    scene.setdefault("passes", {})["dual_scattering"] = {}
-    changed = os.path.join(os.path.dirname(os.path.abspath(path)), os.path.basename(out) + "_dual.json")
-    with open(changed, "w") as file:
-        json.dump(scene, file)
-    return changed
+def densities(options):
+    if not options.densities:
+        return {}
+    forward, backward = map(float, options.densities.split(","))
+    return {"forward_density": forward, "backward_density": backward}
+
+
+def changed(scene, options, dual):
+    """The scene for a real-time way."""
+    scene = json.loads(json.dumps(scene))
+    scene["material"]["evaluate"] = options.evaluate
+    if options.shadow:
+        scene["shadow"]["method"] = options.shadow
+    if dual:
+        scene.setdefault("passes", {})["dual_scattering"] = densities(options)
+    return scene
+
+
+def compare(name, scene, out, options, dual):
+    bounces = [] if dual else ["--bounces", "1"]
+    kind = "all" if dual else "direct"
+    reference = render(scene, f"{out}/reference_{kind}", "--method", "reference", "--samples", str(options.samples), *bounces)
+    for method in options.methods.split(","):
+        way = f"{method}_{kind}_{options.densities}" if dual and options.densities else f"{method}_{kind}"
+        picture = render(changed(scene, options, dual), f"{out}/{way}", "--method", method)
+        show(f"{name} {method} {kind}", picture, reference)
 
 
 def main():
     options = arguments()
-    samples = ["--method", "reference", "--samples", str(options.samples)]
-    direct = render(options.scene, options.out + "/reference_direct", *samples, "--bounces", "1")
-    full = render(options.scene, options.out + "/reference_full", *samples)
-    dual = with_dual_scattering(options.scene, options.out)
-    for method in options.methods.split(","):
-        show(method + ", direct", render(options.scene, f"{options.out}/{method}", "--method", method), direct)
-    for method in options.methods.split(","):
-        picture = render(dual, f"{options.out}/{method}_dual", "--method", method)
-        show(method + ", dual scattering", picture, full)
-    os.remove(dual)
+    if options.scene:
+        with open(options.scene) as file:
+            cases = {"scene": json.load(file)}
+    else:
+        to_light = [float(part) for part in options.to_light.split(",")]
+        os.makedirs(options.out, exist_ok=True)
+        cases = {f"{groom} {colour}": measured_scenes.scene(groom, options.out, measured_scenes.COLOURS[colour], options.size,
+                                                            to_light)
+                 for groom in options.grooms.split(",") for colour in options.colours.split(",")}
+    for name, scene in cases.items():
+        for kind in ("direct", "dual"):
+            if options.only in (None, kind):
+                compare(name, scene, os.path.join(options.out, name.replace(" ", "_")), options, kind == "dual")
 
 
 if __name__ == "__main__":

@@ -174,9 +174,7 @@ class Subject {
 
   /// By the batch's formulas; 0 where these settings have none.
   double operations(bool density) const {
-    Packed<float> packed;
-    std::ranges::copy(model_.pack(values_), packed.value);
-    return bench::operations_of(model_.entry.name, packed, density, on_.places());
+    return bench::operations_of(model_.entry.name, model_.pack(values_), density, on_.places());
   }
 
   void batch(const BatchEvaluator& evaluator, std::string_view path, std::vector<Row>& rows) {

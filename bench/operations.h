@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "bsdf/model.h"
-#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bench {
 
@@ -17,11 +16,11 @@ struct Place {
 
 /// Sums, products, quotients, roots and comparisons for one point, the mean over the places, of S (`density`: of the
 /// pdf) by the formulas of the batch; 0 where the model has none, or none for these parameters.
-double operations_of(std::string_view model, const bsdf::Packed<float>& packed, bool density,
+double operations_of(std::string_view model, std::span<const float> numbers, bool density,
                      std::span<const Place> places);
 
 /// What the unit of one model (operations.cpp) hands in before main.
-using CountOperations = double (*)(const bsdf::Packed<float>&, bool density, std::span<const Place>);
+using CountOperations = double (*)(std::span<const float>, bool density, std::span<const Place>);
 bool hand_in(std::string_view model, CountOperations count);
 
 }  // namespace cuticle::bench

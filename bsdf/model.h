@@ -87,7 +87,7 @@ struct Model {
   /// Draws incident directions; the same number of queries and results.
   void (*sample_f32)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
   void (*sample_f64)(const registry::ParameterValues&, std::span<const SampleQuery>, std::span<Sample> out) = nullptr;
-  /// What the model's GLSL `evaluate_packed` reads (CUTICLE_PACKED_COUNT floats).
+  /// The numbers of its struct, as a kernel reads them.
   std::vector<float> (*pack)(const registry::ParameterValues&) = nullptr;
   /// Named starting points, "blond" -> "eta=1.55,sigma_a=...".
   std::span<const registry::StudyCase> presets = {};

@@ -12,7 +12,7 @@ namespace cuticle::bsdf {
 struct GpuModel {
   std::string_view name;
   std::span<const std::uint32_t> evaluate_spirv;
-  std::span<const std::uint32_t> sample_spirv = {};  ///< empty: the model has no sampler
+  std::span<const std::uint32_t> sample_spirv;
 };
 std::span<const GpuModel> gpu_models();  // written by CMake (bsdf/CMakeLists.txt)
 

@@ -1,6 +1,7 @@
 #include "cli/shared_files.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -31,7 +32,7 @@ std::string python_program() {
 
 /// Exit code of a program run with its arguments, without a shell; 127 when it cannot be started. It runs in the root of
 /// the file system: libraries read settings from the folder that they are started in (matplotlibrc).
-int run_program(const std::vector<std::string>& arguments) {
+int run_program(const std::vector<std::string>& arguments, bool quiet = false) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
@@ -39,6 +40,7 @@ int run_program(const std::vector<std::string>& arguments) {
   if (child == 0) {
     restore_signals();
     if (chdir("/") != 0) _exit(127);
+    if (quiet && !std::freopen("/dev/null", "w", stdout)) _exit(127);
     execvp(pointers[0], pointers.data());
     _exit(127);
   }
@@ -72,6 +74,15 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
   std::vector<std::string> all = {python_program(), "-I", "-c", start, fs::absolute(share_file("python")).string(), module};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
+}
+
+int run_self(const std::vector<std::string>& arguments, bool needs_display) {
+  std::vector<std::string> all;
+  if (needs_display && !std::getenv("DISPLAY")) all = {"xvfb-run", "-a"};
+  std::error_code error;
+  all.push_back(fs::read_symlink("/proc/self/exe", error).string());
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return run_program(all, true);
 }
 
 void print_rows(const std::string& csv, const std::string& file) {

@@ -181,7 +181,7 @@ struct FragmentCount {
 
 /// Work recorded for one submission. A memory barrier stands between any two recorded operations, so each sees what the
 /// one before wrote (one rendering, with all its draws, is one operation; clip space is Vulkan's: y down, depth 0..1).
-/// Dispatches and draws count toward the pass that is open. What was recorded stays alive until the work is done.
+/// Dispatches and draws count toward the outermost open pass. What was recorded stays alive until the work is done.
 /// A misuse (an empty buffer, a count that does not fit the shader) is kept and becomes the error of submit.
 class Commands {
  public:

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 // The texels of all tables of a set, for any model: one thread a texel, one row of workgroups a table. What they are of is
 // data (bake_kernel_gpu.h), written once; only the parameters change. model_of_kernel.glslh is written by CMake for each model.
 #include "model_of_kernel.glslh"
@@ -17,7 +18,7 @@ struct Table { uint first, count, from_caustic, unused; ivec4 terms[4]; ivec4 te
 struct TexelPoint { float theta_i, theta_o, theta_d, phi, h, phi_o, begin, end; };
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Parameters { Packed packed; };
+layout(scalar, binding = 0) readonly buffer Parameters { Prepared prepared; };
 layout(std430, binding = 1) readonly buffer Tables { Table tables[]; };
 layout(std430, binding = 2) readonly buffer Points { TexelPoint points[]; };
 layout(push_constant) uniform Push { float glass; };  // eta^2 - 1 of the fibre with the caustic
@@ -41,7 +42,7 @@ vec3 azimuthal(int lobe, EvaluationPoint at, bool is_mean, float begin, float en
     vec3 first, last, lower;
     for (int k = 0; k < nodes; ++k) {
       if (is_mean) at.phi = k < 15 ? panel_point(integral, k) : k == 15 ? panel_lower(integral) : panel_upper(integral);
-      value = evaluate_packed(packed, CUTICLE_QUANTITY_N, lobe, at);
+      value = evaluate(prepared, CUTICLE_QUANTITY_N, lobe, at);
       if (k == 0) first = value;
       if (k == 14) last = value;
       if (k == 15) lower = value;
@@ -55,15 +56,15 @@ vec3 azimuthal(int lobe, EvaluationPoint at, bool is_mean, float begin, float en
 
 vec3 azimuthal_or_own_mean(int lobe, EvaluationPoint at, bool is_mean, float begin, float end) {
 #ifdef CUTICLE_AZIMUTHAL_MEAN
-  if (is_mean && has_azimuthal_means_packed(packed))
-    return azimuthal_mean_packed(packed, lobe, at.theta_d, begin, end);
+  if (is_mean && has_exact_means(prepared))
+    return azimuthal_mean(prepared, lobe, at.theta_d, begin, end);
 #endif
   return azimuthal(lobe, at, is_mean, begin, end);
 }
 
 bool is_singular(int lobe, float theta_d, float begin, float end) {
 #ifdef CUTICLE_AZIMUTHAL_MEAN
-  if (has_azimuthal_means_packed(packed)) return is_singular_packed(packed, lobe, theta_d, begin, end);
+  if (has_exact_means(prepared)) return is_singular(prepared, lobe, theta_d, begin, end);
 #endif
   return false;
 }
@@ -76,7 +77,7 @@ vec3 value_of(ivec4 term, TexelPoint p, inout bool singular) {
   for (int lobe = 0; (term.z >> lobe) != 0; ++lobe) {
     if (((term.z >> lobe) & 1) == 0) continue;
     if (term.y == CUTICLE_QUANTITY_M) {
-      sum += evaluate_packed(packed, CUTICLE_QUANTITY_M, lobe, at);
+      sum += evaluate(prepared, CUTICLE_QUANTITY_M, lobe, at);
       continue;
     }
     bool is_mean = term.x == k_mean;

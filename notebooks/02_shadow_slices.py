@@ -34,13 +34,13 @@ if not folder:
     subprocess.run([os.environ.get("CUTICLE_PROGRAM", "cuticle"), "study", "shadows", "--quick", "--out", folder], check=True, stdout=subprocess.DEVNULL)
 with open(pathlib.Path(folder) / "study.csv", newline="") as file:
     rows = list(csv.DictReader(file))
-baselines = {row["method"]: float(row["mean_error"]) for row in rows if row["method"] in ("none", "best constant")}
+baselines = {row["method"]: float(row["mean_error"]) for row in rows if row["method"] in ("none (T = 1)", "the best constant")}
 maps = [row for row in rows if row["method"] == "opacity_map"]
 print(f"{len(maps)} settings of the opacity map; baselines {baselines}")
 
 # %%
 resolutions = sorted({int(row["resolution"]) for row in maps})
-curves = {r: sorted((int(row["layers"]), float(row["mean_error"]), float(row["p95_error"])) for row in maps if int(row["resolution"]) == r) for r in resolutions}
+curves = {r: sorted((int(row["slices"]), float(row["mean_error"]), float(row["p95_error"])) for row in maps if int(row["resolution"]) == r) for r in resolutions}
 
 figure, axes = pyplot.subplots(figsize=(8, 4.6), layout="constrained")
 for marker, (r, curve) in zip("osD^v" * 2, curves.items()):
@@ -48,7 +48,7 @@ for marker, (r, curve) in zip("osD^v" * 2, curves.items()):
     axes.plot([p[0] for p in curve], [p[2] for p in curve], ":", color=line.get_color(), label=f"{r} x {r}, 95th percentile")
 for (name, value), style in zip(baselines.items(), ("--", "-.")):
     axes.axhline(value, color="black", linestyle=style, linewidth=1, label=f"{name}: {value:.3f}")
-slices = sorted({int(row["layers"]) for row in maps})
+slices = sorted({int(row["slices"]) for row in maps})
 axes.set(xlabel="slices", ylabel="|error| of transmittance", xscale="log", ylim=(0, None), title="Opacity map against ray-traced truth, 0.05 < T < 0.95")
 axes.set_xticks(slices, [str(s) for s in slices])
 axes.minorticks_off()
@@ -68,4 +68,4 @@ for r, curve in curves.items():
     assert errors[-1] < errors[0]
     assert all(later < 1.25 * earlier for earlier, later in zip(errors, errors[1:]))
 best = min(float(row["mean_error"]) for row in maps)
-assert best < baselines["best constant"] < baselines["none"]
+assert best < baselines["the best constant"] < baselines["none (T = 1)"]

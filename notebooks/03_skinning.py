@@ -18,7 +18,7 @@
 # The numbers come from `cuticle study skinning`, run here unless CUTICLE_SKINNING names a folder that holds its files.
 
 # %%
-import csv
+import json
 import os
 import pathlib
 import subprocess
@@ -34,14 +34,10 @@ if not folder:
     subprocess.run([os.environ.get("CUTICLE_PROGRAM", "cuticle"), "study", "skinning", "--out", folder], check=True, stdout=subprocess.DEVNULL)
 
 
-def table(name):
-    with open(pathlib.Path(folder) / name, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-rows, sections = table("study.csv"), table("sections.csv")
-kept = {method: [(float(r["angle_deg"]), float(r["volume_kept"]), float(r["volume_analytic"])) for r in rows if r["method"] == method]
-        for method in ("linear_blend", "dual_quaternion")}
+plots = {plot["name"]: {curve["name"]: (curve["x"], curve["y"]) for curve in plot["curves"]}
+         for plot in json.loads((pathlib.Path(folder) / "result.json").read_text())["plots"]}
+analytic = {"linear_blend": plots["volume"]["linear blend, analytic"][1], "dual_quaternion": [1] * len(plots["volume"]["dual_quaternion"][0])}
+kept = {method: list(zip(*plots["volume"][method], analytic[method])) for method in analytic}
 print({method: f"{curve[-1][1]:.5f} of the volume kept at half a turn" for method, curve in kept.items()})
 
 # %%
@@ -50,9 +46,8 @@ for (method, curve), marker in zip(kept.items(), "os"):
     (line,) = volume.plot([p[0] for p in curve], [p[1] for p in curve], marker, fillstyle="none", label=method.replace("_", " "))
     volume.plot([p[0] for p in curve], [p[2] for p in curve], "-", color=line.get_color(), linewidth=1, label="analytic")
 volume.set(xlabel="twist, degrees", ylabel="volume over that at rest", ylim=(0, 1.08), xticks=range(0, 181, 30))
-place = [float(s["place"]) for s in sections]
-for key, style in (("linear_blend", "-"), ("dual_quaternion", "-"), ("linear_analytic", "k:")):
-    radius.plot(place, [float(s[key]) for s in sections], style, label=key.replace("_", " "))
+for name, style in (("linear_blend", "-"), ("dual_quaternion", "-"), ("linear blend, analytic", "k:")):
+    radius.plot(*plots["sections"][name], style, label=name.replace("_", " "))
 radius.set(xlabel="place along the tube", ylabel="radius over that at rest", ylim=(0, 1.08), title="half a turn")
 for axes in (volume, radius):
     axes.grid(alpha=0.3)

@@ -3,8 +3,7 @@
 #include <memory>
 
 #include "plan/strand_set.h"
-#include "strands/binding/carry_gpu.h"
-#include "strands/skinning/skinning_gpu.h"
+#include "render/pass_gpu.h"
 
 namespace cuticle::plan {
 
@@ -15,7 +14,9 @@ class CharacterMotion {
                                                          const StrandSet& set);
   /// Poses the joints for a frame, frame 0 at the scene's start time; the clip repeats.
   void move_to(int frame);
-  /// The passes "generate.skin" and "generate.carry" for the frame last moved to.
+  /// For the frame last moved to.
+  render::PosedCharacter posed() { return {&mesh_, &strands_, motions_, method_}; }
+  /// The passes "skin" and "carry" for it.
   Result<void> record(gpu::Commands& commands);
 
   const gpu::Buffer& positions() const { return strands_.positions(); }  ///< world, vec4 per control vertex

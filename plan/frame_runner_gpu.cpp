@@ -14,24 +14,12 @@ namespace cuticle::plan {
 
 namespace {
 
-/// Modules name their recorded passes "stage.part"; a plan knows them by the entry's name. All parts of "shadow." are
-/// the scene's shadow method.
-std::string entry_name(const std::string& recorded, const scene::Scene& scene) {
-  if (recorded == "generate.smooth") return "smooth_strands";
-  if (recorded == "generate.interpolate") return "interpolate_strands";
-  if (recorded == "generate.place") return "place_strands";
-  if (recorded.starts_with("shadow.") && scene.shadow) return scene.shadow->name;
-  const std::size_t dot = recorded.find('.');
-  return dot == std::string::npos ? recorded : recorded.substr(dot + 1);
-}
-
 /// Adds a submission's passes to the cost, those of one entry together.
-void add_cost(const gpu::SubmitCost& more, const scene::Scene& scene, gpu::SubmitCost& cost) {
+void add_cost(const gpu::SubmitCost& more, gpu::SubmitCost& cost) {
   cost.wall_ms += more.wall_ms;
   for (const gpu::PassCost& pass : more.passes) {
-    const std::string name = entry_name(pass.name, scene);
-    auto found = std::ranges::find(cost.passes, name, &gpu::PassCost::name);
-    if (found == cost.passes.end()) found = cost.passes.insert(found, {.name = name});
+    auto found = std::ranges::find(cost.passes, pass.name, &gpu::PassCost::name);
+    if (found == cost.passes.end()) found = cost.passes.insert(found, {.name = pass.name});
     found->gpu_ms += pass.gpu_ms;
     found->dispatches += pass.dispatches;
     found->draws += pass.draws;
@@ -134,7 +122,7 @@ struct FrameRunner::Impl {
                                                                .follows = frame == painted + 1},
                                                               trace));
     painted = frame;
-    add_cost(cost, scene, result.cost);
+    add_cost(cost, result.cost);
     if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
@@ -189,7 +177,7 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   if (frame < 0) return usage_error(fmt::format("frame {} is below 0", frame));
   FrameResult result;
   CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace));
-  add_cost(cost, impl_->scene, result.cost);
+  add_cost(cost, result.cost);
   if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());

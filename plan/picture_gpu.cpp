@@ -56,7 +56,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   CUTICLE_TRY(picture->choose_chunks());
   CUTICLE_TRY(picture->make_strands());
   CUTICLE_TRY(picture->make_rest());
-  CUTICLE_TRY(picture->shadows_.make(picture->device_, scene, plan, picture->resources_));
+  CUTICLE_ASSIGN(picture->shadows_, StrandShadows::make(picture->device_, scene, plan, picture->resources_));
   CUTICLE_TRY(picture->make_tables(progress));
   CUTICLE_TRY(picture->make_targets());
   CUTICLE_TRY(picture->make_passes());
@@ -94,12 +94,15 @@ Result<void> Picture::make_generator() {
                                             .radius = set_.radius,
                                             .taper = set_.taper,
                                             .moves = find_pass(plan_, "interpolate_velocities") != nullptr};
-  CUTICLE_ASSIGN(generator_, strands::StrandGenerator::create(device_, input));
+  CUTICLE_ASSIGN(auto generator, strands::StrandGenerator::create(device_, input));
+  resources_.generator = generator.get();
+  generator_ = std::move(generator);
   return {};
 }
 
 Result<void> Picture::make_strands() {
   CUTICLE_TRY(make_generator());
+  resources_.drawn_strands = generator_.get();
   resources_.strands = {
       &generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
   resources_.tangents = &generator_->tangents();
@@ -134,9 +137,6 @@ Result<void> Picture::make_rest() {
 }
 
 Result<void> Picture::make_tables(Progress& progress) {
-  if (resources_.evaluates_directly && (scene_.render_method == "lines" || scene_.render_method == "quads"))
-    return bad_input(fmt::format("material.evaluate = 'direct': '{}' reads tables", scene_.render_method),
-                     "set render.method to tiles, or material.evaluate to tables");
   if (!find_pass(plan_, "bake_tables")) return {};
   progress.message("baking lookup tables");
   const registry::ParameterValues& values = scene_.material.model.values;
@@ -146,7 +146,7 @@ Result<void> Picture::make_tables(Progress& progress) {
                  device_->info().is_software
                      ? lut::bake(*resources_.model, values, *layout, scene_.material.lut_size, progress)
                      : lut::bake_gpu(*device_, *resources_.model, values, *layout, scene_.material.lut_size));
-  const bool mip_levels = parameters_of(resources_, render::bake_tables::entry()).boolean("mip_levels");
+  const bool mip_levels = parameters_of<render::bake_tables::Parameters>(resources_).mip_levels;
   CUTICLE_ASSIGN(tables_, render::lines::upload_drawn(*device_, table_set_, mip_levels));
   for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
   resources_.table_set = &table_set_;
@@ -175,6 +175,11 @@ Result<void> Picture::make_targets() {
 
 Result<void> Picture::make_passes() {
   for (const PlannedPass& planned : plan_.passes) {
+    if (shadows_ && planned.entry->stage >= registry::Stage::shadow) {
+      const std::string_view method =
+          resources_.of_surfaces_alone ? "surface_shadow" : std::string_view(scene_.shadow->name);
+      passes_.push_back({find_pass(plan_, method)->entry->name, registry::Stage::shadow, false, std::move(shadows_)});
+    }
     const auto entry = std::ranges::find(render::gpu_passes(), planned.entry->name, &render::GpuPassEntry::name);
     if (entry == render::gpu_passes().end()) continue;
     CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
@@ -183,14 +188,6 @@ Result<void> Picture::make_passes() {
     passes_.push_back({planned.entry->name, planned.entry->stage, draws, std::move(pass)});
   }
   return {};
-}
-
-Result<void> Picture::record_generate(gpu::Commands& commands, const PictureInput& input) {
-  if (input.records_character) CUTICLE_TRY(input.character->record(commands));
-  const glm::mat3 turn(input.head);
-  CUTICLE_TRY(generator_->record(commands, *input.control_positions, turn));
-  if (!resources_.velocities) return {};
-  return generator_->record_velocities(commands, *input.control_positions, input.control_motion, turn);
 }
 
 /// How many strands the frame's level of detail draws, by whichever pass does.
@@ -212,6 +209,7 @@ shadows::GpuStrands Picture::casters() const {
   return strands;
 }
 
+/// Strands and shadows are those of the frame's first chunk.
 Result<void> Picture::record_passes(gpu::Commands& commands) {
   auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
   resources_.keep_target = false;
@@ -226,9 +224,9 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
   return {};
 }
 
-Result<gpu::SubmitCost> Picture::paint_part(const PictureInput& input, Trace* trace) {
+Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
   for (;;) {
-    CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(input, trace));
+    CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(trace));
     CUTICLE_ASSIGN(const bool holds, settle());
     if (holds) return cost;
   }
@@ -238,14 +236,14 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
   resources_.frames_since_cut = input.follows ? resources_.frames_since_cut + 1 : 1;
   use_frame(input);
   notes_.clear();
-  if (!in_chunks()) return paint_part(input, trace);
+  if (!in_chunks()) return paint_part(trace);
   const glm::ivec2 all = input.camera.resolution, size = resources_.part_size;
   chunks_ = make_image(all.x, all.y, {"R", "G", "B", "A"});
   gpu::SubmitCost cost;
   for (int y = 0; y < all.y; y += size.y)
     for (int x = 0; x < all.x; x += size.x) {
       resources_.part_corner = {x, y};
-      CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(input, trace));
+      CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(trace));
       CUTICLE_TRY(keep_part());
       cost.wall_ms += more.wall_ms;
       cost.passes.insert(cost.passes.end(), more.passes.begin(), more.passes.end());
@@ -290,16 +288,13 @@ void Picture::use_frame(const PictureInput& input) {
   resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
   resources_.fin_positions = input.fins ? &input.fins->positions() : nullptr;
   resources_.fin_normals = input.fins ? &input.fins->normals() : nullptr;
+  resources_.character.reset();
+  if (input.records_character) resources_.character = input.character->posed();
+  resources_.casters = casters();
 }
 
-/// Strands and shadows are those of the frame's first chunk.
-Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* trace) {
+Result<gpu::SubmitCost> Picture::paint_once(Trace* trace) {
   gpu::Commands commands = device_->record();
-  if (begins_frame()) {
-    CUTICLE_TRY(record_generate(commands, input));
-    resources_.casters = casters();
-    CUTICLE_TRY(shadows_.record(commands, resources_));
-  }
   CUTICLE_TRY(record_passes(commands));
   return device_->submit(std::move(commands), trace);
 }
@@ -318,7 +313,7 @@ Result<Image> Picture::read_truth() const {
     CUTICLE_ASSIGN(scene_color, device_->download(color_));
     CUTICLE_ASSIGN(scene_depth, device_->download(depth_));
   }
-  const render::truth::Sampling sampling{int(parameters_of(resources_, render::truth::entry()).integer("samples")),
+  const render::truth::Sampling sampling{int(parameters_of<render::truth::Parameters>(resources_).samples),
                                          parameters_of(resources_, render::tiles::entry()).real("opacity")};
   return rasterise(resources_.camera, {vertices, colors, segments},
                    {scene_color, scene_depth, resources_.supersampling}, sampling);
@@ -327,7 +322,7 @@ Result<Image> Picture::read_truth() const {
 Result<Image> Picture::read_color() const {
   if (find_pass(plan_, "truth")) {
     CUTICLE_ASSIGN(Image image, read_truth());
-    render::resolve::add_background(image, parameters_of(resources_, render::resolve::entry()).rgb("background"));
+    render::resolve::add_background(image, parameters_of<render::resolve::Parameters>(resources_).background);
     return image;
   }
   if (in_chunks()) return chunks_;

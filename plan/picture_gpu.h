@@ -57,14 +57,13 @@ class Picture {
   bool in_chunks() const { return resources_.part_size != glm::ivec2(0); }
   bool begins_frame() const { return !in_chunks() || resources_.part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
-  Result<gpu::SubmitCost> paint_part(const PictureInput& input, Trace* trace);
-  Result<gpu::SubmitCost> paint_once(const PictureInput& input, Trace* trace);
+  Result<gpu::SubmitCost> paint_part(Trace* trace);
+  Result<gpu::SubmitCost> paint_once(Trace* trace);
   Result<void> keep_part();
   Result<bool> settle();
   Result<Image> read_truth() const;
   Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
                               std::span<const std::string_view> more_names) const;
-  Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
   Result<void> record_passes(gpu::Commands& commands);
@@ -73,9 +72,9 @@ class Picture {
   const scene::Scene& scene_;
   const StrandSet& set_;
   const Plan& plan_;
-  std::unique_ptr<strands::DrawnStrands> generator_;
+  std::unique_ptr<strands::DrawnStrands> generator_;  ///< of the drawn strands
   strands::Groom rest_;  ///< empty where no pass asks for it
-  StrandShadows shadows_;
+  std::unique_ptr<StrandShadows> shadows_;  ///< until it is one of the passes
   lut::TableSet table_set_;
   std::vector<gpu::Texture> tables_;
   gpu::Texture color_, depth_, resolved_, output_;

@@ -12,6 +12,7 @@
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
 #include "strands/growing/grow.h"
+#include "strands/growing/bust.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {
@@ -23,6 +24,7 @@ constexpr std::uint64_t k_root_seed = 20050401;
 void take_head(const scene::Scene& scene, strands::Head head, StrandSet& set) {
   if (!set.character) set.scalp = std::move(head.scalp);
   if (scene.head.present) set.head = set.character ? set.character->mesh : std::move(head.mesh);
+  if (scene.head.present && scene.head.bust && !set.character) strands::add_bust(set.head);
   if (scene.head_colliders) set.colliders = std::move(head.colliders);
 }
 
@@ -59,6 +61,7 @@ Result<void> grow_specified(const scene::Scene& scene, StrandSet& set) {
   }
   set.control = std::move(grown.drawn);
   draw_each_strand(set);
+  if (scene.groom.follow_hairs) place_strands(scene, {&*scene.groom.follow_hairs, 1}, false, set);
   take_head(scene, std::move(grown.head), set);
   return {};
 }
@@ -154,7 +157,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   if (scene.groom.file.empty()) {
     CUTICLE_TRY(grow(scene, set));
     set.taper = float(scene.groom.taper.value_or(double(set.taper)));
-    set.radius = drawn_radius(scene, set.control, set.hairs.size());
+    if (!scene::draws_as_given(scene)) set.radius = drawn_radius(scene, set.control, set.hairs.size());
   } else {
     CUTICLE_TRY(read_file_strands(scene, set));
     CUTICLE_TRY(stand_file_on(scene, set));

@@ -4,21 +4,23 @@
 
 namespace cuticle::plan {
 
-Result<void> StrandShadows::make(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene,
-                                 const Plan& plan, render::FrameResources& resources) {
+Result<std::unique_ptr<StrandShadows>> StrandShadows::make(const std::shared_ptr<gpu::Device>& device,
+                                                           const scene::Scene& scene, const Plan& plan,
+                                                           render::FrameResources& resources) {
   const bool by_hair = scene.shadow && scene.shadow->name != "none" && find_pass(plan, scene.shadow->name);
-  if (!by_hair && !find_pass(plan, "surface_shadow")) return {};
+  if (!by_hair && !find_pass(plan, "surface_shadow")) return std::unique_ptr<StrandShadows>();
+  auto made = std::make_unique<StrandShadows>();
   resources.of_surfaces_alone = !by_hair;
   if (by_hair) {
     resources.channels = shadows::different_channels(resources.fibre_alpha);
-    CUTICLE_TRY(make_methods(device, *scene.shadow, resources));
+    CUTICLE_TRY(made->make_methods(device, *scene.shadow, resources));
   }
   for (std::size_t k = 0; k < resources.lights.size() * resources.channels.count; ++k) {
     CUTICLE_ASSIGN(gpu::Buffer reached, device->make_buffer(resources.strands.vertex_count * sizeof(float)));
-    transmittance_.push_back(std::move(reached));
+    made->transmittance_.push_back(std::move(reached));
   }
-  for (const gpu::Buffer& buffer : transmittance_) resources.transmittance.push_back(&buffer);
-  return {};
+  for (const gpu::Buffer& buffer : made->transmittance_) resources.transmittance.push_back(&buffer);
+  return made;
 }
 
 Result<void> StrandShadows::make_methods(const std::shared_ptr<gpu::Device>& device, const scene::Block& block,

@@ -1,6 +1,6 @@
 #pragma once
 // The lights' transmittance at the vertices of drawn strands: by the scene's shadow method, once for each opacity that
-// the channels do not share, or once for all where one's powers are the others'.
+// the channels do not share, or once for all where powers of it give the rest.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,14 +11,15 @@
 
 namespace cuticle::plan {
 
-class StrandShadows {
+class StrandShadows : public render::GpuPass {
  public:
-  /// What the plan has of shadows, and its buffers in `resources`, whose lights, strands and opacity are there. Nothing
+  /// What the plan has of shadows, and its buffers in `resources`, whose lights, strands and opacity are there. Null
   /// where nothing shadows strands. Errors: of the device, and of the method.
-  Result<void> make(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, const Plan& plan,
-                    render::FrameResources& resources);
+  static Result<std::unique_ptr<StrandShadows>> make(const std::shared_ptr<gpu::Device>& device,
+                                                     const scene::Scene& scene, const Plan& plan,
+                                                     render::FrameResources& resources);
   /// By the `casters` of `resources`. Errors: the method's.
-  Result<void> record(gpu::Commands& commands, const render::FrameResources& resources);
+  Result<void> record(gpu::Commands& commands, const render::FrameResources& resources) override;
 
  private:
   Result<void> make_methods(const std::shared_ptr<gpu::Device>& device, const scene::Block& block,

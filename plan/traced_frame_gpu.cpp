@@ -70,7 +70,7 @@ Result<void> add_lights(const scene::Scene& scene, render::reference::TracedScen
   traced.lights = scene.lights;
   if (!scene.environment) return {};
   traced.lights.resize(scene.lights.size() - scene.environment->lights);
-  CUTICLE_ASSIGN(Image picture, read_image(scene.environment->file));
+  CUTICLE_ASSIGN(Image picture, scene::surroundings_of(scene.environment->file));
   const scene::Environment& settings = scene.environment->settings;
   traced.surroundings = {std::move(picture), settings.turn_degrees, settings.scale};
   return {};

@@ -1,10 +1,10 @@
 #pragma once
-// Passes that other modules record.
+// Passes that make the strands which are drawn.
 #include "render/pass.h"
 
 namespace cuticle::render {
 
-/// A pass that another module records, with one dispatch a frame: from the rest of its entry. Before anything is shaded
+/// A pass of one dispatch a frame: from the rest of its entry. Before anything is shaded
 /// (generate), or before anything is simulated (prepare).
 inline Pass generating(registry::Entry entry, registry::Stage stage = registry::Stage::generate) {
   entry.kind = registry::EntryKind::pass;

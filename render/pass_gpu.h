@@ -4,14 +4,17 @@
 #include <memory>
 #include <optional>
 
+#include "core/registry/members.h"
 #include "core/view.h"
 #include "gpu/device.h"
 #include "lut/table_set.h"
 #include "render/pass.h"
 #include "shadows/channels.h"
 #include "shadows/method_gpu.h"
+#include "strands/binding/carry_gpu.h"
 #include "strands/mesh.h"
-#include "strands/spline/drawn_gpu.h"
+#include "strands/skinning/skinning_gpu.h"
+#include "strands/spline/smooth_gpu.h"
 
 namespace cuticle::render {
 
@@ -38,6 +41,14 @@ struct StrandDraw {
   std::uint32_t corners;      ///< vertices a segment
   double width_factor = 0;    ///< the greatest on a strand's own width
   bool of_one_width = false;  ///< drawn as wide as lines::line_width says, not by their own widths
+};
+
+/// A character's skin, and the hair on it, posed for the frame.
+struct PosedCharacter {
+  strands::GpuSkin* skin;
+  strands::GpuCarry* hair;
+  std::span<const strands::JointMotion> motions;
+  strands::Skinning method;
 };
 
 /// What the passes of a frame read and write. Pointers are null where the plan left the producer out.
@@ -76,6 +87,9 @@ struct FrameResources {
   const strands::Mesh* head = nullptr;         ///< rest pose
   const strands::Mesh* scalp = nullptr;        ///< the part of the head where hair grows, rest pose; may be null
   glm::dmat4 head_transform{1};
+  std::optional<PosedCharacter> character;         ///< that the picture moves; none where the simulation has
+  strands::DrawnStrands* drawn_strands = nullptr;  ///< what makes `strands` of the control hairs
+  strands::StrandGenerator* generator = nullptr;   ///< the same, where strands are interpolated
   const gpu::Buffer* control_positions = nullptr;  ///< vec4 per control vertex
   strands::ControlMotion control_motion;           ///< of these; without values where nothing asks how hair moves
   double frame_duration = 0;                       ///< seconds
@@ -102,8 +116,13 @@ struct FrameResources {
   std::map<std::string, registry::ParameterValues, std::less<>> parameters;
 };
 
-/// The parameters of a pass in this frame.
+/// The parameters of a pass in this frame; as its struct.
 registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
+template <class Parameters>
+Parameters parameters_of(const FrameResources& resources) {
+  const auto found = resources.parameters.find(Parameters::name);
+  return found == resources.parameters.end() ? Parameters{} : registry::from_values<Parameters>(found->second);
+}
 /// Pixels of what is drawn at once: a chunk, else the picture.
 glm::ivec2 drawn_size(const FrameResources& resources);
 /// World to clip space of what is drawn at once.

@@ -7,6 +7,7 @@
 
 #include "core/json/json.h"
 #include "core/json/position.h"
+#include "core/registry/read_json.h"
 #include "core/text.h"
 #include "scene/specification.h"
 
@@ -91,7 +92,7 @@ Result<void> check_text(const Spec& spec, const Json& value, const Place& place)
 Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
   if (!value.is_object()) return wrong_type(place, "an object", value);
   for (const auto& [key, item] : value.items())
-    if (auto read = registry::values_from_json(table, Json{{key, item}}.dump(), place.text_at(key)); !read)
+    if (auto read = registry::values_from_object(table, Json{{key, item}}, place.text_at(key)); !read)
       return Error{ErrorKind::bad_input, read.error().message, read.error().hint};
   return {};
 }

@@ -31,6 +31,10 @@ class Sphere {
       for (int x = begin.x; x < end.x; ++x) region.luminance += luminance(x, y);
     return region;
   }
+  glm::dvec3 direction(int x, int y) const {
+    const double down = k_pi * (y + 0.5) / picture_.height, right = k_pi * (2 * (x + 0.5) / picture_.width - 1) - turn_;
+    return {-std::sin(right) * std::sin(down), std::cos(down), std::cos(right) * std::sin(down)};
+  }
   bool is_wide(const Region& region) const {
     const glm::ivec2 size = region.end - region.begin;
     const double ring = std::sin(k_pi * (region.begin.y + region.end.y) / (2.0 * picture_.height));
@@ -62,10 +66,6 @@ class Sphere {
            (std::cos(k_pi * y / picture_.height) - std::cos(k_pi * (y + 1) / picture_.height));
   }
   double luminance(int x, int y) const { return solid_angle(y) * glm::dot(radiance(x, y), k_luminance); }
-  glm::dvec3 direction(int x, int y) const {
-    const double down = k_pi * (y + 0.5) / picture_.height, right = k_pi * (2 * (x + 0.5) / picture_.width - 1) - turn_;
-    return {-std::sin(right) * std::sin(down), std::cos(down), std::cos(right) * std::sin(down)};
-  }
 
   const Image& picture_;
   double turn_;
@@ -106,6 +106,32 @@ Result<void> check(const Image& picture) {
 }
 
 }  // namespace
+
+Image built_in_sky() {
+  constexpr int k_height = 32;
+  const glm::dvec3 zenith(0.16, 0.27, 0.52), horizon(0.62, 0.66, 0.70), ground(0.10, 0.09, 0.08), sun(1.0, 0.93, 0.80);
+  const glm::dvec3 to_sun = glm::normalize(glm::dvec3(0.75, 0.6, 0.55));
+  Image sky = make_image(2 * k_height, k_height, {"R", "G", "B"});
+  const Sphere sphere(sky, 0);
+  for (int y = 0; y < sky.height; ++y)
+    for (int x = 0; x < sky.width; ++x) {
+      const glm::dvec3 toward = sphere.direction(x, y);
+      const double up = toward.y, haze = std::pow(1 - std::max(up, 0.0), 3), toward_sun = glm::dot(toward, to_sun);
+      const glm::dvec3 glow = sun * (9 * std::exp((toward_sun - 1) / 0.03));
+      const glm::dvec3 radiance = up > 0 ? zenith + haze * (horizon - zenith) + glow : ground;
+      for (int c = 0; c < 3; ++c) sky.at(x, y, c) = float(radiance[c]);
+    }
+  return sky;
+}
+
+Result<Image> surroundings_of(const std::string& file) {
+  constexpr float k_least = -1e-3f;  // lossy compression leaves such next to black
+  if (file.empty()) return built_in_sky();
+  CUTICLE_ASSIGN(Image picture, read_image(file));
+  for (float& value : picture.pixels)
+    if (value < 0 && value >= k_least) value = 0;
+  return picture;
+}
 
 Result<std::vector<Light>> environment_lights(const Image& picture, const Environment& environment) {
   CUTICLE_TRY(check(picture));

@@ -1,5 +1,6 @@
 #pragma once
 // Light from all around, as a few distant lights.
+#include <string>
 #include <vector>
 
 #include "core/image/image.h"
@@ -14,6 +15,12 @@ struct Environment {
   double turn_degrees = 0;  ///< about the vertical: what the middle column shows goes from +z towards +x
   double scale = 1;         ///< of the radiance
 };
+
+/// The surroundings where no picture is given: a clear sky in the afternoon over grey ground, a low sun in front to the
+/// right (+x). 64 x 32 texels; as a surface that faces up receives it, the irradiance is about 2.
+Image built_in_sky();
+/// The picture of a file, values of -0.001 .. 0 as 0, or, where the name is empty, the built-in sky. Error: as read_image.
+Result<Image> surroundings_of(const std::string& file);
 
 /// Distant lights of a picture in latitude and longitude (twice as wide as high; linear radiance in its first three
 /// channels; top row up, middle column at +z, its right at -x): the sphere is cut into regions of like luminance, the

@@ -66,6 +66,14 @@ TEST(EnvironmentLights, MiddleColumn_IsWhatTheFaceLooksAt_AndTurnsTowardsX) {
   EXPECT_LT(glm::distance(turned->at(0).to_light, glm::dvec3(1, 0, 0)), 1e-6);
 }
 
+TEST(EnvironmentLights, BuiltInSky_LightsGroundFromAboveByItsStatedIrradiance) {
+  const auto lights = environment_lights(built_in_sky(), {.lights = 8});
+  ASSERT_TRUE(lights) << lights.error().message;
+  double received = 0;
+  for (const Light& light : *lights) received += light.irradiance.y * std::max(light.to_light.y, 0.0);
+  EXPECT_NEAR(received, 2, 0.4);
+}
+
 TEST(EnvironmentLights, BlackPicture_HasNone_AndOneTexelOne) {
   Image picture = sky(0);
   EXPECT_TRUE(environment_lights(picture, {})->empty());

@@ -8,6 +8,7 @@
 
 #include "core/file.h"
 #include "core/json/position.h"
+#include "core/registry/read_json.h"
 #include "scene/reader.h"
 #include "scene/specification.h"
 
@@ -20,7 +21,7 @@ const registry::Entry& entry_of(std::span<const registry::Entry* const> entries,
 }
 
 registry::ParameterValues values_of(registry::ParameterTable table, const Json& json) {
-  return registry::values_from_json(table, json.dump(), "").value();
+  return registry::values_from_object(table, json, "").value();
 }
 
 Block block_of(std::span<const registry::Entry* const> entries, const Json& json) {
@@ -35,11 +36,23 @@ std::map<std::string, registry::ParameterValues, std::less<>> blocks_of(std::spa
   return blocks;
 }
 
+strands::FollowHairs read_follow_hairs(const Reader& reader) {
+  strands::FollowHairs hairs;
+  int per_guide = 0;
+  reader.get("per_guide", per_guide);
+  hairs.per_guide = std::size_t(per_guide);
+  reader.get("reach_m", hairs.reach);
+  reader.get("tip_separation", hairs.tip_separation);
+  return hairs;
+}
+
 Result<void> read_groom(const Reader& reader, Scene& scene) {
   CUTICLE_ASSIGN(scene.groom.file, reader.file("file", "groom.file"));
   reader.get("metres_per_unit", scene.groom.metres_per_unit);
   reader.get("radius_m", scene.groom.radius);
   reader.get("interpolate", scene.groom.interpolate);
+  reader.get("thickness_spread", scene.groom.thickness_spread);
+  if (reader.has("follow_hairs")) scene.groom.follow_hairs = read_follow_hairs(reader.child("follow_hairs"));
   if (reader.has("taper")) scene.groom.taper = reader.value["taper"].number();
   if (scene.groom.interpolate && scene.groom.file.empty())
     return bad_input(fmt::format("{}: groom.interpolate without groom.file", reader.where),
@@ -60,6 +73,7 @@ Result<void> read_head(const Reader& root, Scene& scene) {
   scene.head.present = scene.groom.file.empty() || root.has("head");
   reader.get("present", scene.head.present);
   reader.get("fit", scene.head.fit);
+  reader.get("bust", scene.head.bust);
   reader.get("metres_per_unit", scene.head.metres_per_unit);
   CUTICLE_ASSIGN(scene.head.mesh, reader.file("mesh", "head.mesh"));
   return {};

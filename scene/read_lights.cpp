@@ -61,6 +61,16 @@ Result<void> read_lamps(const Reader& root, Scene& scene) {
                                scene.lights.size() - count, k_most_lights));
 }
 
+/// The picture's name; empty for the built-in sky, which a scene may ask for where the file is not there.
+Result<std::string> surroundings_file(const Reader& reader, Scene& scene) {
+  bool or_sky = false;
+  reader.get("or_sky", or_sky);
+  auto name = reader.file("file", "environment.file");
+  if (name || !or_sky) return name;
+  scene.notes.push_back(name.error().message + "; the built-in sky is used");
+  return std::string();
+}
+
 Result<void> read_environment(const Reader& root, Scene& scene) {
   if (!root.has("environment")) return {};
   const Reader reader = root.child("environment");
@@ -71,8 +81,8 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
     return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
                                  root.where, environment.lights, scene.lights.size(), k_most_lights));
-  CUTICLE_ASSIGN(const std::string name, reader.file("file", "environment.file"));
-  CUTICLE_ASSIGN(const Image picture, read_image(name));
+  CUTICLE_ASSIGN(const std::string name, surroundings_file(reader, scene));
+  CUTICLE_ASSIGN(const Image picture, surroundings_of(name));
   const auto lights = environment_lights(picture, environment);
   if (!lights) return bad_input(fmt::format("{}: {}: {}", root.where, name, lights.error().message));
   scene.environment = {name, environment, lights->size()};

@@ -14,6 +14,7 @@
 #include "core/view.h"
 #include "scene/environment.h"
 #include "strands/character/convention.h"
+#include "strands/formats/format.h"
 #include "strands/growing/specification.h"
 
 namespace cuticle::scene {
@@ -33,10 +34,13 @@ struct Block {
 };
 
 struct GroomSource {
-  std::string file;                ///< absolute path; empty: grown on the head by `grow`
-  double metres_per_unit = 0;      ///< 0 = guess, and say so
-  double radius = 0;               ///< metres; 0 = the file's own, or strands::k_default_radius
-  bool interpolate = false;        ///< a file's strands are control hairs; false: drawn as they are
+  std::string file;                                  ///< absolute path; empty: grown on the head by `grow`
+  double metres_per_unit = 0;                        ///< 0 = guess, and say so
+  double radius = 0;                                 ///< metres; 0 = the file's own, or strands::k_default_radius
+  bool interpolate = false;                          ///< a file's strands are control hairs; false: drawn as they are
+  std::optional<strands::FollowHairs> follow_hairs;  ///< beside each strand of a file or a specification; absent: as
+                                                     ///< the file asks
+  double thickness_spread = 0;     ///< of strands that are drawn as they are, by chance
   std::optional<double> taper;     ///< share of a root's radius that is gone at the tip; absent: taper_of in plan
   registry::ParameterValues grow;  ///< of strands::growing_parameters()
   std::optional<strands::GroomingSpecification> specification;  ///< present: its strands are the hair, all of them
@@ -44,6 +48,7 @@ struct GroomSource {
 struct HeadSource {
   bool present = true;  ///< false: bare strands
   std::string mesh;     ///< OBJ file; empty: the procedural head
+  bool bust = false;    ///< shoulders are drawn below the procedural head
   bool fit = false;     ///< the procedural head is scaled and moved to the roots of a groom file
   double metres_per_unit = 1;
 };
@@ -155,9 +160,12 @@ struct Scene {
 
 inline constexpr double k_usual_fibre_count = 100000;
 
-/// Whether a file's strands are drawn with their own vertices; hair cards are made of resampled ones.
+/// Whether strands are drawn with their own vertices: a file's, and a specification's with follow hairs; hair cards are
+/// made of resampled ones.
 inline bool draws_as_given(const Scene& scene) {
-  return !scene.groom.file.empty() && !scene.groom.interpolate && scene.render_method != "cards";
+  const bool of_file = !scene.groom.file.empty() && !scene.groom.interpolate,
+             followed = scene.groom.specification && scene.groom.follow_hairs;
+  return (of_file || followed) && scene.render_method != "cards";
 }
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.

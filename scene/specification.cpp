@@ -69,6 +69,15 @@ Spec required(Spec spec) {
   return spec;
 }
 
+Spec follow_hairs() {
+  return object("follow_hairs",
+                "hairs drawn beside each strand of a file or a specification; of a TressFX project in place of its own",
+                {required(integer("per_guide", 0, double(strands::k_most_follow_hairs), "beside each strand")),
+                 required(real("reach_m", 0, 1, "how far a root may lie from its guide's along each of two axes")),
+                 real("tip_separation", -1, 1000,
+                      "at the tip a hair is 1 + this times as far from its guide as at the root; below 0 they clump")});
+}
+
 Spec groom() {
   Spec grow{.key = "grow",
             .kind = SpecKind::parameters,
@@ -81,6 +90,9 @@ Spec groom() {
        boolean("interpolate",
                "the file's strands are control hairs: smoothed, strand_count strands between them; false unless given: "
                "they are drawn as they are, with follow hairs where a TressFX project asks for them"),
+       follow_hairs(),
+       real("thickness_spread", 0, 1,
+            "share by which chance makes strands thicker and thinner that are drawn as given"),
        real("taper", 0, 1,
             "share of a strand's radius that is gone at its tip; absent: 0 for a file that carries radii, else 0.5"),
        std::move(grow),
@@ -90,6 +102,7 @@ Spec groom() {
 Spec head() {
   return object("head", "what the hair grows on; with a groom file there is no head unless this is given",
                 {boolean("present", "false: bare strands"), file("mesh", "OBJ; absent: the procedural head"),
+                 boolean("bust", "shoulders are drawn below the procedural head"),
                  boolean("fit", "the procedural head is scaled and moved to the roots of a groom file"),
                  real("metres_per_unit", 1e-6, 1000, "scale of the mesh")});
 }
@@ -118,7 +131,7 @@ Spec material(const Catalogue& catalogue) {
   for (const registry::Entry* entry : catalogue.layouts) layout.choices.emplace_back(entry->name);
   Spec evaluate = text("evaluate",
                        "tables: lookups in tables of the model, unless given; direct: its formulas at every "
-                       "vertex, where render.method is tiles or truth");
+                       "vertex of strands");
   evaluate.choices = {"tables", "direct"};
   return object("material", "how a fibre scatters light",
                 {block("model", "scattering model and its parameters", catalogue.models), std::move(evaluate),
@@ -197,7 +210,9 @@ Spec lamps() {
 Spec environment() {
   return object(
       "environment", "light from all around, as distant lights beside `lights` and `lamps`, eight in all",
-      {required(file("file", "picture in latitude and longitude, linear radiance: top row up, middle at +z")),
+      {file("file",
+            "picture in latitude and longitude, linear radiance: top row up, middle at +z; absent: a built-in sky"),
+       boolean("or_sky", "the built-in sky where the file is not there; false unless given"),
        integer("lights", 1, 8, "at most, of like luminance; 6 unless given"),
        real("turn_deg", -360, 360, "about the vertical, +z towards +x"), real("scale", 0, 1e6, "of the radiance")});
 }

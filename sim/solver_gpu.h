@@ -9,9 +9,8 @@ namespace cuticle::sim {
 
 class GpuSolver : public Solver {
  public:
-  /// Records one frame into `commands`, as passes named "simulate." + effect name ("simulate.classic",
-  /// "simulate.colliders"). A pass of that name is opened once per substep. Submit what was recorded before recording
-  /// the next frame.
+  /// Records one frame into `commands`, as passes named as the effects ("classic", "colliders"), each opened once per
+  /// substep. Submit what was recorded before recording the next frame.
   virtual Result<void> record(gpu::Commands& commands, const FrameInput& input) = 0;
   /// The same for hair on a skin, whose places are on the device: vec4 per vertex, finite, as FrameInput::skinned,
   /// which must be empty. No word of it passes through the CPU. Error: usage where the solver follows a head only.

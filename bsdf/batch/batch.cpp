@@ -115,12 +115,11 @@ Result<BatchEvaluator> BatchEvaluator::make(const Model& model, const registry::
                                             InstructionSet set) {
   if (!is_supported(set)) return usage_error(fmt::format("this processor or build has no {}", name_of(set)));
   BatchEvaluator evaluator(model, values);
-  const std::vector<float> packed = model.pack(values);
-  std::copy(packed.begin(), packed.end(), evaluator.packed_.value);
+  evaluator.numbers_ = model.pack(values);
   evaluator.needs_offset_ = model.near_field && model.near_field(values);
   const batch::Entry* entry = find_entry(model.entry.name);
   const batch::Kernels* kernels = entry ? entry->kernels[std::size_t(set)] : nullptr;
-  if (kernels && kernels->holds(evaluator.packed_))
+  if (kernels && kernels->holds(evaluator.numbers_.data()))
     evaluator.kernels_ = kernels;
   else if (kernels && kernels->evaluate_integral)
     evaluator.integrals_ = kernels;
@@ -138,11 +137,12 @@ Result<void> BatchEvaluator::evaluate(const BatchPoints& points, const OutputSpa
 void BatchEvaluator::evaluate_block(const BatchPoints& points, std::size_t first, int count,
                                     const OutputSpans& color) const {
   const std::array<float*, 3> to = pointers(color, first);
-  if (integrals_) return integrals_->evaluate_integral(packed_, count, pointers(points, first), {to[0], to[1], to[2]});
+  if (integrals_)
+    return integrals_->evaluate_integral(numbers_.data(), count, pointers(points, first), {to[0], to[1], to[2]});
   if (!kernels_) return batch::evaluate_one_by_one(*model_, values_, Quantity::S, points, first, count, color);
   batch::in_whole_vectors(count, pointers(points, first), to,
                           [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
-                            kernels_->evaluate(packed_, size, in, {out[0], out[1], out[2]});
+                            kernels_->evaluate(numbers_.data(), size, in, {out[0], out[1], out[2]});
                           });
 }
 
@@ -157,26 +157,26 @@ Result<void> BatchEvaluator::pdf(const BatchPoints& points, std::span<float> den
 void BatchEvaluator::pdf_block(const BatchPoints& points, std::size_t first, int count,
                                std::span<float> density) const {
   float* const to = density.data() + first;
-  if (integrals_) return integrals_->pdf_integral(packed_, count, pointers(points, first), to);
+  if (integrals_) return integrals_->pdf_integral(numbers_.data(), count, pointers(points, first), to);
   if (!kernels_)
     return batch::evaluate_one_by_one(*model_, values_, Quantity::pdf, points, first, count, {density, {}, {}});
   batch::in_whole_vectors(count, pointers(points, first), {to, to, to},
                           [&](int size, const batch::DirectionPointers& in, const std::array<float*, 3>& out) {
-                            kernels_->pdf(packed_, size, in, out[2]);
+                            kernels_->pdf(numbers_.data(), size, in, out[2]);
                           });
 }
 
 glm::vec3 BatchEvaluator::evaluate(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
   glm::vec3 color(0);
   if (kernels_)
-    kernels_->evaluate_one(packed_, {&to_light.x, &to_viewer.x, h}, &color.x);
+    kernels_->evaluate_one(numbers_.data(), {&to_light.x, &to_viewer.x, h}, &color.x);
   else
     evaluate_block(arrays_of_one(to_light, to_viewer, h), 0, 1, {{&color.x, 1}, {&color.y, 1}, {&color.z, 1}});
   return color;
 }
 
 float BatchEvaluator::pdf(const glm::vec3& to_light, const glm::vec3& to_viewer, float h) const {
-  if (kernels_) return kernels_->pdf_of_one(packed_, {&to_light.x, &to_viewer.x, h});
+  if (kernels_) return kernels_->pdf_of_one(numbers_.data(), {&to_light.x, &to_viewer.x, h});
   float density = 0;
   pdf_block(arrays_of_one(to_light, to_viewer, h), 0, 1, {&density, 1});
   return density;
@@ -185,7 +185,7 @@ float BatchEvaluator::pdf(const glm::vec3& to_light, const glm::vec3& to_viewer,
 glm::vec3 BatchEvaluator::sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const {
   glm::vec3 light(0);
   if (draws_vectorised()) {
-    draws()->sample_one(packed_, &to_viewer.x, h, u.data(), &light.x);
+    draws()->sample_one(numbers_.data(), &to_viewer.x, h, u.data(), &light.x);
   } else if (model_->sample_f32) {
     BatchQueries queries{one_vector(to_viewer), {&h, 1}, {}};
     for (std::size_t k = 0; k < u.size(); ++k) queries.u[k] = {&u[k], 1};
@@ -211,7 +211,7 @@ Result<void> BatchEvaluator::sample(const BatchQueries& queries, const OutputSpa
     if (!vectorised) return batch::sample_one_by_one(*model_, values_, queries, first, size, to_light);
     batch::in_whole_vectors(size, pointers(queries, first), pointers(to_light, first),
                             [&](int whole, const batch::QueryPointers& in, const std::array<float*, 3>& out) {
-                              draws()->sample(packed_, whole, in, {out[0], out[1], out[2]});
+                              draws()->sample(numbers_.data(), whole, in, {out[0], out[1], out[2]});
                             });
   });
   return {};
@@ -221,18 +221,18 @@ Result<void> BatchEvaluator::evaluate_varying(const BatchPoints& points, std::sp
                                               const OutputSpans& color) const {
   CUTICLE_TRY(check_points(points, needs_offset_));
   CUTICLE_TRY(check_output(points.to_light.x.size(), color));
-  if (!kernels_ || !kernels_->evaluate_rows)
+  if (!kernels_ || !kernels_->evaluate_varying)
     return usage_error(fmt::format("model {} has no parameters that vary from point to point with these settings",
                                    model_->entry.name));
   for (const VaryingParameter& parameter : varying)
     CUTICLE_TRY(check_sizes(points.to_light.x.size(), {{parameter.name, parameter.values.size()}}));
   CUTICLE_ASSIGN(const batch::RowColumns columns,
-                 batch::RowColumns::make(*model_, values_, kernels_->numbers_in_row(), varying));
+                 batch::RowColumns::make(*model_, values_, kernels_->varying_numbers(), varying));
   in_blocks(points.to_light.x.size(), batch::row_block, [&](std::size_t first, int count) {
-    const batch::VaryingPointers from{columns.block(first), pointers(points, first)};
+    const batch::VaryingPointPointers from{columns.block(first), pointers(points, first)};
     batch::in_whole_vectors(count, from, pointers(color, first),
-                            [&](int size, const batch::VaryingPointers& in, const std::array<float*, 3>& out) {
-                              kernels_->evaluate_rows(size, in.rows, in.directions, {out[0], out[1], out[2]});
+                            [&](int size, const batch::VaryingPointPointers& in, const std::array<float*, 3>& out) {
+                              kernels_->evaluate_varying(size, in.varying, in.directions, {out[0], out[1], out[2]});
                             });
   });
   return {};

@@ -6,11 +6,11 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "bsdf/model.h"
 #include "core/instruction_set.h"
 #include "core/result.h"
-#include "bsdf/shared/packing.glslh"
 
 namespace cuticle::bsdf {
 
@@ -94,7 +94,7 @@ class BatchEvaluator {
 
   const Model* model_;
   registry::ParameterValues values_;
-  Packed<float> packed_{};
+  std::vector<float> numbers_;
   const batch::Kernels* draws() const;
   void evaluate_block(const BatchPoints& points, std::size_t first, int count, const OutputSpans& color) const;
   void pdf_block(const BatchPoints& points, std::size_t first, int count, std::span<float> density) const;

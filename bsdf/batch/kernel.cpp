@@ -18,11 +18,11 @@ namespace {
 
 using namespace cuticle::bsdf::batch;
 
-FN glm::vec<3, Real> value_at(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
-  if constexpr (requires { evaluate_directions(packed, quantity, d); })
-    return evaluate_directions(packed, quantity, d);
+FN glm::vec<3, Real> value_at(const Prepared<Real>& prepared, int quantity, const Directions<Real>& d) {
+  if constexpr (requires { evaluate_directions(prepared, quantity, d); })
+    return evaluate_directions(prepared, quantity, d);
   else
-    return evaluate_packed(packed, quantity, -1, point_of(d));
+    return evaluate(prepared, quantity, -1, point_of(d));
 }
 
 FNI Directions<float> directions_at(const DirectionPointers& in, int i) {
@@ -30,57 +30,63 @@ FNI Directions<float> directions_at(const DirectionPointers& in, int i) {
                             glm::vec3(in.viewer_x[i], in.viewer_y[i], in.viewer_z[i]), in.h[i]);
 }
 
-void evaluate(const Packed<float>& packed, int count, const DirectionPointers& in, const ColorPointers& out) {
+/// The model's struct where its numbers lie.
+FNI const Prepared<float>& prepared_at(const float* numbers) {
+  return *reinterpret_cast<const Prepared<float>*>(numbers);
+}
+
+void evaluate(const float* numbers, int count, const DirectionPointers& in, const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
-  const Packed<float> numbers = packed;  // copies, which no store can alias
+  const Prepared<float> prepared = prepared_at(numbers);  // copies, which no store can alias
   const DirectionPointers from = in;
   const ColorPointers to = out;
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 value = value_at(numbers, CUTICLE_QUANTITY_S, directions_at(from, i));
+    const glm::vec3 value = value_at(prepared, CUTICLE_QUANTITY_S, directions_at(from, i));
     to.red[i] = value.x;
     to.green[i] = value.y;
     to.blue[i] = value.z;
   }
 }
 
-void pdf(const Packed<float>& packed, int count, const DirectionPointers& in, float* density) {
+void pdf(const float* numbers, int count, const DirectionPointers& in, float* density) {
   [[maybe_unused]] const FlushToZero guard;
-  const Packed<float> numbers = packed;
+  const Prepared<float> prepared = prepared_at(numbers);
   const DirectionPointers from = in;
 #pragma omp simd
-  for (int i = 0; i < count; ++i) density[i] = value_at(numbers, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
+  for (int i = 0; i < count; ++i) density[i] = value_at(prepared, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
 }
 
 /// A near field draws for an offset too, which its `drawn_offset` may draw.
 template <class Real>
-constexpr bool draws_for_offset = requires(const Packed<Real>& packed, Real u) {
-  sample_directions(packed, u, u, u, u, u, u, u);
+constexpr bool draws_for_offset = requires(const Prepared<Real>& prepared, Real u) {
+  sample_directions(prepared, u, u, u, u, u, u, u);
 };
 template <class Real>
-constexpr bool draws_directions = draws_for_offset<Real> || requires(const Packed<Real>& packed, Real u) {
-  sample_directions(packed, u, u, u, u, u, u);
+constexpr bool draws_directions = draws_for_offset<Real> || requires(const Prepared<Real>& prepared, Real u) {
+  sample_directions(prepared, u, u, u, u, u, u);
 };
 
-FN glm::vec<3, Real> light_drawn(const Packed<Real>& packed, glm::vec<3, Real> viewer, Real h, Real u0, Real u1,
+FN glm::vec<3, Real> light_drawn(const Prepared<Real>& prepared, glm::vec<3, Real> viewer, Real h, Real u0, Real u1,
                                  Real u2, Real u3, [[maybe_unused]] Real u4) {
   const Real cos_o = sqrt(viewer.y * viewer.y + viewer.z * viewer.z);
   if constexpr (draws_for_offset<Real>)
-    return light_of(sample_directions(packed, viewer.x, cos_o, drawn_offset(packed, h, u4), u0, u1, u2, u3), viewer);
+    return light_of(sample_directions(prepared, viewer.x, cos_o, drawn_offset(prepared, h, u4), u0, u1, u2, u3),
+                    viewer);
   else
-    return light_of(sample_directions(packed, viewer.x, cos_o, u0, u1, u2, u3), viewer);
+    return light_of(sample_directions(prepared, viewer.x, cos_o, u0, u1, u2, u3), viewer);
 }
 
 template <class Real>
-void sample(const Packed<Real>& packed, int count, const QueryPointers& in, const VectorPointers& out) {
+void sample(const float* numbers, int count, const QueryPointers& in, const VectorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
-  const Packed<Real> numbers = packed;
+  const Prepared<Real> prepared = prepared_at(numbers);
   const QueryPointers from = in;
   const VectorPointers to = out;
   const float *const u0 = in.u[0], *const u1 = in.u[1], *const u2 = in.u[2], *const u3 = in.u[3], *const u4 = in.u[4];
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 light = light_drawn(numbers, glm::vec3(from.viewer_x[i], from.viewer_y[i], from.viewer_z[i]),
+    const glm::vec3 light = light_drawn(prepared, glm::vec3(from.viewer_x[i], from.viewer_y[i], from.viewer_z[i]),
                                         from.h[i], u0[i], u1[i], u2[i], u3[i], u4[i]);
     to.x[i] = light.x;
     to.y[i] = light.y;
@@ -89,34 +95,36 @@ void sample(const Packed<Real>& packed, int count, const QueryPointers& in, cons
 }
 
 template <class Real>
-constexpr bool takes_rows = requires(const ParameterRow<Real>& row, const Directions<Real>& d) {
-  evaluate_row(row, 0, d);
+constexpr bool takes_varying = requires(const Varying<Real>& varying, const Directions<Real>& d) {
+  evaluate_varying(varying, 0, d);
 };
 
 template <class Real>
-int row_numbers() {
-  return numbers_in_row(ParameterRow<Real>{});
+int varying_numbers() {
+  return int(sizeof(Varying<Real>) / sizeof(Real));
 }
 
 /// The numbers of point i, written one after the other: the compiler unrolls a loop of at most 16, and a loop inside
 /// keeps the one over points from becoming vectors.
 template <class Real, std::size_t... k>
-[[gnu::always_inline]] inline ParameterRow<Real> row_at(const RowPointers& from, int i, std::index_sequence<k...>) {
-  ParameterRow<Real> row;
-  ((int(k) < numbers_in_row(row) ? void(row.value[k] = from.value[k][i]) : void()), ...);
-  return row;
+[[gnu::always_inline]] inline Varying<Real> varying_at(const VaryingPointers& from, int i, std::index_sequence<k...>) {
+  Varying<Real> varying;
+  Real* const numbers = reinterpret_cast<Real*>(&varying);
+  ((numbers[k] = from.value[k][i]), ...);
+  return varying;
 }
 
 template <class Real>
-void evaluate_rows(int count, const RowPointers& rows, const DirectionPointers& in, const ColorPointers& out) {
+void evaluate_varying_points(int count, const VaryingPointers& varying, const DirectionPointers& in,
+                             const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
-  const RowPointers parameters = rows;
+  const VaryingPointers parameters = varying;
   const DirectionPointers from = in;
   const ColorPointers to = out;
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    const auto row = row_at<Real>(parameters, i, std::make_index_sequence<CUTICLE_ROW_COUNT>());
-    const glm::vec3 value = evaluate_row(row, CUTICLE_QUANTITY_S, directions_at(from, i));
+    const auto at = varying_at<Real>(parameters, i, std::make_index_sequence<sizeof(Varying<Real>) / sizeof(Real)>());
+    const glm::vec3 value = evaluate_varying(at, CUTICLE_QUANTITY_S, directions_at(from, i));
     to.red[i] = value.x;
     to.green[i] = value.y;
     to.blue[i] = value.z;
@@ -130,39 +138,40 @@ FNI Directions<float> directions_of_one(const OnePoint& point) {
 }
 
 /// A model may have formulas for one point that leave a loop when it is done.
-FN glm::vec<3, Real> value_of_one(const Packed<Real>& packed, int quantity, const Directions<Real>& d) {
-  if constexpr (requires { evaluate_one_point(packed, quantity, d); })
-    return evaluate_one_point(packed, quantity, d);
+FN glm::vec<3, Real> value_of_one(const Prepared<Real>& prepared, int quantity, const Directions<Real>& d) {
+  if constexpr (requires { evaluate_one_point(prepared, quantity, d); })
+    return evaluate_one_point(prepared, quantity, d);
   else
-    return value_at(packed, quantity, d);
+    return value_at(prepared, quantity, d);
 }
 
-void evaluate_one(const Packed<float>& packed, const OnePoint& point, float color[3]) {
-  const glm::vec3 value = value_of_one(packed, CUTICLE_QUANTITY_S, directions_of_one(point));
+void evaluate_one(const float* numbers, const OnePoint& point, float color[3]) {
+  const glm::vec3 value = value_of_one(prepared_at(numbers), CUTICLE_QUANTITY_S, directions_of_one(point));
   for (int c = 0; c < 3; ++c) color[c] = value[c];
 }
 
-float pdf_of_one(const Packed<float>& packed, const OnePoint& point) {
-  return value_of_one(packed, CUTICLE_QUANTITY_PDF, directions_of_one(point)).x;
+float pdf_of_one(const float* numbers, const OnePoint& point) {
+  return value_of_one(prepared_at(numbers), CUTICLE_QUANTITY_PDF, directions_of_one(point)).x;
 }
 
 template <class Real>
-void sample_one(const Packed<Real>& packed, const float viewer[3], float h, const float u[5], float light[3]) {
+void sample_one(const float* numbers, const float viewer[3], float h, const float u[5], float light[3]) {
   const glm::vec3 at(viewer[0], viewer[1], viewer[2]);
-  const glm::vec3 drawn = light_drawn(packed, at, h, u[0], u[1], u[2], u[3], u[4]);
+  const glm::vec3 drawn = light_drawn(prepared_at(numbers), at, h, u[0], u[1], u[2], u[3], u[4]);
   for (int c = 0; c < 3; ++c) light[c] = drawn[c];
 }
 
 template <class Real>
-constexpr bool integrates = requires(const Packed<Real>& packed, const Directions<Real>& d) {
-  evaluate_integral_of(packed, 0, d);
+constexpr bool integrates = requires(const Prepared<Real>& prepared, const Directions<Real>& d) {
+  evaluate_integral_of(prepared, 0, d);
 };
 
 template <class Real>
-void evaluate_integral(const Packed<Real>& packed, int count, const DirectionPointers& in, const ColorPointers& out) {
+void evaluate_integral(const float* numbers, int count, const DirectionPointers& in, const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
+  const Prepared<Real> prepared = prepared_at(numbers);
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 value = evaluate_integral_of(packed, CUTICLE_QUANTITY_S, directions_at(in, i));
+    const glm::vec3 value = evaluate_integral_of(prepared, CUTICLE_QUANTITY_S, directions_at(in, i));
     out.red[i] = value.x;
     out.green[i] = value.y;
     out.blue[i] = value.z;
@@ -170,19 +179,20 @@ void evaluate_integral(const Packed<Real>& packed, int count, const DirectionPoi
 }
 
 template <class Real>
-void pdf_integral(const Packed<Real>& packed, int count, const DirectionPointers& in, float* density) {
+void pdf_integral(const float* numbers, int count, const DirectionPointers& in, float* density) {
   [[maybe_unused]] const FlushToZero guard;
+  const Prepared<Real> prepared = prepared_at(numbers);
   for (int i = 0; i < count; ++i)
-    density[i] = evaluate_integral_of(packed, CUTICLE_QUANTITY_PDF, directions_at(in, i)).x;
+    density[i] = evaluate_integral_of(prepared, CUTICLE_QUANTITY_PDF, directions_at(in, i)).x;
 }
 
-FN bool holds_for(const Packed<Real>& packed) {
-  if constexpr (requires { holds_in_batch(packed); })
-    return holds_in_batch(packed);
+FN bool holds_for(const Prepared<Real>& prepared) {
+  if constexpr (requires { holds_in_batch(prepared); })
+    return holds_in_batch(prepared);
   else
     return true;
 }
-bool holds(const Packed<float>& packed) { return holds_for(packed); }
+bool holds(const float* numbers) { return holds_for(prepared_at(numbers)); }
 
 template <class Real>
 constexpr Kernels make_kernels() {
@@ -192,8 +202,8 @@ constexpr Kernels make_kernels() {
   if constexpr (draws_directions<Real>) kernels.sample_one = sample_one<Real>;
   if constexpr (integrates<Real>) kernels.evaluate_integral = evaluate_integral<Real>;
   if constexpr (integrates<Real>) kernels.pdf_integral = pdf_integral<Real>;
-  if constexpr (takes_rows<Real>) kernels.evaluate_rows = evaluate_rows<Real>;
-  if constexpr (takes_rows<Real>) kernels.numbers_in_row = row_numbers<Real>;
+  if constexpr (takes_varying<Real>) kernels.evaluate_varying = evaluate_varying_points<Real>;
+  if constexpr (takes_varying<Real>) kernels.varying_numbers = varying_numbers<Real>;
   return kernels;
 }
 

@@ -1,9 +1,15 @@
 #pragma once
 // What one instruction set's unit of one model offers: loops over arrays. Included by units that no symbol may leave,
 // so it holds types only.
-#include "bsdf/shared/packing.glslh"
+#include "bsdf/shared/prepared.glslh"
 
-namespace cuticle::bsdf::batch {
+namespace cuticle::bsdf {
+
+/// A model's parameters that may vary from point to point, its leading ones; each model that has such defines its own.
+template <class Real>
+struct Varying;
+
+namespace batch {
 
 /// Points given as unit vectors (x along the fibre from root to tip) toward the light and the viewer, and offsets.
 struct DirectionPointers {
@@ -20,14 +26,14 @@ struct QueryPointers {
 struct VectorPointers {
   float *x, *y, *z;
 };
-/// One array for each number of ParameterRow; the first `count` are read.
-struct RowPointers {
-  const float* value[CUTICLE_ROW_COUNT];
+/// One array for each number of the model's Varying; the first `count` are read.
+struct VaryingPointers {
+  const float* value[CUTICLE_VARYING_MOST];
   int count;
 };
 
-struct VaryingPointers {
-  RowPointers rows;
+struct VaryingPointPointers {
+  VaryingPointers varying;
   DirectionPointers directions;
 };
 
@@ -37,22 +43,23 @@ struct OnePoint {
   float h;
 };
 
+/// `numbers`: of the struct that the model prepares.
 struct Kernels {
-  bool (*holds)(const Packed<float>&) = nullptr;  ///< whether the loops hold for these parameters
-  void (*evaluate)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
-  void (*pdf)(const Packed<float>&, int count, const DirectionPointers&, float* density) = nullptr;
-  void (*sample)(const Packed<float>&, int count, const QueryPointers&,
+  bool (*holds)(const float* numbers) = nullptr;  ///< whether the loops hold for these parameters
+  void (*evaluate)(const float* numbers, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
+  void (*pdf)(const float* numbers, int count, const DirectionPointers&, float* density) = nullptr;
+  void (*sample)(const float* numbers, int count, const QueryPointers&,
                  const VectorPointers&) = nullptr;  ///< null: no sampler
-  void (*evaluate_rows)(int count, const RowPointers&, const DirectionPointers&,
-                        const ColorPointers&) = nullptr;  ///< null: none
-  int (*numbers_in_row)() = nullptr;                      ///< that it reads
-  void (*evaluate_one)(const Packed<float>&, const OnePoint&, float color[3]) = nullptr;
-  float (*pdf_of_one)(const Packed<float>&, const OnePoint&) = nullptr;
-  void (*sample_one)(const Packed<float>&, const float viewer[3], float h, const float u[5],
+  void (*evaluate_varying)(int count, const VaryingPointers&, const DirectionPointers&,
+                           const ColorPointers&) = nullptr;  ///< null: none
+  int (*varying_numbers)() = nullptr;                        ///< that it reads
+  void (*evaluate_one)(const float* numbers, const OnePoint&, float color[3]) = nullptr;
+  float (*pdf_of_one)(const float* numbers, const OnePoint&) = nullptr;
+  void (*sample_one)(const float* numbers, const float viewer[3], float h, const float u[5],
                      float light[3]) = nullptr;  ///< null: no sampler
   /// Where `holds` says no: points one after the other, each an integral whose nodes are a vector; null: none.
-  void (*evaluate_integral)(const Packed<float>&, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
-  void (*pdf_integral)(const Packed<float>&, int count, const DirectionPointers&, float* density) = nullptr;
+  void (*evaluate_integral)(const float* numbers, int count, const DirectionPointers&, const ColorPointers&) = nullptr;
+  void (*pdf_integral)(const float* numbers, int count, const DirectionPointers&, float* density) = nullptr;
 };
 
 /// A model's kernels, from the plainest instruction set to the widest; null where the build has none.
@@ -61,4 +68,5 @@ struct Entry {
   const Kernels* kernels[3];
 };
 
-}  // namespace cuticle::bsdf::batch
+}  // namespace batch
+}  // namespace cuticle::bsdf

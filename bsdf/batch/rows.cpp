@@ -46,8 +46,8 @@ Result<RowColumns> RowColumns::make(const Model& model, const registry::Paramete
   return rows;
 }
 
-RowPointers RowColumns::block(std::size_t first) const {
-  RowPointers pointers{{}, int(count_)};
+VaryingPointers RowColumns::block(std::size_t first) const {
+  VaryingPointers pointers{{}, int(count_)};
   for (std::size_t k = 0; k < count_; ++k)
     pointers.value[k] = arrays_[k].empty() ? constants_.data() + k * row_block : arrays_[k].data() + first;
   return pointers;

@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/chiang/chiang.glslh"
 #include "bsdf/chiang/conversions.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/chiang/chiang.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::chiang {
 namespace {
@@ -14,40 +15,26 @@ namespace {
 constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
 constexpr std::array<std::string_view, 2> fields = {"near", "far"};
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 9> parameters = {{
-    eta_parameter,
-    sigma_a_parameter,
-    {"beta_m", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "longitudinal roughness, the paper's perceptual scale"},
-    {"beta_n", ParameterType::real, "1", 1e-3, 1, "0.3", {}, "azimuthal roughness, the paper's perceptual scale"},
-    {"alpha",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "0.034906585039886591",
-     {},
-     "tilt of the cuticle's scales, positive where they lean to the tip"},
-    {"field", ParameterType::choice, "1", 0, 0, "far", fields,
-     "near: a function of h; far: its mean over h_from .. h_to"},
-    {"h_from", ParameterType::real, "1", -1, 1, "-1", {}, "start of the interval of h that the far field takes in"},
-    {"h_to",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "1",
-     {},
-     "end of the interval; in either order; at h_from, the far field is 0"},
-    {"tolerance",
-     ParameterType::real,
-     "1",
-     1e-12,
-     0.1,
-     "1e-5",
-     {},
-     "relative error to which the far field is integrated"},
-}};
+enum class Field { near, far };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double beta_m = 0.3, beta_n = 0.3, alpha = 0.034906585039886591;
+  Field field = Field::far;
+  double h_from = -1, h_to = 1, tolerance = 1e-5;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, sigma_a_parameter);
+  members(p.beta_m, "beta_m", "1", 1e-3, 1, "longitudinal roughness, the paper's perceptual scale");
+  members(p.beta_n, "beta_n", "1", 1e-3, 1, "azimuthal roughness, the paper's perceptual scale");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "tilt of the cuticle's scales, positive where they lean to the tip");
+  members(p.field, "field", fields, "near: a function of h; far: its mean over h_from .. h_to");
+  members(p.h_from, "h_from", "1", -1, 1, "start of the interval of h that the far field takes in");
+  members(p.h_to, "h_to", "1", -1, 1, "end of the interval; in either order; at h_from, the far field is 0");
+  members(p.tolerance, "tolerance", "1", 1e-12, 0.1, "relative error to which the far field is integrated");
+}
 
 constexpr std::array<registry::StudyCase, 5> tiers = {{
     {"near", "field=near"},
@@ -60,44 +47,27 @@ constexpr std::array<Exception, 1> exceptions = {{
     {"reciprocity", "A takes theta_o alone, so exchanging the directions changes the energy of each path"},
 }};
 
-void pack_interval(const registry::ParameterValues& values, double* out) {
-  const auto [from, to] = std::minmax({values.real("h_from"), values.real("h_to")});
-  out[0] = from;
-  out[1] = to;
-  out[2] = to == from ? 0 : 1 / (to - from);
-  out[3] = values.real("tolerance");
-}
-
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const Chiang<double> c = make_chiang<double>(values.real("eta"), values.rgb("sigma_a"), values.real("beta_m"),
-                                               values.real("beta_n"), values.real("alpha"));
-  Packed<double> packed{};
-  pack_longitudinal(c.r, packed.value);
-  pack_longitudinal(c.tt, packed.value + 4);
-  pack_longitudinal(c.trt, packed.value + 8);
-  pack_longitudinal(c.rest, packed.value + 12);
-  packed.value[16] = c.blur.inverse_scale;
-  packed.value[17] = c.blur.norm;
-  packed.value[18] = c.blur.edge;
-  packed.value[19] = c.glass.eta_squared;
-  packed.value[20] = c.glass.eta_squared_minus_one;
-  for (int k = 0; k < 3; ++k) packed.value[21 + k] = c.glass.sigma_a[k];
-  pack_interval(values, packed.value + 24);
-  packed.value[28] = values.choice("field") == "near" ? 1 : 0;
-  return packed;
+Chiang<double> prepare(const Parameters& p) {
+  Chiang<double> c = make_chiang<double>(p.eta, p.sigma_a, p.beta_m, p.beta_n, p.alpha);
+  const auto [from, to] = std::minmax({p.h_from, p.h_to});
+  c.interval = {from, to, to == from ? 0 : 1 / (to - from), p.tolerance};
+  c.near_field = p.field == Field::near;
+  return c;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double beta_m = beta_m_from_deviation(fibre.longitudinal_deviation);
   const double beta_n = beta_n_from_scale(scale_from_deviation(fibre.azimuthal_deviation));
-  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}", fibre.eta, fibre.sigma_a.x,
-                      fibre.sigma_a.y, fibre.sigma_a.z, beta_m, beta_n, fibre.scale_tilt),
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}",
+                      fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, beta_m, beta_n, fibre.scale_tilt),
           "beta_m, beta_n: roughness whose R lobe has these standard deviations in theta_i and phi; alpha: the tilt "
           "itself; "
           "no medulla, circular cross-section, all lobes share one azimuthal width"};
 }
 
-bool near_field(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+bool near_field(const registry::ParameterValues& values) {
+  return registry::from_values<Parameters>(values).field == Field::near;
+}
 
 Model table() {
   return {
@@ -105,7 +75,7 @@ Model table() {
                 .name = "chiang",
                 .summary = "circular fibre: R, TT, TRT and all longer paths, near field or averaged over h",
                 .source = "Chiang et al. 2016; M of d'Eon et al. 2011",
-                .parameters = parameters,
+                .parameters = registry::table_of<Parameters>(),
                 .study_cases = tiers},
       .lobes = lobe_names,
       .conventions = {.field = "near or far",
@@ -123,6 +93,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::chiang

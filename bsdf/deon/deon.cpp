@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/deon/deon.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/shared/rough_packing.h"
-#include "bsdf/deon/deon.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::deon {
 namespace {
@@ -16,47 +16,30 @@ constexpr std::array<std::string_view, 2> r_lobes = {"separable", "non_separable
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "theta_d"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 8> parameters = {{
-    eta_parameter,
-    sigma_a_parameter,
-    {"beta_m",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the R lobe in theta_i; TT has half of it, TRT twice"},
-    {"beta_n",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the azimuthal blur of the R lobe; TT has half of it, TRT twice"},
-    {"alpha",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "-0.05235987755982988",
-     {},
-     "shift of the R lobe in theta_h by the cuticle's scales"},
-    {"azimuthal_tolerance",
-     ParameterType::real,
-     "1",
-     1e-12,
-     0.1,
-     "1e-6",
-     {},
-     "relative error of the azimuthal quadrature's panels"},
-    {"r_lobe", ParameterType::choice, "1", 0, 0, "separable", r_lobes,
-     "separable: 2011; non_separable: width and shift of R depend on phi, 2014"},
-    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_o", attenuation_angles,
-     "theta_o: energy is kept exactly; theta_d: as the paper, reciprocal where alpha is 0"},
-}};
+enum class RLobe { separable, non_separable };
+enum class AttenuationAngle { theta_o, theta_d };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double beta_m = 0.2, beta_n = 0.2, alpha = -0.05235987755982988, azimuthal_tolerance = 1e-6;
+  RLobe r_lobe = RLobe::separable;
+  AttenuationAngle attenuation_angle = AttenuationAngle::theta_o;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, sigma_a_parameter);
+  members(p.beta_m, "beta_m", "rad", 1e-3, 1,
+          "standard deviation of the R lobe in theta_i; TT has half of it, TRT twice");
+  members(p.beta_n, "beta_n", "rad", 1e-3, 1,
+          "standard deviation of the azimuthal blur of the R lobe; TT has half of it, TRT twice");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "shift of the R lobe in theta_h by the cuticle's scales");
+  members(p.azimuthal_tolerance, "azimuthal_tolerance", "1", 1e-12, 0.1,
+          "relative error of the azimuthal quadrature's panels");
+  members(p.r_lobe, "r_lobe", r_lobes, "separable: 2011; non_separable: width and shift of R depend on phi, 2014");
+  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
+          "theta_o: energy is kept exactly; theta_d: as the paper, reciprocal where alpha is 0");
+}
 
 constexpr std::array<registry::StudyCase, 3> tiers = {{
     {"tolerance 1e-2", "azimuthal_tolerance=1e-2"},
@@ -69,34 +52,29 @@ constexpr std::array<Exception, 2> exceptions = {{
     furnace_at_theta_d,
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
-  const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
-  Packed<double> packed{};
-  pack_longitudinal(beta_m, 2 * alpha, packed.value);
-  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
-  pack_longitudinal(beta_m * 2, -3 * alpha, packed.value + 8);
-  pack_detector(beta_n, packed.value + 12);
-  pack_detector(beta_n / 2, packed.value + 16);
-  pack_detector(beta_n * 2, packed.value + 20);
-  packed.value[24] = eta * eta;
-  packed.value[25] = (eta - 1) * (eta + 1);
-  for (int c = 0; c < 3; ++c) packed.value[26 + c] = values.rgb("sigma_a")[c];
-  packed.value[29] = tolerance;
-  packed.value[30] = detector_reach(tolerance);
-  packed.value[31] = beta_m;
-  packed.value[32] = std::sin(alpha);
-  packed.value[33] = std::cos(alpha);
-  packed.value[34] = values.choice("r_lobe") == "non_separable";
-  packed.value[35] = values.choice("attenuation_angle") == "theta_o";
-  return packed;
+Deon<double> prepare(const Parameters& p) {
+  Deon<double> m;
+  m.r = make_longitudinal_lobe(p.beta_m, 2 * p.alpha);
+  m.tt = make_longitudinal_lobe(p.beta_m / 2, -p.alpha);
+  m.trt = make_longitudinal_lobe(p.beta_m * 2, -3 * p.alpha);
+  m.wide_r = make_detector(p.beta_n);
+  m.wide_tt = make_detector(p.beta_n / 2);
+  m.wide_trt = make_detector(p.beta_n * 2);
+  m.dielectric = {p.eta * p.eta, (p.eta - 1) * (p.eta + 1), p.sigma_a};
+  m.accuracy = make_accuracy(p.azimuthal_tolerance);
+  m.beta_m = p.beta_m;
+  m.sin_alpha = std::sin(p.alpha);
+  m.cos_alpha = std::cos(p.alpha);
+  m.non_separable = p.r_lobe == RLobe::non_separable;
+  m.at_theta_o = p.attenuation_angle == AttenuationAngle::theta_o;
+  return m;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
-  return {
-      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
-                  fibre.sigma_a.z, fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
-      "deviations and tilt as they are; the cross-section is a circle and there is no medulla"};
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta_m={:.15g},beta_n={:.15g},alpha={:.15g}",
+                      fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, fibre.longitudinal_deviation,
+                      fibre.azimuthal_deviation, -fibre.scale_tilt),
+          "deviations and tilt as they are; the cross-section is a circle and there is no medulla"};
 }
 
 Model table() {
@@ -104,7 +82,7 @@ Model table() {
                     .name = "deon",
                     .summary = "rough circular fibre: energy-conserving M, N by adaptive quadrature with its error",
                     .source = "d'Eon et al. 2011; R lobe of d'Eon, Marschner and Hanika 2014",
-                    .parameters = parameters,
+                    .parameters = registry::table_of<Parameters>(),
                     .systems = system_rows,
                     .study_cases = tiers},
           .lobes = lobe_names,
@@ -116,6 +94,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::deon

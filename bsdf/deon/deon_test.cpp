@@ -68,31 +68,28 @@ TEST(Deon, FloatAzimuthal_AgreesWithMpmath) { EXPECT_LE(worst_azimuthal("", Prec
 
 /// The M of the R lobe of 2014 with its condition number, at one place.
 template <class Real>
-Real non_separable_of(const Packed<Real>& packed, const EvaluationPoint<Real>& at) {
-  const deon::Deon<Real> m = deon::unpack_deon(packed);
+Real non_separable_of(const deon::Deon<Real>& m, const EvaluationPoint<Real>& at) {
   return deon::longitudinal_of(m, 0, deon::make_inclinations(at.theta_i, at.theta_o), at.phi);
 }
-Packed<double> packed_of(const std::string& settings) {
-  const std::vector<float> floats = model().pack(*parse_settings(model(), "", settings));
-  Packed<double> packed;
-  std::copy(floats.begin(), floats.end(), packed.value);
-  return packed;
+deon::Deon<double> prepared_of(const std::string& settings) {
+  const std::vector<float> numbers = model().pack(*parse_settings(model(), "", settings));
+  return narrow<double>(from_numbers<deon::Deon<float>>(numbers.data()));
 }
 
 TEST(Deon, NonSeparableR_AgreesWithMpmathAsFarAsItsInputsAllow) {
   double worst_ratio = 0, worst = 0;
   for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/deon/reference/non_separable.csv")) {
     const double truth = row.number("m"), alpha = row.number("alpha");
-    Packed<double> packed = packed_of(fmt::format("r_lobe=non_separable,beta_m={}", row.text("beta_m")));
-    packed.value[31] = row.number("beta_m");
-    packed.value[32] = std::sin(alpha);
-    packed.value[33] = std::cos(alpha);
+    deon::Deon<double> prepared = prepared_of(fmt::format("r_lobe=non_separable,beta_m={}", row.text("beta_m")));
+    prepared.beta_m = row.number("beta_m");
+    prepared.sin_alpha = std::sin(alpha);
+    prepared.cos_alpha = std::cos(alpha);
     const EvaluationPoint<double> at{row.number("theta_i"), row.number("theta_o"), 0, row.number("phi"), 0, 0};
     const auto formula = [](const auto& numbers, int, int, const auto& point) {
       return glm::vec<3, std::decay_t<decltype(point.phi)>>(non_separable_of(numbers, point));
     };
-    const double kappa = tests::condition_number(packed, 0, 0, at, formula).kappa;
-    const double error = std::abs(non_separable_of(packed, at) - truth) / truth;
+    const double kappa = tests::condition_number(prepared, 0, 0, at, formula).kappa;
+    const double error = std::abs(non_separable_of(prepared, at) - truth) / truth;
     worst_ratio = std::max(worst_ratio, error / tests::allowed_error<double>(kappa));
     worst = std::max(worst, error);
   }

@@ -1,12 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 // Directions drawn from any model for a batch of queries, in the order of bsdf::SampleQuery, with their density and weight;
 // model_of_kernel.glslh is written by CMake for each model and includes its formulas.
 #include "gpu/groups.glsl"
 #include "model_of_kernel.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Parameters { Packed packed; };
+layout(scalar, binding = 0) readonly buffer Parameters { Prepared prepared; };
 layout(std430, binding = 1) readonly buffer Queries { float numbers[]; };
 layout(std430, binding = 2) writeonly buffer Results { float drawn[]; };
 layout(push_constant) uniform Batch { uint count; } batch;
@@ -28,10 +29,10 @@ void main() {
   uint i = invocation();
   if (i >= batch.count) return;
   SamplePoint query = query_at(i);
-  SampledDirection direction = sample_packed(packed, query);
+  SampledDirection direction = sample_direction(prepared, query);
   EvaluationPoint at = EvaluationPoint(direction.theta_i, query.theta_o, 0.0, direction.phi, query.h, query.phi_o);
-  float pdf = evaluate_packed(packed, CUTICLE_QUANTITY_PDF, -1, at).x;
-  vec3 weight = pdf > 0.0 ? evaluate_packed(packed, CUTICLE_QUANTITY_S, -1, at) / pdf : vec3(0.0);
+  float pdf = evaluate(prepared, CUTICLE_QUANTITY_PDF, -1, at).x;
+  vec3 weight = pdf > 0.0 ? evaluate(prepared, CUTICLE_QUANTITY_S, -1, at) / pdf : vec3(0.0);
   uint first = result_size * i;
   drawn[first] = direction.theta_i;
   drawn[first + 1u] = direction.phi;

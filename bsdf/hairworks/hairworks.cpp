@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/hairworks/hairworks.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
-#include "bsdf/hairworks/hairworks.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::hairworks {
 namespace {
@@ -15,77 +16,31 @@ constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "s
 constexpr std::array<std::string_view, 2> system_rows = {"H13", "H14"};
 using std::numbers::pi;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 12> parameters = {{
-    {"root_color", ParameterType::rgb, "1", 0, 1, "0.05", {}, "colour at the root, of the skin's texture"},
-    {"tip_color", ParameterType::rgb, "1", 0, 1, "0.05", {}, "colour at the tip"},
-    {"along", ParameterType::real, "1", 0, 1, "1", {}, "place on the strand, 0: root, 1: tip"},
-    {"root_reach",
-     ParameterType::real,
-     "1",
-     1e-3,
-     1,
-     "1",
-     {},
-     "share of the strand over which the root's colour goes over to the tip's"},
-    {"diffuse_blend",
-     ParameterType::real,
-     "1",
-     0,
-     1,
-     "0",
-     {},
-     "0: diffuse by the strand's tangent, 1: by the body's normal"},
-    {"normal_theta",
-     ParameterType::real,
-     "rad",
-     -1.5707963267948966,
-     1.5707963267948966,
-     "0",
-     {},
-     "inclination of the body's normal, toward the tip"},
-    {"normal_phi",
-     ParameterType::real,
-     "rad",
-     -3.141592653589793,
-     3.141592653589793,
-     "0",
-     {},
-     "azimuth of the body's normal from the viewer's"},
-    {"specular_color", ParameterType::rgb, "1", 0, 10, "0.05", {}, "colour of the primary highlight"},
-    {"exponent",
-     ParameterType::real,
-     "1",
-     1,
-     1e6,
-     "50",
-     {},
-     "of the primary highlight; its deviation in theta_i is 1/sqrt(exponent) rad"},
-    {"secondary_scale",
-     ParameterType::real,
-     "1",
-     0,
-     1,
-     "0.25",
-     {},
-     "peak of the secondary highlight over the primary's"},
-    {"secondary_width",
-     ParameterType::real,
-     "1",
-     1,
-     10,
-     "2",
-     {},
-     "width of the secondary highlight over the primary's"},
-    {"secondary_shift",
-     ParameterType::real,
-     "rad",
-     -1,
-     1,
-     "0.1",
-     {},
-     "the secondary highlight peaks at theta_i + theta_o = this; positive is toward the tip"},
-}};
+struct Parameters {
+  glm::dvec3 root_color{0.05}, tip_color{0.05};
+  double along = 1, root_reach = 1, diffuse_blend = 0, normal_theta = 0, normal_phi = 0;
+  glm::dvec3 specular_color{0.05};
+  double exponent = 50, secondary_scale = 0.25, secondary_width = 2, secondary_shift = 0.1;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.root_color, "root_color", "1", 0, 1, "colour at the root, of the skin's texture");
+  members(p.tip_color, "tip_color", "1", 0, 1, "colour at the tip");
+  members(p.along, "along", "1", 0, 1, "place on the strand, 0: root, 1: tip");
+  members(p.root_reach, "root_reach", "1", 1e-3, 1,
+          "share of the strand over which the root's colour goes over to the tip's");
+  members(p.diffuse_blend, "diffuse_blend", "1", 0, 1, "0: diffuse by the strand's tangent, 1: by the body's normal");
+  members(p.normal_theta, "normal_theta", "rad", -1.5707963267948966, 1.5707963267948966,
+          "inclination of the body's normal, toward the tip");
+  members(p.normal_phi, "normal_phi", "rad", -3.141592653589793, 3.141592653589793,
+          "azimuth of the body's normal from the viewer's");
+  members(p.specular_color, "specular_color", "1", 0, 10, "colour of the primary highlight");
+  members(p.exponent, "exponent", "1", 1, 1e6,
+          "of the primary highlight; its deviation in theta_i is 1/sqrt(exponent) rad");
+  members(p.secondary_scale, "secondary_scale", "1", 0, 1, "peak of the secondary highlight over the primary's");
+  members(p.secondary_width, "secondary_width", "1", 1, 10, "width of the secondary highlight over the primary's");
+  members(p.secondary_shift, "secondary_shift", "rad", -1, 1,
+          "the secondary highlight peaks at theta_i + theta_o = this; positive is toward the tip");
+}
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -104,20 +59,25 @@ constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "the diffuse lobe is a function of the light's direction only"},
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const double toward_tip = std::min(values.real("along") / values.real("root_reach"), 1.0);
-  const glm::dvec3 root = values.rgb("root_color"), color = root + (values.rgb("tip_color") - root) * toward_tip;
-  const glm::dvec3 primary = values.rgb("specular_color"), secondary = primary * values.real("secondary_scale");
-  const double exponent = values.real("exponent"), width = values.real("secondary_width");
-  const double wider = exponent / (width * width), shift = values.real("secondary_shift");
-  const double blended = values.real("diffuse_blend"), theta = values.real("normal_theta");
-  Packed<double> packed{{color.r, color.g, color.b, primary.r, primary.g, primary.b, secondary.r, secondary.g,
-                         secondary.b, exponent, wider, shift, blended, std::sin(theta), std::cos(theta),
-                         values.real("normal_phi")}};
-  const Proposal first{mean_of(primary) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
-  const Proposal second{mean_of(secondary) * 2 * pi * highlight_width(wider), 1 / std::sqrt(wider), shift};
-  pack_mixture(mean_of(color) * pi * (pi + blended * (1 - pi)), first, second, packed.value + 16);
-  return packed;
+Hairworks<double> prepare(const Parameters& p) {
+  const double toward_tip = std::min(p.along / p.root_reach, 1.0);
+  Hairworks<double> m;
+  m.diffuse = p.root_color + (p.tip_color - p.root_color) * toward_tip;
+  m.primary = p.specular_color;
+  m.secondary = m.primary * p.secondary_scale;
+  m.primary_exponent = p.exponent;
+  m.secondary_exponent = p.exponent / (p.secondary_width * p.secondary_width);
+  m.secondary_shift = p.secondary_shift;
+  m.blend = p.diffuse_blend;
+  m.normal_along = std::sin(p.normal_theta);
+  m.normal_across = std::cos(p.normal_theta);
+  m.normal_phi = p.normal_phi;
+  const Proposal first{mean_of(m.primary) * 2 * pi * highlight_width(m.primary_exponent),
+                       1 / std::sqrt(m.primary_exponent), 0};
+  const Proposal second{mean_of(m.secondary) * 2 * pi * highlight_width(m.secondary_exponent),
+                        1 / std::sqrt(m.secondary_exponent), m.secondary_shift};
+  m.mixture = make_mixture(mean_of(m.diffuse) * pi * (pi + m.blend * (1 - pi)), first, second);
+  return m;
 }
 
 /// The primary highlight as R; the secondary as wide as TRT, where TRT stands, with its mean energy; the rest is the
@@ -147,7 +107,7 @@ Model table() {
            .summary =
                "Kajiya-Kay highlight, a fake secondary one, diffuse between tangent and body normal; not normalised",
            .source = "NVIDIA HairWorks, CGDC 2014; highlights of Kajiya and Kay 1989",
-           .parameters = parameters,
+           .parameters = registry::table_of<Parameters>(),
            .systems = system_rows},
       .lobes = lobe_names,
       .conventions =
@@ -163,6 +123,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::hairworks

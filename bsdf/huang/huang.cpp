@@ -3,9 +3,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/huang/huang.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/huang/huang.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::huang {
 namespace {
@@ -15,34 +16,32 @@ constexpr std::array<std::string_view, 2> fields = {"far", "near"};
 constexpr std::array<std::string_view, 2> facets = {"multiple", "single"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 8> parameters = {{
-    eta_parameter,
-    {"sigma_a",
-     ParameterType::rgb,
-     "1/radius",
-     0,
-     100,
-     "0.2",
-     {},
-     "absorption per semi-major axis of the cross-section, for red, green and blue"},
-    {"roughness", ParameterType::real, "1", 1e-3, 1, "0.2", {}, "alpha of the GGX facets on the scales"},
-    {"tilt",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "0.05235987755982988",
-     {},
-     "of the scales against the axis; positive: they lean to the tip, and R goes to theta_i + theta_o = -2 tilt"},
-    {"aspect", ParameterType::real, "1", 0.2, 1, "1", {}, "minor over major axis of the cross-section"},
-    {"field", ParameterType::choice, "1", 0, 0, "far", fields,
-     "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer"},
-    {"samples", ParameterType::integer, "1", 64, 65536, "512", {}, "paths of the quadrature"},
-    {"facets", ParameterType::choice, "1", 0, 0, "multiple", facets,
-     "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
-     "would stop is lost, and paths after TRT (the lobe residual is 0)"},
-}};
+enum class Field { far, near };
+enum class Facets { multiple, single };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double roughness = 0.2, tilt = 0.05235987755982988, aspect = 1;
+  Field field = Field::far;
+  std::int64_t samples = 512;
+  Facets facets = Facets::multiple;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, "sigma_a", "1/radius", 0, 100,
+          "absorption per semi-major axis of the cross-section, for red, green and blue");
+  members(p.roughness, "roughness", "1", 1e-3, 1, "alpha of the GGX facets on the scales");
+  members(p.tilt, "tilt", "rad", -0.17453292519943295, 0.17453292519943295,
+          "of the scales against the axis; positive: they lean to the tip, and R goes to theta_i + theta_o = -2 tilt");
+  members(p.aspect, "aspect", "1", 0.2, 1, "minor over major axis of the cross-section");
+  members(p.field, "field", fields,
+          "far: all offsets together; near: the offset h, a share of the half-width seen from the viewer");
+  members(p.samples, "samples", 64, 65536, "paths of the quadrature");
+  members(
+      p.facets, "facets", facets,
+      "multiple: light goes on from facet to facet and through any number of crossings; single: what a second facet "
+      "would stop is lost, and paths after TRT (the lobe residual is 0)");
+}
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"64 paths", "samples=64"},
@@ -51,13 +50,21 @@ constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"32768 paths", "samples=32768"},
 }};
 
-bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+bool is_near(const registry::ParameterValues& values) {
+  return registry::from_values<Parameters>(values).field == Field::near;
+}
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const glm::dvec3 sigma_a = values.rgb("sigma_a");
-  const double eta = values.real("eta"), tilt = values.real("tilt");
-  return {{eta, 1 / eta, values.real("roughness"), std::sin(tilt), std::cos(tilt), values.real("aspect"), sigma_a.x,
-           sigma_a.y, sigma_a.z, is_near(values) ? 1.0 : 0.0, double(values.integer("samples")), values.choice("facets") == "multiple" ? 1.0 : 0.0}};
+Huang<double> prepare(const Parameters& p) {
+  return {p.eta,
+          1 / p.eta,
+          p.roughness,
+          std::sin(p.tilt),
+          std::cos(p.tilt),
+          p.aspect,
+          p.sigma_a,
+          p.field == Field::near ? 1.0 : 0.0,
+          double(p.samples),
+          p.facets == Facets::multiple ? 1.0 : 0.0};
 }
 
 /// A deviation of theta_i is that of twice the facets' slope, which for the Gaussian slopes of the same alpha is
@@ -76,33 +83,35 @@ FibreMapping map_fibre(const Fibre& fibre) {
 /// Paths, times the rounds that one takes where light turns often. Measured on software Vulkan: S is right with 1,024
 /// paths and wrong with 2,048.
 std::uint64_t loop_rounds(const registry::ParameterValues& values, Quantity quantity) {
-  if (values.choice("facets") != "multiple" || quantity == Quantity::pdf) return 0;
+  const Parameters p = registry::from_values<Parameters>(values);
+  if (p.facets != Facets::multiple || quantity == Quantity::pdf) return 0;
   const bool is_sum_of_paths = quantity == Quantity::S || quantity == Quantity::error;
-  return 48 * std::uint64_t(is_sum_of_paths ? values.integer("samples") : CUTICLE_HUANG_PATHS_OF_MEANS);
+  return 48 * std::uint64_t(is_sum_of_paths ? p.samples : CUTICLE_HUANG_PATHS_OF_MEANS);
 }
 
 Model table() {
-  return {.entry = {.kind = registry::EntryKind::model,
-                    .name = "huang",
-                    .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
-                    .source = "Huang, Hullin and Hanika 2022",
-                    .parameters = parameters,
-                    .systems = system_rows,
-                    .study_cases = tiers},
-          .lobes = lobe_names,
-          .conventions = {.field = "near or far",
-                          .cosine = "not included",
-                          .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
-                          .roughness = "alpha of GGX's slopes",
-                          .absorption = "per semi-major axis"},
-          .presets = pigment_presets,
-          .near_field = is_near,
-          .from_fibre = map_fibre,
-          .loop_rounds = loop_rounds};
+  return {
+      .entry = {.kind = registry::EntryKind::model,
+                .name = "huang",
+                .summary = "rough elliptical fibre of tilted scales, facet by facet: R, TT, TRT and all longer paths",
+                .source = "Huang, Hullin and Hanika 2022",
+                .parameters = registry::table_of<Parameters>(),
+                .systems = system_rows,
+                .study_cases = tiers},
+      .lobes = lobe_names,
+      .conventions = {.field = "near or far",
+                      .cosine = "not included",
+                      .tilt_sign = "positive tilt moves the R lobe toward theta_i + theta_o < 0, the root",
+                      .roughness = "alpha of GGX's slopes",
+                      .absorption = "per semi-major axis"},
+      .presets = pigment_presets,
+      .near_field = is_near,
+      .from_fibre = map_fibre,
+      .loop_rounds = loop_rounds};
 }
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::huang

@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/kajiya_kay/kajiya_kay.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
-#include "bsdf/kajiya_kay/kajiya_kay.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::kajiya_kay {
 namespace {
@@ -14,19 +15,15 @@ namespace {
 constexpr std::array<std::string_view, 2> lobe_names = {"diffuse", "specular"};
 using std::numbers::pi;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 3> parameters = {{
-    {"diffuse", ParameterType::rgb, "1", 0, 1, "0.05", {}, "K_d, colour of the diffuse lobe"},
-    {"specular", ParameterType::rgb, "1", 0, 10, "0.1", {}, "K_s, colour of the highlight"},
-    {"exponent",
-     ParameterType::real,
-     "1",
-     1,
-     1e6,
-     "25",
-     {},
-     "p; the highlight's deviation in theta_i is 1/sqrt(p) rad"},
-}};
+struct Parameters {
+  glm::dvec3 diffuse{0.05}, specular{0.1};
+  double exponent = 25;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.diffuse, "diffuse", "1", 0, 1, "K_d, colour of the diffuse lobe");
+  members(p.specular, "specular", "1", 0, 10, "K_s, colour of the highlight");
+  members(p.exponent, "exponent", "1", 1, 1e6, "p; the highlight's deviation in theta_i is 1/sqrt(p) rad");
+}
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -41,13 +38,9 @@ constexpr std::array<Exception, 2> exceptions = {{
     {"reciprocity", "the diffuse lobe is a function of the light's inclination only"},
 }};
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const glm::dvec3 diffuse = values.rgb("diffuse"), specular = values.rgb("specular");
-  const double exponent = values.real("exponent");
-  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b, specular.r, specular.g, specular.b, exponent}};
-  const Proposal highlight{mean_of(specular) * 2 * pi * highlight_width(exponent), 1 / std::sqrt(exponent), 0};
-  pack_mixture(mean_of(diffuse) * pi * pi, highlight, {}, packed.value + 7);
-  return packed;
+KajiyaKay<double> prepare(const Parameters& p) {
+  const Proposal highlight{mean_of(p.specular) * 2 * pi * highlight_width(p.exponent), 1 / std::sqrt(p.exponent), 0};
+  return {p.diffuse, p.specular, p.exponent, make_mixture(mean_of(p.diffuse) * pi * pi, highlight, {})};
 }
 
 /// The highlight as wide as the fibre's R lobe and with its energy; everything that crosses the fibre is the diffuse
@@ -70,7 +63,7 @@ Model table() {
                     .name = "kajiya_kay",
                     .summary = "diffuse sin(t, l) and a highlight cos^p around the cone of reflection; not normalised",
                     .source = "Kajiya and Kay 1989, section 4",
-                    .parameters = parameters},
+                    .parameters = registry::table_of<Parameters>()},
           .lobes = lobe_names,
           .conventions = {.field = "far",
                           .cosine = "not included",
@@ -84,6 +77,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::kajiya_kay

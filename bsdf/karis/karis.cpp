@@ -4,27 +4,25 @@
 
 #include <fmt/core.h>
 
-#include "bsdf/shared/batch.h"
 #include "bsdf/karis/karis.glslh"
+#include "bsdf/shared/batch.h"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::karis {
 namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 3> parameters = {{
-    {"color", ParameterType::rgb, "1", 0, 1, "0.449328964117222", {}, "what a path of four radii leaves of the light"},
-    {"roughness", ParameterType::real, "1", 0.032, 1, "0.5", {}, "its square is the deviation of R in sin theta_i"},
-    {"shift",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "0.035",
-     {},
-     "tilt of the cuticle's scales: R moves by -2, TT by 1, TRT by 4 times it"},
-}};
+struct Parameters {
+  glm::dvec3 color{0.449328964117222};
+  double roughness = 0.5, shift = 0.035;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.color, "color", "1", 0, 1, "what a path of four radii leaves of the light");
+  members(p.roughness, "roughness", "1", 0.032, 1, "its square is the deviation of R in sin theta_i");
+  members(p.shift, "shift", "rad", -0.17453292519943295, 0.17453292519943295,
+          "tilt of the cuticle's scales: R moves by -2, TT by 1, TRT by 4 times it");
+}
 
 // color = exp(-4 sigma_a) of pigment_presets (fibre_table.h).
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -45,10 +43,7 @@ glm::dvec3 density_of(const glm::dvec3& color) {
   return {density(color.r), density(color.g), density(color.b)};
 }
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  return pack_karis(
-      make_karis<double>(density_of(values.rgb("color")), values.real("roughness"), values.real("shift")));
-}
+Karis<double> prepare(const Parameters& p) { return make_karis<double>(density_of(p.color), p.roughness, p.shift); }
 
 FibreMapping from_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(std::sqrt(fibre.longitudinal_deviation), 0.032, 1.0);
@@ -67,7 +62,7 @@ Model table() {
                     .name = "karis",
                     .summary = "closed forms fitted to R, TT and TRT for real-time shading",
                     .source = "Karis 2016, SIGGRAPH course Physically based shading",
-                    .parameters = parameters},
+                    .parameters = registry::table_of<Parameters>()},
           .lobes = lobe_names,
           .conventions = {.field = "far",
                           .cosine = "not included",
@@ -81,6 +76,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::karis

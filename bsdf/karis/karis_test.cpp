@@ -29,34 +29,31 @@ double value_at(const std::string& settings, Quantity quantity, int lobe, const 
   return out[0].x;
 }
 
-Packed<double> packed_of(const tests::CsvRow& row) {
-  return pack_karis(
-      make_karis<double>(glm::dvec3(-std::log(row.number("color"))), row.number("roughness"), row.number("shift")));
+Karis<double> prepared_of(const tests::CsvRow& row) {
+  return make_karis<double>(glm::dvec3(-std::log(row.number("color"))), row.number("roughness"), row.number("shift"));
 }
 
 template <class Real>
-double narrowed_value(const Packed<double>& packed, int quantity, int lobe, const EvaluationPoint<double>& at) {
-  Packed<Real> narrowed;
-  for (int k = 0; k < CUTICLE_PACKED_COUNT; ++k) narrowed.value[k] = Real(packed.value[k]);
+double narrowed_value(const Karis<double>& prepared, int quantity, int lobe, const EvaluationPoint<double>& at) {
   const EvaluationPoint<Real> point{Real(at.theta_i), Real(at.theta_o), Real(at.theta_d),
                                     Real(at.phi),     Real(at.h),       Real(0)};
-  return double(evaluate_packed(narrowed, quantity, lobe, point).x);
+  return double(evaluate(narrow<Real>(prepared), quantity, lobe, point).x);
 }
 
 /// The largest error over what the condition number allows, among values above 1e-6.
 template <class Real>
 double worst_over_allowed() {
-  const auto call = [](const auto& p, int q, int l, const auto& x) { return evaluate_packed(p, q, l, x); };
+  const auto call = [](const auto& p, int q, int l, const auto& x) { return evaluate(p, q, l, x); };
   double worst = 0;
   for (const tests::CsvRow& row : tests::read_csv(CUTICLE_SOURCE_DIR "/bsdf/karis/reference/scattering.csv")) {
     const double truth = row.number("value");
     if (truth < 1e-6) continue;
-    const Packed<double> packed = packed_of(row);
+    const Karis<double> prepared = prepared_of(row);
     const int quantity = int(*find_quantity(row.text("quantity"))), lobe = int(row.number("lobe"));
     const EvaluationPoint<double> at{row.number("theta_i"), row.number("theta_o"), row.number("theta_d"),
                                      row.number("phi"),     row.number("h"),       0};
-    const double kappa = tests::condition_number(packed, quantity, lobe, at, call).kappa;
-    const double error = std::abs(narrowed_value<Real>(packed, quantity, lobe, at) / truth - 1);
+    const double kappa = tests::condition_number(prepared, quantity, lobe, at, call).kappa;
+    const double error = std::abs(narrowed_value<Real>(prepared, quantity, lobe, at) / truth - 1);
     worst = std::max(worst, error / tests::allowed_error<Real>(kappa));
   }
   return worst;
@@ -191,7 +188,7 @@ TEST(Karis, LightAndViewerAtOppositeEndsOfTheAxis_PassWhiteFibresUnattenuated) {
   const Karis<float> white = make_karis<float>(glm::vec3(0), 0.3f, 0.0f);
   EXPECT_EQ(karis_transmittance(white, 0.8f, 0.0f), glm::vec3(1));
   const Directions<float> along{.sin_i = 1, .cos_i = 0, .sin_o = -1, .cos_o = 0, .azimuth = {1, 0}, .h = 0};
-  const glm::vec3 value = evaluate_directions(pack_karis(white), CUTICLE_QUANTITY_S, along);
+  const glm::vec3 value = evaluate_directions(white, CUTICLE_QUANTITY_S, along);
   EXPECT_TRUE(std::isfinite(value.x) && value.x > 0) << value.x;
 }
 

@@ -4,9 +4,10 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/marschner/marschner.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/marschner/marschner.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -17,68 +18,44 @@ constexpr std::array<std::string_view, 2> caustics = {"exact", "smoothed"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_d", "theta_o"};
 constexpr std::array<std::string_view, 4> system_rows = {"N11", "N16", "G1", "G7"};
 
-using registry::ParameterType;
-// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15 degrees
-// in theta_i.
-constexpr std::array<registry::Parameter, 12> parameters = {{
-    eta_parameter,
-    sigma_a_parameter,
-    {"beta",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2617993877991494",
-     {},
-     "standard deviation of the R lobe in theta_i (twice the paper's beta_R, which is in theta_h)"},
-    {"alpha",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "-0.1308996938995747",
-     {},
-     "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)"},
-    {"variant", ParameterType::choice, "1", 0, 0, "corrected", variants,
-     "corrected: energy-conserving M, exact roots, true chord; literal: the paper as printed"},
-    {"aspect",
-     ParameterType::real,
-     "1",
-     0.5,
-     2,
-     "1",
-     {},
-     "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper"},
-    {"caustic", ParameterType::choice, "1", 0, 0, "exact", caustics,
-     "exact: TRT with its singularities; smoothed: the paper's N_TRT without them"},
-    {"k_g", ParameterType::real, "1", 0, 5, "0.5", {}, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper"},
-    {"w_c",
-     ParameterType::real,
-     "rad",
-     0.08726646259971647,
-     0.5235987755982988,
-     "0.17453292519943295",
-     {},
-     "smoothed: standard deviation of the glints in azimuth, 10 .. 25 degrees in the paper"},
-    {"delta_eta",
-     ParameterType::real,
-     "1",
-     0.05,
-     1,
-     "0.2",
-     {},
-     "smoothed: range of eta' beyond 2 over which the glints fade, 0.2 .. 0.4 in the paper"},
-    {"delta_h_max",
-     ParameterType::real,
-     "radius",
-     0.05,
-     1,
-     "0.5",
-     {},
-     "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper"},
-    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_d", attenuation_angles,
-     "corrected: theta_d, the paper's, is reciprocal where alpha is 0; theta_o keeps energy with any tilt"},
-}};
+enum class Variant { corrected, literal };
+enum class CausticKind { exact, smoothed };
+enum class AttenuationAngle { theta_d, theta_o };
+/// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15
+/// degrees in theta_i.
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double beta = 0.2617993877991494, alpha = -0.1308996938995747;
+  Variant variant = Variant::corrected;
+  double aspect = 1;
+  CausticKind caustic = CausticKind::exact;
+  double k_g = 0.5, w_c = 0.17453292519943295, delta_eta = 0.2, delta_h_max = 0.5;
+  AttenuationAngle attenuation_angle = AttenuationAngle::theta_d;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, sigma_a_parameter);
+  members(p.beta, "beta", "rad", 1e-3, 1,
+          "standard deviation of the R lobe in theta_i (twice the paper's beta_R, which is in theta_h)");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)");
+  members(p.variant, "variant", variants,
+          "corrected: energy-conserving M, exact roots, true chord; literal: the paper as printed");
+  members(p.aspect, "aspect", "1", 0.5, 2,
+          "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
+  members(p.caustic, "caustic", caustics,
+          "exact: TRT with its singularities; smoothed: the paper's N_TRT without them");
+  members(p.k_g, "k_g", "1", 0, 5, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper");
+  members(p.w_c, "w_c", "rad", 0.08726646259971647, 0.5235987755982988,
+          "smoothed: standard deviation of the glints in azimuth, 10 .. 25 degrees in the paper");
+  members(p.delta_eta, "delta_eta", "1", 0.05, 1,
+          "smoothed: range of eta' beyond 2 over which the glints fade, 0.2 .. 0.4 in the paper");
+  members(p.delta_h_max, "delta_h_max", "radius", 0.05, 1,
+          "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper");
+  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
+          "corrected: theta_d, the paper's, is reciprocal where alpha is 0; theta_o keeps energy with any tilt");
+}
 
 // The last is what the others are compared with: the paper's cubic and its M, and its caustic without singularities.
 constexpr std::array<registry::StudyCase, 3> tiers = {{
@@ -94,19 +71,15 @@ AzimuthMixture<double> mixture_for(const Marschner<double>& m) {
   return {glow, even};
 }
 
-Marschner<double> make(const registry::ParameterValues& values) {
-  const double eta = values.real("eta");
-  Marschner<double> m = make_marschner<double>(eta, values.rgb("sigma_a"), values.real("beta"), values.real("alpha"));
-  m.literal = values.choice("variant") == "literal";
-  m.removal = {values.real("k_g"), values.real("w_c"), values.real("delta_eta"), values.real("delta_h_max"),
-               values.choice("caustic") == "smoothed"};
-  m.ellipse = make_ellipse(eta, values.real("aspect"));
+Marschner<double> prepare(const Parameters& p) {
+  Marschner<double> m = make_marschner<double>(p.eta, p.sigma_a, p.beta, p.alpha);
+  m.literal = p.variant == Variant::literal;
+  m.removal = {p.k_g, p.w_c, p.delta_eta, p.delta_h_max, p.caustic == CausticKind::smoothed};
+  m.ellipse = make_ellipse(p.eta, p.aspect);
   m.mixture = mixture_for(m);
-  m.at_theta_o = !m.literal && values.choice("attenuation_angle") == "theta_o";
+  m.at_theta_o = !m.literal && p.attenuation_angle == AttenuationAngle::theta_o;
   return m;
 }
-
-Packed<double> pack_double(const registry::ParameterValues& values) { return pack_marschner(make(values)); }
 
 /// Means over intervals of one theta_d after another; what two neighbours share is found once.
 class AzimuthalMeans {
@@ -149,7 +122,7 @@ class AzimuthalMeans {
 
 bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::span<const AzimuthInterval> intervals,
                      std::span<AzimuthMean> out) {
-  const Marschner<double> m = make(values);
+  const Marschner<double> m = prepare(registry::from_values<Parameters>(values));
   if (!has_exact_means(m) || lobe < 0) return false;
   AzimuthalMeans means(m, lobe);
   std::transform(intervals.begin(), intervals.end(), out.begin(),
@@ -191,7 +164,7 @@ Model table() {
                     .name = "marschner",
                     .summary = "smooth fibre, circular or elliptical: R, TT and TRT with exact roots, or as printed",
                     .source = "Marschner et al. 2003; M of d'Eon et al. 2011",
-                    .parameters = parameters,
+                    .parameters = registry::table_of<Parameters>(),
                     .systems = system_rows,
                     .study_cases = tiers},
           .lobes = lobe_names,
@@ -205,6 +178,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::marschner

@@ -19,9 +19,9 @@ double setting(const std::string& settings, const std::string& name) {
   return std::strtod(settings.c_str() + settings.find(name + "=") + name.size() + 1, nullptr);
 }
 
-Packed<double> packed_of(const std::string& settings) {
-  return pack_marschner(make_marschner<double>(setting(settings, "eta"), glm::dvec3(setting(settings, "sigma_a")),
-                                               setting(settings, "beta"), setting(settings, "alpha")));
+Marschner<double> prepared_of(const std::string& settings) {
+  return make_marschner<double>(setting(settings, "eta"), glm::dvec3(setting(settings, "sigma_a")),
+                                setting(settings, "beta"), setting(settings, "alpha"));
 }
 
 /// What the lobe's M, N or A may reach: below a millionth of it nothing is promised.
@@ -36,12 +36,10 @@ int quantity_of(const std::string& name) {
 }
 
 template <class Real>
-double evaluate_narrowed(const Packed<double>& packed, int quantity, int lobe, const EvaluationPoint<double>& at) {
-  Packed<Real> narrowed;
-  for (int k = 0; k < CUTICLE_PACKED_COUNT; ++k) narrowed.value[k] = Real(packed.value[k]);
+double evaluate_narrowed(const Marschner<double>& prepared, int quantity, int lobe, const EvaluationPoint<double>& at) {
   const EvaluationPoint<Real> point{Real(at.theta_i), Real(at.theta_o), Real(at.theta_d),
                                     Real(at.phi),     Real(at.h),       Real(at.phi_o)};
-  return double(evaluate_packed(narrowed, quantity, lobe, point).x);
+  return double(evaluate(narrow<Real>(prepared), quantity, lobe, point).x);
 }
 
 struct Worst {
@@ -58,13 +56,13 @@ Worst worst_of(const std::string& quantity) {
     const std::string settings = row.text("settings");
     const double truth = row.number("value");
     if (row.text("quantity") != quantity || truth < 1e-6 * peak(quantity, lobe, settings)) continue;
-    const Packed<double> packed = packed_of(settings);
+    const Marschner<double> prepared = prepared_of(settings);
     const EvaluationPoint<double> at{row.number("theta_i"), row.number("theta_o"), row.number("theta_d"),
                                      row.number("phi"),     row.number("h"),       row.number("phi_o")};
-    const auto call = [](const auto& p, int q, int l, const auto& x) { return evaluate_packed(p, q, l, x); };
-    const double kappa = tests::condition_number(packed, quantity_of(quantity), lobe, at, call).kappa;
+    const auto call = [](const auto& p, int q, int l, const auto& x) { return evaluate(p, q, l, x); };
+    const double kappa = tests::condition_number(prepared, quantity_of(quantity), lobe, at, call).kappa;
     const double allowed = tests::allowed_error<Real>(kappa);
-    const double error = std::abs(evaluate_narrowed<Real>(packed, quantity_of(quantity), lobe, at) - truth) / truth;
+    const double error = std::abs(evaluate_narrowed<Real>(prepared, quantity_of(quantity), lobe, at) - truth) / truth;
     ++worst.rows;
     worst.plain += allowed <= (sizeof(Real) == 4 ? 1e-5 : 1e-12);
     if (error / allowed <= worst.over_allowed) continue;

@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/scheuermann/scheuermann.glslh"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
-#include "bsdf/scheuermann/scheuermann.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::scheuermann {
 namespace {
@@ -15,34 +16,29 @@ constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "s
 constexpr std::array<std::string_view, 3> system_rows = {"A4", "A5", "A6"};
 using std::numbers::pi;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 11> parameters = {{
-    {"base", ParameterType::rgb, "1", 0, 1, "1", {}, "base colour, of a texture, on every lobe"},
-    {"occlusion", ParameterType::real, "1", 0, 1, "1", {}, "ambient occlusion of the vertex, 1: open, on every lobe"},
-    {"diffuse", ParameterType::rgb, "1", 0, 1, "0.12", {}, "colour of the diffuse lobe"},
-    {"primary", ParameterType::rgb, "1", 0, 10, "0.025", {}, "colour of the primary highlight"},
-    {"primary_exponent", ParameterType::real, "1", 1, 1e6, "100", {}, "of the sine of the angle between T and H"},
-    {"primary_shift",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "0.05",
-     {},
-     "of the tangent along the normal; positive reflects toward the root"},
-    {"secondary", ParameterType::rgb, "1", 0, 10, "0.01", {}, "colour of the secondary highlight"},
-    {"secondary_exponent", ParameterType::real, "1", 1, 1e6, "25", {}, "of the sine of the angle between T and H"},
-    {"secondary_shift",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "-0.08",
-     {},
-     "of the tangent along the normal; negative reflects toward the tip"},
-    {"shift_texture", ParameterType::real, "1", 0, 1, "0.5", {}, "texel of the shift texture; 0.5 moves nothing"},
-    {"mask", ParameterType::real, "1", 0, 1, "1", {}, "texel of the noise that makes the secondary highlight sparkle"},
-}};
+struct Parameters {
+  glm::dvec3 base{1};
+  double occlusion = 1;
+  glm::dvec3 diffuse{0.12}, primary{0.025};
+  double primary_exponent = 100, primary_shift = 0.05;
+  glm::dvec3 secondary{0.01};
+  double secondary_exponent = 25, secondary_shift = -0.08, shift_texture = 0.5, mask = 1;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.base, "base", "1", 0, 1, "base colour, of a texture, on every lobe");
+  members(p.occlusion, "occlusion", "1", 0, 1, "ambient occlusion of the vertex, 1: open, on every lobe");
+  members(p.diffuse, "diffuse", "1", 0, 1, "colour of the diffuse lobe");
+  members(p.primary, "primary", "1", 0, 10, "colour of the primary highlight");
+  members(p.primary_exponent, "primary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.primary_shift, "primary_shift", "1", -1, 1,
+          "of the tangent along the normal; positive reflects toward the root");
+  members(p.secondary, "secondary", "1", 0, 10, "colour of the secondary highlight");
+  members(p.secondary_exponent, "secondary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.secondary_shift, "secondary_shift", "1", -1, 1,
+          "of the tangent along the normal; negative reflects toward the tip");
+  members(p.shift_texture, "shift_texture", "1", 0, 1, "texel of the shift texture; 0.5 moves nothing");
+  members(p.mask, "mask", "1", 0, 1, "texel of the noise that makes the secondary highlight sparkle");
+}
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -65,28 +61,25 @@ double energy_at_normal(double exponent, double tilt) {
   return highlight_energy<double>({std::sin(tilt), std::cos(tilt), exponent, {}}, 0);
 }
 
-/// A highlight's numbers and what to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 atan(shift), and
-/// cos^exponent of half the angle from there falls off with the deviation 2 / sqrt(exponent).
-Proposal pack_highlight(const glm::dvec3& color, double exponent, double shift, double* out) {
-  const double tilt = std::atan(shift);
-  out[0] = std::sin(tilt);
-  out[1] = std::cos(tilt);
-  out[2] = exponent;
-  for (int c = 0; c < 3; ++c) out[3 + c] = color[c];
+Highlight<double> make_highlight(const glm::dvec3& color, double exponent, double tilt) {
+  return {std::sin(tilt), std::cos(tilt), exponent, color};
+}
+
+/// What to draw it from: its peak T'.H = 0 lies at theta_i + theta_o = -2 tilt, and cos^exponent of half the angle from
+/// there falls off with the deviation 2 / sqrt(exponent).
+Proposal proposal_of(const glm::dvec3& color, double exponent, double tilt) {
   return {mean_of(color) * energy_at_normal(exponent, tilt), 2 / std::sqrt(exponent), -2 * tilt};
 }
 
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const glm::dvec3 all = values.rgb("base") * values.real("occlusion"), diffuse = all * values.rgb("diffuse");
-  const double shift = values.real("shift_texture") - 0.5;
-  Packed<double> packed{{diffuse.r, diffuse.g, diffuse.b}};
-  const Proposal primary = pack_highlight(all * values.rgb("primary"), values.real("primary_exponent"),
-                                          values.real("primary_shift") + shift, packed.value + 3);
-  const Proposal secondary =
-      pack_highlight(all * values.rgb("secondary") * values.real("mask"), values.real("secondary_exponent"),
-                     values.real("secondary_shift") + shift, packed.value + 9);
-  pack_mixture(mean_of(diffuse) * 4 * pi / 3, primary, secondary, packed.value + 15);
-  return packed;
+Scheuermann<double> prepare(const Parameters& p) {
+  const glm::dvec3 all = p.base * p.occlusion, diffuse = all * p.diffuse;
+  const glm::dvec3 primary = all * p.primary, secondary = all * p.secondary * p.mask;
+  const double texel = p.shift_texture - 0.5;
+  const double tilt = std::atan(p.primary_shift + texel), second_tilt = std::atan(p.secondary_shift + texel);
+  return {diffuse, make_highlight(primary, p.primary_exponent, tilt),
+          make_highlight(secondary, p.secondary_exponent, second_tilt),
+          make_mixture(mean_of(diffuse) * 4 * pi / 3, proposal_of(primary, p.primary_exponent, tilt),
+                       proposal_of(secondary, p.secondary_exponent, second_tilt))};
 }
 
 /// The primary highlight as R, the secondary as TRT, with their widths, shifts and energies; the rest is the diffuse
@@ -115,7 +108,7 @@ Model table() {
                 .summary =
                     "two shifted highlights sin(T, H)^p and a lerp diffuse term, for hair on polygons; not normalised",
                 .source = "Scheuermann 2004, Practical Real-Time Hair Rendering and Shading",
-                .parameters = parameters,
+                .parameters = registry::table_of<Parameters>(),
                 .systems = system_rows},
       .lobes = lobe_names,
       .conventions = {.field = "far",
@@ -130,6 +123,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::scheuermann

@@ -5,37 +5,39 @@
 #include <cmath>
 
 #include "bsdf/model.h"
-#include "core/real.h"
 #include "bsdf/shared/evaluation.glslh"
-#include "bsdf/shared/packing.glslh"
+#include "bsdf/shared/prepared.glslh"
+#include "core/real.h"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf {
 
 template <class Real>
 using Rgb = glm::vec<3, Real>;
 
-/// A model's functions under the names that the loops below use: `Pack` gives Packed<double> of parameter values,
-/// `Evaluate` and `Draw` are stateless calls of evaluate_packed and sample_packed.
-template <auto Pack, class Evaluate, class Draw>
+/// A model's functions under the names that the loops below use: `Prepare` gives its struct in double from its
+/// Parameters, `Evaluate` and `Draw` are stateless calls of evaluate and sample_direction.
+template <auto Prepare, class Evaluate, class Draw>
 struct FormulasOf {
-  static Packed<double> pack(const registry::ParameterValues& values) { return Pack(values); }
   template <class Real>
-  static Rgb<Real> evaluate(const Packed<Real>& packed, int quantity, int lobe, const EvaluationPoint<Real>& at) {
-    return Evaluate{}(packed, quantity, lobe, at);
+  static auto prepare(const registry::ParameterValues& values) {
+    return narrow<Real>(from_values(Prepare, values));
   }
-  template <class Real>
-  static SampledDirection<Real> sample(const Packed<Real>& packed, const SamplePoint<Real>& at) {
-    return Draw{}(packed, at);
+  template <template <class> class Prepared, class Real>
+  static Rgb<Real> evaluate(const Prepared<Real>& prepared, int quantity, int lobe, const EvaluationPoint<Real>& at) {
+    return Evaluate{}(prepared, quantity, lobe, at);
+  }
+  template <template <class> class Prepared, class Real>
+  static SampledDirection<Real> sample(const Prepared<Real>& prepared, const SamplePoint<Real>& at) {
+    return Draw{}(prepared, at);
+  }
+
+ private:
+  template <class Prepared, class Parameters>
+  static Prepared from_values(Prepared (*prepare)(const Parameters&), const registry::ParameterValues& values) {
+    return prepare(registry::from_values<Parameters>(values));
   }
 };
-
-/// The numbers of a model, prepared in double, in the precision of a batch.
-template <class Real>
-Packed<Real> narrow(const Packed<double>& packed) {
-  Packed<Real> narrowed;
-  for (int i = 0; i < CUTICLE_PACKED_COUNT; ++i) narrowed.value[i] = Real(packed.value[i]);
-  return narrowed;
-}
 
 /// An azimuth brought to [-pi, pi] in double, so that no digit is lost to turns when it is narrowed.
 inline double wrapped(double phi) {
@@ -56,18 +58,18 @@ SamplePoint<Real> narrow(const SampleQuery& query) {
   return at;
 }
 
-template <class Formulas>
-std::vector<float> pack_floats(const registry::ParameterValues& values) {
-  const Packed<float> packed = narrow<float>(Formulas::pack(values));
-  return {packed.value, packed.value + CUTICLE_PACKED_COUNT};
+template <class Formulas, class Real>
+std::vector<Real> number_list(const registry::ParameterValues& values) {
+  const auto numbers = numbers_of<Real>(Formulas::template prepare<double>(values));
+  return {numbers.begin(), numbers.end()};
 }
 
 template <class Formulas, class Real>
 void evaluate_points(const registry::ParameterValues& values, const Request& request, std::span<glm::dvec3> out) {
-  const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
+  const auto prepared = Formulas::template prepare<Real>(values);
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] =
-        glm::dvec3(Formulas::evaluate(packed, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
+        glm::dvec3(Formulas::evaluate(prepared, int(request.quantity), request.lobe, narrow<Real>(request.points[i])));
 }
 
 /// S / pdf; 0 where the density is 0.
@@ -79,13 +81,13 @@ glm::dvec3 sample_weight(const Rgb<Real>& scattering, Real pdf) {
 template <class Formulas, class Real>
 void sample_points(const registry::ParameterValues& values, std::span<const SampleQuery> queries,
                    std::span<Sample> out) {
-  const Packed<Real> packed = narrow<Real>(Formulas::pack(values));
+  const auto prepared = Formulas::template prepare<Real>(values);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const SamplePoint<Real> query = narrow<Real>(queries[i]);
-    const SampledDirection<Real> drawn = Formulas::sample(packed, query);
+    const SampledDirection<Real> drawn = Formulas::sample(prepared, query);
     const EvaluationPoint<Real> at{drawn.theta_i, query.theta_o, Real(0), drawn.phi, query.h, query.phi_o};
-    const Real pdf = Formulas::evaluate(packed, CUTICLE_QUANTITY_PDF, -1, at).x;
-    const Rgb<Real> scattering = Formulas::evaluate(packed, CUTICLE_QUANTITY_S, -1, at);
+    const Real pdf = Formulas::evaluate(prepared, CUTICLE_QUANTITY_PDF, -1, at).x;
+    const Rgb<Real> scattering = Formulas::evaluate(prepared, CUTICLE_QUANTITY_S, -1, at);
     out[i] = {double(drawn.theta_i), double(drawn.phi), double(pdf), sample_weight(scattering, pdf), drawn.lobe};
   }
 }
@@ -97,21 +99,23 @@ Model with_functions(Model model) {
   model.evaluate_f64 = evaluate_points<Formulas, double>;
   model.sample_f32 = sample_points<Formulas, Single>;
   model.sample_f64 = sample_points<Formulas, double>;
-  model.pack = pack_floats<Formulas>;
+  model.pack = number_list<Formulas, float>;
   return model;
 }
 
 }  // namespace cuticle::bsdf
 
-/// What the registries ask of a model's namespace: its entry, and its numbers. `pack` gives Packed<double> of parameter
-/// values, `table` the Model without functions; these are made of evaluate_packed and sample_packed.
-#define CUTICLE_MODEL(pack, table)                                                                    \
-  namespace {                                                                                         \
-  using Formulas = FormulasOf<pack, decltype([](const auto&... a) { return evaluate_packed(a...); }), \
-                              decltype([](const auto&... a) { return sample_packed(a...); })>;        \
-  }                                                                                                   \
-  Packed<double> packed_values(const registry::ParameterValues& values) { return pack(values); }      \
-  const Model& entry() {                                                                              \
-    static const Model model = with_functions<Formulas>(table());                                     \
-    return model;                                                                                     \
+/// What the registries ask of a model's namespace: its entry, and its numbers. `make` gives its struct in double from
+/// its Parameters, `table` the Model without functions; these are made of evaluate and sample_direction.
+#define CUTICLE_MODEL(make, table)                                                                \
+  namespace {                                                                                     \
+  using Formulas = FormulasOf<make, decltype([](const auto&... a) { return evaluate(a...); }),    \
+                              decltype([](const auto&... a) { return sample_direction(a...); })>; \
+  }                                                                                               \
+  std::vector<double> prepared_numbers(const registry::ParameterValues& values) {                 \
+    return number_list<Formulas, double>(values);                                                 \
+  }                                                                                               \
+  const Model& entry() {                                                                          \
+    static const Model model = with_functions<Formulas>(table());                                 \
+    return model;                                                                                 \
   }

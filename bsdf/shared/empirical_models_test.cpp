@@ -25,24 +25,24 @@ constexpr double pi = std::numbers::pi;
 struct Subject {
   const char* name;
   const char* settings;
-  tests::Conditioned (*condition)(const Packed<double>&, int lobe, const EvaluationPoint<double>&);
+  tests::Conditioned (*condition)(const std::vector<float>&, int lobe, const EvaluationPoint<double>&);
 };
 
-#define CUTICLE_CONDITION(space)                                                               \
-  [](const Packed<double>& packed, int lobe, const EvaluationPoint<double>& at) {              \
-    return tests::condition_number(packed, CUTICLE_QUANTITY_S, lobe, at,                       \
-                                   [](const auto& p, int quantity, int l, const auto& point) { \
-                                     return space::evaluate_packed(p, quantity, l, point);     \
-                                   });                                                         \
+#define CUTICLE_CONDITION(space, Prepared)                                                                             \
+  [](const std::vector<float>& numbers, int lobe, const EvaluationPoint<double>& at) {                                 \
+    const auto prepared = narrow<double>(from_numbers<space::Prepared<float>>(numbers.data()));                        \
+    return tests::condition_number(                                                                                    \
+        prepared, CUTICLE_QUANTITY_S, lobe, at,                                                                        \
+        [](const auto& p, int quantity, int l, const auto& point) { return space::evaluate(p, quantity, l, point); }); \
   }
 const Subject subjects[] = {
-    {"kajiya_kay", "diffuse=0.05,specular=0.2/0.1/0.05,exponent=12.5", CUTICLE_CONDITION(kajiya_kay)},
+    {"kajiya_kay", "diffuse=0.05,specular=0.2/0.1/0.05,exponent=12.5", CUTICLE_CONDITION(kajiya_kay, KajiyaKay)},
     {"scheuermann", "primary=0.1,primary_exponent=40,secondary=0.1/0.05/0.01,secondary_exponent=9,primary_shift=0.2",
-     CUTICLE_CONDITION(scheuermann)},
+     CUTICLE_CONDITION(scheuermann, Scheuermann)},
     {"hairworks",
      "diffuse_blend=0.4,normal_theta=0.3,normal_phi=1,exponent=30,secondary_scale=0.6,secondary_width=2.5,secondary_"
      "shift=0.3",
-     CUTICLE_CONDITION(hairworks)},
+     CUTICLE_CONDITION(hairworks, Hairworks)},
 };
 
 class EmpiricalModels : public testing::TestWithParam<Subject> {
@@ -83,10 +83,8 @@ TEST_P(EmpiricalModels, Scattering_AgreesWithMpmathAsFarAsItsInputsAllow) {
       std::replace(settings.begin(), settings.end(), ';', ',');
       const int lobe = int(row.number("lobe"));
       const Point point{.theta_i = row.number("theta_i"), .theta_o = row.number("theta_o"), .phi = row.number("phi")};
-      Packed<double> packed;
-      const std::vector<float> floats = model().pack(values(settings));
-      std::copy(floats.begin(), floats.end(), packed.value);
-      const auto conditioned = GetParam().condition(packed, lobe, {point.theta_i, point.theta_o, 0, point.phi, 0, 0});
+      const std::vector<float> numbers = model().pack(values(settings));
+      const auto conditioned = GetParam().condition(numbers, lobe, {point.theta_i, point.theta_o, 0, point.phi, 0, 0});
       return std::pair(at(settings, Quantity::S, lobe, {point}, precision)[0].x, conditioned.kappa);
     });
     RecordProperty(precision == Precision::f64 ? "double" : "float", std::to_string(worst));

@@ -17,8 +17,8 @@ struct FibreEnergy {
 /// Half the integrals of A(p, h) over h at theta_d = 0 (Marschner et al. 2003; later paths by their geometric series).
 /// Within 1e-6.
 inline FibreEnergy fibre_energy(const Fibre& fibre) {
-  const Glass<double> glass{fibre.eta * fibre.eta, (fibre.eta - 1) * (fibre.eta + 1), fibre.sigma_a};
-  const Refraction<double> r = make_refraction<double>(glass, 0, 1);
+  const Dielectric<double> dielectric{fibre.eta * fibre.eta, (fibre.eta - 1) * (fibre.eta + 1), fibre.sigma_a};
+  const Refraction<double> r = make_refraction<double>(dielectric, 0, 1);
   constexpr double quarter = 1.57079632679489661923;
   FibreEnergy energy;
   for (int k = 0; k < 64; ++k) {

@@ -13,19 +13,17 @@ struct Proposal {
   double energy = 0, width = 1, shift = 0;
 };
 
-inline void pack_proposal(const Proposal& proposal, double* out) {
-  pack_longitudinal(make_longitudinal_lobe<double>(std::clamp(proposal.width, 5e-4, 2.0), proposal.shift), out);
+inline LongitudinalLobe<double> lobe_of(const Proposal& proposal) {
+  return make_longitudinal_lobe<double>(std::clamp(proposal.width, 5e-4, 2.0), proposal.shift);
 }
 
-/// Writes CUTICLE_MIXTURE_COUNT numbers. Lobes are drawn in proportion to their energies, the even one at least for a
-/// tenth of the samples, so that no direction is left out.
-inline void pack_mixture(double even_energy, const Proposal& primary, const Proposal& secondary, double* out) {
+/// Lobes are drawn in proportion to their energies, the even one at least for a tenth of the samples, so that no
+/// direction is left out.
+inline HighlightMixture<double> make_mixture(double even_energy, const Proposal& primary, const Proposal& secondary) {
   const double highlights = primary.energy + secondary.energy, total = even_energy + highlights;
   const double even = highlights > 0 ? std::max(0.1, even_energy / total) : 1;
-  out[0] = even;
-  out[1] = secondary.energy > 0 ? (1 - even) * primary.energy / highlights : 1 - even;
-  pack_proposal(primary, out + 2);
-  pack_proposal(secondary, out + 6);
+  const double first = secondary.energy > 0 ? (1 - even) * primary.energy / highlights : 1 - even;
+  return {even, first, lobe_of(primary), lobe_of(secondary)};
 }
 
 /// The integral of cos^(exponent + 1) over a half circle: a highlight's width in theta_i at normal incidence.

@@ -31,8 +31,8 @@ void at_nodes(double low, double high, const Visit& visit) {
 double transmittance_from_inside(const LayeredFibre& fibre, double cosine) {
   const double squared = 1 - fibre.eta * fibre.eta * (1 - cosine * cosine);
   if (squared <= 0) return 0;
-  const Glass<double> glass{fibre.eta * fibre.eta, (fibre.eta - 1) * (fibre.eta + 1), glm::dvec3(0)};
-  const FurPaths<double> paths = make_paths(glass, Medulla<double>{}, fibre.layers, 0.0, 1.0);
+  const Dielectric<double> dielectric{fibre.eta * fibre.eta, (fibre.eta - 1) * (fibre.eta + 1), glm::dvec3(0)};
+  const FurPaths<double> paths = make_paths(dielectric, Medulla<double>{}, fibre.layers, 0.0, 1.0);
   return cuticle_reflectance(paths, std::sqrt(squared), cosine).y;
 }
 

@@ -6,9 +6,9 @@
 
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "bsdf/shared/rough_packing.h"
 #include "bsdf/yan_fur/way_out.h"
 #include "bsdf/yan_fur/yan_fur.glslh"
+#include "core/registry/members.h"
 
 namespace cuticle::bsdf::yan_fur {
 namespace {
@@ -19,58 +19,36 @@ constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "thet
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
 constexpr double largest_anisotropy = 0.9;
 
-using registry::ParameterType;
-constexpr std::array<registry::Parameter, 13> parameters = {{
-    {"eta", ParameterType::real, "1", 1.05, 3, "1.55", {}, "refractive index of cortex and medulla"},
-    {"sigma_a", ParameterType::rgb, "1/radius", 0, 100, "0.2", {}, "absorption of the cortex per fibre radius"},
-    {"kappa", ParameterType::real, "1", 0, 0.99, "0.7", {}, "radius of the medulla over that of the fibre"},
-    {"sigma_ms", ParameterType::real, "1/radius", 0, 100, "2", {}, "scattering of the medulla per fibre radius"},
-    {"sigma_ma", ParameterType::real, "1/radius", 0, 100, "0.1", {}, "absorption of the medulla per fibre radius"},
-    {"g",
-     ParameterType::real,
-     "1",
-     -largest_anisotropy,
-     largest_anisotropy,
-     "0.4",
-     {},
-     "mean cosine of the medulla's phase function"},
-    {"layers", ParameterType::real, "1", 0.1, 10, "1", {}, "layers of the cuticle, which reflect together"},
-    {"beta_m",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the R lobe in theta_i; TT has half of it, TRT 3/2"},
-    {"beta_n",
-     ParameterType::real,
-     "rad",
-     1e-3,
-     1,
-     "0.2",
-     {},
-     "standard deviation of the azimuthal blur of the R lobe; TT has sqrt(2), TRT sqrt(3) of it"},
-    {"alpha",
-     ParameterType::real,
-     "rad",
-     -0.17453292519943295,
-     0.17453292519943295,
-     "-0.05235987755982988",
-     {},
-     "shift of the R lobe in theta_h by the cuticle's scales (half the paper's, which is in theta_i)"},
-    {"azimuthal_tolerance",
-     ParameterType::real,
-     "1",
-     1e-12,
-     0.1,
-     "1e-6",
-     {},
-     "relative error of the far field's azimuthal quadrature"},
-    {"field", ParameterType::choice, "1", 0, 0, "far", fields, "far: averaged over the fibre; near: at an offset h"},
-    {"attenuation_angle", ParameterType::choice, "1", 0, 0, "theta_o", attenuation_angles,
-     "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i"},
-}};
+enum class Field { far, near };
+enum class AttenuationAngle { theta_o, theta_d };
+struct Parameters {
+  double eta = 1.55;
+  glm::dvec3 sigma_a{0.2};
+  double kappa = 0.7, sigma_ms = 2, sigma_ma = 0.1, g = 0.4, layers = 1;
+  double beta_m = 0.2, beta_n = 0.2, alpha = -0.05235987755982988, azimuthal_tolerance = 1e-6;
+  Field field = Field::far;
+  AttenuationAngle attenuation_angle = AttenuationAngle::theta_o;
+};
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, "eta", "1", 1.05, 3, "refractive index of cortex and medulla");
+  members(p.sigma_a, "sigma_a", "1/radius", 0, 100, "absorption of the cortex per fibre radius");
+  members(p.kappa, "kappa", "1", 0, 0.99, "radius of the medulla over that of the fibre");
+  members(p.sigma_ms, "sigma_ms", "1/radius", 0, 100, "scattering of the medulla per fibre radius");
+  members(p.sigma_ma, "sigma_ma", "1/radius", 0, 100, "absorption of the medulla per fibre radius");
+  members(p.g, "g", "1", -largest_anisotropy, largest_anisotropy, "mean cosine of the medulla's phase function");
+  members(p.layers, "layers", "1", 0.1, 10, "layers of the cuticle, which reflect together");
+  members(p.beta_m, "beta_m", "rad", 1e-3, 1,
+          "standard deviation of the R lobe in theta_i; TT has half of it, TRT 3/2");
+  members(p.beta_n, "beta_n", "rad", 1e-3, 1,
+          "standard deviation of the azimuthal blur of the R lobe; TT has sqrt(2), TRT sqrt(3) of it");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "shift of the R lobe in theta_h by the cuticle's scales (half the paper's, which is in theta_i)");
+  members(p.azimuthal_tolerance, "azimuthal_tolerance", "1", 1e-12, 0.1,
+          "relative error of the far field's azimuthal quadrature");
+  members(p.field, "field", fields, "far: averaged over the fibre; near: at an offset h");
+  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
+          "theta_o: energy is kept exactly; theta_d: reciprocal where alpha is 0, scattered light even over theta_i");
+}
 
 constexpr std::array<registry::StudyCase, 4> tiers = {{
     {"near field", "field=near"},
@@ -100,49 +78,47 @@ double width_of_mean(double mean) {
 
 /// The medulla's light, fitted to walks (README.md): the lobe thrown forward has the phase function's mean, and the
 /// share that keeps to it falls with the mean depth of the medulla, sigma_ms kappa pi / 2.
-void pack_thrown(double g, double mean_depth, double* lobe, double& directed) {
-  const double forward = std::max(g, 0.0);
-  pack_longitudinal(width_of_mean(std::max(forward, 0.01)), 0, lobe);
-  directed = forward * std::exp(-0.3 * mean_depth);
+LongitudinalLobe<double> thrown_lobe(double g) {
+  return make_longitudinal_lobe<double>(width_of_mean(std::max(g, 0.01)), 0);
 }
-void pack_medulla(const registry::ParameterValues& values, double* out) {
-  const double g = values.real("g");
-  out[0] = values.real("kappa");
-  out[1] = values.real("sigma_ms");
-  out[2] = values.real("sigma_ma");
-  out[3] = g * (0.65 + 0.25 * g);
-  out[4] = -3.4 + 2.6 * g - 1.1 * g * g;
-  out[5] = 1.37 - 0.85 * g + 0.25 * g * g;
-  const glm::dvec3 left = share_let_out({values.real("eta"), values.real("layers"), values.rgb("sigma_a"),
-                                         values.real("kappa"), values.real("sigma_ms"), values.real("sigma_ma")});
-  for (int c = 0; c < 3; ++c) out[6 + c] = left[c];
+double directed_share(const Parameters& p) {
+  const double mean_depth = p.sigma_ms * p.kappa * 1.5707963267948966;
+  return std::max(p.g, 0.0) * std::exp(-0.3 * mean_depth);
 }
-
-Packed<double> pack_double(const registry::ParameterValues& values) {
-  const double beta_m = values.real("beta_m"), beta_n = values.real("beta_n"), alpha = values.real("alpha");
-  const double eta = values.real("eta"), tolerance = values.real("azimuthal_tolerance");
-  Packed<double> packed{};
-  pack_longitudinal(beta_m, 2 * alpha, packed.value);
-  pack_longitudinal(beta_m / 2, -alpha, packed.value + 4);
-  pack_longitudinal(beta_m * 1.5, -3 * alpha, packed.value + 8);
-  const double mean_depth = values.real("sigma_ms") * values.real("kappa") * 1.5707963267948966;
-  pack_thrown(values.real("g"), mean_depth, packed.value + 12, packed.value[45]);
-  pack_detector(beta_n, packed.value + 16);
-  pack_detector(beta_n * std::sqrt(2.0), packed.value + 20);
-  pack_detector(beta_n * std::sqrt(3.0), packed.value + 24);
-  packed.value[28] = eta * eta;
-  packed.value[29] = (eta - 1) * (eta + 1);
-  for (int c = 0; c < 3; ++c) packed.value[30 + c] = values.rgb("sigma_a")[c];
-  pack_medulla(values, packed.value + 33);
-  packed.value[42] = tolerance;
-  packed.value[43] = detector_reach(tolerance);
-  packed.value[44] = values.real("layers");
-  packed.value[46] = values.choice("field") == "near";
-  packed.value[47] = values.choice("attenuation_angle") == "theta_d";
-  return packed;
+Medulla<double> make_medulla(const Parameters& p) {
+  Medulla<double> m;
+  m.kappa = p.kappa;
+  m.scattering = p.sigma_ms;
+  m.absorption = p.sigma_ma;
+  m.single_turn = p.g * (0.65 + 0.25 * p.g);
+  m.log_rate = -3.4 + 2.6 * p.g - 1.1 * p.g * p.g;
+  m.power = 1.37 - 0.85 * p.g + 0.25 * p.g * p.g;
+  m.left = share_let_out({p.eta, p.layers, p.sigma_a, p.kappa, p.sigma_ms, p.sigma_ma});
+  return m;
 }
 
-bool is_near(const registry::ParameterValues& values) { return values.choice("field") == "near"; }
+YanFur<double> prepare(const Parameters& p) {
+  YanFur<double> m;
+  m.r = make_longitudinal_lobe(p.beta_m, 2 * p.alpha);
+  m.tt = make_longitudinal_lobe(p.beta_m / 2, -p.alpha);
+  m.trt = make_longitudinal_lobe(p.beta_m * 1.5, -3 * p.alpha);
+  m.thrown = thrown_lobe(p.g);
+  m.wide_r = make_detector(p.beta_n);
+  m.wide_tt = make_detector(p.beta_n * std::sqrt(2.0));
+  m.wide_trt = make_detector(p.beta_n * std::sqrt(3.0));
+  m.dielectric = {p.eta * p.eta, (p.eta - 1) * (p.eta + 1), p.sigma_a};
+  m.medulla = make_medulla(p);
+  m.accuracy = make_accuracy(p.azimuthal_tolerance);
+  m.layers = p.layers;
+  m.directed = directed_share(p);
+  m.near_field = p.field == Field::near;
+  m.symmetric = p.attenuation_angle == AttenuationAngle::theta_d;
+  return m;
+}
+
+bool is_near(const registry::ParameterValues& values) {
+  return registry::from_values<Parameters>(values).field == Field::near;
+}
 
 FibreMapping from_fibre(const Fibre& fibre) {
   return {
@@ -160,7 +136,7 @@ Model table() {
                     .name = "yan_fur",
                     .summary = "fur: rough cortex around a scattering medulla, near and far field",
                     .source = "Yan et al. 2017; M of d'Eon et al. 2011",
-                    .parameters = parameters,
+                    .parameters = registry::table_of<Parameters>(),
                     .systems = system_rows,
                     .study_cases = tiers},
           .lobes = lobe_names,
@@ -173,6 +149,6 @@ Model table() {
 
 }  // namespace
 
-CUTICLE_MODEL(pack_double, table)
+CUTICLE_MODEL(prepare, table)
 
 }  // namespace cuticle::bsdf::yan_fur

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/model_options.h"
 
 #ifdef CUTICLE_HAS_GPU
 #include <algorithm>
@@ -28,6 +29,8 @@ struct RenderOptions {
   std::optional<double> max_error;
   std::string state;
   std::vector<std::string> match;
+  ParameterRequest parameters;
+  std::vector<int> size;
 };
 
 /// Sums over the frames, per pass.
@@ -181,10 +184,32 @@ Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene)
   return {};
 }
 
+/// "name=value,name=value", as --set takes them.
+std::string settings_text(const registry::ParameterValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values.all())
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", name, registry::to_text(value));
+  return text;
+}
+
+/// What options say in place of the scene: the hair's parameters, the size of the picture.
+Result<void> set_scene_options(const RenderOptions& options, scene::Scene& scene) {
+  if (!options.method.empty()) scene.render_method = options.method;
+  if (options.size.size() == 2) scene.camera.camera.resolution = {options.size[0], options.size[1]};
+  const ParameterRequest& asked = options.parameters;
+  if (asked.hair.empty() && asked.preset.empty() && asked.settings.empty()) return {};
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene.material.model.name));
+  ParameterRequest over = asked;
+  if (asked.hair.empty() && asked.preset.empty())
+    over.settings = fmt::format("{},{}", settings_text(scene.material.model.values), asked.settings);
+  CUTICLE_ASSIGN(scene.material.model.values, parameters_of(*model, over));
+  return {};
+}
+
 Result<void> run_render(const RenderOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
-  if (!options.method.empty()) scene.render_method = options.method;
+  CUTICLE_TRY(set_scene_options(options, scene));
   CUTICLE_TRY(set_path_options(options, scene));
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
   if (options.velocity)
@@ -223,6 +248,10 @@ void add_render(CLI::App& app, Context& context) {
   const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
       ->check(CLI::IsMember(methods));
+  add_parameter_options(*command, options->parameters);
+  command->add_option("--size", options->size, "width and height in pixels, in place of the scene's")
+      ->expected(2)
+      ->check(CLI::Range(16, 16384));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
   command->add_option("--samples", options->samples, "reference: paths of a pixel (default 64)")

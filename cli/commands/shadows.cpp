@@ -5,6 +5,7 @@
 
 #include "cli/groom_options.h"
 #include "cli/points_file.h"
+#include "cli/shadow_cut.h"
 #include "cli/shared_files.h"
 #include "core/file.h"
 #include "core/json/json.h"
@@ -27,6 +28,7 @@ struct ShadowsOptions {
   double alpha = 0.4, footprint_mm = 0;
   int rays = 1024;
   std::size_t receivers = 2000;
+  ShadowCut cut;
   bool quick = false, flicker = false, on_device = false;
 };
 
@@ -170,12 +172,24 @@ Result<Columns> evaluate_columns(const study::Candidate& candidate, const shadow
   return columns;
 }
 
-Result<int> print_at_points(const ShadowsOptions& options, const shadows::Casters& casters) {
-  CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
-  const double footprint = footprint_of(options, *casters.groom);
+/// The methods of --at and --cut, truth among them where it is asked for.
+Result<std::vector<study::Candidate>> candidates_at_points(const ShadowsOptions& options, const strands::Groom& groom) {
+  const double footprint = footprint_of(options, groom);
   CUTICLE_ASSIGN(const study::Sweep sweep, parse_sweep(options, footprint));
   CUTICLE_ASSIGN(auto candidates, study::candidates_of(method_names(options), sweep));
   CUTICLE_TRY(set_truth(options, footprint, candidates));
+  return candidates;
+}
+
+Result<int> draw_plane(const ShadowsOptions& options, const shadows::Casters& casters) {
+  CUTICLE_ASSIGN(const auto candidates, candidates_at_points(options, *casters.groom));
+  CUTICLE_TRY(draw_cut(options.cut, casters, candidates));
+  return int(Exit::ok);
+}
+
+Result<int> print_at_points(const ShadowsOptions& options, const shadows::Casters& casters) {
+  CUTICLE_ASSIGN(const std::vector<glm::vec3> points, read_positions(options.points));
+  CUTICLE_ASSIGN(const auto candidates, candidates_at_points(options, *casters.groom));
   std::optional<glm::dvec3> opacities;
   if (!options.alpha_rgb.empty()) {
     CUTICLE_ASSIGN(opacities, parse_direction("--alpha-rgb", options.alpha_rgb));
@@ -285,6 +299,7 @@ Result<int> run(const ShadowsOptions& options, Context& context) {
   CUTICLE_TRY(check_spacing(options, groom));
   const shadows::Casters casters{&groom, options.alpha, to_light};
   if (!options.points.empty()) return print_at_points(options, casters);
+  if (!options.cut.file.empty()) return draw_plane(options, casters);
   CUTICLE_ASSIGN(study::Comparison comparison, compare(options, casters, *context.progress));
   if (options.on_device) CUTICLE_TRY(measure_device(casters, context, comparison));
   for (const study::Refusal& refusal : comparison.refused)
@@ -344,6 +359,12 @@ void add_options(CLI::App& command, ShadowsOptions& options) {
       .add_option("--alpha-rgb", options.alpha_rgb,
                   "with --at: the opacity for red, green and blue light, a,b,c; a column each")
       ->needs("--at");
+  command
+      .add_option("--cut", options.cut.file,
+                  "PNG: draw each method's transmittance on a plane through the hair's middle, the light above it")
+      ->excludes("--at");
+  command.add_option("--cut-size", options.cut.size, "width and height of each method's picture there, pixels")
+      ->check(CLI::Range(16, 4096));
   command.add_option("--out", options.out, "folder for study.json, study.csv, receivers.csv and the page");
 }
 

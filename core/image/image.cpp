@@ -60,9 +60,13 @@ float srgb_transfer(float linear) {
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-float display_value(float radiance, float gain) {
+/// Of one channel. Curved by itself a bright colour turns white, scaled with the brightest channel it stays as it is:
+/// between the two, so that hair in strong light keeps its colour and still looks bright.
+float display_value(float radiance, float peak) {
+  constexpr float k_whitens = 0.3f;
   if (!(radiance > 0.0f)) return 0.0f;
-  return std::min(srgb_transfer(filmic_shoulder(std::min(radiance * gain, 1e30f))), 1.0f);
+  const float kept = radiance * (filmic_shoulder(peak) / peak), own = filmic_shoulder(radiance);
+  return std::min(srgb_transfer(kept + k_whitens * (own - kept)), 1.0f);
 }
 
 void paste(const Image& from, Image& sheet, int left, int top) {
@@ -77,10 +81,15 @@ void paste(const Image& from, Image& sheet, int left, int top) {
 Image tone_map(const Image& linear, double exposure_stops) {
   Image display = linear;
   const float gain = float(std::exp2(exposure_stops));
-  const int channels = linear.channels();
-  for (std::size_t i = 0; i < display.pixels.size(); ++i)
-    if (linear.channel_names[i % std::size_t(channels)] != "A")
-      display.pixels[i] = display_value(linear.pixels[i], gain);
+  const std::size_t channels = std::size_t(linear.channels());
+  const auto exposed = [&](std::size_t i) { return std::min(linear.pixels[i] * gain, 1e30f); };
+  for (std::size_t first = 0; first < display.pixels.size(); first += channels) {
+    float peak = 0;
+    for (std::size_t c = 0; c < channels; ++c)
+      if (linear.channel_names[c] != "A") peak = std::max(peak, exposed(first + c));
+    for (std::size_t c = 0; c < channels; ++c)
+      if (linear.channel_names[c] != "A") display.pixels[first + c] = display_value(exposed(first + c), peak);
+  }
   return display;
 }
 

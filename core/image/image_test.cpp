@@ -155,6 +155,14 @@ TEST(ToneMap, MidGrey_IsThePlainSrgbCurve) {
   EXPECT_NEAR(tone_map(image, 1).pixels[0], 0.6858f, 2e-3f);
 }
 
+TEST(ToneMap, BrightColour_StaysACoolerOrWarmerOne) {
+  Image image = make_image(1, 1, {"R", "G", "B"});
+  image.pixels = {4, 2, 1};
+  const Image display = tone_map(image);
+  EXPECT_GT(display.pixels[0], 0.97f);
+  EXPECT_LT(display.pixels[2], 0.75f) << "each channel on its own curve gives 0.95: white";
+}
+
 TEST(ToneMap, BrighterInput_IsNeverDarkerAndNeverAboveOne) {
   Image image = make_image(4000, 1, {"R"});
   for (int x = 0; x < 4000; ++x) image.at(x, 0, 0) = 1e-4f * std::pow(1.006f, float(x));

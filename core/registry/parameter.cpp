@@ -1,4 +1,4 @@
-#include "core/registry/parameter.h"
+#include "core/registry/read_json.h"
 
 #include <algorithm>
 #include <charconv>
@@ -47,16 +47,14 @@ Result<double> parse_component(const Parameter& parameter, std::string_view text
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return refusal(parameter, text, "a number");
-  if (!(value >= parameter.minimum && value <= parameter.maximum)) return angle_refusal(parameter, text, value);
-  return value;
+  return within_range(parameter, value, text);
 }
 
 Result<Value> parse_integer(const Parameter& parameter, std::string_view text) {
   std::int64_t value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || end != text.data() + text.size()) return refusal(parameter, text, "a whole number");
-  if (double(value) < parameter.minimum || double(value) > parameter.maximum)
-    return refusal(parameter, text, "within " + range_words(parameter));
+  CUTICLE_TRY(within_range(parameter, double(value), text));
   return Value(value);
 }
 
@@ -131,6 +129,11 @@ Result<void> assign(ParameterTable table, std::string_view assignment, Parameter
 }
 
 }  // namespace
+
+Result<double> within_range(const Parameter& parameter, double value, std::string_view text) {
+  if (value >= parameter.minimum && value <= parameter.maximum) return value;
+  return angle_refusal(parameter, text, value);
+}
 
 double ParameterValues::real(std::string_view name) const { return held<double>(values_, name); }
 std::int64_t ParameterValues::integer(std::string_view name) const { return held<std::int64_t>(values_, name); }

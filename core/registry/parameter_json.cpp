@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "core/json/json.h"
-#include "core/registry/parameter.h"
+#include "core/registry/read_json.h"
 
 namespace cuticle::registry {
 namespace {
@@ -53,23 +52,6 @@ Json property_schema(const Parameter& parameter) {
   return schema;
 }
 
-/// A JSON value as it would be typed after `--set name=`; empty when its JSON type does not fit the parameter.
-std::string typed_text(const Parameter& parameter, const Json& value) {
-  const bool is_number = value.is_number();
-  switch (parameter.type) {
-    case ParameterType::integer:
-      return value.is_whole() ? value.dump() : "";
-    case ParameterType::boolean: return value.is_boolean() ? value.dump() : "";
-    case ParameterType::choice:
-      return value.is_text() ? value.text() : "";
-    case ParameterType::real: return is_number ? value.dump() : "";
-    case ParameterType::rgb: break;
-  }
-  if (is_number) return value.dump();
-  if (!value.is_list() || value.size() != 3) return "";
-  return fmt::format("{}/{}/{}", value[0].dump(), value[1].dump(), value[2].dump());
-}
-
 const char* type_words(ParameterType type) {
   switch (type) {
     case ParameterType::integer: return "a whole number";
@@ -81,16 +63,53 @@ const char* type_words(ParameterType type) {
   return "a number";
 }
 
+Error not_of_type(const Parameter& parameter, const Json& value) {
+  return usage_error(fmt::format("{}: {} is not {}", parameter.name, value.dump(), type_words(parameter.type)));
+}
+
+Result<double> number_of(const Parameter& parameter, const Json& value) {
+  if (!value.is_number()) return not_of_type(parameter, value);
+  return within_range(parameter, value.number(), value.dump());
+}
+
+Result<Value> rgb_of(const Parameter& parameter, const Json& value) {
+  if (value.is_list() && value.size() != 3) return not_of_type(parameter, value);
+  glm::dvec3 rgb(0);
+  for (int c = 0; c < 3; ++c) {
+    CUTICLE_ASSIGN(rgb[c], number_of(parameter, value.is_list() ? value[std::size_t(c)] : value));
+  }
+  return Value(rgb);
+}
+
+Result<Value> value_of(const Parameter& parameter, const Json& value) {
+  switch (parameter.type) {
+    case ParameterType::integer:
+      if (!value.is_whole()) return not_of_type(parameter, value);
+      CUTICLE_TRY(number_of(parameter, value));
+      return Value(value.whole());
+    case ParameterType::boolean:
+      if (!value.is_boolean()) return not_of_type(parameter, value);
+      return Value(value.boolean());
+    case ParameterType::choice:
+      if (!value.is_text()) return not_of_type(parameter, value);
+      return parse_value(parameter, value.text());
+    case ParameterType::rgb:
+      return rgb_of(parameter, value);
+    case ParameterType::real:
+      break;
+  }
+  CUTICLE_ASSIGN(const double number, number_of(parameter, value));
+  return Value(number);
+}
+
 Error at_key(std::string_view where, const Error& error) {
   return bad_input(fmt::format("{}: {}", where, error.message), error.hint);
 }
 
 Result<void> assign_json(ParameterTable table, const std::string& key, const Json& value, ParameterValues& values) {
   CUTICLE_ASSIGN(const Parameter* parameter, find_parameter(table, key));
-  const std::string text = typed_text(*parameter, value);
-  if (text.empty()) return usage_error(fmt::format("{}: {} is not {}", key, value.dump(), type_words(parameter->type)));
-  CUTICLE_ASSIGN(Value parsed, parse_value(*parameter, text));
-  values.set(key, std::move(parsed));
+  CUTICLE_ASSIGN(Value read, value_of(*parameter, value));
+  values.set(key, std::move(read));
   return {};
 }
 
@@ -106,15 +125,18 @@ std::string json_schema(ParameterTable table) {
   return schema.dump(2);
 }
 
-Result<ParameterValues> values_from_json(ParameterTable table, std::string_view text, std::string_view where) {
-  const Result<Json> parsed = Json::parse(text);
-  if (!parsed) return bad_input(fmt::format("{}: not valid JSON", where));
-  const Json& object = *parsed;
+Result<ParameterValues> values_from_object(ParameterTable table, const Json& object, std::string_view where) {
   if (!object.is_object()) return bad_input(fmt::format("{}: not a JSON object", where), "{\"name\": value}");
   ParameterValues values = default_values(table);
   for (const auto& [key, value] : object.items())
     if (Result<void> assigned = assign_json(table, key, value, values); !assigned) return at_key(where, assigned.error());
   return values;
+}
+
+Result<ParameterValues> values_from_json(ParameterTable table, std::string_view text, std::string_view where) {
+  const Result<Json> parsed = Json::parse(text);
+  if (!parsed) return bad_input(fmt::format("{}: not valid JSON", where));
+  return values_from_object(table, *parsed, where);
 }
 
 std::string to_json(const ParameterValues& values) {

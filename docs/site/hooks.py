@@ -7,6 +7,7 @@ import sys
 from mkdocs.structure.files import File
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import api  # noqa: E402
 import reference  # noqa: E402
 
 LEFT_OUT = {"build", "node_modules", "demo", "site"}
@@ -42,4 +43,8 @@ def on_files(files, config):
         files.append(File.generated(config, path.relative_to(root).as_posix(), abs_src_path=str(path)))
     for name, text in reference.pages(root).items():
         files.append(File.generated(config, f"reference/{name}.md", content=text))
+    made = api.doxygen_pages(root)
+    files.append(File.generated(config, "reference/api.md", content=api.index(root, made)))
+    for path in sorted(made.iterdir()) if made else []:
+        files.append(File.generated(config, f"api/{path.name}", abs_src_path=str(path)))
     return files

@@ -43,14 +43,19 @@ std::string why_unusable(VkPhysicalDevice physical, std::uint32_t api_version) {
   VkQueueFamilyProperties family{};
   if (queue_family_of(physical, family) >= queue_families(physical).size())
     return "it has no graphics and compute queue";
+  VkPhysicalDeviceVulkan12Features features12{};
+  features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
   VkPhysicalDeviceVulkan13Features features13{};
   features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+  features13.pNext = &features12;
   VkPhysicalDeviceFeatures2 features{};
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
   features.pNext = &features13;
   vkGetPhysicalDeviceFeatures2(physical, &features);
-  if (features13.dynamicRendering && features13.synchronization2 && features13.maintenance4) return {};
-  return "it lacks dynamicRendering, synchronization2 or maintenance4";
+  if (features13.dynamicRendering && features13.synchronization2 && features13.maintenance4 &&
+      features12.scalarBlockLayout)
+    return {};
+  return "it lacks dynamicRendering, synchronization2, maintenance4 or scalarBlockLayout";
 }
 
 void describe_limits(DeviceInfo& info, const VkPhysicalDeviceLimits& limits,

@@ -20,6 +20,14 @@ VkPhysicalDeviceVulkan13Features core13_features() {
   return features;
 }
 
+/// Buffers whose structs lie as in C++.
+VkPhysicalDeviceVulkan12Features core12_features() {
+  VkPhysicalDeviceVulkan12Features features{};
+  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+  features.scalarBlockLayout = VK_TRUE;
+  return features;
+}
+
 }  // namespace
 
 Result<void> create_logical_device(Device::Impl& device) {
@@ -29,7 +37,9 @@ Result<void> create_logical_device(Device::Impl& device) {
   queue.queueFamilyIndex = device.queue_family;
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
+  VkPhysicalDeviceVulkan12Features core12 = core12_features();
   VkPhysicalDeviceVulkan13Features core13 = core13_features();
+  core13.pNext = &core12;
   vkGetPhysicalDeviceFeatures(device.physical, &device.features);
   device.features = wanted_features(device.features);
   VkDeviceCreateInfo create{};

@@ -18,7 +18,8 @@ struct Commands::Impl {
   std::vector<PassCost> passes;
   std::vector<VkQueryPool> count_pools;  ///< one query each, of fragments
   std::vector<FragmentCount> counts;
-  bool in_pass = false, in_rendering = false, in_count = false;
+  int open_passes = 0;
+  bool in_rendering = false, in_count = false;
   std::optional<Error> error;  ///< the first misuse; submit returns it
 
   Impl() = default;

@@ -98,18 +98,15 @@ std::shared_ptr<TextureObject> object_of(Commands::Impl& commands, const Texture
 
 void Commands::begin_pass(std::string_view name) {
   if (!open_for_work(*impl_, "begin_pass")) return;
-  if (impl_->in_pass)
-    return fail(*impl_,
-                internal_error(fmt::format("gpu: pass {} begun inside pass {}", name, impl_->passes.back().name)));
-  impl_->in_pass = true;
+  if (impl_->open_passes++ > 0) return;
   impl_->passes.push_back({std::string(name)});
   write_timestamp(*impl_, impl_->passes.size() - 1, false);
 }
 
 void Commands::end_pass() {
   if (!open_for_work(*impl_, "end_pass")) return;
-  if (!impl_->in_pass) return fail(*impl_, internal_error("gpu: end_pass without begin_pass"));
-  impl_->in_pass = false;
+  if (impl_->open_passes == 0) return fail(*impl_, internal_error("gpu: end_pass without begin_pass"));
+  if (--impl_->open_passes > 0) return;
   write_timestamp(*impl_, impl_->passes.size() - 1, true);
 }
 
@@ -129,7 +126,7 @@ void Commands::dispatch(const Kernel& kernel, std::span<const Buffer* const> buf
   full_barrier(device, impl_->buffer);
   if (!bind(*impl_, VK_PIPELINE_BIND_POINT_COMPUTE, kernel.impl()->object, {buffers, textures, push_constants})) return;
   device.vk.vkCmdDispatch(impl_->buffer, groups_x, groups_y, groups_z);
-  if (impl_->in_pass) ++impl_->passes.back().dispatches;
+  if (impl_->open_passes > 0) ++impl_->passes.back().dispatches;
 }
 
 void Commands::fill(const Buffer& buffer, std::uint32_t value) {

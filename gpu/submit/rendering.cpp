@@ -108,7 +108,7 @@ void Commands::draw(const GraphicsPipeline& pipeline, std::initializer_list<cons
   const Resources resources{{buffers.begin(), buffers.size()}, {textures.begin(), textures.size()}, push_constants};
   if (!ready_to_draw(*impl_, pipeline, resources)) return;
   impl_->device->impl()->vk.vkCmdDraw(impl_->buffer, vertices, instances, 0, 0);
-  if (impl_->in_pass) ++impl_->passes.back().draws;
+  if (impl_->open_passes > 0) ++impl_->passes.back().draws;
 }
 
 void Commands::draw_counted(const GraphicsPipeline& pipeline, std::initializer_list<const Buffer*> buffers,
@@ -119,7 +119,7 @@ void Commands::draw_counted(const GraphicsPipeline& pipeline, std::initializer_l
   const auto object = object_of(*impl_, &numbers);
   if (!object) return;
   impl_->device->impl()->vk.vkCmdDrawIndirect(impl_->buffer, object->handle, 0, 1, 0);
-  if (impl_->in_pass) ++impl_->passes.back().draws;
+  if (impl_->open_passes > 0) ++impl_->passes.back().draws;
 }
 
 void Commands::end_rendering() {

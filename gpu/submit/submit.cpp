@@ -10,7 +10,8 @@ Result<void> check_closed(const Device* device, const Commands::Impl& commands) 
   if (commands.error) return *commands.error;
   if (commands.in_rendering) return internal_error("gpu: submitted without end_rendering");
   if (commands.in_count) return internal_error("gpu: submitted without end_count");
-  if (commands.in_pass) return internal_error(fmt::format("gpu: pass {} was not ended", commands.passes.back().name));
+  if (commands.open_passes > 0)
+    return internal_error(fmt::format("gpu: pass {} was not ended", commands.passes.back().name));
   return {};
 }
 

@@ -226,6 +226,20 @@ TEST(GpuCost, Trace_HoldsTheSubmissionAndItsPasses) {
   EXPECT_EQ(gpu, device.info().timestamps ? 1 : 0);
 }
 
+TEST(GpuCost, PassInsideAnother_IsPartOfIt) {
+  Commands commands = shared_device().record();
+  commands.begin_pass("outer");
+  for (int k = 0; k < 2; ++k) {
+    commands.begin_pass("inner");
+    commands.end_pass();
+  }
+  commands.end_pass();
+  const auto cost = shared_device().submit(std::move(commands));
+  ASSERT_TRUE(cost.ok()) << cost.error().message;
+  ASSERT_EQ(cost->passes.size(), 1u);
+  EXPECT_EQ(cost->passes[0].name, "outer");
+}
+
 TEST(GpuCost, PassLeftOpen_IsRefusedByName) {
   Commands commands = shared_device().record();
   commands.begin_pass("forgotten");

@@ -16,13 +16,15 @@ void CUTICLE_JET_FUNCTION(CUTICLE_JET_MODEL)(const PackedTangents& packed, int q
                                              RgbTangents& out) {
   using Jet = ceres::Jet<double, k_jet_width>;
   using Gradient = Eigen::Matrix<double, k_jet_width, 1>;
-  bsdf::Packed<Jet> numbers;
-  for (int i = 0; i < CUTICLE_PACKED_COUNT; ++i) {
-    numbers.value[i].a = packed.value[i];
-    numbers.value[i].v = Eigen::Map<const Gradient>(packed.tangents + k_jet_width * i);
+  using bsdf::CUTICLE_JET_MODEL::Prepared;
+  std::array<Jet, bsdf::number_count<Prepared>> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i].a = packed.value[i];
+    numbers[i].v = Eigen::Map<const Gradient>(packed.tangents + k_jet_width * i);
   }
   const bsdf::EvaluationPoint<Jet> point{Jet(at[0]), Jet(at[1]), Jet(at[2]), Jet(at[3]), Jet(at[4]), Jet(at[5])};
-  const auto rgb = bsdf::CUTICLE_JET_MODEL::evaluate_packed(numbers, quantity, lobe, point);
+  const auto prepared = bsdf::from_numbers<Prepared<Jet>>(numbers.data());
+  const auto rgb = bsdf::CUTICLE_JET_MODEL::evaluate(prepared, quantity, lobe, point);
   for (int c = 0; c < 3; ++c) {
     out.value[c] = rgb[c].a;
     Eigen::Map<Gradient>(out.gradients + k_jet_width * c) = rgb[c].v;

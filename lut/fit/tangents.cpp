@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 #include <fmt/format.h>
@@ -12,39 +11,37 @@
 namespace cuticle::lut {
 namespace {
 
-/// Half a step either way that a parameter's packed numbers are differenced over.
+/// Half a step either way that a parameter's prepared numbers are differenced over.
 double step_of(const FreeParameter& free, double value) {
   return 1e-3 * std::max(std::abs(value), 1e-2 * std::min(free.range(), 1.0));
 }
 
-using Packed = bsdf::Packed<double>;
-
-/// Derivatives of the packed numbers by one parameter: f'(x) = (45 d1 - 9 d2 + d3) / 60 h, dk = f(x + k h) - f(x - k
+/// Derivatives of the prepared numbers by one parameter: f'(x) = (45 d1 - 9 d2 + d3) / 60 h, dk = f(x + k h) - f(x - k
 /// h).
-Packed packed_derivative(const JetModel& model, const registry::ParameterValues& values, const FreeParameter& free) {
+std::vector<double> packed_derivative(const JetModel& model, const registry::ParameterValues& values,
+                                      const FreeParameter& free) {
   constexpr double weights[] = {45, -9, 1};
   const double value = free.get(values), step = step_of(free, value);
-  Packed sum{};
+  std::vector<double> sum(CUTICLE_PREPARED_MOST);
   for (int k = 1; k <= 3; ++k) {
     registry::ParameterValues low = values, high = values;
     free.set(low, value - k * step);
     free.set(high, value + k * step);
-    const Packed below = model.pack(low), above = model.pack(high);
-    for (int i = 0; i < CUTICLE_PACKED_COUNT; ++i)
-      sum.value[i] += weights[k - 1] * (above.value[i] - below.value[i]) / (60 * step);
+    const std::vector<double> below = model.pack(low), above = model.pack(high);
+    for (std::size_t i = 0; i < below.size(); ++i) sum[i] += weights[k - 1] * (above[i] - below[i]) / (60 * step);
   }
   return sum;
 }
 
-/// The packed numbers with their derivatives by parameters first, first + 1, ...
+/// The prepared numbers with their derivatives by parameters first, first + 1, ...
 std::unique_ptr<PackedTangents> pack_tangents(const JetModel& model, const registry::ParameterValues& values,
                                               const std::vector<FreeParameter>& free, std::size_t first) {
   auto packed = std::make_unique<PackedTangents>();
-  std::memcpy(packed->value, model.pack(values).value, sizeof packed->value);
+  std::ranges::copy(model.pack(values), packed->value);
   const std::size_t count = std::min(free.size() - first, std::size_t(k_jet_width));
   for (std::size_t j = 0; j < count; ++j) {
-    const Packed derivative = packed_derivative(model, values, free[first + j]);
-    for (std::size_t i = 0; i < CUTICLE_PACKED_COUNT; ++i) packed->tangents[k_jet_width * i + j] = derivative.value[i];
+    const std::vector<double> derivative = packed_derivative(model, values, free[first + j]);
+    for (std::size_t i = 0; i < derivative.size(); ++i) packed->tangents[k_jet_width * i + j] = derivative[i];
   }
   return packed;
 }

@@ -1,10 +1,10 @@
-"""A study's page and figures, from study.json (study/README.md)."""
+"""The page and figures of `cuticle shadows`, from study.json (study/README.md)."""
 import dataclasses
 import pathlib
 
-from . import ReportError, curves, data, figures, page, receivers
+from . import ReportError, data, figures, page, receivers
 
-COLUMNS = ["method", "tier", "precision", "settings", "mean_error", "mean_interval", "median_error", "p95_error", "p99_error", "max_error", "bias", "light_flicker", "motion_flicker", "ns", "build_ms",
+COLUMNS = ["method", "settings", "mean_error", "mean_interval", "p95_error", "max_error", "bias", "light_flicker", "motion_flicker", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
 
 MOST_CURVES = 16  # of one figure
@@ -89,8 +89,6 @@ def load(path):
 def words(study):
     """What was measured, in sentences."""
     raw, parts = study.raw, []
-    if notes := raw.get("words"):
-        return "\n\n".join(notes)
     if groom := raw.get("groom"):
         parts.append(f"Hair: {groom['name']}, {groom['strands']} strands, {groom['vertices']} vertices, strand spacing "
                      f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
@@ -142,6 +140,6 @@ def make(folder):
     columns, rows, chosen = table(study)
     sections = verdict(study) + [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
-    sections += receivers.sections(study.raw, folder) + curves.sections(study.raw, folder)
+    sections += receivers.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))
     return study.title, sections

@@ -119,35 +119,6 @@ def test_StudyPage_WithARequestAndReceivers_HasTheChoiceInBoldAndTheHair(tmp_pat
     assert "front of all" in html and "opacity_map, resolution" not in html.split("Plotly")[-1]
 
 
-def lobes_study():
-    rows = [{"method": "marschner", "tier": tier, "precision": precision, "settings": "", "ns": ns, "median_error": error, "p99_error": 2 * error,
-             "max_error": 9 * error, "reference": error == 0}
-            for tier, precision, ns, error in (("exact", "f64", 900, 0), ("exact", "f32", 500, 1e-7), ("cubic", "f64", 300, 1e-2))]
-    angles = list(range(-180, 181, 4))
-    curves = [{"name": lobe, "x": angles, "y": [1 + k + (x % 7) for x in angles]} for k, lobe in enumerate(("R", "TT"))]
-    plots = [{"name": name, "title": f"marschner: {name}", "x_label": "phi, degrees", "y_label": f"{name}, 1/rad", "polar": name == "S", "curves": curves}
-             for name in ("N", "S")]
-    return {"title": "Fibre models", "x": {"key": "ns", "label": "ns per evaluation", "scale": "log"},
-            "y": {"key": "p99_error", "label": "relative error", "scale": "log"}, "series": "precision", "label": "tier", "baselines": [],
-            "words": ["marschner: eta=1.55"], "rows": rows, "plots": plots,
-            "landmarks": [{"model": "marschner", "what": "caustic", "expected_deg": 18.62, "measured_deg": 18.615}]}
-
-
-def test_LobesPage_InABrowser_ShowsEveryPlotWithoutErrors(tmp_path):
-    (tmp_path / "study.json").write_text(json.dumps(lobes_study()))
-    done = report(tmp_path)
-    assert done.returncode == 0, done.stderr
-    watched = tmp_path / "watched.html"
-    watched.write_text((tmp_path / "index.html").read_text().replace("<head>", "<head>" + CONSOLE, 1))
-    page = browse(watched, "--dump-dom")
-    assert "data-errors" not in page.split(">", 2)[1], page.split(">", 2)[1]
-    assert len(re.findall(r'class="polarlayer', page)) == 3, "one drawn, and plotly's two empty layers"
-    for text in ("marschner: N", "N, 1/rad", "phi, degrees", "caustic", "18.62"):
-        assert text in page
-    for name in ("N.png", "S.png", "error_against_time.png"):
-        assert image.imread(tmp_path / name)[..., :3].min() < 0.3
-
-
 def test_DemoPage_Sections_AreShownWithPicturesInside(tmp_path):
     (tmp_path / "a.png").write_bytes(PIXEL)
     (tmp_path / "demo.json").write_text(json.dumps({"title": "Demo <b>", "sections": [

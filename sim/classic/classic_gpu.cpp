@@ -24,7 +24,7 @@ struct KernelConstants {
 };
 static_assert(sizeof(KernelConstants) == 128, "the layout of sim/strand_kernel.glsl");
 
-constexpr std::string_view k_pass = "simulate.classic";
+constexpr std::string_view k_pass = "classic";
 
 /// In the order of the constant ids in constraints.glsl.
 std::vector<std::uint32_t> specialization(const Sweep& sweep) {

@@ -85,7 +85,7 @@ TEST(ClassicGpu, DispatchesOfAFrame_AreThoseTheRegistryStates) {
   EXPECT_EQ(shape.substeps, 8u);
   ASSERT_EQ(counts.size(), 2u);
   for (const char* name : {"classic", "colliders"}) {
-    EXPECT_EQ(counts.at(std::string("simulate.") + name), announced.at(name)) << name;
+    EXPECT_EQ(counts.at(std::string(name)), announced.at(name)) << name;
     EXPECT_EQ(announced.at(name), (*find_effect(name))->entry.dispatches(settings_of(name), shape)) << name;
   }
 }
@@ -97,8 +97,8 @@ TEST(ClassicGpu, NoColliders_NoCollisionDispatch) {
   spheres.colliders = {&k_head, 1};
   auto without_effect = make_gpu("classic", groom, "", gravity()),
        without_spheres = make_gpu("classic", groom, "", gravity_and_colliders());
-  EXPECT_EQ(recorded(*without_effect, spheres).count("simulate.colliders"), 0u);
-  EXPECT_EQ(recorded(*without_spheres, none).count("simulate.colliders"), 0u);
+  EXPECT_EQ(recorded(*without_effect, spheres).count("colliders"), 0u);
+  EXPECT_EQ(recorded(*without_spheres, none).count("colliders"), 0u);
   EXPECT_EQ(without_spheres->dispatches(none).count("colliders"), 0u);
 }
 
@@ -173,9 +173,9 @@ TEST(ClassicGpu, HairOnASkin_IsSkinnedThenSimulatedInOneSubmission) {
     ASSERT_TRUE(kernels->record_on_skin(commands, {.duration = 1.0 / 30}, carried->positions()));
     const gpu::SubmitCost cost = device()->submit(std::move(commands)).value();
     ASSERT_EQ(cost.passes.size(), 2u + 8);
-    EXPECT_EQ(cost.passes[0].name, "generate.skin");
-    EXPECT_EQ(cost.passes[1].name, "generate.carry");
-    for (std::size_t k = 2; k < cost.passes.size(); ++k) EXPECT_EQ(cost.passes[k].name, "simulate.classic");
+    EXPECT_EQ(cost.passes[0].name, "skin");
+    EXPECT_EQ(cost.passes[1].name, "carry");
+    for (std::size_t k = 2; k < cost.passes.size(); ++k) EXPECT_EQ(cost.passes[k].name, "classic");
 
     strands::Mesh moved = fur.mesh;
     strands::skin(fur.mesh, fur.influences, motions, strands::Skinning::dual_quaternion, moved);

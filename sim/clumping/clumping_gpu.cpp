@@ -40,7 +40,7 @@ void ClumpingGpu::record(gpu::Commands& commands, const gpu::Buffer& state, cons
   const Constants constants{glm::vec4(glm::dvec4(to_rest[0], 0)), glm::vec4(glm::dvec4(to_rest[1], 0)),
                             glm::vec4(glm::dvec4(to_rest[2], 0)), count_};
   const gpu::Groups groups = gpu::groups_for(count_);
-  commands.begin_pass("simulate.clumping");
+  commands.begin_pass("clumping");
   commands.dispatch(kernel_, {&numbers_, &rows_, &state, &rest}, {}, gpu::bytes_of(constants), groups.x, groups.y);
   commands.end_pass();
 }

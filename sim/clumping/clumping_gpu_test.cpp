@@ -40,13 +40,13 @@ TEST_P(ClumpedKernel, OneDispatchMore_AndNoneWithoutTheEffectOrTime) {
   auto with = make_gpu(GetParam(), groom, "", gravity_and_clumps());
   FrameInput still = frame_of(0);
   still.duration = 0;
-  EXPECT_EQ(recorded(*with, still).count("simulate.clumping"), 0u);
+  EXPECT_EQ(recorded(*with, still).count("clumping"), 0u);
   EXPECT_EQ(with->dispatches(still).count("clumping"), 0u);
-  EXPECT_EQ(recorded(*with, frame_of(0)).at("simulate.clumping"), 1u);
+  EXPECT_EQ(recorded(*with, frame_of(0)).at("clumping"), 1u);
   EXPECT_EQ(with->dispatches(frame_of(0)).at("clumping"), 1u);
   EXPECT_EQ((*find_effect("clumping"))->entry.dispatches({}, {}), 1u);
   auto without = make_gpu(GetParam(), groom, "", gravity());
-  EXPECT_EQ(recorded(*without, frame_of(0)).count("simulate.clumping"), 0u);
+  EXPECT_EQ(recorded(*without, frame_of(0)).count("clumping"), 0u);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace cuticle::sim::colliders {
 
-inline constexpr std::string_view k_contact_pass = "simulate.colliders";
+inline constexpr std::string_view k_contact_pass = "colliders";
 
 /// Pushes strands out of the spheres, keeping lengths, and ends the substep: buffers and constants as in
 /// sim/strand_kernel.glsl, one thread per strand.

@@ -42,7 +42,7 @@ glm::dvec2 worst_near(const DistanceField& field, double size, double band, cons
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-size, size);
   glm::dvec2 worst(0);
-  for (int k = 0; k < 200000; ++k) {
+  for (int k = 0; k < 50000; ++k) {
     const glm::dvec3 place(unit(random), unit(random), unit(random));
     const double truth = distance(place);
     if (std::abs(truth) > band) continue;

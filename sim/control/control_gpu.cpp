@@ -29,7 +29,7 @@ class ControlledGpuSolver final : public GpuSolver {
     authored_ = std::move(next);
     CUTICLE_TRY(upload(places_, authored_.places(), authored_.weights()));
     CUTICLE_TRY(upload(speeds_, authored_.velocities(), authored_.weight_rates()));
-    commands.begin_pass("simulate.control");
+    commands.begin_pass("control");
     const std::uint32_t count = static_cast<std::uint32_t>(vertices());
     commands.dispatch(kernel_,
                       {&solver_->positions(), &places_, &world_, &solver_->velocities(), &speeds_, &velocities_}, {},

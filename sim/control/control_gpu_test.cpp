@@ -33,9 +33,9 @@ TEST(ControlGpu, OneDispatchMore_AndNoneWithoutTheEffect) {
                                       registry::from_values<control::Control>(settings_of("control")))
                   .value();
   const auto without = recorded(*free, frame_of(0)), with = recorded(*held, frame_of(0));
-  EXPECT_EQ(without.count("simulate.control"), 0u);
-  EXPECT_EQ(with.at("simulate.control"), 1u);
-  EXPECT_EQ(with.at("simulate.exact"), without.at("simulate.exact"));
+  EXPECT_EQ(without.count("control"), 0u);
+  EXPECT_EQ(with.at("control"), 1u);
+  EXPECT_EQ(with.at("exact"), without.at("exact"));
   EXPECT_EQ(held->dispatches(frame_of(0)).at("control"), 1u);
 }
 

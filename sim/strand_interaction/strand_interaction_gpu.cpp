@@ -51,7 +51,7 @@ void StrandInteractionGpu::record(gpu::Commands& commands, const SolverBuffers& 
   const Constants constants{frame_constants(grid_, settings_, rotation, translation, duration), grid_.nodes,
                             std::uint32_t(grid_.masses.size()), component_stride_, before_offset_};
   const gpu::Groups groups = gpu::groups_for(grid_.masses.size());
-  commands.begin_pass("simulate.strand_interaction");
+  commands.begin_pass("strand_interaction");
   commands.fill(sums_, 0);
   commands.dispatch(deposit_, {buffers.world, buffers.velocities, &masses_, &sums_}, {}, gpu::bytes_of(constants),
                     groups.x, groups.y);

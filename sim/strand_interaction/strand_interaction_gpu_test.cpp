@@ -72,13 +72,13 @@ TEST_P(InteractingKernel, TwoDispatchesMore_AndNoneWithoutTheEffectOrTime) {
   auto with = make_gpu(GetParam(), groom, "", gravity_and_interaction());
   FrameInput still = frame_of(0);
   still.duration = 0;
-  EXPECT_EQ(recorded(*with, still).count("simulate.strand_interaction"), 0u);
+  EXPECT_EQ(recorded(*with, still).count("strand_interaction"), 0u);
   EXPECT_EQ(with->dispatches(still).count("strand_interaction"), 0u);
-  EXPECT_EQ(recorded(*with, frame_of(0)).at("simulate.strand_interaction"), 2u);
+  EXPECT_EQ(recorded(*with, frame_of(0)).at("strand_interaction"), 2u);
   EXPECT_EQ(with->dispatches(frame_of(0)).at("strand_interaction"), 2u);
   EXPECT_EQ((*find_effect("strand_interaction"))->entry.dispatches({}, {}), 2u);
   auto without = make_gpu(GetParam(), groom, "", gravity());
-  EXPECT_EQ(recorded(*without, frame_of(0)).count("simulate.strand_interaction"), 0u);
+  EXPECT_EQ(recorded(*without, frame_of(0)).count("strand_interaction"), 0u);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Result<GpuCarry> GpuCarry::create(gpu::Device& device, const RestOnMesh& rest) {
 
 void GpuCarry::record(gpu::Commands& commands, const gpu::Buffer& mesh_positions, const gpu::Buffer& mesh_normals) {
   const gpu::Groups groups = gpu::groups_for(count_);
-  commands.begin_pass("generate.carry");
+  commands.begin_pass("carry");
   commands.dispatch(kernel_, {&mesh_positions, &mesh_normals, &corners_, &weights_, &locals_, &strand_of_, &positions_},
                     {}, gpu::bytes_of(count_), groups.x, groups.y);
   commands.end_pass();

@@ -5,7 +5,7 @@
 
 namespace cuticle::strands {
 
-/// Strands carried by the pass "generate.carry": one dispatch of one thread per vertex. Agrees with carry() within 2e-6
+/// Strands carried by the pass "carry": one dispatch of one thread per vertex. Agrees with carry() within 2e-6
 /// of the mesh's size (skinning_gpu_test).
 class GpuCarry {
  public:

@@ -28,9 +28,20 @@ Head head_for(const registry::ParameterValues& strands) {
   return head;
 }
 
+/// Density falls to nothing over the outer `share` of a scalp's radius, which its texture coordinates tell.
+void thin_at_the_edge(double share, const Mesh& scalp, std::vector<float>& map) {
+  if (share <= 0 || scalp.uv.size() != scalp.positions.size()) return;
+  if (map.empty()) map.assign(scalp.positions.size(), 1.0f);
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    const double radius = 2 * glm::length(glm::dvec2(scalp.uv[v]) - 0.5);
+    map[v] *= float(std::clamp((1 - radius) / share, 0.0, 1.0));
+  }
+}
+
 Result<PlacedRoots> roots_for(const GroomingSpecification& specification, const Mesh& scalp) {
   const registry::ParameterValues& strands = specification.strands;
-  const std::vector<float> map = density_map(specification.grooming, scalp);
+  std::vector<float> map = density_map(specification.grooming, scalp);
+  thin_at_the_edge(strands.real("hairline"), scalp, map);
   return place_roots(scalp, {.density = strands.real("density"),
                              .share = strands.real("share"),
                              .density_map = map,

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "strands/growing/bust.h"
+#include "strands/growing/face_parts.h"
 #include "strands/growing/growing.h"
 #include "strands/growing/head_shape.h"
 #include "strands/spline/smooth.h"
@@ -95,6 +97,40 @@ TEST(Head, Colliders_LieInsideAndNearTheSkin) {
     near += std::any_of(head().colliders.begin(), head().colliders.end(),
                         [&](const Sphere& s) { return glm::distance(glm::dvec3(p), s.center) < s.radius + 0.012; });
   EXPECT_GE(near, head().scalp.positions.size() * 9 / 10);
+}
+
+TEST(Bust, AddedParts_AreMirroredBelowAndBesideTheHead) {
+  Mesh bust = head().mesh;
+  add_bust(bust);
+  ASSERT_GT(bust.positions.size(), head().mesh.positions.size());
+  ASSERT_EQ(bust.normals.size(), bust.positions.size());
+  glm::vec3 lower(1), upper(-1);
+  for (const glm::vec3& point : bust.positions) {
+    lower = glm::min(lower, point);
+    upper = glm::max(upper, point);
+  }
+  EXPECT_NEAR(lower.x, -upper.x, 1e-4f);
+  EXPECT_NEAR(upper.x, 0.212f, 0.005f);  // half the shoulders
+  EXPECT_NEAR(lower.y, -0.3f, 1e-5f);
+}
+
+TEST(Bust, Ears_StandOffTheHeadByLessThanTwoCentimetres) {
+  const Mesh ear = make_ear();
+  const auto [from, to] = std::ranges::minmax(ear.positions, {}, [](const glm::vec3& point) { return point.y; });
+  EXPECT_NEAR(to.y - from.y, 0.065f, 0.004f);
+  double farthest = 0;
+  for (const glm::vec3& point : ear.positions) farthest = std::max(farthest, head_distance(glm::dvec3(point)));
+  EXPECT_GT(farthest, 0.006);
+  EXPECT_LT(farthest, 0.02);
+}
+
+TEST(Bust, LidsAndLips_LieOnTheFace) {
+  for (const Mesh& part : {make_eyelids(), make_lips()}) {
+    double farthest = 0;
+    for (const glm::vec3& point : part.positions) farthest = std::max(farthest, head_distance(glm::dvec3(point)));
+    EXPECT_GT(farthest, 0);
+    EXPECT_LT(farthest, 0.006);
+  }
 }
 
 TEST(Planting, Defaults_OneHairPerScalpVertexRootedOnIt) {

@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/json/json.h"
 #include "core/json/position.h"
+#include "core/registry/read_json.h"
 #include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
@@ -32,6 +33,14 @@ constexpr Parameter k_strands[] = {
      "Control hairs on the scalp, about; the head has one per vertex"},
     {"density", ParameterType::real, "1/m2", 0, 1e8, "1e5", {}, "Drawn strands per area"},
     {"share", ParameterType::real, "1", 0, 1, "1", {}, "Level of detail: share of the strands that is drawn"},
+    {"hairline",
+     ParameterType::real,
+     "1",
+     0,
+     1,
+     "0",
+     {},
+     "Share of the scalp's radius over which the density falls to nothing at its edge"},
     {"vertices", ParameterType::integer, "1", 2, k_most_vertices, "30", {}, "Vertices of a drawn strand"},
     {"roots", ParameterType::choice, "1", 0, 0, "folded", k_root_rules, "How the place of a root is found"},
     {"curve", ParameterType::choice, "1", 0, 0, "bezier", k_curves, "Curve through the control vertices"},
@@ -61,7 +70,7 @@ Result<void> check_keys(const Json& object, const std::string& where) {
 
 Result<registry::ParameterValues> values_of(registry::ParameterTable table, const Json& value,
                                             const std::string& where) {
-  return registry::values_from_json(table, value.dump(), where);
+  return registry::values_from_object(table, value, where);
 }
 
 /// The table's values under a key; its defaults where the key is absent.

@@ -37,6 +37,28 @@ TEST(Specification, Empty_IsTheDefaults) {
   EXPECT_FALSE(spec.grooming.bun);
 }
 
+/// Share of the drawn roots whose distance from the scalp's edge is less than a centimetre.
+double share_at_the_edge(const Grown& grown) {
+  std::size_t near = 0;
+  for (std::size_t s = 0; s < grown.drawn.strand_count(); ++s) {
+    const glm::vec3 root = grown.drawn.strand(s)[0];
+    for (std::size_t v = 0; v < grown.head.scalp.positions.size(); ++v)
+      if (glm::distance(grown.head.scalp.uv[v], glm::vec2(0.5f)) > 0.499f &&
+          glm::distance(grown.head.scalp.positions[v], root) < 0.01f) {
+        ++near;
+        break;
+      }
+  }
+  return double(near) / double(grown.drawn.strand_count());
+}
+
+TEST(Specification, Hairline_ThinsTheScalpsEdge) {
+  const auto even = grow(specified(R"("strands": {"density": 40000})"));
+  const auto thin = grow(specified(R"("strands": {"density": 40000, "hairline": 0.15})"));
+  ASSERT_TRUE(even && thin);
+  EXPECT_LT(share_at_the_edge(*thin), 0.7 * share_at_the_edge(*even));
+}
+
 TEST(Specification, WhatItRefuses_IsNamed) {
   expect_refused("[", {"spec.json", "JSON"});
   expect_refused("[]", {"object"});

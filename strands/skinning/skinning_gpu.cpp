@@ -53,7 +53,7 @@ Result<void> GpuSkin::record(gpu::Commands& commands, std::span<const JointMotio
     commands.write(motions_, bytes.subspan(at, std::min(k_written_bytes, bytes.size() - at)), at);
   const SkinConstants constants{count_, method == Skinning::dual_quaternion ? 1u : 0u};
   const gpu::Groups groups = gpu::groups_for(count_);
-  commands.begin_pass("generate.skin");
+  commands.begin_pass("skin");
   commands.dispatch(kernel_,
                     {&positions_, &normals_, &joints_, &weights_, &motions_, &moved_positions_, &moved_normals_}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);

@@ -7,7 +7,7 @@
 
 namespace cuticle::strands {
 
-/// A mesh in its bind pose on the device, moved by the pass "generate.skin": one dispatch of one thread per vertex.
+/// A mesh in its bind pose on the device, moved by the pass "skin": one dispatch of one thread per vertex.
 /// Agrees with skin() within 2e-6 of the mesh's size (skinning_gpu_test).
 class GpuSkin {
  public:

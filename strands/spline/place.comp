@@ -32,7 +32,7 @@ void main() {
     const uint k = min(i, row.size - 1u);
     const vec3 after = placed_at(row, offset, i + 1u);
     const float fraction = whole > 0.0 ? min(along / whole, 1.0) : float(k) / float(row.size - 1u);
-    vertices[strand * size + i] = vec4(here, radii[row.first + k]);
+    vertices[strand * size + i] = vec4(here, radii[row.first + k] * row.thickness);
     tangents[strand * size + i] = vec4(vertex_tangent(before, after, root, tip), fraction);
     along += distance(here, after);
     if (i + 1u < row.size) before = here;

@@ -13,7 +13,7 @@ namespace cuticle::strands {
 
 namespace {
 
-constexpr std::uint64_t k_follow_seed = 20140401;
+constexpr std::uint64_t k_follow_seed = 20140401, k_thickness_seed = 20140402;
 
 /// Two unit vectors across a direction and each other.
 std::array<glm::vec3, 2> across(const glm::vec3& direction) {
@@ -48,6 +48,11 @@ std::vector<PlacedStrand> follow_strands(const Groom& groom, std::span<const Fol
   return placed;
 }
 
+void spread_thickness(double spread, std::span<PlacedStrand> strands) {
+  for (std::size_t s = 0; s < strands.size(); ++s)
+    strands[s].thickness = float(1 + spread * (2 * random_stream(k_thickness_seed, Chance::follow, s).next_unit() - 1));
+}
+
 Groom place(const Groom& groom, std::span<const PlacedStrand> strands) {
   Groom result;
   for (const PlacedStrand& placed : strands) {
@@ -55,8 +60,8 @@ Groom place(const Groom& groom, std::span<const PlacedStrand> strands) {
     for (std::size_t k = 0; k < guide.size(); ++k)
       result.positions.push_back(guide[k] +
                                  placed.offset * (1 + placed.tip_separation * float(k) / float(guide.size())));
-    const auto first = groom.radii.begin() + groom.offsets[placed.guide];
-    result.radii.insert(result.radii.end(), first, first + std::ptrdiff_t(guide.size()));
+    for (std::size_t k = 0; k < guide.size(); ++k)
+      result.radii.push_back(groom.radii[groom.offsets[placed.guide] + k] * placed.thickness);
     result.offsets.push_back(std::uint32_t(result.positions.size()));
   }
   return result;

@@ -4,7 +4,8 @@ struct Row {
   vec4 offset;      // from the guide's root in the rest pose; how much more of it there is at the tip
   vec3 direction;   // of the guide's first segment, there
   uint first, size; // vertices of the guide
-  uint unused0, unused1, unused2;
+  float thickness;  // times the guide's radii
+  uint unused0, unused1;
 };
 layout(std430, binding = 0) readonly buffer Rows { Row rows[]; };
 layout(push_constant) uniform Constants { vec4 turn[3]; uint strands; uint size; float since; };

@@ -16,6 +16,7 @@ struct PlacedStrand {
   std::uint32_t guide = 0;
   float tip_separation = 0;  ///< vertex k of n lies 1 + this * k / n times the offset from the guide's
   glm::vec3 offset{0};       ///< from the guide's root, metres, in the rest pose; 0: the guide itself
+  float thickness = 1;       ///< times the guide's radii
   bool operator==(const PlacedStrand&) const = default;
 };
 
@@ -24,6 +25,8 @@ std::vector<PlacedStrand> placed_strands(std::size_t strands);
 /// The follow hairs of a groom's guides: roots by chance in a square of twice the reach about the guide's, across its
 /// first segment (TressFX 3 and 4: GenerateFollowHairs). The same for the same groom.
 std::vector<PlacedStrand> follow_strands(const Groom& groom, std::span<const FollowHairs> groups);
+/// Thicknesses by chance in 1 - spread .. 1 + spread.
+void spread_thickness(double spread, std::span<PlacedStrand> strands);
 /// The strands in the rest pose; radii are their guides'. Roots and attributes are dropped.
 Groom place(const Groom& groom, std::span<const PlacedStrand> strands);
 /// Vertices of the longest strand; at least 2.

@@ -19,7 +19,9 @@ struct Row {
   float tip_separation;
   glm::vec3 direction;  ///< of the guide's first segment in the rest pose
   std::uint32_t first;  ///< vertex of the guide
-  std::uint32_t size, unused[3];
+  std::uint32_t size;
+  float thickness;
+  std::uint32_t unused[2];
 };
 static_assert(sizeof(Row) == 48);
 
@@ -57,6 +59,7 @@ std::vector<Row> rows_of(const Groom& control, std::span<const PlacedStrand> str
                     direction_or<float>(guide[1] - guide[0], glm::vec3(0, 1, 0)),
                     control.offsets[placed.guide],
                     std::uint32_t(guide.size()),
+                    placed.thickness,
                     {}});
   }
   return rows;
@@ -105,7 +108,7 @@ Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& co
                                   const glm::mat3& turn) {
   const Constants constants = constants_of(turn, strands_, size_, 0);
   const gpu::Groups groups = gpu::groups_for(strands_);
-  commands.begin_pass("generate.place");
+  commands.begin_pass("place_strands");
   commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices_, &tangents_}, {}, gpu::bytes_of(constants),
                     groups.x, groups.y);
   commands.end_pass();
@@ -117,7 +120,7 @@ Result<void> StrandPlacer::record_velocities(gpu::Commands& commands, const gpu:
   CUTICLE_EXPECT(velocities_ && motion.values, "strands placed for velocities are told them");
   const Constants constants = constants_of(turn, strands_, size_, motion.since);
   const gpu::Groups groups = gpu::groups_for(strands_);
-  commands.begin_pass("generate.place_velocities");
+  commands.begin_pass("place_velocities");
   commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities_}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);
   commands.end_pass();

@@ -156,7 +156,7 @@ TEST(StrandPlacer, ADispatch_IsOneAFrame) {
   const Groom groom = uneven();
   const Drawn drawn = draw(groom, placed_strands(5), groom.positions, glm::mat3(1));
   ASSERT_EQ(drawn.cost.passes.size(), 1u);
-  EXPECT_EQ(drawn.cost.passes[0].name, "generate.place");
+  EXPECT_EQ(drawn.cost.passes[0].name, "place_strands");
   EXPECT_EQ(drawn.cost.passes[0].dispatches, 1u);
 }
 

@@ -139,7 +139,7 @@ Result<void> StrandGenerator::record_smooth(gpu::Commands& commands, const gpu::
   const SmoothConstants constants{std::uint32_t(impl_->hairs), std::uint32_t(impl_->vertices_per_strand)};
   const std::size_t threads = impl_->hairs * impl_->vertices_per_strand;
   const gpu::Groups groups = gpu::groups_for(threads);
-  commands.begin_pass("generate.smooth");
+  commands.begin_pass("smooth_strands");
   commands.dispatch(impl_->smooth, {&impl_->offsets, &control_positions, &impl_->smoothed}, {},
                     gpu::bytes_of(constants), groups.x, groups.y);
   commands.end_pass();
@@ -151,7 +151,7 @@ Result<void> StrandGenerator::record_interpolate(gpu::Commands& commands) {
                                        std::uint32_t(impl_->run), impl_->radius, impl_->radius * (1 - impl_->taper)};
   const std::size_t runs = (impl_->vertices_per_strand + impl_->run - 1) / impl_->run;
   const gpu::Groups groups = gpu::groups_for(impl_->strands * runs);
-  commands.begin_pass("generate.interpolate");
+  commands.begin_pass("interpolate_strands");
   commands.dispatch(impl_->interpolate,
                     {&impl_->smoothed, &impl_->hairs_of_strand, &impl_->weights, &impl_->vertices, &impl_->tangents},
                     {}, gpu::bytes_of(constants), groups.x, groups.y);
@@ -167,7 +167,7 @@ Result<void> StrandGenerator::record_velocities(gpu::Commands& commands, const g
   const SmoothConstants interpolate{std::uint32_t(impl_->strands), per_strand};
   const gpu::Groups controls = gpu::groups_for(impl_->hairs * impl_->vertices_per_strand),
                     drawn = gpu::groups_for(impl_->strands * impl_->vertices_per_strand);
-  commands.begin_pass("generate.interpolate_velocities");
+  commands.begin_pass("interpolate_velocities");
   commands.dispatch(impl_->smooth_velocity,
                     {&impl_->offsets, &control_positions, motion.values, &impl_->smoothed_velocities}, {},
                     gpu::bytes_of(smooth), controls.x, controls.y);

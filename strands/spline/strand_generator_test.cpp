@@ -167,8 +167,8 @@ TEST(StrandGenerator, Segments_JoinNeighboursOfOneStrand) {
 TEST(StrandGenerator, TwoPasses_AreOneDispatchEach) {
   const auto& passes = both().gpu.cost.passes;
   ASSERT_EQ(passes.size(), 2u);
-  EXPECT_EQ(passes[0].name, "generate.smooth");
-  EXPECT_EQ(passes[1].name, "generate.interpolate");
+  EXPECT_EQ(passes[0].name, "smooth_strands");
+  EXPECT_EQ(passes[1].name, "interpolate_strands");
   EXPECT_EQ(passes[0].dispatches, 1u);
   EXPECT_EQ(passes[1].dispatches, 1u);
 }

@@ -10,10 +10,12 @@
 #include "core/image/image.h"
 #include "lut/format.h"
 #include "plan/frame_runner_gpu.h"
+#include "render/passes/reference/reference_entry.h"
 #include "strands/formats/formats.h"
 #include "strands/formats/tfxproj/project.h"
 #include "study/demo/demo_page.h"
 #include "study/demo/demo_study.h"
+#include "study/demo/frame_numbers.h"
 
 namespace cuticle::study {
 
@@ -41,6 +43,8 @@ class DemoJob {
     CUTICLE_TRY(write_tables());
     CUTICLE_TRY(run_frames());
     CUTICLE_TRY(write_pictures());
+    add_frame_numbers();
+    CUTICLE_TRY(add_traced_frame());
     add_notes();
     CUTICLE_TRY(write_costs());
     if (options_.study) CUTICLE_TRY(run_study());
@@ -78,6 +82,7 @@ class DemoJob {
     lut::TableSet certified = set;
     CUTICLE_TRY(lut::certify(certified, lut::half_exr(), progress_));
     CUTICLE_TRY(lut::write(certified, lut::half_exr(), options_.out + "/lut"));
+    certified_ = certified;
     DemoSection section{
         "Lookup textures",
         fmt::format("Layout {}, {}x{}, model {}, baked on {} in {:.0f} ms. Errors after the engine's bilinear filter, "
@@ -146,6 +151,33 @@ class DemoJob {
     return {};
   }
 
+  void add_frame_numbers() {
+    if (!options_.study) return;
+    page_.sections.insert(page_.sections.begin() + 1,
+                          frame_numbers(device_, scene_, certified_, drawn_, progress_));
+  }
+
+  /// The first frame by the path tracer, a third as wide and high.
+  Result<void> add_traced_frame() {
+    if (!options_.study) return {};
+    scene::Scene traced = scene_;
+    traced.render_method = "reference";
+    traced.camera.camera.resolution /= 3;
+    auto values = registry::default_values(render::reference::entry().entry.parameters);
+    values.set("samples", std::int64_t(24));
+    traced.passes["reference"] = values;
+    CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device_, traced, progress_));
+    CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(0));
+    CUTICLE_TRY(write_png(options_.out + "/traced.png", tone_map(result.color, scene_.outputs.exposure_stops)));
+    page_.sections.insert(page_.sections.begin() + 2,
+                          {"The same frame by the path tracer",
+                           "Frame 0 with every scattering between fibres followed, 24 paths a pixel, beside the frame "
+                           "as it was drawn.",
+                           {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
+                           {}});
+    return {};
+  }
+
   Result<void> write_costs() {
     const double frames = options_.frames;
     DemoSection section{"Plan and cost",
@@ -200,6 +232,7 @@ class DemoJob {
   Progress& progress_;
   Trace* trace_;
   scene::Scene scene_;
+  lut::TableSet certified_;
   std::unique_ptr<plan::FrameRunner> runner_;
   strands::Groom drawn_;
   std::vector<Image> sheet_;

@@ -134,6 +134,27 @@ Result<std::vector<Plot>> lobe_plots(const bsdf::Model& model, const std::string
   return plots;
 }
 
+Result<Grid> lobe_grid(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
+  CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings));
+  const std::string name(model.entry.name);
+  Grid grid{name + "_S_grid", name + ": S at theta_o = 20 degrees (green)", "phi, degrees", "theta_i, degrees", "S, 1/sr"};
+  const std::size_t rows = samples / 2 + 1;
+  std::vector<bsdf::Point> points;
+  for (std::size_t i = 0; i < samples; ++i) grid.x.push_back(360 * double(i) / double(samples - 1) - 180);
+  for (std::size_t k = 0; k < rows; ++k) {
+    grid.y.push_back(178 * double(k) / double(rows - 1) - 89);
+    for (const double phi : grid.x)
+      points.push_back({.theta_i = grid.y.back() * degree, .theta_o = 20 * degree, .phi = phi * degree});
+  }
+  std::vector<glm::dvec3> out(points.size());
+  CUTICLE_TRY(bsdf::evaluate(model, values, bsdf::Precision::f64, {bsdf::Quantity::S, -1, points}, out));
+  for (std::size_t k = 0; k < rows; ++k) {
+    grid.values.emplace_back();
+    for (std::size_t i = 0; i < samples; ++i) grid.values.back().push_back(out[k * samples + i].y);
+  }
+  return grid;
+}
+
 Result<Curve> albedo_curve(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings));
   const Sweep sweep{bsdf::Quantity::albedo, &bsdf::Point::theta_o, 89.9, {}};

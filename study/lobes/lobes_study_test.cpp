@@ -1,14 +1,14 @@
-#include "core/json/json.h"
-#include "core/real.h"
 #include "study/lobes/lobes_study.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <type_traits>
 
 #include <gtest/gtest.h>
+
+#include "core/real.h"
+#include "study/engine/run.h"
 
 namespace cuticle::study::lobes_study_test {
 namespace {
@@ -18,38 +18,42 @@ LobesRequest small_request() {
   request.fibre_name = "default";
   request.models = {"marschner"};
   request.points = 128;
-  request.seconds = 0.01;
   request.samples = 37;
   return request;
 }
 
-const LobesStudy& small_study() {
-  static const LobesStudy study = *run_lobes_study(small_request(), silent_progress());
+const Study& small_study() {
+  static const Study study = [] {
+    Study made = *lobes_study(small_request(), silent_progress());
+    made.timing = {.rounds = 1, .sample_seconds = 1e-5};
+    return made;
+  }();
   return study;
 }
 
-TEST(LobesStudy, Tiers_HaveOneReferenceAndASmallFloatError) {
-  const auto& rows = small_study().rows;
-  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const TierRow& row) { return row.reference; }), 1);
-  for (const TierRow& row : rows) {
-    EXPECT_GT(row.ns, 0);
-    if (row.reference) {
-      EXPECT_EQ(row.max_error, 0);
-    } else if (row.precision == "f32" && row.tier == rows.front().tier) {
-      EXPECT_EQ(row.median_error > 0, (std::is_same_v<Single, float>));
-      EXPECT_LT(row.median_error, 1e-4);
-    }
-  }
+TEST(LobesStudy, Tiers_TheLastInDoubleIsTheTruthAndFloatIsNearIt) {
+  const StudyResult result = *run_study(small_study(), silent_progress());
+  ASSERT_EQ(result.groups.size(), 1u);
+  const auto& points = result.groups[0].points;
+  EXPECT_EQ(points[0].metrics[0].all.maximum, 0);
+  for (const PointResult& point : points) EXPECT_GT(point.time.seconds.value, 0);
+  const PointResult& single = points[1];
+  EXPECT_EQ(single.method, "float");
+  EXPECT_EQ(single.metrics[0].all.median > 0, (std::is_same_v<Single, float>));
+  EXPECT_LT(single.metrics[0].all.median, 1e-4);
 }
 
 TEST(LobesStudy, Landmarks_AreWhereTheLiteraturePutsThem) {
-  ASSERT_EQ(small_study().landmarks.size(), 4u);
-  for (const Landmark& mark : small_study().landmarks) EXPECT_NEAR(mark.measured, mark.expected, 0.02) << mark.what;
+  const bsdf::Model& model = **bsdf::find_model("marschner");
+  const Landmarks landmarks = *landmarks_of(model, model.from_fibre(bsdf::Fibre{}).settings, 37);
+  ASSERT_EQ(landmarks.places.size(), 4u);
+  for (const Landmark& mark : landmarks.places) EXPECT_NEAR(mark.measured, mark.expected, 0.02) << mark.what;
 }
 
 // TT is nothing at the azimuths around the caustic of TRT.
 TEST(LobesStudy, Plots_HaveACurveForEachLobeAndEachLandmark) {
   const std::map<std::string, std::size_t> curves = {{"albedo", 1}, {"landmarks_M", 3 + 3}, {"landmarks_N", 2 + 2}};
+  EXPECT_EQ(small_study().plots.size(), 6u);
   for (const Plot& plot : small_study().plots) {
     const auto known = curves.find(plot.name);
     EXPECT_EQ(plot.curves.size(), known == curves.end() ? 3u : known->second) << plot.name;
@@ -58,17 +62,10 @@ TEST(LobesStudy, Plots_HaveACurveForEachLobeAndEachLandmark) {
   }
 }
 
-TEST(LobesStudy, Json_HoldsRowsPlotsAndLandmarks) {
-  const auto json = Json::parse(to_json(small_study())).value();
-  EXPECT_EQ(json["rows"].size(), small_study().rows.size());
-  EXPECT_EQ(json["plots"].size(), 6u);
-  EXPECT_EQ(json["landmarks"][0]["model"], "marschner");
-}
-
 TEST(LobesStudy, UnknownModel_IsRefusedByName) {
   LobesRequest request = small_request();
   request.models = {"marshner"};
-  const auto study = run_lobes_study(request, silent_progress());
+  const auto study = lobes_study(request, silent_progress());
   ASSERT_FALSE(study.ok());
   EXPECT_NE(study.error().message.find("marshner"), std::string::npos);
 }

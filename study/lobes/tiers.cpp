@@ -1,9 +1,9 @@
-// Error and time of a model's tiers.
+// Error and work of a model's tiers.
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <map>
+#include <memory>
 #include <random>
 
 #include <fmt/core.h>
@@ -14,6 +14,7 @@ namespace cuticle::study {
 namespace {
 
 using Values = std::vector<glm::dvec3>;
+using bsdf::Precision;
 
 /// Directions that fill the sphere evenly, azimuths and offsets evenly.
 std::vector<bsdf::Point> random_points(std::size_t count) {
@@ -39,80 +40,90 @@ std::vector<Tier> tiers_of(const bsdf::Model& model, const std::string& settings
   return tiers;
 }
 
-using Evaluate = void (*)(const registry::ParameterValues&, const bsdf::Request&, std::span<glm::dvec3>);
+constexpr double k_most_rounds = 3e7;  ///< loop rounds of a reference, all directions together
+constexpr std::size_t k_fewest_points = 16;
 
-Evaluate evaluate_of(const bsdf::Model& model, bsdf::Precision precision) {
-  return precision == bsdf::Precision::f64 ? model.evaluate_f64 : model.evaluate_f32;
+/// How many directions: fewer where the model walks many paths.
+std::size_t points_of(const bsdf::Model& model, const registry::ParameterValues& values, std::size_t most) {
+  const double rounds = model.loop_rounds ? double(model.loop_rounds(values, bsdf::Quantity::S)) : 0;
+  if (rounds * double(most) <= k_most_rounds) return most;
+  return std::min(most, std::max(k_fewest_points, std::size_t(k_most_rounds / rounds)));
 }
 
-/// Of one run over the points on one thread.
-double seconds_of(Evaluate evaluate, const registry::ParameterValues& values, std::span<const bsdf::Point> points,
-                  Values& out) {
-  const auto start = std::chrono::steady_clock::now();
-  evaluate(values, {bsdf::Quantity::S, -1, points}, std::span(out).first(points.size()));
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-constexpr std::size_t fewest_points = 16;
-
-/// The first of the points, as many as one thread takes `seconds` for.
-std::span<const bsdf::Point> points_within(double seconds, Evaluate evaluate, const registry::ParameterValues& values,
-                                           std::span<const bsdf::Point> points) {
-  if (points.size() <= fewest_points) return points;
-  Values out(fewest_points);
-  const double each = seconds_of(evaluate, values, points.first(fewest_points), out) / double(fewest_points);
-  return points.first(std::size_t(std::clamp(seconds / each, double(fewest_points), double(points.size()))));
-}
-
-constexpr double one_run = 1e-3;  // s: short ones find quiet moments on a busy machine
-
-/// The best of several runs on one thread, in ns a point; where points are slow, over fewer of them.
-double best_ns(Evaluate evaluate, const registry::ParameterValues& values, std::span<const bsdf::Point> points,
-               double seconds) {
-  const std::span<const bsdf::Point> timed = points_within(one_run, evaluate, values, points);
-  Values out(timed.size());
-  double best = 1e300;
-  for (double spent = 0; spent < seconds;) {
-    const double time = seconds_of(evaluate, values, timed, out);
-    best = std::min(best, time);
-    spent += time;
-  }
-  return 1e9 * best / double(timed.size());
-}
-
-void set_errors(TierRow& row, const Values& values, const Values& reference) {
-  double largest = 0;
-  for (const glm::dvec3& value : reference) largest = std::max(largest, value.y);
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (reference[i].y > 1e-6 * largest) errors.push_back(std::abs(values[i].y / reference[i].y - 1));
-  if (errors.empty()) return;
-  std::sort(errors.begin(), errors.end());
-  row.median_error = errors[errors.size() / 2];
-  row.p99_error = errors[std::size_t(0.99 * double(errors.size()))];
-  row.max_error = errors.back();
-}
-
-bool is_near(const bsdf::Model& model, const registry::ParameterValues& values) {
-  return model.near_field && model.near_field(values);
-}
-
-/// The values that a field's tiers are compared with; as many points as they were worth.
+/// What a field's tiers are compared with.
 struct Reference {
-  std::span<const bsdf::Point> points;
+  std::string tier;
+  std::vector<bsdf::Point> points;
   Values values;
 };
+using SharedReference = std::shared_ptr<const Reference>;
 
-/// Evaluates on all threads at the reference's points, sets the row's errors, and times it.
-Result<void> measure(TierRow& row, const bsdf::Model& model, const registry::ParameterValues& values,
-                     bsdf::Precision precision, const LobesRequest& request, Reference& reference) {
-  Values out(reference.points.size());
-  CUTICLE_TRY(bsdf::evaluate(model, values, precision, {bsdf::Quantity::S, -1, reference.points}, out));
-  if (row.reference) reference.values = out;
-  set_errors(row, out, reference.values);
-  row.points = out.size();
-  row.ns = best_ns(evaluate_of(model, precision), values, reference.points, request.seconds);
-  return {};
+/// |S / reference - 1| of green light where the reference is above 1e-6 of its largest value; elsewhere NaN.
+std::vector<double> relative_errors(const Values& values, const Values& reference) {
+  double largest = 0;
+  for (const glm::dvec3& value : reference) largest = std::max(largest, value.y);
+  std::vector<double> errors(values.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (reference[i].y > 1e-6 * largest) errors[i] = values[i].y / reference[i].y - 1;
+  return errors;
+}
+
+/// A tier in a precision, of one model and field.
+struct Case {
+  const bsdf::Model* model = nullptr;
+  registry::ParameterValues values;
+  Precision precision = Precision::f64;
+  SharedReference reference;
+};
+
+Result<Measured> errors_of(const Case& at) {
+  Values out(at.reference->points.size());
+  CUTICLE_TRY(bsdf::evaluate(*at.model, at.values, at.precision, {bsdf::Quantity::S, -1, at.reference->points}, out));
+  return Measured{{relative_errors(out, at.reference->values)}};
+}
+
+constexpr std::size_t k_timed_points = 64;
+constexpr double k_timed_rounds = 5e6;
+
+/// One thread over the first directions.
+Work work_of(const Case& at) {
+  const double rounds = at.model->loop_rounds ? double(at.model->loop_rounds(at.values, bsdf::Quantity::S)) : 0;
+  const double most = rounds > 0 ? std::max(1.0, k_timed_rounds / rounds) : 1e9;
+  const std::size_t count = std::min({k_timed_points, at.reference->points.size(), std::size_t(most)});
+  const auto out = std::make_shared<Values>(count);
+  const auto evaluate = at.precision == Precision::f64 ? at.model->evaluate_f64 : at.model->evaluate_f32;
+  return {{},
+          [at, out, evaluate, count]() -> Result<void> {
+            evaluate(at.values, {bsdf::Quantity::S, -1, std::span(at.reference->points).first(count)}, *out);
+            return {};
+          },
+          double(count)};
+}
+
+Result<SharedReference> make_reference(const bsdf::Model& model, const Tier& tier,
+                                       const registry::ParameterValues& values, std::size_t most) {
+  Reference reference{tier.name, random_points(most), {}};
+  reference.points.resize(points_of(model, values, most));
+  reference.values.resize(reference.points.size());
+  CUTICLE_TRY(bsdf::evaluate(model, values, Precision::f64, {bsdf::Quantity::S, -1, reference.points}, reference.values));
+  return SharedReference(std::make_shared<const Reference>(std::move(reference)));
+}
+
+Group make_group(const bsdf::Model& model, bool near, const Reference& reference) {
+  const std::string field = near ? "near field" : "far field";
+  return {.name = fmt::format("{}, {}", model.entry.name, field),
+          .title = fmt::format("{}, {}: tiers and precisions", model.entry.name, field),
+          .truth = fmt::format("the tier '{}' in double at {} random directions, where S is above 1e-6 of its largest value",
+                               reference.tier, reference.points.size()),
+          .metrics = {{"S", "relative error of S"}},
+          .item = "direction"};
+}
+
+Point make_point(const Case& at, const Tier& tier) {
+  return {at.precision == Precision::f64 ? "double" : "float",
+          {{"tier", tier.name}},
+          [at] { return errors_of(at); },
+          work_of(at)};
 }
 
 }  // namespace
@@ -121,26 +132,31 @@ std::string finest_settings(const bsdf::Model& model, const std::string& setting
   return tiers_of(model, settings).back().settings;
 }
 
-Result<std::vector<TierRow>> compare_tiers(const bsdf::Model& model, const std::string& settings,
-                                           const LobesRequest& request) {
-  const std::vector<bsdf::Point> points = random_points(request.points);
+std::string shown_settings(const bsdf::Model& model, const std::string& settings, std::size_t points) {
+  const std::string finest = finest_settings(model, settings);
+  const auto values = bsdf::parse_settings(model, "", finest);
+  const bool is_slow = values && model.loop_rounds && double(model.loop_rounds(*values, bsdf::Quantity::S)) * double(points) > 10 * k_most_rounds;
+  return is_slow ? settings : finest;
+}
+
+Result<std::vector<Group>> tier_groups(const bsdf::Model& model, const std::string& settings,
+                                       const LobesRequest& request) {
   const std::vector<Tier> tiers = tiers_of(model, settings);
-  // The near field is another function than the far field, so each has its own reference.
-  std::array<std::optional<Reference>, 2> references;
-  std::vector<TierRow> rows;
+  std::map<bool, std::pair<SharedReference, Group>> fields;
   for (auto tier = tiers.rbegin(); tier != tiers.rend(); ++tier) {
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", tier->settings));
-    std::optional<Reference>& reference = references[is_near(model, values)];
-    for (const bsdf::Precision precision : {bsdf::Precision::f64, bsdf::Precision::f32}) {
-      TierRow row{std::string(model.entry.name), tier->name, precision == bsdf::Precision::f64 ? "f64" : "f32",
-                  tier->settings};
-      row.reference = !reference;
-      if (row.reference) reference = {points_within(request.reference_seconds, model.evaluate_f64, values, points), {}};
-      CUTICLE_TRY(measure(row, model, values, precision, request, *reference));
-      rows.push_back(std::move(row));
+    const bool near = model.near_field && model.near_field(values);
+    auto& [reference, group] = fields[near];
+    if (!reference) {
+      CUTICLE_ASSIGN(reference, make_reference(model, *tier, values, request.points));
+      group = make_group(model, near, *reference);
     }
+    for (const Precision precision : {Precision::f64, Precision::f32})
+      group.points.push_back(make_point({&model, values, precision, reference}, *tier));
   }
-  return rows;
+  std::vector<Group> groups;
+  for (auto& [near, field] : fields) groups.push_back(std::move(field.second));
+  return groups;
 }
 
 }  // namespace cuticle::study

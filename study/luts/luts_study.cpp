@@ -1,6 +1,7 @@
 #include "study/luts/luts_study.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,46 +12,36 @@
 namespace cuticle::study {
 namespace {
 
-/// One set to be made.
-struct Task {
-  const bsdf::Model* model;
-  registry::ParameterValues values;
-  const lut::Layout* layout;
-  int size;
-};
-
-double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
-void add_rows(LutsStudy& study, const LutRow& common, const lut::TableSet& set) {
-  const auto add = [&](std::string channel, const lut::ChannelError& error) {
-    LutRow& row = study.rows.emplace_back(common);
-    row.channel = std::move(channel);
-    row.rms_error = ratio(error.rms, error.signal_rms);
-    row.p99_error = ratio(error.percentile_99, error.peak);
-    row.max_error = ratio(error.maximum, error.peak);
-  };
-  for (const lut::Table& table : set.tables)
-    for (const lut::ChannelError& error : table.errors) add(error.channel, error);
-  if (set.scattering.size() > 1) add("S", set.scattering[1]);
-}
-
-Result<lut::TableSet> stored(const lut::TableSet& baked, const lut::Format& format, std::string_view fit,
-                             Progress& progress) {
-  if (fit == "texels") {
-    CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(baked, format, progress));
-    return std::move(fitted.set);
-  }
-  lut::TableSet set = baked;
-  CUTICLE_TRY(lut::certify(set, format, progress));
-  return set;
-}
-
-/// Sets made, of those to make.
+/// Sets that are made, of those to make.
 struct Steps {
   Progress& progress;
   std::size_t total, done = 0;
   void next() { progress.update("sets of tables", ++done, total); }
 };
+
+/// A model in a layout, and where its sets go.
+struct Task {
+  const bsdf::Model* model;
+  registry::ParameterValues values;
+  const lut::Layout* layout;
+  std::shared_ptr<const LutDirections> on;
+};
+/// Channel, curve, bytes: relative error.
+using ChannelErrors = std::map<std::string, std::map<std::string, std::map<double, double>>>;
+struct Made {
+  std::vector<Point> points;
+  ChannelErrors errors;
+};
+
+Result<lut::TableSet> stored(const lut::TableSet& baked, const lut::Format& format, std::string_view fit) {
+  if (fit == "texels") {
+    CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(baked, format, silent_progress()));
+    return std::move(fitted.set);
+  }
+  lut::TableSet set = baked;
+  CUTICLE_TRY(lut::certify(set, format, silent_progress()));
+  return set;
+}
 
 bool is_fitted(const LutsRequest& request, const std::string& fit, int size) {
   return fit == "none" || size <= request.largest_fitted;
@@ -64,20 +55,25 @@ std::size_t count_sets(const LutsRequest& request) {
   return count;
 }
 
-Result<void> add_set(LutsStudy& study, const Task& task, const LutsRequest& request, Steps& steps) {
-  CUTICLE_ASSIGN(const lut::TableSet baked,
-                 lut::bake(*task.model, task.values, *task.layout, task.size, silent_progress()));
+void add_errors(ChannelErrors& errors, const lut::TableSet& set, const std::string& curve, double bytes) {
+  for (const lut::Table& table : set.tables)
+    for (const lut::ChannelError& error : table.errors)
+      if (error.signal_rms > 0) errors[error.channel][curve][bytes] = std::max(1e-9, error.rms / error.signal_rms);
+}
+
+Result<void> add_sets(Made& made, const Task& task, int size, const LutsRequest& request, Steps& steps) {
+  CUTICLE_ASSIGN(const lut::TableSet baked, lut::bake(*task.model, task.values, *task.layout, size, silent_progress()));
   for (const std::string& fit : request.fits) {
-    if (!is_fitted(request, fit, task.size)) continue;
+    if (!is_fitted(request, fit, size)) continue;
     for (const std::string& format : request.formats) {
       CUTICLE_ASSIGN(const lut::Format* as, lut::find_format(format));
-      CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, *as, fit, silent_progress()));
-      LutRow common{std::string(task.model->entry.name), std::string(task.layout->entry.name), format, fit, ""};
-      common.size = task.size;
-      common.bytes = lut::texture_bytes(*task.layout, task.size, *as);
-      common.bake_ms = baked.bake_ms;
-      CUTICLE_ASSIGN(common.ns, sampling_ns(set, request.points, request.repeats));
-      add_rows(study, common, set);
+      CUTICLE_ASSIGN(const lut::TableSet set, stored(baked, *as, fit));
+      const std::string method =
+          fmt::format("{} {}{}", task.layout->entry.name, format, fit == "none" ? "" : " fitted");
+      const std::size_t bytes = lut::texture_bytes(*task.layout, size, *as);
+      CUTICLE_ASSIGN(Point point, table_point(set, method, bytes, task.on));
+      made.points.push_back(std::move(point));
+      add_errors(made.errors, set, method, double(bytes));
       steps.next();
     }
   }
@@ -96,38 +92,72 @@ Result<std::vector<const lut::Layout*>> chosen_layouts(const LutsRequest& reques
 }
 
 /// A layout that does not fit the model (lobes that it lacks, a near field) is noted and left out.
-Result<void> add_layout(LutsStudy& study, Task task, const LutsRequest& request, Steps& steps) {
+Result<void> add_layout(Study& study, Made& made, const Task& task, const LutsRequest& request, Steps& steps) {
   for (const int size : request.sizes) {
-    task.size = size;
-    const Result<void> added = add_set(study, task, request, steps);
+    const Result<void> added = add_sets(made, task, size, request, steps);
     if (added) continue;
     if (added.error().kind != ErrorKind::usage) return added;
-    study.skipped.push_back(
-        fmt::format("{} in {}: {}", task.model->entry.name, task.layout->entry.name, added.error().message));
+    study.notes.push_back(
+        fmt::format("Left out: {} in {}: {}", task.model->entry.name, task.layout->entry.name, added.error().message));
     return {};
   }
   return {};
 }
 
+/// Error of each channel against bytes.
+void add_plots(Study& study, const std::string& model, const ChannelErrors& errors) {
+  for (const auto& [channel, curves] : errors) {
+    Plot plot{fmt::format("bytes_{}_{}", model, channel), fmt::format("{}: error of {} against bytes of the set", model, channel),
+              "bytes", "rms error / rms of the signal", false, true, {}};
+    for (const auto& [name, points] : curves) {
+      Curve& curve = plot.curves.emplace_back(Curve{name, {}, {}});
+      for (const auto& [bytes, error] : points) {
+        curve.x.push_back(bytes);
+        curve.y.push_back(error);
+      }
+    }
+    study.plots.push_back(std::move(plot));
+  }
+}
+
+Result<Group> group_of(const bsdf::Model& model, const registry::ParameterValues& values,
+                       const std::shared_ptr<const LutDirections>& on) {
+  const std::string name(model.entry.name);
+  Group group{.name = name,
+              .title = fmt::format("{}: tables beside the model", name),
+              .truth = fmt::format("the model in double at {} random directions", on->points.size()),
+              .metrics = {{"S", "rms error of S / rms of S", "1", Mean::root_mean_square}},
+              .item = "direction"};
+  CUTICLE_ASSIGN(group.points, direct_points(model, values, on));
+  return group;
+}
+
 }  // namespace
 
-Result<LutsStudy> run_luts_study(const LutsRequest& request, Progress& progress) {
-  LutsStudy study;
+Result<Study> luts_study(const LutsRequest& request, Progress& progress) {
+  Study study{.name = "luts",
+              .title = "Lookup tables beside the model they stand for",
+              .question = "Where do tables pay: which layout, size and format, and where is the model itself better?",
+              .cost_label = "one evaluation of S, one thread"};
+  study.notes = {"Errors and times are those of a bilinear filter in the stored format, as float code on one CPU thread with "
+                 "the tables in cache; texture units of a GPU are not what is measured."};
   CUTICLE_ASSIGN(const std::vector<const lut::Layout*> layouts, chosen_layouts(request));
-  int finished = 0;
+  std::size_t finished = 0;
   Steps steps{progress, request.models.size() * layouts.size() * count_sets(request)};
   for (const std::string& name : request.models) {
     CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(*model, "", request.settings));
-    CUTICLE_ASSIGN(const std::vector<DirectRow> direct,
-                   measure_direct(*model, values, request.points, request.repeats));
-    study.direct.insert(study.direct.end(), direct.begin(), direct.end());
+    const auto on = lut_directions(*model, values, request.points);
+    CUTICLE_ASSIGN(Group group, group_of(*model, values, on));
+    Made made;
     for (const lut::Layout* layout : layouts) {
-      CUTICLE_TRY(add_layout(study, {model, values, layout, 0}, request, steps));
-      steps.done = count_sets(request) * std::size_t(++finished);  // a layout that does not fit is passed over
+      CUTICLE_TRY(add_layout(study, made, {model, values, layout, on}, request, steps));
+      steps.done = count_sets(request) * ++finished;  // a layout that does not fit is passed over
     }
+    std::ranges::move(made.points, std::back_inserter(group.points));
+    add_plots(study, name, made.errors);
+    study.groups.push_back(std::move(group));
   }
-  study.verdicts = verdicts_of(study);
   return study;
 }
 

@@ -1,4 +1,3 @@
-#include "core/json/json.h"
 #include "core/real.h"
 #include "study/luts/luts_study.h"
 
@@ -9,31 +8,38 @@
 #include <gtest/gtest.h>
 
 #include "lut/evaluate.h"
+#include "study/engine/run.h"
 #include "study/luts/table_sampler.h"
 
 namespace cuticle::study::luts_study_test {
 namespace {
 
-const LutsStudy& small_study() {
-  static const LutsStudy study = [] {
+struct SmallStudy {
+  Study study;
+  StudyResult result;
+};
+const SmallStudy& small_study() {
+  static const SmallStudy made = [] {
     LutsRequest request;
     request.layouts = {"nalu", "nalu_theta"};
     request.sizes = {16, 32};
     request.formats = {"exr", "png8"};
     request.fits = {"none"};
     request.points = 256;
-    request.repeats = 2;
-    return *run_luts_study(request, silent_progress());
+    SmallStudy small{*luts_study(request, silent_progress()), {}};
+    small.study.timing = {.rounds = 1, .sample_seconds = 1e-5};
+    small.result = *run_study(small.study, silent_progress());
+    return small;
   }();
-  return study;
+  return made;
 }
 
-const LutRow& row_of(std::string_view layout, int size, std::string_view format, std::string_view channel) {
-  const auto& rows = small_study().rows;
-  return *std::find_if(rows.begin(), rows.end(), [&](const LutRow& row) {
-    return row.layout == layout && row.size == size && row.format == format && row.channel == channel;
-  });
+const PointResult& point_of(std::string_view name) {
+  const auto& points = small_study().result.groups[0].points;
+  return *std::find_if(points.begin(), points.end(),
+                       [&](const PointResult& point) { return point_name(point.method, point.knobs) == name; });
 }
+double error_of(std::string_view name) { return point_of(name).metrics[0].all.mean.value; }
 
 /// The terms of nalu by hand, from lut::sample in double.
 TEST(TableSampler, ScatteringOfNalu_IsThatOfItsTablesFiltered) {
@@ -60,46 +66,23 @@ TEST(TableSampler, ScatteringOfNalu_IsThatOfItsTablesFiltered) {
 }
 
 TEST(LutsStudy, MoreTexels_LessErrorAndMoreBytes) {
-  const LutRow &coarse = row_of("nalu", 16, "exr", "S"), &fine = row_of("nalu", 32, "exr", "S");
-  EXPECT_LT(fine.rms_error, coarse.rms_error);
-  EXPECT_EQ(coarse.bytes, 3u * 16 * 16 * 8);
-  EXPECT_EQ(fine.bytes, 4 * coarse.bytes);
-  EXPECT_EQ(row_of("nalu", 16, "png8", "S").bytes, 3u * 16 * 16 * 4);
+  EXPECT_LT(error_of("nalu exr size=32"), error_of("nalu exr size=16"));
+  EXPECT_EQ(point_of("nalu exr size=16").bytes, 3 * 16 * 16 * 8);
+  EXPECT_EQ(point_of("nalu exr size=32").bytes, 4 * point_of("nalu exr size=16").bytes);
+  EXPECT_EQ(point_of("nalu png8 size=16").bytes, 3 * 16 * 16 * 4);
 }
 
-TEST(LutsStudy, EveryChannel_HasARowAndSToo) {
-  for (const char* channel : {"M_R", "M_TT", "M_TRT", "N_R", "N_TT.r", "N_TRT.g", "S"})
-    EXPECT_GT(row_of("nalu", 32, "exr", channel).rms_error, 0) << channel;
-  EXPECT_GT(row_of("nalu_theta", 16, "exr", "S").ns, 0);
+TEST(LutsStudy, EveryChannel_HasAPlotAgainstBytes) {
+  for (const char* channel : {"M_R", "M_TT", "M_TRT", "N_R", "N_TT.r", "N_TRT.g"})
+    EXPECT_TRUE(std::ranges::any_of(small_study().study.plots, [&](const Plot& plot) {
+      return plot.name == std::string("bytes_marschner_") + channel && plot.curves.size() == 4;
+    })) << channel;
 }
 
 TEST(LutsStudy, DirectEvaluation_IsTimedAndMoreExactThanTables) {
-  const auto& direct = small_study().direct;
-  const auto of = [&](std::string_view path, std::string_view lobe) {
-    return *std::find_if(direct.begin(), direct.end(),
-                         [&](const DirectRow& row) { return row.path == path && row.lobe == lobe; });
-  };
-  EXPECT_EQ(of("double", "S").rms_error, 0);
-  EXPECT_LT(of("float", "S").rms_error, row_of("nalu", 32, "exr", "S").rms_error);
-  EXPECT_GT(of("float", "TRT").ns, 0);
-  EXPECT_EQ(small_study().verdicts.size(), 2u);  // float, and float in arrays
-}
-
-TEST(LutsStudy, Verdict_NamesWhatIsCheaperAtWhichError) {
-  LutsStudy study;
-  for (const auto& [ns, error] : {std::pair(50.0, 0.02), {90.0, 0.01}}) {
-    LutRow& row = study.rows.emplace_back(LutRow{"m", "nalu", "exr", "none", "S"});
-    row.ns = ns;
-    row.rms_error = error;
-  }
-  study.direct = {{"m", "float", "S", 20, 1e-6}, {"m", "float", "S", 70, 1e-6}, {"m", "float", "S", 400, 1e-6}};
-  const std::vector<std::string> verdicts = verdicts_of(study);
-  ASSERT_EQ(verdicts.size(), 3u);
-  EXPECT_NE(verdicts[0].find("no table is worth it"), std::string::npos);
-  EXPECT_NE(verdicts[1].find("off by 2.0e-02"), std::string::npos);
-  EXPECT_NE(verdicts[1].find("below that error the model itself"), std::string::npos);
-  EXPECT_NE(verdicts[2].find("off by 1.0e-02"), std::string::npos);
-  EXPECT_EQ(verdicts[2].find("below that error"), std::string::npos);
+  EXPECT_LT(error_of("the model, float"), error_of("nalu exr size=32"));
+  EXPECT_EQ(error_of("the model, float") > 0, (std::is_same_v<Single, float>));
+  for (const PointResult& point : small_study().result.groups[0].points) EXPECT_GT(point.time.seconds.value, 0);
 }
 
 TEST(LutsStudy, LayoutWithoutTheModelsLobes_IsLeftOutWithItsReason) {
@@ -108,18 +91,9 @@ TEST(LutsStudy, LayoutWithoutTheModelsLobes_IsLeftOutWithItsReason) {
   request.layouts = {"nalu"};
   request.sizes = {16};
   request.points = 8;
-  request.repeats = 1;
-  const LutsStudy study = *run_luts_study(request, silent_progress());
-  EXPECT_TRUE(study.rows.empty());
-  EXPECT_EQ(study.skipped.size(), 1u);
-}
-
-TEST(LutsStudy, Json_HoldsWhatTheReporterReads) {
-  const auto json = Json::parse(to_json(small_study())).value();
-  // Two layouts, sizes and formats; in arrays, and float by itself: double is the reference, of no error.
-  EXPECT_EQ(json["rows"].size(), 8u + 1 + (std::is_same_v<Single, float> ? 1 : 0));
-  EXPECT_EQ(json["words"].size(), 3u);
-  EXPECT_FALSE(json["plots"].empty());
+  const Study study = *luts_study(request, silent_progress());
+  EXPECT_EQ(study.groups[0].points.size(), 2u);
+  EXPECT_NE(study.notes.back().find("kajiya_kay in nalu"), std::string::npos);
 }
 
 }  // namespace

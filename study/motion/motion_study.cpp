@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
+#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ glm::dmat4 head_at(const MotionCase& scene, int frame) {
 
 struct Run {
   std::vector<glm::vec3> early, late;
-  double us = 1e30, largest_stretch = 1;
+  double largest_stretch = 1;
 };
 
 Result<std::unique_ptr<sim::Solver>> solver_of(const MotionCase& scene, const std::string& name,
@@ -88,31 +88,21 @@ Result<std::unique_ptr<sim::Solver>> solver_of(const MotionCase& scene, const st
   return effect->create(scene.groom, values, effects);
 }
 
-/// Of the process, in which one thread works: other programs do not count.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 Result<Run> run_once(const MotionCase& scene, const std::string& name, const std::string& settings) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver, solver_of(scene, name, settings));
   Run run;
-  double seconds = 0;
   for (int frame = 0; frame < k_frames; ++frame) {
-    const double begin = processor_seconds();
     CUTICLE_TRY(solver->advance({.duration = k_frame,
                                  .head_begin = head_at(scene, frame),
                                  .head_end = head_at(scene, frame + 1),
                                  .colliders = scene.spheres}));
-    seconds += processor_seconds() - begin;
     if (frame + 1 != k_early && frame + 1 != k_frames) continue;
     CUTICLE_ASSIGN(const sim::State state, solver->state());
     (frame + 1 == k_early ? run.early : run.late) = state.positions;
     const std::vector<float> stretch = sim::stretch(scene.groom, state.positions);
     run.largest_stretch = double(*std::max_element(stretch.begin(), stretch.end()));
   }
-  run.us = 1e6 * seconds / (k_frames * k_strands);
   return run;
 }
 
@@ -129,65 +119,79 @@ std::string stepped(const std::string& settings, int substeps) {
   return fmt::format("{},inner_step={:.17g},max_substeps={}", settings, k_frame / substeps, substeps);
 }
 
-Result<MotionRow> measured(const MotionCase& scene, const Run& truth, MotionRow row, const std::string& settings,
-                           int repeats) {
-  Run best;
-  for (int k = 0; k < repeats; ++k) {
-    CUTICLE_ASSIGN(Run run, run_once(scene, row.solver, settings));
-    if (run.us < best.us) best = std::move(run);
-  }
-  row.early_error = distance(scene, best.early, truth.early);
-  row.error = distance(scene, best.late, truth.late);
-  row.largest_stretch = best.largest_stretch;
-  row.us = best.us;
-  return row;
+using SharedCase = std::shared_ptr<const MotionCase>;
+
+/// A solver with its substeps against the reference.
+Point point_of(const SharedCase& scene, const std::shared_ptr<const Run>& truth, std::vector<Knob> knobs,
+               const std::string& solver, const std::string& settings) {
+  const auto measure = [=]() -> Result<Measured> {
+    CUTICLE_ASSIGN(const Run run, run_once(*scene, solver, settings));
+    return Measured{{{distance(*scene, run.late, truth->late)}, {distance(*scene, run.early, truth->early)}, {run.largest_stretch - 1}}};
+  };
+  const auto work = [=]() -> Result<void> {
+    CUTICLE_ASSIGN(const Run run, run_once(*scene, solver, settings));
+    return {};
+  };
+  return {solver, std::move(knobs), measure, {{}, work, double(k_frames * k_strands)}};
 }
 
-Result<void> add_case(MotionStudy& study, const MotionCase& scene, const MotionRequest& request) {
-  const std::string exact = scene.solvers.at(scene.reference) + ",double_precision=true";
-  CUTICLE_ASSIGN(const Run truth, run_once(scene, scene.reference, stepped(exact, request.reference_substeps)));
-  CUTICLE_ASSIGN(const Run half, run_once(scene, scene.reference, stepped(exact, request.reference_substeps / 2)));
-  study.reference_change[scene.name] = distance(scene, half.late, truth.late);
-  for (const auto& [solver, settings] : scene.solvers)
+Result<Group> group_of(const SharedCase& scene, const MotionRequest& request) {
+  const std::string exact = scene->solvers.at(scene->reference) + ",double_precision=true";
+  CUTICLE_ASSIGN(Run reference, run_once(*scene, scene->reference, stepped(exact, request.reference_substeps)));
+  CUTICLE_ASSIGN(const Run half, run_once(*scene, scene->reference, stepped(exact, request.reference_substeps / 2)));
+  const auto truth = std::make_shared<const Run>(std::move(reference));
+  Group group{.name = scene->name,
+              .title = fmt::format("{}: solvers by their substeps", scene->name),
+              .truth = fmt::format("{} in double with {} substeps in 1/60 s", scene->reference, request.reference_substeps),
+              .metrics = {{"late", "rms distance over the length, after 0.5 s"},
+                          {"early", "rms distance over the length, after 0.2 s"},
+                          {"stretch", "largest stretch less 1, after 0.5 s"}},
+              .item = "run",
+              .floor = distance(*scene, half.late, truth->late)};
+  for (const auto& [solver, settings] : scene->solvers)
     for (int substeps : request.substeps)
       for (int iterations : solver == "classic" ? request.iterations : std::vector<int>{1}) {
+        std::vector<Knob> knobs = {{"substeps", std::to_string(substeps)}};
+        if (solver == "classic") knobs.push_back({"iterations", std::to_string(iterations)});
         const std::string sweeps = solver == "classic" ? fmt::format(",iterations={}", iterations) : std::string();
-        CUTICLE_ASSIGN(MotionRow row,
-                       measured(scene, truth,
-                                {.scene = scene.name, .solver = solver, .substeps = substeps, .iterations = iterations},
-                                stepped(settings + sweeps, substeps), request.repeats));
-        study.rows.push_back(std::move(row));
+        group.points.push_back(point_of(scene, truth, std::move(knobs), solver, stepped(settings + sweeps, substeps)));
       }
-  return {};
+  return group;
+}
+
+/// Errors against closed forms by the step, a curve for each truth and solver.
+Plot truths_plot(const std::vector<TruthRow>& rows) {
+  Plot plot{"truths", "Closed forms of mechanics", "time step, s", "error", false, true, {}};
+  for (const TruthRow& row : rows) {
+    const std::string name = fmt::format("{} ({})", row.truth, row.solver);
+    if (plot.curves.empty() || plot.curves.back().name != name) plot.curves.push_back({name, {}, {}});
+    plot.curves.back().x.push_back(row.step);
+    plot.curves.back().y.push_back(row.error);
+  }
+  return plot;
 }
 
 }  // namespace
 
 MotionRequest quick_motion_request() {
-  return {.substeps = {2, 8}, .iterations = {4}, .reference_substeps = 32, .repeats = 1, .truth_steps = {1.0 / 480, 1.0 / 120}};
+  return {.substeps = {2, 8}, .iterations = {4}, .reference_substeps = 32, .truth_steps = {1.0 / 480, 1.0 / 120}};
 }
 
-Result<MotionStudy> run_motion_study(const MotionRequest& request, Progress& progress) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  MotionStudy study;
-  const std::vector<MotionCase> cases = motion_cases();
+Result<Study> motion_study(const MotionRequest& request, Progress& progress) {
+  Study study{.name = "motion",
+              .title = "Strand solvers: error against time",
+              .question = "Which solver and how many substeps hold an error, and what do they cost?",
+              .cost_label = "a frame (1/60 s) and strand"};
+  std::vector<MotionCase> cases = motion_cases();
   for (std::size_t i = 0; i < cases.size(); ++i) {
     progress.update("scenes", i, cases.size());
-    CUTICLE_TRY(add_case(study, cases[i], request));
+    CUTICLE_ASSIGN(Group group, group_of(std::make_shared<const MotionCase>(std::move(cases[i])), request));
+    study.groups.push_back(std::move(group));
   }
   progress.update("scenes", cases.size(), cases.size());
-  CUTICLE_ASSIGN(study.truths, run_motion_truths(request.truth_steps));
+  CUTICLE_ASSIGN(const std::vector<TruthRow> truths, run_motion_truths(request.truth_steps));
+  study.plots.push_back(truths_plot(truths));
   return study;
-}
-
-const MotionRow* cheapest(const MotionStudy& study, const std::string& scene, double error) {
-  const MotionRow* best = nullptr;
-  if (const auto change = study.reference_change.find(scene);
-      change != study.reference_change.end() && change->second > error)
-    return nullptr;
-  for (const MotionRow& row : study.rows)
-    if (row.scene == scene && row.error <= error && (!best || row.us < best->us)) best = &row;
-  return best;
 }
 
 }  // namespace cuticle::study

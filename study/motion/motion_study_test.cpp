@@ -6,30 +6,39 @@
 
 #include <gtest/gtest.h>
 
+#include "study/engine/run.h"
+
 namespace cuticle::study::motion_study_test {
 namespace {
 
 TEST(MotionStudy, Quick_MoreSubstepsBringSolversNearerAndTheCheapestIsNamed) {
-  const auto study = run_motion_study(quick_motion_request(), silent_progress());
+  auto study = motion_study(quick_motion_request(), silent_progress());
   ASSERT_TRUE(study.ok());
-  ASSERT_EQ(study->rows.size(), 4u * 3 * 2);  // cases, solvers, substeps
-  for (std::size_t k = 0; k < study->rows.size(); k += 2) {
-    const MotionRow &few = study->rows[k], &many = study->rows[k + 1];
-    ASSERT_EQ(few.solver, many.solver);
-    if (few.scene == "swing") {
-      EXPECT_LT(many.error, few.error) << few.solver;
-    }
-    if (few.solver != "classic") {
-      EXPECT_LT(many.largest_stretch, 1 + 1e-5) << few.scene;
+  study->timing = {.rounds = 1, .sample_seconds = 1e-5};
+  const StudyResult result = *run_study(*study, silent_progress());
+  ASSERT_EQ(result.groups.size(), 4u);
+  for (std::size_t g = 0; g < 4; ++g) {
+    const auto& points = result.groups[g].points;
+    ASSERT_EQ(points.size(), 3u * 2);  // solvers, substeps
+    for (std::size_t k = 0; k < points.size(); k += 2) {
+      const PointResult &few = points[k], &many = points[k + 1];
+      ASSERT_EQ(few.method, many.method);
+      if (g == 0) {
+        EXPECT_LT(many.metrics[0].all.mean.value, few.metrics[0].all.mean.value) << few.method;
+      }
+      if (few.method != "classic") {
+        EXPECT_LT(many.metrics[2].all.mean.value, 1e-5) << study->groups[g].name;
+      }
     }
   }
-  const MotionRow* found = cheapest(*study, "swing", 0.05);
-  ASSERT_NE(found, nullptr);
-  EXPECT_LE(found->error, 0.05);
-  EXPECT_EQ(cheapest(*study, "swing", 1e-9), nullptr);
-  MotionStudy unknown = *study;
-  unknown.reference_change["swing"] = 0.06;
-  EXPECT_EQ(cheapest(unknown, "swing", 0.05), nullptr);
+  const Json swing = conclusions_json(*study, result)["groups"][0];
+  EXPECT_FALSE(swing["cheapest_for"].empty());
+  for (const Json& step : swing["cheapest_for"]) {
+    EXPECT_GE(step["error_at_most"].number(), study->groups[0].floor);  // below it nothing is told
+    if (!step["choice"].is_null()) {
+      EXPECT_LE(step["choice"]["choosing_error"].number(), step["error_at_most"].number());
+    }
+  }
 }
 
 /// The largest error at 1/480 s, and what it is at 1/120 s over that at 1/480 s, at least.

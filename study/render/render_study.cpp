@@ -26,13 +26,6 @@ struct Variant {
   bool shown = false;  ///< at its defaults, in the pictures
 };
 
-std::string text_of(const Variant& variant) {
-  std::string text;
-  for (const Setting& setting : variant.settings)
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", setting.parameter, registry::to_text(setting.value));
-  return text;
-}
-
 Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(samples)}; }
 
 /// Tiles: samples that coverage is kept by.
@@ -84,31 +77,8 @@ void apply(const Variant& variant, scene::Scene& scene) {
   }
 }
 
-struct Picture {
-  Image image;
-  double ms = 0;
-  std::size_t bytes = 0;
-};
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// The truth is timed whole, for the CPU does its work; the others by their submission.
-Result<Picture> draw(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, int repeats, Progress& progress) {
-  const std::size_t before = device->allocated_bytes();
-  const bool is_truth = scene.render_method == "truth";
-  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
-  Picture picture;
-  for (int k = 0; k < (is_truth ? 1 : repeats); ++k) {
-    const auto start = std::chrono::steady_clock::now();
-    CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
-    const double ms = is_truth ? milliseconds_since(start) : frame.cost.wall_ms;
-    picture.ms = k == 0 ? ms : std::min(picture.ms, ms);
-    picture.image = std::move(frame.color);
-  }
-  picture.bytes = device->allocated_bytes() - before;
-  return picture;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// The hair alone, at rest.
@@ -119,11 +89,6 @@ scene::Scene hair_of(const scene::Scene& scene) {
   hair.simulation = {};
   hair.passes.erase("resolve");
   return hair;
-}
-
-double luminance(const Image& image, std::size_t pixel) {
-  const float* p = image.pixels.data() + 4 * pixel;
-  return 0.2126 * double(p[0]) + 0.7152 * double(p[1]) + 0.0722 * double(p[2]);
 }
 
 /// Coverage that is missing in red, that is too much in green; four times the difference.
@@ -138,110 +103,146 @@ Image difference(const Image& picture, const Image& truth) {
   return image;
 }
 
-class Study {
- public:
-  Study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress)
-      : device_(std::move(device)), request_(request), progress_(progress) {
-    study_.device = device_->info().name;
-    study_.scene = request.scene.name;
-    study_.truth_samples = request.truth_samples;
-  }
-
-  Result<RenderStudy> run() {
-    scene::Scene scene = hair_of(request_.scene);
-    if (request_.grows) CUTICLE_TRY(run_growth(scene));
-    CUTICLE_TRY(run_view("near", scene));
-    Camera& camera = scene.camera.camera;
-    camera.position = camera.target + 4.0 * (camera.position - camera.target);
-    camera.far_plane *= 4;
-    if (!scene.camera.automatic) CUTICLE_TRY(run_view("four times as far", scene));
-    return std::move(study_);
-  }
-
- private:
-  Result<void> run_view(const std::string& name, const scene::Scene& scene) {
-    CUTICLE_ASSIGN(const Picture truth, draw_variant({"truth", {truth_samples(request_.truth_samples)}}, scene));
-    const double exposure = scene.outputs.exposure_stops;
-    RenderView view{name, {"truth"}, {tone_map(truth.image, exposure)}};
-    std::vector<Image> differences = {make_image(truth.image.width, truth.image.height, {"R", "G", "B", "A"})};
-    for (const Variant& variant : variants(request_.truth_samples, request_.grows)) {
-      CUTICLE_ASSIGN(const Picture picture, draw_variant(variant, scene));
-      study_.rows.push_back(
-          {name, variant.method, text_of(variant), compare(picture.image, truth.image), picture.ms, picture.bytes});
-      if (!variant.shown) continue;
-      view.titles.push_back(variant.method);
-      view.pictures.push_back(tone_map(picture.image, exposure));
-      differences.push_back(difference(picture.image, truth.image));
-    }
-    view.pictures.insert(view.pictures.end(), differences.begin(), differences.end());
-    study_.views.push_back(std::move(view));
-    return {};
-  }
-
-  /// What a frame costs as one size grows and the others stand; the widest strands overlap most.
-  Result<void> run_growth(const scene::Scene& scene) {
-    for (std::string_view what : {"strands", "pixels", "overlap"})
-      for (std::string_view method : {"lines", "quads", "tiles"})
-        for (double factor : {0.0625, 0.25, 1.0, 4.0}) {
-          scene::Scene sized = scene;
-          if (what == "strands") sized.strand_count = std::max(1, int(scene.strand_count * factor));
-          if (what == "pixels")
-            sized.camera.camera.resolution = glm::ivec2(glm::dvec2(scene.camera.camera.resolution) * std::sqrt(factor));
-          if (what == "overlap")
-            sized.fibre_count = (scene.fibre_count > 0 ? scene.fibre_count : scene::k_usual_fibre_count) * factor;
-          CUTICLE_ASSIGN(const Picture picture, draw_variant({std::string(method)}, sized));
-          study_.growth.push_back({std::string(what), std::string(method), factor, picture.ms});
-        }
-    return {};
-  }
-
-  Result<Picture> draw_variant(const Variant& variant, scene::Scene scene) {
-    progress_.message(fmt::format("drawing: {} {}", variant.method, text_of(variant)));
-    apply(variant, scene);
-    return draw(device_, scene, request_.repeats, progress_);
-  }
-
-  std::shared_ptr<gpu::Device> device_;
-  const RenderRequest& request_;
-  Progress& progress_;
-  RenderStudy study_;
-};
-
-}  // namespace
-
-PictureError compare(const Image& picture, const Image& truth) {
-  PictureError error;
-  std::vector<double> apart;
-  double color = 0, brightness = 0;
-  for (std::size_t pixel = 0; pixel < truth.pixels.size() / 4; ++pixel) {
-    const double more = double(picture.pixels[4 * pixel + 3]) - double(truth.pixels[4 * pixel + 3]);
-    if (picture.pixels[4 * pixel + 3] <= 0 && truth.pixels[4 * pixel + 3] <= 0) continue;
-    apart.push_back(std::abs(more));
-    error.coverage += std::abs(more);
-    error.coverage_bias += more;
-    color += std::abs(luminance(picture, pixel) - luminance(truth, pixel));
-    brightness += luminance(truth, pixel);
-  }
-  if (apart.empty()) return error;
-  std::ranges::sort(apart);
-  error.coverage /= double(apart.size());
-  error.coverage_bias /= double(apart.size());
-  error.p95_coverage = apart[apart.size() * 95 / 100];
-  error.max_coverage = apart.back();
-  error.color = brightness > 0 ? color / brightness : 0;
-  return error;
+std::vector<Knob> knobs_of(const Variant& variant) {
+  std::vector<Knob> knobs;
+  for (const Setting& setting : variant.settings) knobs.push_back({setting.parameter, registry::to_text(setting.value)});
+  return knobs;
 }
 
-const RenderRow* cheapest(const std::vector<RenderRow>& rows, std::string_view view, double error) {
-  const RenderRow* best = nullptr;
-  for (const RenderRow& row : rows)
-    if (row.view == view && row.error.coverage <= error && (!best || row.ms < best->ms)) best = &row;
+/// One view: its runner, which every variant changes, and the truth.
+struct View {
+  std::shared_ptr<plan::FrameRunner> runner;
+  std::shared_ptr<gpu::Device> device;
+  scene::Scene scene;
+  std::size_t bytes_before = 0;
+  Image truth;
+
+  Result<Image> draw(const Variant& variant) {
+    scene::Scene changed = scene;
+    apply(variant, changed);
+    CUTICLE_TRY(runner->change(changed, silent_progress()));
+    CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
+    return std::move(frame.color);
+  }
+};
+using SharedView = std::shared_ptr<View>;
+
+Result<SharedView> make_view(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, int samples, Progress& progress) {
+  const auto view = std::make_shared<View>(View{nullptr, device, scene, device->allocated_bytes(), {}});
+  const Variant truth{.method = "truth", .settings = {truth_samples(samples)}};
+  scene::Scene first = scene;
+  apply(truth, first);
+  CUTICLE_ASSIGN(view->runner, plan::FrameRunner::create(device, first, progress));
+  CUTICLE_ASSIGN(plan::FrameResult frame, view->runner->run(0));
+  view->truth = std::move(frame.color);
+  return view;
+}
+
+Point point_of(const SharedView& view, const Variant& variant) {
+  const auto measure = [=]() -> Result<Measured> {
+    CUTICLE_ASSIGN(const Image picture, view->draw(variant));
+    PictureErrors errors = compare(picture, view->truth);
+    return Measured{{std::move(errors.coverage), std::move(errors.color)}, double(view->device->allocated_bytes() - view->bytes_before)};
+  };
+  const auto before = [=]() -> Result<void> {
+    CUTICLE_TRY(view->draw(variant));
+    return {};
+  };
+  const auto run = [=]() -> Result<void> {
+    CUTICLE_TRY(view->runner->run(0));
+    return {};
+  };
+  return {variant.method, knobs_of(variant), measure, {before, run, 1}};
+}
+
+/// Pictures of the methods at their defaults, and what their coverage lacks.
+Result<void> add_pictures(Study& study, const std::string& name, View& view, const std::vector<Variant>& list) {
+  const double exposure = view.scene.outputs.exposure_stops;
+  const std::string truth = fmt::format("{}_truth.png", name);
+  study.pictures.push_back({truth, fmt::format("{}: truth", name), "", tone_map(view.truth, exposure)});
+  for (const Variant& variant : list) {
+    if (!variant.shown) continue;
+    CUTICLE_ASSIGN(const Image picture, view.draw(variant));
+    const std::string stem = fmt::format("{}_{}", name, variant.method);
+    study.pictures.push_back({stem + ".png", fmt::format("{}: {}", name, variant.method), truth, tone_map(picture, exposure)});
+    study.pictures.push_back({stem + "_error.png", "coverage: missing red, too much green, four times", "", difference(picture, view.truth)});
+  }
+  return {};
+}
+
+Result<void> add_view(Study& study, const std::string& name, const SharedView& view, const RenderRequest& request) {
+  const std::vector<Variant> list = variants(request.truth_samples, request.grows);
+  Group group{.name = name,
+              .title = fmt::format("Ways to draw hair, {}", name),
+              .truth = fmt::format("every sample of {0} x {0} in a pixel with all strands that cover it, sorted exactly", request.truth_samples),
+              .metrics = {{"coverage", "mean error of coverage"}, {"color", "mean error of luminance / mean luminance"}},
+              .item = "tile of 16 x 16 pixels"};
+  for (const Variant& variant : list) group.points.push_back(point_of(view, variant));
+  study.groups.push_back(std::move(group));
+  return add_pictures(study, name, *view, list);
+}
+
+scene::Scene sized(const scene::Scene& scene, std::string_view what, double factor) {
+  scene::Scene changed = scene;
+  if (what == "strands") changed.strand_count = std::max(1, int(scene.strand_count * factor));
+  if (what == "pixels")
+    changed.camera.camera.resolution = glm::ivec2(glm::dvec2(scene.camera.camera.resolution) * std::sqrt(factor));
+  if (what == "overlap")
+    changed.fibre_count = (scene.fibre_count > 0 ? scene.fibre_count : scene::k_usual_fibre_count) * factor;
+  return changed;
+}
+
+/// The least of three frames' wall clock.
+Result<double> frame_seconds(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene) {
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, silent_progress()));
+  double best = 1e300;
+  for (int k = 0; k < 3; ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    CUTICLE_TRY(runner->run(0));
+    best = std::min(best, seconds_since(start));
+  }
   return best;
 }
 
-Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request,
-                                     Progress& progress) {
-  return Study(std::move(device), request, progress).run();
+/// What a frame costs as one size grows and the others stand; the widest strands overlap most.
+Result<void> add_growth(Study& study, const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, Progress& progress) {
+  for (const char* what : {"strands", "pixels", "overlap"}) {
+    Group group{.name = fmt::format("growth of {}", what), .title = fmt::format("A frame's time as the {} grow", what)};
+    for (const char* method : {"lines", "quads", "tiles"})
+      for (double factor : {0.0625, 0.25, 1.0, 4.0}) {
+        progress.message(fmt::format("{} times the {} by {}", factor, what, method));
+        scene::Scene changed = sized(scene, what, factor);
+        changed.render_method = method;
+        CUTICLE_ASSIGN(const double seconds, frame_seconds(device, changed));
+        group.points.push_back({method, {{"factor", fmt::format("{:g}", factor)}}, [] { return Result<Measured>(Measured{}); }, {}, seconds});
+      }
+    study.groups.push_back(std::move(group));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress) {
+  Study study{.name = "render",
+              .title = fmt::format("Ways to draw hair against brute force: {}", request.scene.name),
+              .question = "Which way of drawing, which anti-aliasing and which order of transparency, at what cost?",
+              .cost_label = "one frame",
+              .wall_clock = !device->info().is_software,
+              .device = device->info().name,
+              .driver = device->info().driver,
+              .timing = {.rounds = request.grows ? 5 : 3, .slow_seconds = 1}};
+  scene::Scene scene = hair_of(request.scene);
+  CUTICLE_ASSIGN(const SharedView near, make_view(device, scene, request.truth_samples, progress));
+  CUTICLE_TRY(add_view(study, "near", near, request));
+  if (request.grows) CUTICLE_TRY(add_growth(study, device, scene, progress));
+  if (scene.camera.automatic) return study;
+  Camera& camera = scene.camera.camera;
+  camera.position = camera.target + 4.0 * (camera.position - camera.target);
+  camera.far_plane *= 4;
+  CUTICLE_ASSIGN(const SharedView far, make_view(device, scene, request.truth_samples, progress));
+  CUTICLE_TRY(add_view(study, "far", far, request));
+  return study;
 }
 
 }  // namespace cuticle::study

@@ -2,67 +2,27 @@
 // What drawing hair costs and how far it is from brute force: method x settings, near and far.
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/image/image.h"
 #include "core/progress.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
+#include "study/engine/study.h"
+#include "study/render/picture_error.h"
 
 namespace cuticle::study {
 
-/// Errors of one picture against the truth's: coverage (alpha) and colour (premultiplied linear radiance, over the
-/// truth's mean where it covers). Means are over all pixels that either of the two covers.
-struct PictureError {
-  double coverage = 0, p95_coverage = 0, max_coverage = 0, coverage_bias = 0, color = 0;
-};
-PictureError compare(const Image& picture, const Image& truth);
-
-struct RenderRow {
-  std::string view, method, settings;
-  PictureError error;
-  double ms = 0;          ///< of a frame without simulation, wall clock, the best of the repeats
-  std::size_t bytes = 0;  ///< of device memory that the scene took
-};
-
 struct RenderRequest {
-  scene::Scene scene;  ///< its first frame, at rest, without head
-  int repeats = 3;
-  int truth_samples = 32;  ///< a side; 16 are off by .01 to .02 where hair is a tenth of a pixel wide
-  bool grows = true;       ///< every setting, and what a frame costs as strands, pixels and overlap grow
+  scene::Scene scene = {};  ///< its first frame, at rest, without head
+  int truth_samples = 32;   ///< a side; 16 are off by .01 to .02 where hair is a tenth of a pixel wide
+  bool grows = true;        ///< every setting, and what a frame costs as strands, pixels and overlap grow
 };
 
-struct RenderView {
-  std::string name;
-  std::vector<std::string> titles;
-  std::vector<Image> pictures;  ///< the truth, then the methods at their defaults, then how far these are off
-};
-
-/// A frame's cost with one size of the scene (strands, pixels, overlap) so many times as large.
-struct GrowthRow {
-  std::string size, method;
-  double factor = 1, ms = 0;
-};
-
-/// The row of a view that takes least time among those whose error of coverage is at most so large; null: none is.
-const RenderRow* cheapest(const std::vector<RenderRow>& rows, std::string_view view, double error);
-
-struct RenderStudy {
-  std::vector<RenderRow> rows;
-  std::vector<GrowthRow> growth;
-  std::vector<RenderView> views;
-  std::string device, scene;
-  int truth_samples = 0;  ///< a side of a pixel
-};
-
-/// Draws the scene as framed and from four times as far, by every method and setting.
-Result<RenderStudy> run_render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request,
-                                     Progress& progress);
-
-std::string to_csv(const RenderStudy& study);
-/// Writes demo.json with the pictures of each view, and study/study.json, study/study.csv and study/growth.csv
-/// (study/README.md).
-Result<void> write_render_study(const RenderStudy& study, const std::string& folder);
+/// A group for each of two views, as framed and from four times as far: every method and setting against brute force.
+/// With `grows`, groups without errors: a frame's time with 1/16 to 4 times the strands, pixels or overlap. Pictures
+/// of the methods at their defaults beside the truth, and where coverage is off: missing in red, too much in green,
+/// four times as bright. Error: what drawing says.
+Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress);
 
 }  // namespace cuticle::study

@@ -1,13 +1,11 @@
 #include "study/skinning/twist_study.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-
-#include "core/file.h"
 
 namespace cuticle::study {
 
@@ -84,12 +82,50 @@ TwistRow measure(const Tube& tube, double degrees, Skinning method) {
           ring_radius(moved, tube.rings / 2)};
 }
 
-std::string sections_csv(const TwistStudy& study) {
-  std::string text = "place,linear_blend,dual_quaternion,linear_analytic\n";
-  for (const SectionRow& row : study.sections)
-    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", row.place, row.linear_blend, row.dual_quaternion,
-                        row.linear_analytic);
-  return text;
+std::string name_of(Skinning method) {
+  return method == Skinning::linear_blend ? "linear_blend" : "dual_quaternion";
+}
+
+Plot volume_plot(const TwistStudy& study) {
+  Plot plot{"volume", "Volume that a twist leaves", "twist, degrees", "volume, over that at rest"};
+  plot.curves = {{"linear_blend", {}, {}}, {"dual_quaternion", {}, {}}, {"linear blend, analytic", {}, {}}};
+  const auto add = [&](std::size_t curve, double x, double y) {
+    plot.curves[curve].x.push_back(x);
+    plot.curves[curve].y.push_back(y);
+  };
+  for (const TwistRow& row : study.rows) {
+    const bool linear = row.method == Skinning::linear_blend;
+    add(linear ? 0 : 1, row.angle_deg, row.volume_kept);
+    if (linear) add(2, row.angle_deg, row.volume_analytic);
+  }
+  return plot;
+}
+
+Plot section_plot(const TwistStudy& study) {
+  Plot plot{"sections", "Radius along the tube at half a turn", "place along the tube", "radius, over that at rest"};
+  plot.curves = {{"linear_blend", {}, {}}, {"dual_quaternion", {}, {}}, {"linear blend, analytic", {}, {}}};
+  for (const SectionRow& row : study.sections) {
+    for (Curve& curve : plot.curves) curve.x.push_back(row.place);
+    plot.curves[0].y.push_back(row.linear_blend);
+    plot.curves[1].y.push_back(row.dual_quaternion);
+    plot.curves[2].y.push_back(row.linear_analytic);
+  }
+  return plot;
+}
+
+Point point_of(const TwistStudy& study, std::shared_ptr<const Tube> tube, Skinning method) {
+  std::vector<double> lost;
+  for (const TwistRow& row : study.rows)
+    if (row.method == method && row.angle_deg > 0) lost.push_back(1 - row.volume_kept);
+  return {name_of(method),
+          {},
+          [lost]() -> Result<Measured> { return Measured{{lost}}; },
+          {{},
+           [tube, method]() -> Result<void> {
+             twisted(*tube, std::numbers::pi / 2, method);
+             return {};
+           },
+           double(tube->mesh.positions.size())}};
 }
 
 }  // namespace
@@ -111,19 +147,21 @@ TwistStudy run_twist_study(int rings) {
   return study;
 }
 
-std::string twist_csv(const TwistStudy& study) {
-  std::string text = "angle_deg,method,volume_kept,volume_analytic,middle_radius_kept\n";
-  for (const TwistRow& row : study.rows)
-    text += fmt::format("{:.6g},{},{:.6g},{:.6g},{:.6g}\n", row.angle_deg,
-                        row.method == Skinning::linear_blend ? "linear_blend" : "dual_quaternion", row.volume_kept,
-                        row.volume_analytic, row.middle_radius_kept);
-  return text;
-}
-
-Result<void> write_twist_study(const TwistStudy& study, const std::string& folder) {
-  CUTICLE_TRY(make_folder(folder));
-  CUTICLE_TRY(write_text_file(folder + "/study.csv", twist_csv(study)));
-  return write_text_file(folder + "/sections.csv", sections_csv(study));
+Study twist_declaration(int rings) {
+  const TwistStudy study = run_twist_study(rings);
+  const auto tube = std::make_shared<const Tube>(make_tube(std::uint32_t(rings)));
+  Study declared{.name = "skinning",
+                 .title = "A twisted limb: linear blend and dual quaternions",
+                 .question = "How much of a limb's volume, and of the hair's roots on it, does a twist take?",
+                 .cost_label = "one vertex, moved"};
+  declared.groups = {{.name = "twist",
+                      .title = "Volume lost by twists of 15 to 180 degrees",
+                      .truth = "a twist keeps the volume of a limb",
+                      .metrics = {{"volume", "share of the volume that is lost"}},
+                      .item = "angle",
+                      .points = {point_of(study, tube, Skinning::linear_blend), point_of(study, tube, Skinning::dual_quaternion)}}};
+  declared.plots = {volume_plot(study), section_plot(study)};
+  return declared;
 }
 
 }  // namespace cuticle::study

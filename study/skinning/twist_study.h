@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
 #include "strands/skinning/skinning.h"
+#include "study/engine/study.h"
 
 namespace cuticle::study {
 
@@ -32,8 +32,8 @@ struct TwistStudy {
 /// (twist_study_test).
 TwistStudy run_twist_study(int rings = 1025);
 
-std::string twist_csv(const TwistStudy& study);
-/// Writes study.csv and sections.csv into a folder, which is made.
-Result<void> write_twist_study(const TwistStudy& study, const std::string& folder);
+/// The two ways to skin as points; the error at an angle is the share of the volume that is lost. Truth: the volume at
+/// rest, which a twist keeps. Plots: volume against angle, and radius along the tube at the greatest angle.
+Study twist_declaration(int rings = 1025);
 
 }  // namespace cuticle::study

@@ -55,7 +55,8 @@ def test_Convert_DamagedInput_LeavesNoOutput(tmp_path):
 
 def scene_with(tmp_path, change):
     scene = json.loads((ROOT / "scenes/demo.json").read_text())
-    scene.pop("motion", None)
+    for key in ("motion", "groom"):  # files beside the scene
+        scene.pop(key, None)
     change(scene)
     path = tmp_path / "scene.json"
     path.write_text(json.dumps(scene))

@@ -144,7 +144,8 @@ def png(path):
 def test_Environment_StatesMoreThanItHolds_IsRefusedBySize(tmp_path, write, name):
     write(tmp_path / name)
     scene = json.loads(DEMO.read_text())
-    scene.pop("motion", None)
+    for key in ("motion", "groom"):  # files beside the scene
+        scene.pop(key, None)
     scene["lights"] = scene["lights"][:1]
     scene["environment"] = {"file": name}
     (tmp_path / "scene.json").write_text(json.dumps(scene))
@@ -186,7 +187,8 @@ def bytes_of(folder, but=()):
 
 def small_demo(tmp_path):
     content = json.loads(DEMO.read_text())
-    content.pop("motion", None)
+    for key in ("motion", "groom"):  # files beside the scene
+        content.pop(key, None)
     content["camera"]["resolution_px"] = [64, 48]
     content["strand_count"] = 200
     content["material"]["lut_size"] = 16

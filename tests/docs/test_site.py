@@ -1,6 +1,7 @@
 """The documentation site builds strictly, without a network, and the README stays short."""
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -26,6 +27,14 @@ def test_Site_Reference_HasEveryEntryOfTheRegistries(site):
     assert "sigma_a" in (site / "reference/models.html").read_text()
     assert "deep_opacity" in (site / "reference/methods.html").read_text()
     assert "cuticle check lut" in (site / "reference/commands.html").read_text()
+
+
+@pytest.mark.skipif(not shutil.which("doxygen"), reason="doxygen is in scripts/packages.txt")
+def test_Site_ApiReference_HasEveryHeaderOfAModule(site):
+    listed = (site / "reference/api.html").read_text()
+    for header in sorted((ROOT / "bsdf").rglob("*.h")):
+        assert f"{header.relative_to(ROOT)}</code></a>" in listed, header
+    assert "find_model" in (site / "api/namespacecuticle_1_1bsdf.html").read_text()
 
 
 def test_Site_LoadsNothingFromElsewhere(site):

@@ -45,7 +45,7 @@ def help_texts(words=()):
 
 
 def headings():
-    for page in PAGES + sorted(ROOT.glob("*/README.md")):
+    for page in PAGES + sorted(ROOT.glob("[!.]*/README.md")):
         for heading in re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S), re.M):
             yield str(page.relative_to(ROOT)), heading
 

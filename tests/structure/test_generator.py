@@ -27,9 +27,17 @@ def test_New_EachKind_MakesAFolderThatCompiles(kind, tmp_path):
 
 def test_New_Model_CompilesAsAKernel(tmp_path):
     assert make("model", "toy_thing", tmp_path).returncode == 0
-    (tmp_path / "model_of_kernel.glslh").write_text('#include "bsdf/toy_thing/toy_thing.glslh"\n')
+    (tmp_path / "model_of_kernel.glslh").write_text('#include "bsdf/toy_thing/toy_thing.glslh"\n#define Prepared ToyThing\n')
     command = ["glslangValidator", "-V", "--quiet", "--target-env", "vulkan1.3", f"-I{tmp_path}", f"-I{ROOT}",
                "-o", tmp_path / "toy.spv", ROOT / "bsdf/gpu/evaluate.comp"]
+    compiled = subprocess.run(command, capture_output=True, text=True)
+    assert compiled.returncode == 0, compiled.stdout
+
+
+def test_New_Pass_HasAKernelThatCompiles(tmp_path):
+    assert make("pass", "toy_thing", tmp_path).returncode == 0
+    command = ["glslangValidator", "-V", "--quiet", "--target-env", "vulkan1.3", f"-I{ROOT}", "-o", tmp_path / "toy.spv",
+               tmp_path / "render/passes/toy_thing/toy_thing.comp"]
     compiled = subprocess.run(command, capture_output=True, text=True)
     assert compiled.returncode == 0, compiled.stdout
 

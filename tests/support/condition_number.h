@@ -7,7 +7,7 @@
 #include <ceres/jet.h>
 
 #include "bsdf/shared/evaluation.glslh"
-#include "bsdf/shared/packing.glslh"
+#include "bsdf/shared/prepared.glslh"
 
 namespace cuticle::tests {
 
@@ -16,21 +16,21 @@ struct Conditioned {
   double value = 0, kappa = 0;
 };
 
-/// `evaluate` is a model's evaluate_packed, called as evaluate(packed, quantity, lobe, at) with Jets: the inputs are the packed
+/// `evaluate` is a model's, called as evaluate(prepared, quantity, lobe, at) with Jets: the inputs are the prepared
 /// numbers and the six coordinates of the point.
-template <class Evaluate>
-Conditioned condition_number(const bsdf::Packed<double>& packed, int quantity, int lobe,
+template <template <class> class Prepared, class Evaluate>
+Conditioned condition_number(const Prepared<double>& prepared, int quantity, int lobe,
                              const bsdf::EvaluationPoint<double>& at, const Evaluate& evaluate) {
-  constexpr int count = CUTICLE_PACKED_COUNT + 6;
-  using Jet = ceres::Jet<double, count>;
-  bsdf::Packed<Jet> inputs;
-  for (int k = 0; k < CUTICLE_PACKED_COUNT; ++k) inputs.value[k] = Jet(packed.value[k], k);
-  constexpr int first = CUTICLE_PACKED_COUNT;
+  constexpr int first = int(bsdf::number_count<Prepared>);
+  using Jet = ceres::Jet<double, first + 6>;
+  const auto values = bsdf::numbers_of<double>(prepared);
+  std::array<Jet, std::size_t(first)> inputs;
+  for (int k = 0; k < first; ++k) inputs[std::size_t(k)] = Jet(values[std::size_t(k)], k);
   const bsdf::EvaluationPoint<Jet> point{Jet(at.theta_i, first),   Jet(at.theta_o, first + 1), Jet(at.theta_d, first + 2),
                                          Jet(at.phi, first + 3),   Jet(at.h, first + 4),       Jet(at.phi_o, first + 5)};
-  const Jet result = evaluate(inputs, quantity, lobe, point).x;
+  const Jet result = evaluate(bsdf::from_numbers<Prepared<Jet>>(inputs.data()), quantity, lobe, point).x;
   double moved = 0;
-  for (int k = 0; k < CUTICLE_PACKED_COUNT; ++k) moved += std::abs(packed.value[k] * result.v[k]);
+  for (int k = 0; k < first; ++k) moved += std::abs(values[std::size_t(k)] * result.v[k]);
   const double coordinates[6] = {at.theta_i, at.theta_o, at.theta_d, at.phi, at.h, at.phi_o};
   for (int k = 0; k < 6; ++k) moved += std::abs(coordinates[k] * result.v[first + k]);
   return {result.a, result.a == 0 ? 0 : moved / std::abs(result.a)};

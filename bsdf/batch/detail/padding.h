@@ -29,18 +29,18 @@ class Padding {
             in(p.h),
             {in(p.u[0]), in(p.u[1]), in(p.u[2]), in(p.u[3]), in(p.u[4])}};
   }
-  RowPointers in(const RowPointers& p) {
-    RowPointers rows{{}, p.count};
-    for (int k = 0; k < p.count; ++k) rows.value[k] = in(p.value[k]);
-    return rows;
+  VaryingPointers in(const VaryingPointers& p) {
+    VaryingPointers varying{{}, p.count};
+    for (int k = 0; k < p.count; ++k) varying.value[k] = in(p.value[k]);
+    return varying;
   }
-  VaryingPointers in(const VaryingPointers& p) { return {in(p.rows), in(p.directions)}; }
+  VaryingPointPointers in(const VaryingPointPointers& p) { return {in(p.varying), in(p.directions)}; }
   float* out() { return arrays_[std::size_t(used_++)].data(); }
   void give_back(const float* from, float* to) const { std::copy_n(from, count_, to); }
 
  private:
   int count_, used_ = 0;
-  std::array<std::array<float, whole_vectors>, CUTICLE_ROW_COUNT + 10> arrays_{};  // rows, directions, results
+  std::array<std::array<float, whole_vectors>, CUTICLE_VARYING_MOST + 10> arrays_{};  // parameters, directions, results
 };
 
 inline DirectionPointers moved(const DirectionPointers& p, int by) {
@@ -53,13 +53,15 @@ inline QueryPointers moved(const QueryPointers& p, int by) {
           p.h + by,
           {p.u[0] + by, p.u[1] + by, p.u[2] + by, p.u[3] + by, p.u[4] + by}};
 }
-inline RowPointers moved(const RowPointers& p, int by) {
-  RowPointers rows{{}, p.count};
-  for (int k = 0; k < p.count; ++k) rows.value[k] = p.value[k] + by;
-  return rows;
+inline VaryingPointers moved(const VaryingPointers& p, int by) {
+  VaryingPointers varying{{}, p.count};
+  for (int k = 0; k < p.count; ++k) varying.value[k] = p.value[k] + by;
+  return varying;
 }
 
-inline VaryingPointers moved(const VaryingPointers& p, int by) { return {moved(p.rows, by), moved(p.directions, by)}; }
+inline VaryingPointPointers moved(const VaryingPointPointers& p, int by) {
+  return {moved(p.varying, by), moved(p.directions, by)};
+}
 
 /// run(count, input, colour arrays) over whole vectors, then once more over the padded rest. `out`: three arrays.
 template <class Input, class Run>

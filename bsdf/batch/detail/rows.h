@@ -11,7 +11,8 @@ namespace cuticle::bsdf::batch {
 
 constexpr std::size_t row_block = 256;  ///< points of a block: its arrays stay in the nearest cache
 
-/// The columns of ParameterRow, in the order of the model's parameters; an rgb counts as three, "sigma_a.r", ".g",
+/// The columns of the model's Varying, in the order of the model's parameters; an rgb counts as three, "sigma_a.r",
+/// ".g",
 /// ".b".
 class RowColumns {
  public:
@@ -20,10 +21,10 @@ class RowColumns {
   static Result<RowColumns> make(const Model& model, const registry::ParameterValues& values, int numbers,
                                  std::span<const VaryingParameter> varying);
   /// For the block of at most row_block points that begins at `first`.
-  RowPointers block(std::size_t first) const;
+  VaryingPointers block(std::size_t first) const;
 
  private:
-  std::array<std::span<const float>, CUTICLE_ROW_COUNT> arrays_;  ///< empty: constant
+  std::array<std::span<const float>, CUTICLE_VARYING_MOST> arrays_;  ///< empty: constant
   std::vector<float> constants_;                                  ///< row_block of each
   std::size_t count_ = 0;
 };

@@ -2,6 +2,7 @@
 // A model's formulas with derivatives. Private to lut/fit: each model's formulas are compiled with ceres::Jet in a unit
 // of their own (jet_unit.cpp), behind plain arrays.
 #include <span>
+#include <vector>
 
 #include "bsdf/model.h"
 #include "lut/fit/detail/jet_tangents.h"
@@ -10,7 +11,7 @@ namespace cuticle::lut {
 
 struct JetModel {
   const char* name;
-  bsdf::Packed<double> (*pack)(const registry::ParameterValues&);
+  std::vector<double> (*pack)(const registry::ParameterValues&);
   /// `at`: the members of EvaluationPoint.
   void (*evaluate)(const PackedTangents& packed, int quantity, int lobe, const double at[6], RgbTangents& out);
 };

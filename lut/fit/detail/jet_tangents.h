@@ -1,16 +1,17 @@
 #pragma once
 // Numbers with their derivatives, as plain arrays, between the units that know ceres::Jet and the others.
-#include "bsdf/shared/packing.glslh"
+#include "bsdf/shared/prepared.glslh"
 
 namespace cuticle::lut {
 
 /// Parameters that one evaluation differentiates by.
 inline constexpr int k_jet_width = 8;
 
-/// The packed numbers of a model and their derivatives by up to k_jet_width parameters: tangents[k_jet_width * i + j].
+/// The numbers that a model prepares and their derivatives by up to k_jet_width parameters: tangents[k_jet_width * i +
+/// j].
 struct PackedTangents {
-  double value[CUTICLE_PACKED_COUNT];
-  double tangents[CUTICLE_PACKED_COUNT * k_jet_width];
+  double value[CUTICLE_PREPARED_MOST];
+  double tangents[CUTICLE_PREPARED_MOST * k_jet_width];
 };
 /// rgb and its derivatives, gradients[k_jet_width * component + j].
 struct RgbTangents {

@@ -26,7 +26,7 @@ Result<std::vector<FreeParameter>> free_parameters(const bsdf::Model& model, con
 Result<const JetModel*> find_jet_model(const bsdf::Model& model);
 
 /// Values of rows, and derivatives [row][component][parameter]. Jets go through the model's formulas; what those read
-/// (the packed numbers) is differentiated by sixth-order differences of the model's own packing.
+/// (the prepared numbers) is differentiated by sixth-order differences of the model's own packing.
 struct Tangents {
   std::vector<glm::dvec3> values;
   std::vector<double> gradients;

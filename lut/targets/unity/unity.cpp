@@ -149,8 +149,8 @@ Result<std::vector<TextFile>> files(const Manifest& manifest) {
   made.push_back({"CuticleLutImporter.cs", filled(k_importer, values)});
   made.push_back({"CuticleLutCheck.shader", filled(k_check, values)});
   // Tables that do not make S shade nothing by themselves.
-  if (!manifest.terms.empty()) made.push_back({"CuticleHairURP.shader", filled(k_urp_material, values)});
-  if (!manifest.terms.empty()) made.push_back({"CuticleHairHDRP.shader", filled(k_hdrp_material, values)});
+  if (!manifest.terms.empty()) made.push_back({"CuticleHairURP.shader", filled(urp_material(), values)});
+  if (!manifest.terms.empty()) made.push_back({"CuticleHairHDRP.shader", filled(hdrp_material(), values)});
   made.push_back({"README.md", filled(k_readme, values)});
   CUTICLE_ASSIGN(made.emplace_back(), include_file(manifest));
   return made;

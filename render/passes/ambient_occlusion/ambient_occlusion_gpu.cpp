@@ -19,13 +19,13 @@ class AmbientOcclusion : public GpuPass {
   explicit AmbientOcclusion(PictureFilter filter) : filter_(std::move(filter)) {}
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const registry::ParameterValues values = parameters_of(resources, entry());
+    const auto parameters = parameters_of<Parameters>(resources);
     const Push push{glm::uvec2(resources.camera.resolution),
-                    float(1e-3 * values.real("radius")),
+                    float(1e-3 * parameters.radius),
                     float(pixels_per_slope(resources.camera)),
-                    float(values.integer("largest")),
-                    float(values.real("strength")),
-                    std::uint32_t(values.integer("samples"))};
+                    float(parameters.largest),
+                    float(parameters.strength),
+                    parameters.samples};
     filter_.record(commands, resources, gpu::bytes_of(push));
     return {};
   }

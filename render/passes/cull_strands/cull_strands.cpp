@@ -9,21 +9,19 @@ namespace {
 constexpr std::string_view k_demands[] = {"strands", "output_color", "culled_strands"};
 constexpr std::string_view k_after[] = {"head", "fins", "floor"};
 constexpr std::string_view k_systems[] = {"F4"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "wanted",
-     .type = registry::ParameterType::boolean,
-     .default_text = "true",
-     .summary = "false: strands that are not seen are drawn too, for the same picture"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.wanted, "wanted", "false: strands that are not seen are drawn too, for the same picture");
+}
 
 const Pass& entry() {
   static const Pass pass =
       shading({.name = "cull_strands",
                .summary = "a list of the strands that are in view and not behind the scene, for 'lines' and 'quads'",
                .source = "Greene, Kass and Miller 1993: a depth per tile; the coarse rasteriser of 'tiles'",
-               .parameters = k_parameters,
+               .parameters = registry::table_of<Parameters>(),
                .demands = k_demands,
                .systems = k_systems,
                .dispatches = always<3>,  // depth of the scene, which are seen, list

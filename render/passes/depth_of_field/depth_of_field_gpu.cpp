@@ -19,16 +19,16 @@ struct Push {
 };
 
 Push push_of(const FrameResources& resources) {
-  const registry::ParameterValues values = parameters_of(resources, entry());
+  const auto parameters = parameters_of<Parameters>(resources);
   const Camera& camera = resources.camera;
-  const double focus = values.real("focus");
+  const double focus = parameters.focus;
   const glm::uvec2 resolution(camera.resolution);
   return {resolution,
           filter_tiles(camera.resolution),
           float(1 / (focus > 0 ? focus : glm::distance(camera.target, camera.position))),
-          float(1e-3 * values.real("lens_radius") * pixels_per_slope(camera)),
-          float(values.integer("largest")),
-          std::uint32_t(values.integer("samples"))};
+          float(1e-3 * parameters.lens_radius * pixels_per_slope(camera)),
+          float(parameters.largest),
+          parameters.samples};
 }
 
 class DepthOfField : public GpuPass {

@@ -20,6 +20,13 @@ constexpr registry::Parameter k_parameters[] = {
      .maximum = 1,
      .default_text = "0.7",
      .summary = "the paper's d_b: how much of what fibres around a point send back leaves"},
+    {.name = "direction_spread",
+     .unit = "rad",
+     .minimum = 0,
+     .maximum = 2,
+     .default_text = "0",
+     .summary = "standard deviation of the inclinations of fibres about a point, by which each scattering spreads more "
+                "widely; 0: parallel fibres, as the paper has them"},
 };
 
 }  // namespace

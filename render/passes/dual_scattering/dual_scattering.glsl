@@ -2,16 +2,15 @@
 // have sent on to a point, and what comes back out of those around it. Before this stand
 // passes/lines/angles.glsl, passes/lines/transmittance.glsl and DUAL_BINDING.
 layout(std430, set = 0, binding = DUAL_BINDING) readonly buffer DualTerms {
-  vec4 crossing_alphas;    // opacity of one crossing, per channel
   float forward_density;   // the paper's d_f
   float backward_density;  // its d_b
+  float direction_variance;  // of the inclinations of fibres about a point, rad^2
   vec4 dual_terms[];  // k_dual_terms of each of k_dual_rows inclinations, the middles of equal parts of -pi/2 .. pi/2
 };
 
 const uint k_dual_rows = 32u, k_dual_terms = 9u;
 const uint k_forward = 0u, k_backward = 3u, k_multiple = 6u;  // share, mean of theta_i + theta_o, variance of it
 const float k_pi = 3.14159265, k_least_scattered = 1e-5, k_least_through = 1e-6;
-const float k_opaque = 1.52587890625e-5, k_clear = 0.999999;  // what a crossing lets pass lies between them
 
 vec3 dual_term(uint which, float theta) {
   float at = clamp((theta / k_pi + 0.5) * float(k_dual_rows) - 0.5, 0.0, float(k_dual_rows - 1u));
@@ -26,15 +25,13 @@ vec3 dual_lobe(uint lobe, float theta, float sum, vec3 wider) {
   return dual_term(lobe, theta) * exp(-0.5 * off * off / variance) * inversesqrt(2.0 * k_pi * variance);
 }
 
-vec3 crossing_alpha() { return k_different == 1u ? crossing_alphas.rrr : crossing_alphas.rgb; }
-
-// What is sent on, scattered forward at least once, when the share `through` passes n crossings untouched: each lets
-// 1 - alpha pass and sends alpha a_f on. `events`: the mean number of scatterings of that light.
+// What is sent on, scattered forward at least once, where the share `through` of the light meets no fibre. Fibres are
+// met at random (Poisson), ln(1 / through) times in the mean, and each meeting sends the share a_f on, so that
+// through^(1 - a_f) arrives in all. `events`: the mean number of scatterings of that light.
 vec3 sent_on(vec3 through, vec3 share, out vec3 events) {
-  vec3 alpha = crossing_alpha(), arrives = clamp(through, k_least_through, 1.0);
-  vec3 crossings = log(arrives) / log(clamp(1.0 - alpha, k_opaque, k_clear)), passes = 1.0 - alpha * (1.0 - share);
-  vec3 all = exp(crossings * log(passes)), scattered = max(all - arrives, 0.0);
-  events = max(crossings * alpha * share / passes * all / max(scattered, k_least_scattered), 1.0);
+  vec3 arrives = clamp(through, k_least_through, 1.0), meetings = -log(arrives) * share;
+  vec3 scattered = arrives * (exp(meetings) - 1.0);
+  events = max(meetings / max(1.0 - exp(-meetings), k_least_scattered), 1.0);
   return scattered;
 }
 
@@ -47,10 +44,10 @@ vec3 dual_scattering(Angles angles, vec3 through) {
   float theta_d = 0.5 * (theta_o - theta_i), sum = theta_i + theta_o;
   float away = acos(clamp(angles.cos_phi, -1.0, 1.0)) / k_pi, toward = 1.0 - away;
   vec3 events, scattered = sent_on(through, dual_term(k_forward, theta_i), events);
-  vec3 spread = events * dual_term(k_forward + 2u, theta_i);
+  vec3 bent = vec3(direction_variance), spread = events * (dual_term(k_forward + 2u, theta_i) + bent);
   vec3 once = away * dual_lobe(k_forward, theta_d, sum, spread) + toward * dual_lobe(k_backward, theta_d, sum, spread);
-  vec3 back = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, vec3(0.0));
-  vec3 back_spread = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, spread);
+  vec3 back = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, bent);
+  vec3 back_spread = backward_density * toward * dual_lobe(k_multiple, theta_d, sum, spread + bent);
   float cos_d = cos(theta_d), inclined = cos(theta_i) / (k_pi * max(cos_d * cos_d, 1e-3));
   return inclined * (through * back + forward_density * scattered * (once + back_spread));
 }

@@ -25,12 +25,11 @@ class Fins : public GpuPass {
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   CUTICLE_EXPECT(resources.fins && !resources.fins->triangles.empty(), "the fins' pass was planned without fins");
-  const registry::ParameterValues values = parameters_of(resources, entry());
+  const auto parameters = parameters_of<Parameters>(resources);
   CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, resources.fins->triangles, fins_frag));
-  return std::unique_ptr<GpuPass>(
-      std::make_unique<Fins>(std::move(device), std::move(draw),
-                             head::Diffuse{values.rgb("root"), values.rgb("tip"), values.real("wrap"),
-                                           values.real("ambient"), values.real("through")}));
+  return std::unique_ptr<GpuPass>(std::make_unique<Fins>(
+      std::move(device), std::move(draw),
+      head::Diffuse{parameters.root, parameters.tip, parameters.wrap, parameters.ambient, parameters.through}));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_EXPECT(resources.floor.has_value(), "the floor's pass was planned without a floor");
   CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, k_triangles, floor_frag, true));
   const head::Diffuse diffuse{resources.floor->albedo, resources.floor->albedo, 0,
-                              parameters_of(resources, entry()).real("ambient")};
+                              parameters_of<Parameters>(resources).ambient};
   auto pass = std::make_unique<FloorPass>(std::move(device), std::move(draw), diffuse);
   CUTICLE_TRY(pass->make(*resources.floor));
   return std::unique_ptr<GpuPass>(std::move(pass));

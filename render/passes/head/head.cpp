@@ -13,31 +13,7 @@ namespace cuticle::render::head {
 
 namespace {
 
-using registry::Parameter;
-using registry::ParameterType;
-
 constexpr std::string_view k_demands[] = {"head", "output_color"};
-constexpr Parameter k_parameters[] = {
-    {.name = "skin",
-     .type = ParameterType::rgb,
-     .minimum = 0,
-     .maximum = 1,
-     .default_text = "0.42/0.27/0.2",
-     .summary = "diffuse albedo of the face"},
-    {.name = "scalp",
-     .type = ParameterType::rgb,
-     .minimum = 0,
-     .maximum = 1,
-     .default_text = "0.05/0.033/0.02",
-     .summary = "diffuse albedo where hair grows, close to that of the hair's depth"},
-    {.name = "wrap", .minimum = 0, .maximum = 1, .default_text = "0.4", .summary = "light carried past the terminator"},
-    {.name = "ambient",
-     .minimum = 0,
-     .maximum = 1,
-     .default_text = "0.12",
-     .summary = "share of the lights' sum that arrives from everywhere"},
-};
-
 float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
   float nearest = std::numeric_limits<float>::max();
   for (const glm::vec3& other : others) nearest = std::min(nearest, glm::dot(other - point, other - point));
@@ -58,12 +34,21 @@ std::vector<float> scalp_shares(const strands::Mesh& head, const strands::Mesh* 
   return shares;
 }
 
+void describe(registry::Members& members, Parameters& p) {
+  members(p.skin, "skin", "1", 0, 1, "diffuse albedo of the face");
+  members(p.scalp, "scalp", "1", 0, 1, "diffuse albedo where hair grows, close to that of the hair's depth");
+  members(p.wrap, "wrap", "1", 0, 1, "light carried past the terminator");
+  members(p.ambient, "ambient", "1", 0, 1, "share of the lights' sum that arrives from everywhere");
+  members(p.bleed, "bleed", "1", 0, 1,
+          "as of light under skin: red is carried so much farther past the terminator, and blue less far");
+}
+
 const Pass& entry() {
   static const Pass pass =
       shading({.name = "head",
                .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
                .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
-               .parameters = k_parameters,
+               .parameters = registry::table_of<Parameters>(),
                .demands = k_demands,
                .draws = 1});
   return pass;

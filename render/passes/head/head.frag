@@ -11,7 +11,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   float ambient;                    // share of the lights' sum that arrives from everywhere
   float through;                    // share of the light that comes through
   uint map_resolution, map_columns;  // 0: no hair casts
-  float map_filter;
+  float map_filter, bleed;
 };
 layout(set = 0, binding = 4) uniform sampler2D hair_map;
 layout(set = 0, binding = 5) uniform sampler2D surface_map;
@@ -45,7 +45,10 @@ vec3 reached(uint light) {
   return past_hair;
 }
 
-float wrapped(float cosine) { return max((albedo_0.w + cosine) / (1.0 + albedo_0.w), 0.0); }
+vec3 wrapped(float cosine) {
+  vec3 wrap = albedo_0.w * (1.0 + bleed * vec3(1.0, -0.4, -0.8));
+  return max((wrap + cosine) / (1.0 + wrap), vec3(0.0));
+}
 
 void main() {
   vec3 normal = normalize(rest_normal);
@@ -55,11 +58,12 @@ void main() {
   vec3 received = vec3(0.0);
   for (uint k = 0u; k < uint(albedo_1.w); ++k) {
     Arriving light = arriving_at(rest_position, lights[k]);
-    float cosine = dot(normal, light.to_light), share = wrapped(cosine);
+    float cosine = dot(normal, light.to_light);
+    vec3 share = wrapped(cosine);
 #ifdef THIN
     share = mix(share, wrapped(-cosine), through);
 #endif
-    received += (ambient + (share > 0.0 ? share * reached(k) : vec3(0.0))) * light.irradiance;
+    received += (ambient + (share.r > 0.0 ? share * reached(k) : vec3(0.0))) * light.irradiance;
   }
   color = vec4(held_by_halves(mix(albedo_0.rgb, albedo_1.rgb, mixed) * received * 0.31830989), 1.0);
 }

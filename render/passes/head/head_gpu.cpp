@@ -44,8 +44,9 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_EXPECT(resources.head && !resources.head->triangles.empty(), "the head pass was planned without a head");
   CUTICLE_ASSIGN(Geometry geometry, upload(*device, *resources.head, resources.scalp));
   CUTICLE_ASSIGN(MeshDraw draw, MeshDraw::create(*device, resources, resources.head->triangles, head_frag));
-  const registry::ParameterValues values = parameters_of(resources, entry());
-  const Diffuse diffuse{values.rgb("skin"), values.rgb("scalp"), values.real("wrap"), values.real("ambient")};
+  const auto parameters = parameters_of<Parameters>(resources);
+  const Diffuse diffuse{parameters.skin, parameters.scalp, parameters.wrap, parameters.ambient, 0,
+                        parameters.bleed};
   return std::unique_ptr<GpuPass>(
       std::make_unique<Head>(std::move(device), std::move(geometry), std::move(draw), diffuse));
 }

@@ -19,7 +19,7 @@ struct DiffuseFrame {
   std::array<glm::mat4, k_most_lights> rest_to_map;
   float ambient, through;
   std::uint32_t map_resolution, map_columns;
-  float map_filter, unused[3];
+  float map_filter, bleed, unused[2];
 };
 static_assert(sizeof(DiffuseFrame) == 16 * (2 + 3 * k_most_lights) + 64 * k_most_lights + 32);
 
@@ -39,6 +39,7 @@ DiffuseFrame frame_of(const FrameResources& resources, const glm::dmat4& to_worl
   frame.lights = light_rows(resources.lights, glm::inverse(to_world));
   frame.ambient = float(diffuse.ambient);
   frame.through = float(diffuse.through);
+  frame.bleed = float(diffuse.bleed);
   if (resources.surface_shadow) set_maps(frame, resources, to_world);
   return frame;
 }

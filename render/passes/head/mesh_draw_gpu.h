@@ -9,6 +9,7 @@ struct Diffuse {
   glm::dvec3 albedo_0{0}, albedo_1{0};
   double wrap = 0, ambient = 0;
   double through = 0;  ///< share of the light that comes through a thin sheet
+  double bleed = 0;    ///< red light is carried so much farther past the terminator, and blue less far
 };
 
 class MeshDraw {

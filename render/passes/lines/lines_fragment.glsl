@@ -3,12 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/lines/lines_frame.glsl"
 
-layout(set = 0, binding = 7) uniform sampler2D table_first;
-layout(set = 0, binding = 8) uniform sampler2D table_second;
-layout(set = 0, binding = 9) uniform sampler2D table_rest;
+layout(set = 0, binding = 8) uniform sampler2D table_first;
+layout(set = 0, binding = 9) uniform sampler2D table_second;
+layout(set = 0, binding = 10) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
 #define MIP_LEVELS k_mip_levels
-#define LAYOUT_CONSTANT 9
+#define LAYOUT_CONSTANT 10
 #include "render/passes/lines/scattering.glsl"
 
 layout(location = 0) in vec3 position;
@@ -18,6 +18,7 @@ layout(location = 3) in vec4 reached[2 * CHANNELS];
 layout(location = 3 + 2 * CHANNELS) in vec3 often;
 layout(constant_id = 4) const uint k_dual = 0u;  // 1: `often` in place of the frame's `multiple`
 layout(constant_id = 8) const uint k_samples = 1u;  // of a texel
+layout(constant_id = 9) const uint k_direct = 0u;   // 1: `often` is all of the light
 layout(location = 5 + 2 * CHANNELS) in float opacity;
 layout(location = 6 + 2 * CHANNELS) flat in float chance;
 #include "render/passes/lines/thin.glsl"
@@ -46,13 +47,12 @@ void main() {
     tangent_below = dFdy(t);
   }
   vec3 to_eye = normalize(eye.xyz - position);
-  vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < light_count; ++k) {
+  vec3 sum = k_dual + k_direct != 0u ? max(often, 0.0) : vec3(0.0);
+  for (uint k = 0u; k < light_count && k_direct == 0u; ++k) {
     vec3 through = clamp(share_of(k), 0.0, 1.0);  // a sample beside the line extrapolates
     const Arriving arriving = arriving_at(position, lights[k]);
     sum += k_dual == 0u ? shade(arriving, through, t, to_eye) : shade_once(arriving, through, t, to_eye);
   }
-  if (k_dual != 0u) sum += max(often, 0.0);
   color = vec4(held_by_halves(sum * brightness), 1.0);
 #ifdef SAYS_SEEN
   seen = id;

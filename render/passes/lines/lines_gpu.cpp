@@ -33,10 +33,11 @@ void set_shaders(gpu::GraphicsDescription& description, const FrameResources& re
   description.fragment_spirv = fragment_shader(coloured, resources.says_seen);
   std::vector<std::uint32_t> constants =
       dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
-  constants.push_back(parameters_of(resources, bake_tables::entry()).boolean("mip_levels") ? 1 : 0);
+  constants.push_back(parameters_of<bake_tables::Parameters>(resources).mip_levels ? 1 : 0);
   constants.push_back(cull_strands::is_listed(resources));
   constants.push_back(std::uint32_t(resources.color->samples()));
-  description.interface = {7, 3, 0, with_layout(std::move(constants), resources.table_set)};
+  constants.push_back(resources.evaluates_directly ? 1 : 0);
+  description.interface = {8, 3, 0, with_layout(std::move(constants), resources.table_set)};
 }
 
 class Lines : public GpuPass {
@@ -75,7 +76,7 @@ class Lines : public GpuPass {
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     cull_strands::draw(commands, resources, *pipeline,
                        {buffers.vertices, buffers.second, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
-                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame())},
+                        dual.visibility, &cull_strands::list_of(resources, inputs_.frame()), &inputs_.scattered()},
                        {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, {},
                        k_corners * part.strands * part.segments);
     commands.end_rendering();

@@ -17,6 +17,10 @@ layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float trans
 #define DUAL_CONSTANT 4
 #define DUAL_BINDING 4
 #include "render/passes/dual_scattering/scattered_often.glsl"
+#include "render/passes/lines/ambient.glsl"
+layout(constant_id = 9) const uint k_direct = 0u;  // 1: light by `scattered`, for which fragments read no tables
+#define SCATTERED_BINDING 7
+#include "render/passes/lines/scattered.glsl"
 
 #define LISTED_CONSTANT 7
 #define LISTED_BINDING 6
@@ -28,7 +32,7 @@ layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
 layout(location = 3) out vec4 reached[2 * CHANNELS];
-layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering
+layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering, or, of k_direct, all of it
 layout(location = 4 + 2 * CHANNELS) flat out uint id;  // of the segment, from 1
 layout(location = 5 + 2 * CHANNELS) out float opacity;       // the strand's width over the line's
 layout(location = 6 + 2 * CHANNELS) flat out float chance;   // of the strand
@@ -66,6 +70,20 @@ vec3 light_scattered_often(uint vertex) {
   return sum;
 }
 
+// Without dual scattering with the frame's `multiple`, as shade() of scattering.glsl has it.
+vec3 light_by_formulas(uint vertex) {
+  const vec3 t = normalize(tangent), to_eye = normalize(eye.xyz - position);
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < light_count; ++k) {
+    const Arriving arriving = arriving_at(position, lights[k]);
+    const vec3 through = transmitted(k, vertex);
+    const float sin_i = dot(arriving.to_light, t), cos_i = sqrt(max(1.0 - sin_i * sin_i, 0.0));
+    const vec3 unshared = k_dual == 0u ? multiple.rgb * ambient_share(cos_i, through) : vec3(0.0);
+    sum += (scattered_at(k, vertex) * through + unshared) * arriving.irradiance;
+  }
+  return sum;
+}
+
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = strand_at(segment / drawn_segments), begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
@@ -78,6 +96,7 @@ void main() {
     for (uint c = 0u, n = CHANNELS * k; c < CHANNELS; ++c, ++n) reached[n >> 2][n & 3u] = share[c];
   }
   often = k_dual == 0u ? vec3(0.0) : light_scattered_often(vertex);
+  if (k_direct != 0u) often += light_by_formulas(vertex);
   // A segment of a tip that chance cuts away, and one with numbers that are none, lie outside the view.
   const uint other = vertex_of(strand, begin + 1u - (uint(gl_VertexIndex) & 1u));
   const bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation) &&

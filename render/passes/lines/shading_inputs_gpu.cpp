@@ -19,6 +19,9 @@ Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, c
   CUTICLE_ASSIGN(inputs.frame_buffer_, device->make_buffer(sizeof(Frame)));
   CUTICLE_ASSIGN(inputs.transmittance_, GatheredTransmittance::make(*device, resources));
   CUTICLE_ASSIGN(inputs.no_table_, device->make_texture({}));
+  if (resources.evaluates_directly) {
+    CUTICLE_ASSIGN(inputs.direct_, DirectScattering::make(*device, resources));
+  }
   inputs.device_ = std::move(device);
   CUTICLE_TRY(inputs.take_tables(resources));
   return inputs;
@@ -40,6 +43,7 @@ Result<Frame*> ShadingInputs::update(const FrameResources& resources) {
 Result<void> ShadingInputs::record(gpu::Commands& commands, const FrameResources& resources) {
   CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
   transmittance_.record(commands, resources);
+  if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, frame_buffer_));
   return {};
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 // What the shaders that shade strands read in a frame: constants, the transmittance of all lights in one buffer,
-// tables.
+// tables or what stands in place of them.
+#include <optional>
+
 #include "render/gathered_transmittance_gpu.h"
+#include "render/passes/lines/direct_gpu.h"
 #include "render/passes/lines/frame_gpu.h"
 
 namespace cuticle::render::lines {
@@ -12,11 +15,14 @@ class ShadingInputs {
   static Result<ShadingInputs> make(std::shared_ptr<gpu::Device> device, const FrameResources& resources);
   /// Sets the frame's constants, those of the tables where their parameters have changed (lut::LiveTables).
   Result<Frame*> update(const FrameResources& resources);
-  /// Uploads the constants and records the copies of the lights' transmittance.
+  /// Uploads the constants and records the copies of the lights' transmittance, and the model's formulas where the
+  /// scene wants them in place of tables or what stands in place of them.
   Result<void> record(gpu::Commands& commands, const FrameResources& resources);
 
   const gpu::Buffer& frame() const { return frame_buffer_; }
   const gpu::Buffer& transmittance() const { return transmittance_.buffer(); }
+  /// S of each light at each vertex (scattered.glsl); another buffer where tables are read.
+  const gpu::Buffer& scattered() const { return direct_ ? direct_->scattered() : frame_buffer_; }
   const gpu::Texture* table(const FrameResources& resources, std::size_t index) const;
 
  private:
@@ -28,6 +34,7 @@ class ShadingInputs {
   gpu::Texture no_table_;             ///< bound where the scene has no light, so that nothing is looked up
   registry::ParameterValues values_;  ///< of the model that frame_ was made for
   Frame frame_{};
+  std::optional<DirectScattering> direct_;
 };
 
 }  // namespace cuticle::render::lines

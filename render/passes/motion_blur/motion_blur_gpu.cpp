@@ -17,10 +17,10 @@ struct Push {
 };
 
 Push push_of(const FrameResources& resources) {
-  const registry::ParameterValues values = parameters_of(resources, entry());
+  const auto parameters = parameters_of<Parameters>(resources);
   const glm::uvec2 resolution(resources.camera.resolution);
-  return {resolution, filter_tiles(resources.camera.resolution), float(values.real("shutter") / 2),
-          float(values.integer("largest")), std::uint32_t(values.integer("samples"))};
+  return {resolution, filter_tiles(resources.camera.resolution), float(parameters.shutter / 2),
+          float(parameters.largest), parameters.samples};
 }
 
 class MotionBlur : public GpuPass {

@@ -48,7 +48,7 @@ class Quads : public GpuPass {
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     commands.draw(shade_,
                   {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame(),
-                   dual.terms, dual.visibility},
+                   dual.terms, dual.visibility, &inputs_.scattered()},
                   {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2), &seen_}, {},
                   3);
     commands.end_rendering();
@@ -84,12 +84,12 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    description.interface = {.storage_buffers = 6,
+    std::vector<std::uint32_t> constants =
+        dual_scattering::with_dual_scattering(with_channels({std::uint32_t(samples)}, resources.channels), resources);
+    constants.push_back(resources.evaluates_directly ? 1 : 0);
+    description.interface = {.storage_buffers = 7,
                              .textures = 4,
-                             .specialization = lines::with_layout(
-                                 dual_scattering::with_dual_scattering(
-                                     with_channels({std::uint32_t(samples)}, resources.channels), resources),
-                                 resources.table_set)};
+                             .specialization = lines::with_layout(std::move(constants), resources.table_set)};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }

@@ -1,5 +1,5 @@
 // A pixel's strands, each shaded once and counted as often as samples see it. The sum goes to the samples that see hair.
-// Before this stand the version, and after it `seen`, the visibility buffer, at binding 9.
+// Before this stand the version, and after it `seen`, the visibility buffer, at binding 10.
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/lines/lines_frame.glsl"
 #include "render/passes/lines/strand_chance.glsl"
@@ -9,12 +9,17 @@ layout(constant_id = 0) const int k_samples = 1;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
-layout(set = 0, binding = 6) uniform sampler2D table_first;
-layout(set = 0, binding = 7) uniform sampler2D table_second;
-layout(set = 0, binding = 8) uniform sampler2D table_rest;
+layout(set = 0, binding = 7) uniform sampler2D table_first;
+layout(set = 0, binding = 8) uniform sampler2D table_second;
+layout(set = 0, binding = 9) uniform sampler2D table_rest;
+layout(constant_id = 7) const uint k_direct = 0u;  // 1: `scattered` in place of the tables
+#define SCATTERED_BINDING 6
+#include "render/passes/lines/scattered.glsl"
 #define CHANNEL_CONSTANT 1
 #include "render/passes/lines/transmittance.glsl"
-#define LAYOUT_CONSTANT 7
+vec3 evaluated = vec3(0.0);
+#define EVALUATED k_direct != 0u
+#define LAYOUT_CONSTANT 8
 #include "render/passes/lines/scattering.glsl"
 #define DUAL_CONSTANT 5
 #define DUAL_BINDING 4
@@ -34,6 +39,7 @@ vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
     vec3 through = mix(transmitted(k, first), transmitted(k, last), share);
+    if (k_direct != 0u) evaluated = mix(scattered_at(k, first), scattered_at(k, last), share);
     float past = mix(past_surfaces(k, first), past_surfaces(k, last), share);
     sum += lit(arriving_at(place, lights[k]), through, past, t, to_eye);
   }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/quads/quads_shade.glsl"
-layout(set = 0, binding = 9) uniform usampler2D seen;
+layout(set = 0, binding = 10) uniform usampler2D seen;
 
 uint segment_at(ivec2 pixel, int sample_index) { return texelFetch(seen, pixel, 0).r; }
 

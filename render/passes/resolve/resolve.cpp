@@ -4,27 +4,21 @@ namespace cuticle::render::resolve {
 
 namespace {
 
-using registry::Parameter;
-using registry::ParameterType;
-
 constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device"};
-constexpr Parameter k_parameters[] = {
-    {.name = "background",
-     .type = ParameterType::rgb,
-     .minimum = 0,
-     .maximum = 1000,
-     .default_text = "0/0/0",
-     .summary = "radiance behind everything, opaque; 0/0/0: none, the colour stays premultiplied by coverage"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.background, "background", "1", 0, 1000,
+          "radiance behind everything, opaque; 0/0/0: none, the colour stays premultiplied by coverage");
+}
 
 const Pass& entry() {
   static const Pass pass{{.kind = registry::EntryKind::pass,
                           .name = "resolve",
                           .summary = "supersampled colour to the picture, by a box filter, over the background",
                           .source = "box filter over the pixel",
-                          .parameters = k_parameters,
+                          .parameters = registry::table_of<Parameters>(),
                           .demands = k_demands,
                           .stage = registry::Stage::resolve,
                           .draws = 1}};

@@ -2,9 +2,16 @@
 #include <glm/vec3.hpp>
 
 #include "core/image/image.h"
+#include "core/registry/members.h"
 #include "render/pass.h"
 
 namespace cuticle::render::resolve {
+
+struct Parameters {
+  static constexpr std::string_view name = "resolve";
+  glm::dvec3 background{0};
+};
+void describe(registry::Members& members, Parameters& parameters);
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -41,7 +41,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   description.color_formats = {resources.output->format()};
   CUTICLE_ASSIGN(gpu::GraphicsPipeline pipeline, device->make_graphics(description));
   return std::unique_ptr<GpuPass>(
-      std::make_unique<Resolve>(std::move(pipeline), glm::vec3(parameters_of(resources, entry()).rgb("background"))));
+      std::make_unique<Resolve>(std::move(pipeline), glm::vec3(parameters_of<Parameters>(resources).background)));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "render/passes/shade_strands/shade_strands.h"
 #include "study/luts/table_sampler.h"
 #include "tests/support/drawn_strands.h"
+#include "tests/support/strand_angles.h"
 
 namespace cuticle::render::shade_direct_gpu_test {
 namespace {
@@ -43,23 +44,13 @@ struct Strands {
   }
 };
 
-bsdf::Point angles_at(const glm::vec4& point, const glm::vec4& tangent) {
-  const glm::dvec3 t = glm::normalize(glm::dvec3(tangent)), eye = glm::normalize(k_eye - glm::dvec3(point));
-  const glm::dvec3 across_i = k_to_light - glm::dot(k_to_light, t) * t, across_o = eye - glm::dot(eye, t) * t;
-  bsdf::Point at;
-  at.theta_i = std::asin(glm::dot(k_to_light, t));
-  at.theta_o = std::asin(glm::dot(eye, t));
-  at.theta_d = 0.5 * (at.theta_o - at.theta_i);
-  at.phi = std::acos(std::clamp(glm::dot(glm::normalize(across_i), glm::normalize(across_o)), -1.0, 1.0));
-  return at;
-}
-
 /// Of every vertex: S of the model in double, times what arrives.
 std::vector<glm::dvec3> expected(const Strands& strands, const bsdf::Model& model,
                                  const registry::ParameterValues& values) {
   std::vector<bsdf::Point> points;
   for (std::size_t v = 0; v < strands.points.size(); ++v)
-    points.push_back(angles_at(strands.points[v], strands.tangents[v]));
+    points.push_back(
+        tests::angles_at(glm::dvec3(strands.points[v]), glm::dvec3(strands.tangents[v]), k_eye, k_to_light));
   std::vector<glm::dvec3> scattered(points.size());
   EXPECT_TRUE(bsdf::evaluate(model, values, bsdf::Precision::f64, {.points = points}, scattered));
   for (glm::dvec3& value : scattered) value *= k_irradiance;
@@ -105,27 +96,6 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
   return colors;
 }
 
-struct Apart {
-  double relative = 0, of_peak = 0, rms_of_rms = 0;
-};
-
-/// The largest difference over the value, where that is above a hundredth of the peak, and over the peak.
-Apart apart(const std::vector<glm::dvec3>& has, const std::vector<glm::dvec3>& wanted) {
-  double peak = 0, square = 0, whole = 0;
-  for (const glm::dvec3& value : wanted) peak = std::max({peak, value.x, value.y, value.z});
-  Apart result;
-  for (std::size_t k = 0; k < has.size(); ++k)
-    for (int c = 0; c < 3; ++c) {
-      const double off = std::abs(has[k][c] - wanted[k][c]);
-      result.of_peak = std::max(result.of_peak, off / peak);
-      if (wanted[k][c] > 0.01 * peak) result.relative = std::max(result.relative, off / wanted[k][c]);
-      square += off * off;
-      whole += wanted[k][c] * wanted[k][c];
-    }
-  result.rms_of_rms = std::sqrt(square / whole);
-  return result;
-}
-
 class EveryGpuModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryGpuModel, StrandInThePicture_IsTheModelItself) {
@@ -135,7 +105,7 @@ TEST_P(EveryGpuModel, StrandInThePicture_IsTheModelItself) {
   const Strands strands;
   const auto colors = shaded(strands, model, values, nullptr);
   ASSERT_TRUE(colors) << colors.error().message;
-  const Apart off = apart(*colors, expected(strands, model, values));
+  const tests::Apart off = tests::apart(*colors, expected(strands, model, values));
   std::printf("%s: at most %.5f of the value, %.5f of the peak\n", GetParam().c_str(), off.relative, off.of_peak);
   EXPECT_LT(off.relative, 0.01);
   EXPECT_LT(off.of_peak, 0.002);
@@ -154,7 +124,8 @@ std::vector<glm::dvec3> read_from_tables(const Strands& strands, const lut::Tabl
   const study::TableSampler sampler = *study::TableSampler::make(set);
   std::vector<glm::dvec3> values;
   for (std::size_t v = 0; v < strands.points.size(); ++v) {
-    const bsdf::Point at = angles_at(strands.points[v], strands.tangents[v]);
+    const bsdf::Point at =
+        tests::angles_at(glm::dvec3(strands.points[v]), glm::dvec3(strands.tangents[v]), k_eye, k_to_light);
     const glm::vec3 found =
         sampler.scattering({float(std::sin(at.theta_i)), float(std::sin(at.theta_o)), float(std::cos(at.phi))});
     values.push_back(glm::dvec3(found) * k_irradiance);
@@ -177,7 +148,7 @@ TEST_P(EveryLayout, StrandInThePicture_IsReadAsItsTermsSay) {
   const auto colors = shaded(strands, model, values, &layout, each.size);
   ASSERT_TRUE(colors) << colors.error().message;
   const lut::TableSet set = *lut::bake(model, values, layout, each.size, silent_progress());
-  const Apart off = apart(*colors, read_from_tables(strands, set));
+  const tests::Apart off = tests::apart(*colors, read_from_tables(strands, set));
   std::printf("%s: at most %.5f of the value, %.5f of the peak\n", each.layout, off.relative, off.of_peak);
   EXPECT_LT(off.relative, 0.005);
   EXPECT_LT(off.of_peak, 0.003);
@@ -198,7 +169,7 @@ TEST(ShadeDirect, DefaultTables_AreTheModelWithinAPercent) {
     const auto values = *registry::parse_assignments(model.entry.parameters, settings);
     const auto colors = shaded(strands, model, values, *lut::find_layout(lut::k_best_layout, model, values));
     ASSERT_TRUE(colors) << colors.error().message;
-    const Apart off = apart(*colors, expected(strands, model, values));
+    const tests::Apart off = tests::apart(*colors, expected(strands, model, values));
     std::printf("%s: %.5f rms, at most %.5f of the value, %.5f of the peak\n", settings, off.rms_of_rms, off.relative,
                 off.of_peak);
     EXPECT_LT(off.rms_of_rms, 0.003);

@@ -13,7 +13,6 @@ layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; }
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
 layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
-layout(std430, set = 0, binding = 9) readonly buffer Scattered { float scattered[]; };  // S of a light and vertex: rgb
 layout(set = 0, binding = 10) uniform sampler2D table_first;
 layout(set = 0, binding = 11) uniform sampler2D table_second;
 layout(set = 0, binding = 12) uniform sampler2D table_rest;
@@ -22,6 +21,8 @@ layout(push_constant) uniform Push {
   uint only_visible;
   uint listed;  // 1: the vertices of the list `shaded`
 };
+#define SCATTERED_BINDING 9
+#include "render/passes/lines/scattered.glsl"
 #define CHANNEL_CONSTANT 2
 #include "render/passes/lines/transmittance.glsl"
 vec3 evaluated = vec3(0.0);
@@ -31,11 +32,6 @@ vec3 evaluated = vec3(0.0);
 #define DUAL_CONSTANT 0
 #define DUAL_BINDING 7
 #include "render/passes/dual_scattering/lit.glsl"
-
-vec3 scattered_at(uint light, uint vertex) {
-  uint first = 3u * (light * vertex_count + vertex);
-  return vec3(scattered[first], scattered[first + 1u], scattered[first + 2u]);
-}
 
 void main() {
   uint vertex = invocation();

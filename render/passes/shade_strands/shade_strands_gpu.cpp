@@ -1,11 +1,9 @@
 #include <cmath>
-#include <optional>
 
 #include "gpu/groups.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/lines/shading_inputs_gpu.h"
-#include "render/passes/shade_strands/direct_gpu.h"
 #include "render/passes/shade_strands/shade_strands.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 
@@ -44,13 +42,6 @@ class ShadeStrands : public GpuPass {
   ShadeStrands(Kernels kernels, lines::ShadingInputs inputs, Buffers buffers, double point_px)
       : kernels_(std::move(kernels)), inputs_(std::move(inputs)), buffers_(std::move(buffers)), point_px_(point_px) {}
 
-  Result<void> make_direct(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-    if (!resources.evaluates_directly) return {};
-    CUTICLE_ASSIGN(direct_, DirectScattering::make(*device, resources));
-    device_ = std::move(device);
-    return {};
-  }
-
   void publish(FrameResources& resources) const override {
     resources.strand_colors = &buffers_.colors;
     if (point_px_ > 0) resources.shaded_vertices = &buffers_.shaded;
@@ -59,7 +50,6 @@ class ShadeStrands : public GpuPass {
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     CUTICLE_TRY(inputs_.update(resources));
     CUTICLE_TRY(inputs_.record(commands, resources));
-    if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, inputs_.frame()));
     if (point_px_ > 0) record_choose(commands, resources);
     record_shade(commands, resources);
     if (point_px_ > 0) record_fill(commands, resources);
@@ -92,7 +82,7 @@ class ShadeStrands : public GpuPass {
     commands.dispatch(kernels_.shade,
                       {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(),
                        &inputs_.transmittance(), &visible(resources), &buffers_.shaded, dual.terms, dual.visibility,
-                       direct_ ? &direct_->scattered() : &inputs_.frame()},
+                       &inputs_.scattered()},
                       {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
                       gpu::bytes_of(push), groups.x, groups.y);
   }
@@ -109,8 +99,6 @@ class ShadeStrands : public GpuPass {
   lines::ShadingInputs inputs_;
   Buffers buffers_;
   double point_px_;
-  std::shared_ptr<gpu::Device> device_;     ///< with direct_
-  std::optional<DirectScattering> direct_;  ///< where the scene wants formulas in place of tables
 };
 
 Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
@@ -137,13 +125,12 @@ Result<Buffers> make_buffers(gpu::Device& device, const FrameResources& resource
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const double point_px = parameters_of(resources, entry()).real("point_px");
+  const double point_px = parameters_of<Parameters>(resources).point_px;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));
-  CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(device, resources));
-  auto pass = std::make_unique<ShadeStrands>(std::move(kernels), std::move(inputs), std::move(buffers), point_px);
-  CUTICLE_TRY(pass->make_direct(std::move(device), resources));
-  return std::unique_ptr<GpuPass>(std::move(pass));
+  CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(std::move(device), resources));
+  return std::unique_ptr<GpuPass>(
+      std::make_unique<ShadeStrands>(std::move(kernels), std::move(inputs), std::move(buffers), point_px));
 }
 
 }  // namespace

@@ -8,23 +8,15 @@ namespace {
 
 constexpr std::string_view k_demands[] = {"output_color", "drawn_by_quads", "temporal_antialiasing"};
 constexpr std::string_view k_after[] = {"ambient_occlusion"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "frames",
-     .type = registry::ParameterType::integer,
-     .minimum = 1,
-     .maximum = 256,
-     .default_text = "16",
-     .summary = "whose mean a still picture becomes; also the places inside a "
-                "pixel that cameras take in turn"},
-    {.name = "spread",
-     .minimum = 0,
-     .maximum = 100,
-     .default_text = "1.5",
-     .summary = "standard deviations of the pixels around by which what is "
-                "remembered may leave their mean"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.frames, "frames", 1, 256,
+          "whose mean a still picture becomes; also the places inside a pixel that cameras take in turn");
+  members(p.spread, "spread", "1", 0, 100,
+          "standard deviations of the pixels around by which what is remembered may leave their mean");
+}
 
 const Pass& entry() {
   static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
@@ -32,7 +24,7 @@ const Pass& entry() {
                                    .summary = "the mean of the frames before, shifted inside a pixel, "
                                               "moved to where things are now",
                                    .source = "Karis 2014, High Quality Temporal Supersampling; clamp: Salvi 2016",
-                                   .parameters = k_parameters,
+                                   .parameters = registry::table_of<Parameters>(),
                                    .demands = k_demands,
                                    .stage = registry::Stage::output,
                                    .dispatches = always<1>,

@@ -26,10 +26,10 @@ class TemporalAntialiasing : public GpuPass {
     if (resources.frames_since_cut > 1 && resources.frames_since_cut != recorded_)
       commands.copy(filter_.picture(), history_, history_.size());
     recorded_ = resources.frames_since_cut;
-    const registry::ParameterValues values = parameters_of(resources, entry());
-    const auto frames = std::uint32_t(values.integer("frames"));
+    const auto parameters = parameters_of<Parameters>(resources);
+    const std::uint32_t frames = parameters.frames;
     const Push push{glm::uvec2(resources.camera.resolution), 1.0f / float(std::clamp(recorded_, 1u, frames)),
-                    float(values.real("spread"))};
+                    float(parameters.spread)};
     const gpu::Buffer* const own[] = {resources.motion_vectors, &history_};
     filter_.record(commands, resources, gpu::bytes_of(push), own);
     return {};
@@ -60,7 +60,7 @@ glm::dvec2 halton(std::uint32_t index) { return {radical_inverse(index, 2), radi
 }  // namespace
 
 glm::dvec2 pixel_shift(const FrameResources& resources) {
-  const auto frames = std::uint32_t(parameters_of(resources, entry()).integer("frames"));
+  const std::uint32_t frames = parameters_of<Parameters>(resources).frames;
   glm::dvec2 middle(0);
   for (std::uint32_t index = 1; index <= frames; ++index) middle += halton(index) / double(frames);
   return halton(1 + (resources.frames_since_cut - 1) % frames) - middle;

@@ -9,29 +9,22 @@ namespace {
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
 constexpr std::string_view k_after[] = {"head", "fins", "floor"};
 constexpr std::string_view k_systems[] = {"F4"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "budget_mib",
-     .unit = "MiB",
-     .minimum = 0.01,
-     .maximum = 4096,
-     .default_text = "96",
-     .summary = "memory of the tiles' lists; where it is too small, fewer and wider segments are drawn, and counted"},
-    {.name = "full_px",
-     .unit = "px",
-     .minimum = 0,
-     .maximum = 1e9,
-     .default_text = "0",
-     .summary = "level of detail: pixels that the hair covers at which all of it is drawn; below, a share of the "
-                "strands, wider; 0: always all"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.budget_mib, "budget_mib", "MiB", 0.01, 4096,
+          "memory of the tiles' lists; where it is too small, fewer and wider segments are drawn, and counted");
+  members(p.full_px, "full_px", "px", 0, 1e9,
+          "level of detail: pixels that the hair covers at which all of it is drawn; below, a share of the strands, "
+          "wider; 0: always all");
+}
 
 const Pass& entry() {
   static const Pass pass = shading({.name = "tile_lists",
                                     .summary = "segments to lists of the screen's tiles, those behind the scene culled",
                                     .source = "Frostbite, Every Strand Counts (2023): coarse rasteriser",
-                                    .parameters = k_parameters,
+                                    .parameters = registry::table_of<Parameters>(),
                                     .demands = k_demands,
                                     .systems = k_systems,
                                     .dispatches = always<4>,  // scene depth, count, scan, scatter

@@ -136,7 +136,7 @@ std::uint64_t likely_entries(const FrameResources& resources) {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
   CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
-  const double budget = parameters_of(resources, entry()).real("budget_mib") * 1024 * 1024;
+  const double budget = parameters_of<Parameters>(resources).budget_mib * 1024 * 1024;
   const std::uint64_t most = std::min(std::uint64_t(budget / double(k_entry_bytes)),
                                       device->info().max_storage_buffer_bytes / sizeof(glm::uvec2));
   auto pass = std::make_unique<TileListsPass>(std::move(device), std::move(kernels), std::move(lists), most);
@@ -165,7 +165,7 @@ TilePush push_of(const FrameResources& resources, const TileLists& lists) {
   push.tip_variation = float(parameters_of(resources, lines::entry()).real("tip_variation"));
   push.kept_share = float(lists.kept_share);
   push.opacity = float(parameters_of(resources, tiles::entry()).real("opacity"));
-  push.slices = std::uint32_t(parameters_of(resources, tile_sort::entry()).integer("slices"));
+  push.slices = parameters_of<tile_sort::Parameters>(resources).slices;
   return push;
 }
 

@@ -8,23 +8,21 @@ namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
 constexpr std::string_view k_after[] = {"tile_lists"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "slices",
-     .type = registry::ParameterType::integer,
-     .minimum = 0,
-     .maximum = 256,
-     .default_text = "0",
-     .summary = "of each tile's depth range, to which 'tiles' gives fragments by their own depth, those of one blended "
-                "in the order of their segments' vertices; 0: segments are sorted by depth"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(
+      p.slices, "slices", 0, 256,
+      "of each tile's depth range, to which 'tiles' gives fragments by their own depth, those of one blended in the "
+      "order of their segments' vertices; 0: segments are sorted by depth");
+}
 
 const Pass& entry() {
   static const Pass pass = shading({.name = "tile_sort",
                                     .summary = "each tile's segments from near to far, in one definite order",
                                     .source = "counting sort over up to 512 depths, then Shell's sort of each depth",
-                                    .parameters = k_parameters,
+                                    .parameters = registry::table_of<Parameters>(),
                                     .demands = k_demands,
                                     .dispatches = always<1>,
                                     .after = k_after});

@@ -1,5 +1,6 @@
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
+#include "render/passes/tiles/tiles.h"
 
 #include "gpu/groups.h"
 
@@ -99,7 +100,7 @@ std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_rec
 /// By slices where the scene asks for them, else as sorted.
 Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
   const registry::ParameterValues& parameters = parameters_of(resources, entry());
-  const bool sliced = parameters_of(resources, tile_sort::entry()).integer("slices") > 0;
+  const bool sliced = parameters_of<tile_sort::Parameters>(resources).slices > 0;
   const auto rows = std::uint32_t(parameters.integer("coverage_rows"));
   const bool spans = !sliced && rows > 0 && parameters.real("opacity") >= 1;
   const std::size_t vertices = resources.strands.vertex_count;

@@ -5,16 +5,12 @@ namespace cuticle::render::truth {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_truth"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "samples",
-     .type = registry::ParameterType::integer,
-     .minimum = 1,
-     .maximum = 64,
-     .default_text = "16",
-     .summary = "samples along each side of a pixel"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.samples, "samples", 1, 64, "samples along each side of a pixel");
+}
 
 const Pass& entry() {
   static const Pass pass{
@@ -22,7 +18,7 @@ const Pass& entry() {
                 .name = "truth",
                 .summary = "every sample of a pixel with all strands that cover it, sorted exactly, on the CPU",
                 .source = "supersampling; the measure of the other ways to draw strands",
-                .parameters = k_parameters,
+                .parameters = registry::table_of<Parameters>(),
                 .demands = k_demands,
                 .stage = registry::Stage::resolve},
       .whole_pictures = true};

@@ -1,7 +1,14 @@
 #pragma once
+#include "core/registry/members.h"
 #include "render/pass.h"
 
 namespace cuticle::render::truth {
+
+struct Parameters {
+  static constexpr std::string_view name = "truth";
+  std::uint32_t samples = 16;
+};
+void describe(registry::Members& members, Parameters& parameters);
 
 /// The registry's entry of the pass.
 const Pass& entry();

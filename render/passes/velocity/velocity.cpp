@@ -9,16 +9,12 @@ namespace {
 constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments"};
 constexpr std::string_view k_after[] = {"pixel_depth"};
 constexpr std::string_view k_systems[] = {"F8"};
-constexpr registry::Parameter k_parameters[] = {
-    {.name = "nodes",
-     .type = registry::ParameterType::integer,
-     .minimum = 2,
-     .maximum = 128,
-     .default_text = "24",
-     .summary = "of the grid over the hair, along each axis"},
-};
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.nodes, "nodes", 2, 128, "of the grid over the hair, along each axis");
+}
 
 const Pass& entry() {
   static const Pass pass{.entry = {.kind = registry::EntryKind::pass,
@@ -26,7 +22,7 @@ const Pass& entry() {
                                    .summary = "motion vectors of the hair: pixels to the world by their depth, moved "
                                               "back by a coarse grid of the control hairs' displacements",
                                    .source = "Frostbite, Every Strand Counts (2023): hair velocity",
-                                   .parameters = k_parameters,
+                                   .parameters = registry::table_of<Parameters>(),
                                    .demands = k_demands,
                                    .stage = registry::Stage::resolve,
                                    .systems = k_systems,

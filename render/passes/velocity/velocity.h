@@ -1,9 +1,16 @@
 #pragma once
 #include <string_view>
 
+#include "core/registry/members.h"
 #include "render/pass.h"
 
 namespace cuticle::render::velocity {
+
+struct Parameters {
+  static constexpr std::string_view name = "velocity";
+  std::uint32_t nodes = 24;
+};
+void describe(registry::Members& members, Parameters& parameters);
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -126,7 +126,7 @@ Result<Buffers> make_buffers(gpu::Device& device, glm::ivec2 resolution, std::si
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const auto nodes = std::uint32_t(parameters_of(resources, entry()).integer("nodes"));
+  const std::uint32_t nodes = parameters_of<Parameters>(resources).nodes;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources.camera.resolution, nodes));
   return std::unique_ptr<GpuPass>(

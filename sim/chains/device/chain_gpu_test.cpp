@@ -147,7 +147,7 @@ TEST_P(ChainGpu, DispatchesOfAFrame_AreThoseTheRegistryStates) {
   input.colliders = {&k_head, 1};
   const auto counts = recorded(*solver, input);
   ASSERT_EQ(counts.size(), 1u);
-  EXPECT_EQ(counts.at(std::string("simulate.") + GetParam()), effect.entry.dispatches(settings_of(GetParam()), {}));
+  EXPECT_EQ(counts.at(std::string(GetParam())), effect.entry.dispatches(settings_of(GetParam()), {}));
   EXPECT_TRUE(effect.fuses_effects);
   EXPECT_EQ(solver->dispatches(input).at(GetParam()), 1u);
 }

@@ -90,7 +90,7 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants, !colliders.carries.empty()));
     if (clumping_ && !steps.empty())
       clumping_->record(commands, buffers_.state, buffers_.rest, clumping::to_rest(parts[0]));
-    commands.begin_pass(fmt::format("simulate.{}", program_.name));
+    commands.begin_pass(program_.name);
     dispatch(commands, *kernel, constants);
     commands.end_pass();
     if (interaction_ && !steps.empty())
@@ -118,7 +118,7 @@ class ChainGpuSolver final : public GpuSolver {
                         .carries = parts[0].onto_skin,
                         .frame_time = float(input.duration)};
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, skin_kernel_for(constants));
-    commands.begin_pass(fmt::format("simulate.{}", program_.name));
+    commands.begin_pass(program_.name);
     dispatch(commands, *kernel, constants, &skinned);
     commands.end_pass();
     commands.copy(skinned, buffers_.skin_begin, buffers_.world.size());

@@ -5,7 +5,7 @@
 
 namespace cuticle::sim::chains {
 
-/// What differs between such solvers. `name`: of the solver, and of its pass after "simulate.".
+/// What differs between such solvers. `name`: of the solver, and of its pass.
 struct ChainGpuProgram {
   std::string_view name;
   /// SPIR-V without colliders, with spheres, with all colliders; interface of chain_kernel.glsl.

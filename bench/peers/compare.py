@@ -1,0 +1,120 @@
+"""The dense head by Cuticle's path tracer, by Mitsuba 3 and by Blender's Cycles: one groom, camera, light and fibre.
+
+  pip install -r bench/peers/requirements.txt      (in a virtual environment of its own; Python 3.11)
+  export CUTICLE=build/release/bin/cuticle
+  python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320]
+
+Each program draws two pictures with other random numbers. Their difference gives its noise, their mean is compared with ours: coverage, mean
+radiance of red, green and blue, root mean square of the differences of means over 8 x 8 pixels, and the part of it that is noise. Time is that of the
+processor, scene built and picture drawn; `equal error` is how long a program takes for the noise of ours, over our time.
+"""
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import against_reference  # noqa: E402
+import measured_scenes  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PIECES = 2  # of a span of the B-spline, for programs that draw straight pieces or curves through points
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("out")
+    parser.add_argument("--programs", default="mitsuba,cycles")
+    parser.add_argument("--bounces", default="1,64")
+    parser.add_argument("--samples", type=int, default=32)
+    parser.add_argument("--size", type=int, default=320)
+    return parser.parse_args()
+
+
+def b_spline(points, pieces):
+    """Points of the uniform cubic B-spline whose ends count three times."""
+    control = np.concatenate([points[:1], points[:1], points, points[-1:], points[-1:]])
+    t = np.arange(pieces)[:, None] / pieces
+    weights = np.concatenate([(1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3], 1) / 6
+    spans = np.stack([control[k : len(control) - 3 + k] for k in range(4)], 1)
+    return np.concatenate([np.einsum("pk,skc->spc", weights, spans).reshape(-1, 3), points[-1:]])
+
+
+def prepare(out, size):
+    """Control points for Mitsuba; the curve's points for ours and Cycles; the scene."""
+    radius = measured_scenes.GROOMS["dense"]["groom"]["radius_m"]
+    with np.load(measured_scenes.grown("density=4e5", radius, out)) as file:
+        offsets, positions = file["offsets"].astype(int), file["positions"].astype(float)
+    strands = [positions[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
+    curves = [b_spline(strand, PIECES) for strand in strands]
+    counts = [len(curve) for curve in curves]
+    np.savez(os.path.join(out, "controls.npz"), offsets=offsets, positions=positions, radius=radius)
+    np.savez(os.path.join(out, "curves.npz"), offsets=np.concatenate([[0], np.cumsum(counts)]).astype(np.uint32),
+             positions=np.concatenate(curves).astype(np.float32), radii=np.full(sum(counts), radius, np.float32))
+    groom = {"file": os.path.abspath(os.path.join(out, "curves.npz")), "metres_per_unit": 1, "radius_m": radius}
+    scene = measured_scenes.scene("dense", out, size=size, groom=groom)
+    measured_scenes.write(scene, os.path.join(out, "scene.json"))
+    return scene
+
+
+def seconds_of(work):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = work()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return done, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def ours(scene, out, bounces, samples, seed):
+    folder = f"{out}/ours_{bounces}_{seed}"
+    scene = json.loads(json.dumps(scene))
+    scene["passes"]["reference"] = {"seed": seed}
+    return against_reference.render(scene, folder, "--method", "reference", "--samples", str(samples), "--bounces",
+                                    str(bounces))
+
+
+def theirs(program, out, bounces, samples, seed):
+    picture = f"{out}/{program}_{bounces}_{seed}.npy"
+    if not os.path.exists(picture):
+        done = subprocess.run([sys.executable, os.path.join(HERE, f"{program}_picture.py"), out, picture, str(bounces),
+                               str(samples), str(seed)], capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(done.stderr)
+    return np.load(picture).astype(float)
+
+
+def twice(draw):
+    """The mean of two pictures, the variance of a pixel's radiance in it, and the seconds of both."""
+    (a, b), seconds = seconds_of(lambda: (draw(0), draw(1)))
+    return (a + b) / 2, ((a - b)[..., :3] ** 2).mean() / 4, seconds
+
+
+def show(name, mine, other):
+    (picture, noise, seconds), (reference, ours_noise, ours_seconds) = other, mine
+    against_reference.show(name, picture, reference)
+    blocks = against_reference.block_means(reference)
+    lit = blocks.sum(-1) > 0.05 * blocks.sum(-1).max()
+    of_blocks = (noise + ours_noise) * picture[..., 0].size / 64**2 / lit.sum()  # variance of a lit block's mean
+    explained = np.sqrt(of_blocks / (blocks[lit] ** 2).mean())
+    equal = seconds * noise / (ours_seconds * ours_noise) if ours_seconds * ours_noise > 0 else float("nan")
+    print(f"    noise alone: rms {explained:.3f}; processor {seconds:.0f} s, ours {ours_seconds:.0f} s; equal error {equal:.1f}",
+          flush=True)
+
+
+def main():
+    options = arguments()
+    os.makedirs(options.out, exist_ok=True)
+    out = os.path.abspath(options.out)
+    scene = prepare(out, options.size)
+    for bounces in [int(part) for part in options.bounces.split(",")]:
+        mine = twice(lambda seed: ours(scene, out, bounces, options.samples, seed))
+        for program in options.programs.split(","):
+            show(f"{program}, {bounces} scatterings", mine,
+                 twice(lambda seed: theirs(program, out, bounces, options.samples, seed)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,106 @@
+#include "cli/gallery/pictures.h"
+
+namespace cuticle::cli {
+
+namespace {
+
+/// Four colours of hair on a scene's head, into {work}/STYLE_COLOUR.
+#define CUTICLE_COLOURS(style)                                                                       \
+  "render {scenes}/" style ".json --hair blond --size {200} {220} --out {work}/" style "_blond",     \
+      "render {scenes}/" style ".json --hair brown --size {200} {220} --out {work}/" style "_brown", \
+      "render {scenes}/" style ".json --hair black --size {200} {220} --out {work}/" style "_black", \
+      "render {scenes}/" style ".json --hair red --size {200} {220} --out {work}/" style "_red"
+#define CUTICLE_COLOUR_PARTS(style)                                                            \
+  style "_blond/frame_0000.png", style "_brown/frame_0000.png", style "_black/frame_0000.png", \
+      style "_red/frame_0000.png"
+
+/// Hair as it is rendered.
+std::vector<GalleryPicture> hair() {
+  return {{.name = "straight_blond",
+           .title = "Straight blond hair by the window light",
+           .commands = {"render {scenes}/straight.json --size {440} {484} --out {work}"},
+           .parts = {"frame_0000.png"}},
+          {.name = "black_curls",
+           .title = "Black curls",
+           .commands = {"render {scenes}/curls.json --hair black --size {440} {484} --out {work}"},
+           .parts = {"frame_0000.png"}},
+          {.name = "colours",
+           .title = "Three styles in four colours",
+           .commands = {CUTICLE_COLOURS("straight"), CUTICLE_COLOURS("waves"), CUTICLE_COLOURS("curls")},
+           .parts = {CUTICLE_COLOUR_PARTS("straight"), CUTICLE_COLOUR_PARTS("waves"), CUTICLE_COLOUR_PARTS("curls")},
+           .columns = 4},
+          {.name = "fox_fur",
+           .title = "Fur on a running fox",
+           .commands = {"render {scenes}/fox.json --frames 0 --size {300} {225} --out {work}",
+                        "render {scenes}/fox.json --frames 12 --size {300} {225} --out {work}",
+                        "render {scenes}/fox.json --frames 24 --size {300} {225} --out {work}"},
+           .parts = {"frame_0000.png", "frame_0012.png", "frame_0024.png"},
+           .columns = 3,
+           .needs_data = true},
+          {.name = "mermaid",
+           .title = "Hair and fins under water, moved by a current",
+           .commands = {"render {scenes}/nalu.json --frames 40 --size {480} {480} --out {work}"},
+           .parts = {"frame_0040.png"}},
+          {.name = "cards_beside_strands",
+           .title = "Hair cards beside the strands that they are made of",
+           .commands = {"render {scenes}/waves.json --method cards --size {360} {396} --out {work}/cards",
+                        "render {scenes}/waves.json --size {360} {396} --out {work}/strands"},
+           .parts = {"cards/frame_0000.png", "strands/frame_0000.png"},
+           .columns = 2},
+          {.name = "hard_case",
+           .title = "The caustic of TRT: infinite, and smoothed",
+           .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
+                        "--size {760} {520} --screenshot {work}/before.png",
+                        "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
+                        "--size {760} {520} --screenshot {work}/after.png"},
+           .parts = {"before.png", "after.png"},
+
+           .needs_display = true}};
+}
+
+/// What the functions, tables and shadows look like.
+std::vector<GalleryPicture> diagrams() {
+  return {
+      {.name = "lobes",
+       .title = "The lobes R, TT and TRT of blond hair, light from 30 degrees",
+       .commands = {"view lobes --preset blond --theta-i 30 --size {800} {600} --screenshot {work}/lobes.png"},
+       .parts = {"lobes.png"},
+       .needs_display = true},
+      {.name = "tables",
+       .title = "The lookup textures of M and N for blond hair",
+       .commands = {"bake --preset blond --size 128 --out {work}"},
+       .parts = {"preview.png"}},
+      {.name = "shadow_slices",
+       .title = "Light in a cut through the hair: truth, 16 opacity slices, 8 deep opacity layers",
+       .commands =
+           {"grow {scenes}/presets/wavy.json --share 0.6 --out {work}/hair.hair",
+            "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 --alpha 1 "
+            "--rays 64 --cut {work}/cut.png --cut-size {260}"},
+       .parts = {"cut.png"}},
+      {.name = "error_against_time",
+       .title = "Error against time of the tiers of every model",
+       .commands = {"study lobes --quick --out {work}"},
+       .parts = {"error_against_time.png"}},
+      {.name = "tension",
+       .title = "Stretch along simulated strands as the head turns",
+       .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
+                    "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
+       .parts = {"tension.png"},
+       .needs_display = true}};
+}
+
+#undef CUTICLE_COLOURS
+#undef CUTICLE_COLOUR_PARTS
+
+}  // namespace
+
+std::span<const GalleryPicture> gallery_pictures() {
+  static const std::vector<GalleryPicture> all = [] {
+    std::vector<GalleryPicture> pictures = hair(), more = diagrams();
+    pictures.insert(pictures.end(), more.begin(), more.end());
+    return pictures;
+  }();
+  return all;
+}
+
+}  // namespace cuticle::cli

@@ -1,0 +1,106 @@
+"""Findings in plain words, made from the numbers of the studies: each with the figure that shows it."""
+import dataclasses
+
+from . import results
+
+
+@dataclasses.dataclass
+class Finding:
+    text: str
+    anchor: str  # id of a figure on the page
+    link: str = "figure"
+
+
+def group_id(study, group):
+    return "".join(character if character.isalnum() else "-" for character in f"{study.name}-{group.raw['name']}")
+
+
+def time(seconds):
+    factor, unit = results.unit_of([seconds])
+    return f"{results.shown(seconds * factor, 2)} {unit}"
+
+
+def percent(value):
+    return f"{results.shown(100 * value, 2)} %"
+
+
+def named(group, name):
+    return next(point for point in group.points if point.name == name)
+
+
+def ladder(study):
+    """Which rung adds most to the picture's error; what the whole ladder saves."""
+    for group in study.groups:
+        rungs = group.points
+        worst = max(rungs, key=lambda rung: rung.error("added")["value"])
+        total = rungs[-1].error("picture")["value"]
+        if not total:
+            continue
+        share = worst.error("added")["value"] / sum(rung.error("added")["value"] for rung in rungs)
+        saved = f", in {time(rungs[-1].seconds['value'])} a frame" if rungs[-1].seconds else ""
+        yield Finding(f"{group.raw['name'].capitalize()}: the rung that changes the picture most is {worst.method.replace('_', ' ')}, {percent(share)} of what all rungs "
+                      f"add. The real-time picture is off by a relative MSE of {results.shown(total, 2)}{saved}.", group_id(study, group), "the ladder")
+
+
+def tables(study):
+    """Where tables pay beside the model itself."""
+    for group in study.groups:
+        arrays = next((p for p in group.drawable() if p.method.startswith("the model, arrays")), None)
+        sets = [p for p in group.drawable() if not p.method.startswith("the model")]
+        if not arrays or not sets:
+            continue
+        faster = [p for p in sets if p.seconds["high"] is not None and arrays.seconds["low"] is not None and p.seconds["high"] < arrays.seconds["low"]]
+        best = min(faster or sets, key=lambda p: p.error(group.metric)["value"])
+        words = f"the best set that is faster for certain, {best.name}, is off by {percent(best.error(group.metric)['value'])}" if faster else \
+            f"no set of tables is faster for certain; the most exact, {best.name}, is off by {percent(best.error(group.metric)['value'])}"
+        yield Finding(f"Tables on a CPU: {group.raw['name']} itself, in arrays, takes {time(arrays.seconds['value'])} for one S with an error of "
+                      f"{percent(arrays.error(group.metric)['value'])}; {words}.", group_id(study, group))
+
+
+def precision(study):
+    """What single precision costs in error and saves in time, over all models."""
+    best = None
+    for group in study.groups:
+        by_tier = {}
+        for point in group.points:
+            by_tier.setdefault(point.knobs.get("tier"), {})[point.method] = point
+        for pair in by_tier.values():
+            if set(pair) == {"float", "double"} and pair["float"].seconds and pair["double"].seconds:
+                worst = pair["float"].errors[group.metric]["p99"] - pair["double"].errors[group.metric]["p99"]
+                gain = pair["double"].seconds["value"] / pair["float"].seconds["value"]
+                best = max(best or (0,), (worst, gain, group, study), key=lambda item: item[0])
+    if best and best[0]:
+        yield Finding(f"Single precision is never worse than {percent(best[0])} in the 99th percentile of S, over all models and tiers; there, in "
+                      f"{best[2].raw['name']}, it is {results.shown(best[1], 2)} times as fast as double.", group_id(best[3], best[2]))
+
+
+def choices(study, wanted, words):
+    """The cheapest setting for an error in each group of a study."""
+    for group in study.groups:
+        for step in group.conclusions["cheapest_for"]:
+            if step["choice"] and step["error_at_most"] <= wanted * 1.0001 and step["error_at_most"] >= wanted * 0.9999:
+                yield Finding(words.format(group=group.raw["name"], error=results.shown(wanted, 2), point=step["choice"]["point"], time=time(step["choice"]["seconds"]),
+                                           judged=results.shown(step["choice"]["judging_error"], 2)), group_id(study, group))
+
+
+def volume(study):
+    points = {point.method: point for point in study.groups[0].points}
+    if "linear_blend" in points:
+        yield Finding(f"Linear blend loses up to {percent(points['linear_blend'].errors['volume']['max'])} of a twisted limb's volume, dual quaternions "
+                      f"{percent(points['dual_quaternion'].errors['volume']['max'])}.", group_id(study, study.groups[0]))
+
+
+MAKERS = {"picture": ladder, "luts": tables, "lobes": precision, "skinning": volume,
+          "shadows": lambda study: choices(study, 0.03, "Shadows, {group}: the cheapest setting with a mean error of transmittance of at most {error} is {point}, {time} "
+                                                        "(error on receivers that it was not chosen on: {judged})."),
+          "motion": lambda study: choices(study, 0.01, "Motion, {group}: the cheapest setting within {error} of a strand's length is {point}, {time} a strand and frame."),
+          "render": lambda study: choices(study, 0.01, "Drawing, {group}: the cheapest setting with a mean error of coverage of at most {error} is {point}, {time} a frame.")}
+ORDER = ("picture", "luts", "shadows", "render", "motion", "lobes", "skinning")
+
+
+def find(studies, most=5):
+    """The first finding of each study, then the second, and so on: `most` of them."""
+    by_name = {study.name: study for study in studies}
+    lists = [list(MAKERS[name](by_name[name])) for name in ORDER if name in by_name]
+    rounds = [found for turn in range(max(map(len, lists), default=0)) for found in (one[turn:turn + 1] for one in lists)]
+    return [finding for found in rounds for finding in found][:most]

@@ -1,0 +1,62 @@
+"use strict";
+// Tables that sort and copy, pictures in four views, colours of the plots by theme.
+function cells(row) { return [...row.cells].map(cell => cell.textContent.trim()); }
+
+function sortBy(table, column, header) {
+  const down = header.getAttribute("aria-sort") === "ascending";
+  for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+  header.setAttribute("aria-sort", down ? "descending" : "ascending");
+  const value = row => { const text = row.cells[column].textContent.trim(), number = parseFloat(text.replaceAll(",", "")); return Number.isNaN(number) ? text : number; };
+  const rows = [...table.tBodies[0].rows].sort((a, b) => {
+    const [x, y] = [value(a), value(b)];
+    if (x === "" || y === "") return (x === "") - (y === "");
+    return (typeof x === typeof y ? (x < y ? -1 : x > y ? 1 : 0) : typeof x === "number" ? -1 : 1) * (down ? -1 : 1);
+  });
+  table.tBodies[0].append(...rows);
+}
+
+function csv(table) {
+  const quoted = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  return [...table.rows].map(row => cells(row).map(quoted).join(",")).join("\n") + "\n";
+}
+
+function latex(table) {
+  const escaped = text => text.replace(/[\\{}$&#_%^~]/g, mark => ({ "\\": "\\textbackslash{}", "^": "\\^{}", "~": "\\~{}" })[mark] || "\\" + mark);
+  const lines = [...table.rows].map(row => cells(row).map(escaped).join(" & ") + " \\\\");
+  const kinds = [...table.rows[0].cells].map((_, k) => table.tBodies[0].rows[0]?.cells[k]?.classList.contains("number") ? "r" : "l").join("");
+  return `\\begin{tabular}{${kinds}}\n\\hline\n${lines[0]}\n\\hline\n${lines.slice(1).join("\n")}\n\\hline\n\\end{tabular}\n`;
+}
+
+async function copy(button, text) {
+  const said = button.textContent;
+  try { await navigator.clipboard.writeText(text); }
+  catch { const area = document.createElement("textarea"); area.value = text; document.body.append(area); area.select(); document.execCommand("copy"); area.remove(); }
+  button.dataset.copied = text;
+  button.textContent = "copied";
+  setTimeout(() => { button.textContent = said; }, 1200);
+}
+
+for (const table of document.querySelectorAll("table.sorts"))
+  [...table.tHead.rows[0].cells].forEach((header, column) => header.querySelector("button").addEventListener("click", () => sortBy(table, column, header)));
+for (const button of document.querySelectorAll("button[data-copy]"))
+  button.addEventListener("click", () => { const table = document.getElementById(button.dataset.table); copy(button, button.dataset.copy === "csv" ? csv(table) : latex(table)); });
+
+for (const choice of document.querySelectorAll(".views input"))
+  choice.addEventListener("change", () => {
+    for (const part of choice.closest(".views").querySelectorAll("[data-view]")) part.hidden = part.dataset.view !== choice.value;
+  });
+for (const blink of document.querySelectorAll("button.blink"))
+  blink.addEventListener("click", () => { const [a, b] = blink.querySelectorAll("img"); a.hidden = !a.hidden; b.hidden = !b.hidden; });
+
+function colours() {
+  const style = getComputedStyle(document.documentElement), ink = style.getPropertyValue("--ink").trim();
+  for (const plot of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(plot, { "font.color": ink });
+}
+const theme = document.getElementById("theme");
+theme.addEventListener("click", () => {
+  const dark = getComputedStyle(document.documentElement).getPropertyValue("--dark").trim() === "1";
+  document.documentElement.dataset.theme = dark ? "light" : "dark";
+  colours();
+});
+window.addEventListener("load", colours);
+for (const more of document.querySelectorAll("details")) more.addEventListener("toggle", () => { for (const plot of more.querySelectorAll(".js-plotly-plot")) Plotly.Plots.resize(plot); });

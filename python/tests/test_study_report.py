@@ -1,0 +1,150 @@
+"""The page of the study engine's results: drawn by a browser without errors, sorted, copied, downloaded; and its findings."""
+import base64
+import json
+import math
+import pathlib
+import re
+import sys
+
+import numpy
+import pytest
+from matplotlib import image
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from test_report import CONSOLE, browse, report  # noqa: E402
+
+
+def interval(value, spread=0.1):
+    return {"value": value, "low": value * (1 - spread), "high": value * (1 + spread)}
+
+
+def point_of(method, knobs, error):
+    return {"point": " ".join([method, *(f"{k}={v}" for k, v in knobs.items())]), "method": method, "knobs": knobs, "bytes": 1024.0,
+            "errors": [{"metric": "S", "mean": interval(error), "median": error, "p95": 2 * error, "p99": 3 * error, "max": 4 * error, "items": 64, "choosing": error,
+                        "judging": error * 1.1}]}
+
+
+def study_of(name="luts", methods=("the model, arrays", "nalu exr", "nalu png8"), pictures=()):
+    points = [point_of(method, {"size": str(size)}, 0.3 / size * (1 + k)) for k, method in enumerate(methods) for size in (16, 64, 256)]
+    times = [{"point": point["point"], "seconds": interval(1e-7 * math.sqrt(int(point["knobs"]["size"])) * (k + 1)), "kernels": interval(1.0), "samples": 9, "calls": 4}
+             for k, point in enumerate(points)]
+    choice = {"point": points[0]["point"], "seconds": 1e-7, "choosing_error": 0.01, "judging_error": 0.011, "bytes": 1024.0}
+    group = {"name": "marschner", "title": "marschner: tables <beside> the model", "truth": "the model in double", "item": "direction", "floor": 0,
+             "metrics": [{"name": "S", "label": "rms error of S", "unit": "1", "mean": "root mean square"}], "points": points}
+    machine = {"processor": "a processor", "threads": 2, "build": "Release", "version": "0.1.0", "commit": "abc", "device": "", "driver": ""}
+    return {"result.json": {"name": name, "title": f"The study {name}", "question": "Which?", "command": f"cuticle study {name} --out DIR", "cost_label": "one S", "groups": [group],
+                            "plots": [{"name": "N", "title": "N", "x_label": "phi", "y_label": "N", "polar": True, "logarithmic": False,
+                                       "curves": [{"name": "R", "x": list(range(0, 361, 8)), "y": [1 + x % 3 for x in range(0, 361, 8)]}]}],
+                            "grids": [{"name": "S", "title": "S", "x_label": "phi", "y_label": "theta", "z_label": "S", "x": [0, 1], "y": [0, 1, 2],
+                                       "values": [[1, 2], [3, 0], [5, 6]]}],
+                            "tables": [{"name": "rungs", "title": "Rungs", "columns": ["rung", "added"], "rows": [["b_x", "2"], ["a", "10"], ["c", "1"]]}],
+                            "pictures": list(pictures), "notes": ["a note"]},
+            "times.json": {"machine": machine, "clock": "processor time of the process", "kernel": "a loop", "kernel_seconds": interval(1e-3),
+                           "groups": [{"name": "marschner", "points": times}]},
+            "conclusions.json": {"groups": [{"front": [{"point": point["point"], "on_front": True} for point in points[:3]], "knee": choice,
+                                             "cheapest_for": [{"error_at_most": 0.01, "choice": choice}, {"error_at_most": 1e-9, "choice": None}],
+                                             "most_accurate_within": [], "exponents": [{"method": "nalu exr", "exponent": -2.0, "standard_error": 0.1}], "growth": [],
+                                             "rankings": {"faster": [], "more_exact": [], "pairs_not_ranked_in_time": 3, "pairs_not_ranked_in_error": 1}}]}}
+
+
+def write(folder, files):
+    folder.mkdir(exist_ok=True)
+    for name, content in files.items():
+        (folder / name).write_text(json.dumps(content))
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """Two studies, one with pictures."""
+    folder = tmp_path_factory.mktemp("all")
+    write(folder / "luts", study_of())
+    pictures = [{"file": "truth.png", "title": "truth", "beside": ""}, {"file": "a.png", "title": "a picture", "beside": "truth.png"}, {"file": "a_error.png", "title": "", "beside": ""}]
+    write(folder / "other", study_of("other", pictures=pictures))
+    random = numpy.random.default_rng(1).random((32, 32, 3))
+    for name, pixels in (("truth", random), ("a", numpy.clip(random + 0.2, 0, 1)), ("a_error", 0 * random)):
+        image.imsave(folder / "other" / f"{name}.png", pixels)
+    done = report(folder)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+# Clicks what a person would click, then writes down what came of it.
+SCRIPT = """<script>window.addEventListener("load", () => setTimeout(async () => {
+  const table = document.getElementById("luts-rungs"), column = n => [...table.tBodies[0].rows].map(row => row.cells[n].textContent);
+  const seen = {}, header = n => table.tHead.rows[0].cells[n].querySelector("button");
+  header(1).click(); seen.up = column(1); header(1).click(); seen.down = column(1); header(0).click(); seen.words = column(0);
+  for (const kind of ["csv", "latex"]) { const button = document.querySelector(`button[data-copy=${kind}][data-table=luts-rungs]`); button.click(); await new Promise(r => setTimeout(r, 50)); seen[kind] = button.dataset.copied; }
+  const views = document.querySelector(".views"), flip = views.querySelector("input[value=flip]"); flip.click();
+  seen.views = [...views.querySelectorAll("[data-view]")].filter(part => !part.hidden).map(part => part.dataset.view);
+  const slider = document.querySelector("img-comparison-slider"); views.querySelector("input[value=slider]").click();
+  const before = slider.value; slider.value = 25; seen.slider = [before, slider.value, !!slider.shadowRoot];
+  seen.downloads = [...document.querySelectorAll("#luts-marschner a[download]")].map(a => a.download);
+  seen.plots = [...document.querySelectorAll(".js-plotly-plot")].map(plot => plot.querySelectorAll("path").length);
+  document.getElementById("theme").click(); seen.theme = document.documentElement.dataset.theme;
+  document.documentElement.dataset.seen = btoa(JSON.stringify(seen));
+}, 1500));</script>"""
+
+
+@pytest.fixture(scope="module")
+def seen(page):
+    watched = page / "watched.html"
+    watched.write_text((page / "index.html").read_text().replace("<head>", "<head>" + CONSOLE, 1).replace("</body>", SCRIPT + "</body>"))
+    dom = browse(watched, "--dump-dom")
+    root = dom.split(">", 2)[1]
+    assert "data-errors" not in root, root
+    return json.loads(base64.b64decode(re.search(r'data-seen="([^"]*)"', root)[1]))
+
+
+def test_Page_InABrowser_DrawsSortsCopiesAndSlides(seen):
+    assert len(seen["plots"]) == 6 and min(seen["plots"]) > 10
+    assert seen["up"] == ["1", "2", "10"] and seen["down"] == ["10", "2", "1"] and seen["words"] == ["a", "b_x", "c"]
+    assert seen["csv"] == "rung,added\na,10\nb_x,2\nc,1\n"
+    assert "b\\_x & 2 \\\\" in seen["latex"] and "\\begin{tabular}{lr}" in seen["latex"]
+    assert seen["views"] == ["flip"] and seen["slider"][1] == 25 and seen["slider"][2]
+    assert seen["downloads"] == ["luts-marschner.pdf", "luts-marschner.svg", "luts-marschner.csv"]
+    assert seen["theme"] == "dark"
+
+
+def test_Page_Screenshot_HasTheCurvesColours(page):
+    browse(page / "index.html", f"--screenshot={page / 'page.png'}")
+    pixels = image.imread(page / "page.png")[..., :3]
+    for color in ((0x1F, 0x5F, 0xA8), (0xD9, 0x73, 0x0D)):
+        assert (numpy.abs(pixels - numpy.array(color) / 255).max(axis=2) < 0.05).sum() > 100
+
+
+def test_Page_File_AsksForNothingElse(page):
+    html = (page / "index.html").read_text()
+    assert not re.search(r'<(script|img|link|iframe)[^>]*(src|href)="(?!data:)', html)
+    assert "tables &lt;beside&gt; the model" in html
+
+
+def test_Figures_Pdf_EmbedsItsFonts(page):
+    pdf = (page / "luts" / "luts-marschner.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF") and b"/FontFile2" in pdf
+    assert "<text" not in (page / "luts" / "luts-marschner.svg").read_text(), "letters are outlines"
+
+
+def test_Flip_OfAPictureBesideItself_IsZeroAndOfABrighterOneIsNot(page):
+    assert 0.05 < json.loads((page / "other" / "flip.json").read_text())["a.png"] < 1
+    from cuticle_report import flip
+    assert flip.evaluate(page / "other" / "truth.png", page / "other" / "truth.png")[0] == 0
+
+
+def test_Findings_OfTheTables_SayWhatIsFasterForCertain(page):
+    html = (page / "index.html").read_text()
+    assert "Tables on a CPU: marschner itself, in arrays, takes" in html and "no set of tables is faster for certain" in html
+
+
+@pytest.mark.parametrize("name, content, words", [
+    ("result.json", "{", ["result.json", "JSON"]),
+    ("result.json", "{}", ["result.json", "'name'"]),
+    ("times.json", json.dumps(study_of()["times.json"] | {"groups": []}), ["result.json", "README"]),
+])
+def test_Page_BadData_SaysWhereAndLeavesNoPage(tmp_path, name, content, words):
+    write(tmp_path, study_of())
+    (tmp_path / name).write_text(content)
+    done = report(tmp_path)
+    assert done.returncode == 3
+    for word in words:
+        assert word in done.stderr
+    assert not (tmp_path / "index.html").exists()

@@ -1,0 +1,19 @@
+#include "render/generating_gpu.h"
+#include "strands/spline/smooth_gpu.h"
+
+namespace cuticle::render::interpolate_strands {
+
+namespace {
+
+Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
+  return resources.generator->record_interpolate(commands);
+}
+
+}  // namespace
+
+const GpuPassEntry& gpu_entry() {
+  static const GpuPassEntry table{"interpolate_strands", recorded_by<record>};
+  return table;
+}
+
+}  // namespace cuticle::render::interpolate_strands
