@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace cuticle::render::reference {
@@ -16,12 +17,13 @@ FibrePoint fibre_point(const strands::Groom& hair, std::span<const glm::vec3> ta
                        const glm::dvec3& origin, const glm::dvec3& direction) {
   FibrePoint point{.position = origin + hit.distance * direction, .from = {hit.strand, hit.vertex}};
   const glm::dvec3 begin(hair.positions[hit.vertex]), along = glm::dvec3(hair.positions[hit.vertex + 1]) - begin;
-  const double share = std::clamp(glm::dot(point.position - begin, along) / glm::dot(along, along), 0.0, 1.0);
+  point.share = std::clamp(glm::dot(point.position - begin, along) / glm::dot(along, along), 0.0, 1.0);
   const glm::dvec3 axis = glm::normalize(along), away = point.position - begin;
   const glm::dvec3 across = away - glm::dot(away, axis) * axis, side = glm::cross(axis, -direction);
   const double width = glm::length(across) * glm::length(side);
   point.h = width > 0 ? std::clamp(glm::dot(across, side) / width, -1.0, 1.0) : 0;
-  const glm::dvec3 tangent = (1 - share) * glm::dvec3(tangents[hit.vertex]) + share * glm::dvec3(tangents[hit.vertex + 1]);
+  const glm::dvec3 tangent =
+      glm::mix(glm::dvec3(tangents[hit.vertex]), glm::dvec3(tangents[hit.vertex + 1]), point.share);
   const double length = glm::length(tangent);
   point.x = length > 1e-6 ? tangent / length : axis;
   const glm::dvec3 other = std::abs(point.x.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);

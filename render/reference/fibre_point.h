@@ -12,6 +12,7 @@ struct FibrePoint {
   glm::dvec3 position{0};  ///< on the fibre's surface
   glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   double h = 0;
+  double share = 0;  ///< of the way from the segment's first vertex to its second
   strands::FibreLeft from;
 
   glm::vec3 local(const glm::dvec3& v) const;

@@ -143,9 +143,18 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   }
   for (const glm::dvec3& part : {scene.camera.position, scene.camera.target, scene.camera.up}) hash.add(part);
   hash.add(scene.camera.vertical_field_of_view);
-  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
-                              options.lens.focus_distance})
+  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field),
+                              options.lens.radius, options.lens.focus_distance})
     hash.add(number);
+  if (options.tables) {
+    hash.add(options.tables->layout);
+    hash.add(double(options.tables->size));
+  }
+  if (options.shadows) {
+    hash.add(options.shadows->method);
+    hash.add(registry::to_json(options.shadows->values));
+    hash.add(options.shadows->alpha);
+  }
   return hash.value();
 }
 

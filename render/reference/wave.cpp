@@ -18,6 +18,13 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
   std::vector<strands::Mesh> meshes;
   for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
   CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes));
+  if (options.shadows) {
+    CUTICLE_ASSIGN(transmittance, VertexTransmittance::make(traced, *options.shadows));
+    CUTICLE_ASSIGN(surfaces, strands::RayScene::build({}, meshes));
+  }
+  if (options.tables) {
+    CUTICLE_ASSIGN(tables, TableScattering::make(*traced.model, traced.values, *options.tables));
+  }
   CUTICLE_ASSIGN(model, bsdf::BatchEvaluator::make(*traced.model, traced.values));
   if (traced.surroundings) {
     CUTICLE_ASSIGN(surroundings, SurroundingsLight::make(*traced.surroundings));

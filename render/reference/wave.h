@@ -20,9 +20,14 @@ struct WaveScene {
   std::unique_ptr<strands::RayScene> rays;
   std::optional<SurroundingsLight> surroundings;
   std::optional<bsdf::BatchEvaluator> model;
+  std::unique_ptr<TableScattering> tables;           ///< in the place of the model's S; null: none
+  std::optional<VertexTransmittance> transmittance;  ///< in the place of shadow rays through hair
+  std::unique_ptr<strands::RayScene> surfaces;       ///< without hair; where `transmittance` is
   std::optional<CameraRays> camera;
 
   Result<void> build(const TracedScene& traced, const TraceOptions& trace_options);
+  /// S; arrays of one size.
+  void evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const;
 };
 
 /// Three arrays of one size.
@@ -53,7 +58,8 @@ class Wave {
   struct Arriving {
     glm::dvec3 to_light{0, 1, 0}, irradiance{0};  ///< of one direction drawn by `density`: radiance / density
     double distance = std::numeric_limits<double>::infinity();
-    double density = 0;  ///< 0: the model cannot draw this direction
+    double density = 0;                     ///< 0: the model cannot draw this direction
+    std::optional<std::size_t> light = {};  ///< of the scene; none: the surroundings
   };
   struct SurfacePoint {
     std::uint32_t path;
@@ -72,6 +78,7 @@ class Wave {
   void light_surface(const SurfacePoint& point, int round);
   int light_rounds() const;
   Arriving arriving(const glm::dvec3& point, std::uint32_t path, int round) const;
+  glm::dvec3 reaching(const FibrePoint& point, const Arriving& light) const;
   bool goes_on(std::uint32_t path, const glm::dvec3& throughput, double u);
   /// What a split of the light has to know of it.
   struct Way {

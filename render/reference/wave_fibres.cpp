@@ -15,6 +15,21 @@ void must([[maybe_unused]] const Result<void>& done) { CUTICLE_EXPECT(done.ok(),
 
 }  // namespace
 
+void WaveScene::evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const {
+  if (tables)
+    tables->evaluate(points, color);
+  else
+    must(model->evaluate(points, color));
+}
+
+/// What of a light arrives past hair and surfaces, 0 .. 1.
+glm::dvec3 Wave::reaching(const FibrePoint& point, const Arriving& light) const {
+  const bool by_method = scene_.transmittance && light.light;
+  const strands::RayScene& blockers = by_method ? *scene_.surfaces : *scene_.rays;
+  if (blockers.is_blocked(point.position, light.to_light, light.distance, point.from)) return glm::dvec3(0);
+  return by_method ? scene_.transmittance->at(*light.light, point) : glm::dvec3(1);
+}
+
 /// Whether light from there comes back on the viewer's side of the fibre.
 bool Wave::turns_back(std::size_t i, const glm::vec3& to_light) const {
   return to_light.y * to_viewer_.y[i] + to_light.z * to_viewer_.z[i] > 0;
@@ -31,7 +46,7 @@ void Wave::light_fibres(int round) {
     compared = compared || lights[i].density > 0;
   }
   const bsdf::BatchPoints points{to_light_.in(), to_viewer_.in(), h_};
-  must(scene_.model->evaluate(points, value_.out()));
+  scene_.evaluate(points, value_.out());
   if (compared) must(scene_.model->pdf(points, density_));
   std::vector<Shares> shares;
   if (splits() && scattering_ == 0) find_shares(to_light_, shares);
@@ -41,9 +56,8 @@ void Wave::light_fibres(int round) {
     glm::dvec3 light = path.throughput * glm::dvec3(value_[i]) * lights[i].irradiance;
     if (lights[i].density > 0) light *= lights[i].density / (lights[i].density + double(density_[i]));
     if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
-    if (scene_.rays->is_blocked(fibre_points_[i].position, lights[i].to_light, lights[i].distance,
-                                fibre_points_[i].from))
-      continue;
+    light *= reaching(fibre_points_[i], lights[i]);
+    if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
     const int backward = path.backward + int(scattering_ > 0 && turns_back(i, to_light_[i]));
     add(k, light, {scattering_ + 1, backward, shares.empty() ? &path.shares : &shares[i]});
   }
@@ -95,7 +109,7 @@ void Wave::scatter_fibres() {
   if (fibre_paths_.empty()) return;
   draw_directions();
   const bsdf::BatchPoints points{to_light_.in(), to_viewer_.in(), h_};
-  must(scene_.model->evaluate(points, value_.out()));
+  scene_.evaluate(points, value_.out());
   must(scene_.model->pdf(points, density_));
   if (splits() && scattering_ == 0) find_shares(to_light_, shares_);
   for (std::size_t i = 0; i < fibre_paths_.size(); ++i) {

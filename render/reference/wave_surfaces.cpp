@@ -37,8 +37,10 @@ Wave::Arriving Wave::arriving(const glm::dvec3& point, std::uint32_t k, int roun
   }
   const bool draws = scattering_ > 0 && lights.size() > 1;
   const double u = draws ? double(numbers(k, Purpose::light)[0]) : 0;
-  const Light& light = lights[draws ? std::size_t(u * double(lights.size())) : std::size_t(round)];
-  Arriving from{.to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance};
+  const std::size_t at = draws ? std::size_t(u * double(lights.size())) : std::size_t(round);
+  const Light& light = lights[at];
+  Arriving from{
+      .to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance, .light = at};
   if (!light.lamp) return from;
   const glm::dvec3 way = light.lamp->position - point;
   from.distance = glm::length(way);
@@ -72,8 +74,7 @@ void Wave::scatter_surface(const SurfacePoint& point) {
   const glm::dvec3 other = std::abs(point.normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 side = glm::normalize(glm::cross(point.normal, other));
   path.origin = point.position;
-  path.direction =
-      glm::normalize(disk.x * side + disk.y * glm::cross(point.normal, side) + cosine * point.normal);
+  path.direction = glm::normalize(disk.x * side + disk.y * glm::cross(point.normal, side) + cosine * point.normal);
   path.from = {};
   path.density = cosine / std::numbers::pi;
   path.backward += int(scattering_ > 0);
