@@ -90,7 +90,9 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .seed = std::uint64_t(values.integer("seed")),
                                           .layers = scene.outputs.aovs,
                                           .far_field = values.choice("field") == "far",
-                                          .lens = lens_of(scene, camera)};
+                                          .lens = lens_of(scene, camera),
+                                          .lamp_radius = values.real("lamp_radius"),
+                                          .sun_angle = values.real("sun_angle")};
   if (values.boolean("tables")) options.tables = {scene.material.layout, scene.material.lut_size};
   const std::string& shadow = values.choice("shadow");
   if (shadow == "traced") return options;

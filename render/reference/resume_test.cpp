@@ -14,10 +14,11 @@ namespace cuticle::render::reference::resume_test {
 namespace {
 
 constexpr const char* k_state = "CUTICLE_KILLED_STATE";
-constexpr int k_samples = 320;
+constexpr int k_samples = 160;
+const TraceOptions k_options{.scatterings = 3, .layers = true};
 
 TEST(Resume, DISABLED_RendersUntilItIsKilled) {
-  picture_of(lit_ball(), {.layers = true}, {.samples = 1000000, .state = std::getenv(k_state), .save_seconds = 0});
+  picture_of(lit_ball(), k_options, {.samples = 1000000, .state = std::getenv(k_state), .save_seconds = 0});
 }
 
 pid_t start_render(const std::string& state) {
@@ -36,17 +37,17 @@ TEST(Resume, KilledDuringARender_SameBits) {
   ASSERT_GT(child, 0);
   for (int k = 0; k < 3000 && !std::filesystem::exists(state); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // into some later round or its writing
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // into some later round or its writing
   kill(child, SIGKILL);
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
   ASSERT_TRUE(std::filesystem::exists(state));
   const TracedScene scene = lit_ball();
-  const Picture resumed = picture_of(scene, {.layers = true}, {.samples = k_samples, .state = state});
+  const Picture resumed = picture_of(scene, k_options, {.samples = k_samples, .state = state});
   std::filesystem::remove(state);
   ASSERT_EQ(resumed.samples, k_samples) << "the killed render went further than that";
-  EXPECT_EQ(resumed.layers.pixels, picture_of(scene, {.layers = true}, {.samples = k_samples}).layers.pixels);
+  EXPECT_EQ(resumed.layers.pixels, picture_of(scene, k_options, {.samples = k_samples}).layers.pixels);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct TraceOptions {
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
   Lens lens = {};
+  double lamp_radius = 0;  ///< of every lamp, a sphere of even radiance, metres; 0: points
+  double sun_angle = 0;    ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
 };
 
 /// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the
