@@ -6,101 +6,12 @@
 
 #include "lut/cell_average.h"
 #include "lut/comparison.h"
+#include "lut/scattering_reader.h"
 
 namespace cuticle::lut {
 namespace {
 
 constexpr int k_directions = 16384;
-constexpr std::string_view k_colours = "rgb";
-
-/// A factor of a term for one colour: the channel of that name, or of that name with the colour's suffix.
-struct FactorPlace {
-  const Table* table = nullptr;
-  int channel = 0;
-  const Channel& layout() const { return table->layout->channels[channel]; }
-};
-FactorPlace find_place(const TableSet& set, std::string_view factor, int colour) {
-  for (const Table& table : set.tables)
-    for (int c = 0; c < int(table.layout->channels.size()); ++c) {
-      const std::string_view name = table.layout->channels[c].name;
-      if (name == factor || name == fmt::format("{}.{}", factor, k_colours[colour])) return {&table, c};
-    }
-  CUTICLE_EXPECT(false, "a layout's terms name its channels");
-  return {};
-}
-FactorPlace find_source(const TableSet& set, ChannelSource source) {
-  for (const Table& table : set.tables)
-    for (int c = 0; c < int(table.layout->channels.size()); ++c)
-      if (table.layout->channels[c].source == source) return {&table, c};
-  return {};
-}
-
-/// Factors of all terms, those of one term after another, an empty place after each.
-std::vector<FactorPlace> places_of(const TableSet& set, int colour) {
-  std::vector<FactorPlace> places;
-  for (const Term& term : set.layout->terms) {
-    for (std::string_view factor : term.factors)
-      if (!factor.empty()) places.push_back(find_place(set, factor, colour));
-    places.emplace_back();
-  }
-  return places;
-}
-/// The sum of the terms' products of what `value` gives for a place.
-template <class Value>
-double composed(const std::vector<FactorPlace>& places, const Value& value) {
-  double sum = 0, product = 1;
-  for (const FactorPlace& place : places) {
-    if (place.table) {
-      product *= value(place);
-    } else {
-      sum += product;
-      product = 1;
-    }
-  }
-  return sum;
-}
-
-/// Reads the tables as a shader does: theta_d through the table that stores its cosine, where one does.
-class Reader {
- public:
-  explicit Reader(const TableSet& set) : set_(set), cosine_(find_source(set, ChannelSource::cos_theta_d)) {
-    for (int colour = 0; colour < 3; ++colour) places_[std::size_t(colour)] = places_of(set, colour);
-  }
-  double scattering(bsdf::Point at, int colour) const {
-    at = as_stored(at);
-    const double sum = composed(places_[std::size_t(colour)], [&](const FactorPlace& place) {
-      const glm::dvec2 coordinate = coordinates(*place.table, at);
-      return sample(*place.table, place.channel, coordinate.x, coordinate.y) *
-             left_out_factor(*place.table->layout, at, place.table->caustic_index);
-    });
-    return sum / divisor(at);
-  }
-  double divisor(const bsdf::Point& at) const {
-    const double cosine = std::cos(at.theta_d);
-    return set_.layout->over_cos2_theta_d ? std::max(cosine * cosine, 1e-6) : 1;
-  }
-  bool filters_singular(const bsdf::Point& at) const {
-    return std::any_of(set_.tables.begin(), set_.tables.end(), [&](const Table& table) {
-      const glm::dvec2 place = coordinates(table, at);
-      return touches_singular(table, place.x, place.x, place.y);
-    });
-  }
-
- private:
-  bsdf::Point as_stored(bsdf::Point at) const {
-    if (!cosine_.table) return at;
-    const glm::dvec2 place = coordinates(*cosine_.table, at);
-    at.theta_d = std::acos(std::clamp(sample(*cosine_.table, cosine_.channel, place.x, place.y), 0.0, 1.0));
-    return at;
-  }
-  glm::dvec2 coordinates(const Table& table, const bsdf::Point& at) const {
-    return {axis_coordinate(table.layout->u, set_.size, at, table.caustic_index),
-            axis_coordinate(table.layout->v, set_.size, at)};
-  }
-  const TableSet& set_;
-  FactorPlace cosine_;
-  std::array<std::vector<FactorPlace>, 3> places_;
-};
 
 /// Light and eye evenly over the sphere, by an additive sequence in three dimensions (its ratio solves x^4 = x + 1).
 std::vector<bsdf::Point> directions() {
@@ -145,7 +56,8 @@ class ExactChannels {
   Known known_;
 };
 
-Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const TableSet& set, const Reader& reader,
+Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const TableSet& set,
+                                                   const ScatteringReader& reader,
                                                    std::span<const bsdf::Point> points) {
   ExactChannels exact(source, points);
   std::vector<glm::dvec3> result(points.size());
@@ -187,7 +99,7 @@ class TexelMeans {
     CUTICLE_ASSIGN(PhiAverages means, average_over_phi({source.model, around, around}, any, intervals));
     return std::move(means.values);
   }
-  glm::dvec3 of_tables(const Reader& reader, const bsdf::Point& at) const {
+  glm::dvec3 of_tables(const ScatteringReader& reader, const bsdf::Point& at) const {
     const int count = width_ > 0 ? 8 : 1;
     glm::dvec3 sum(0);
     for (int k = 0; k < count; ++k) {
@@ -204,11 +116,11 @@ class TexelMeans {
 };
 
 Result<Scattering> scattering_at(const Source& source, const TableSet& set, std::span<const bsdf::Point> points) {
-  const Reader reader(set);
+  const ScatteringReader reader(set);
   const TexelMeans means(set);
   Scattering result;
   CUTICLE_ASSIGN(result.exact, means.of_model(source, points));
-  if (!find_source(set, ChannelSource::solver).table) {
+  if (!has_source(set, ChannelSource::solver)) {
     CUTICLE_ASSIGN(result.assumed, assumed_scattering(source, set, reader, points));
   }
   for (const bsdf::Point& at : points) result.stored.push_back(means.of_tables(reader, at));
@@ -231,7 +143,8 @@ std::vector<ChannelError> compare(const std::vector<glm::dvec3>& made, const std
 Result<void> certify_scattering(const Source& source, TableSet& set) {
   if (set.layout->terms.empty()) return {};
   std::vector<bsdf::Point> points = directions();
-  std::erase_if(points, [reader = Reader(set)](const bsdf::Point& at) { return reader.filters_singular(at); });
+  std::erase_if(points,
+                [reader = ScatteringReader(set)](const bsdf::Point& at) { return reader.filters_singular(at); });
   CUTICLE_ASSIGN(const Scattering scattering, scattering_at(source, set, points));
   set.assumption = compare(scattering.assumed, scattering.exact);
   set.scattering = compare(scattering.stored, scattering.exact);
@@ -248,7 +161,7 @@ Result<double> assumption_error(const Source& source, const Layout& layout) {
     set.tables.push_back(empty_table(table, 16));
     set.tables.back().caustic_index = source.caustic_index;
   }
-  CUTICLE_ASSIGN(const std::vector<glm::dvec3> made, assumed_scattering(source, set, Reader(set), points));
+  CUTICLE_ASSIGN(const std::vector<glm::dvec3> made, assumed_scattering(source, set, ScatteringReader(set), points));
   std::vector<glm::dvec3> exact(points.size());
   CUTICLE_TRY(source.evaluate({bsdf::Quantity::S, -1, points}, exact));
   double worst = 0;

@@ -83,6 +83,26 @@ render::reference::Lens lens_of(const scene::Scene& scene, const Camera& camera)
   return {values.real("lens_radius") * 1e-3, focus > 0 ? focus : glm::distance(camera.target, camera.position)};
 }
 
+/// The parameters of the pass, and what they take from the rest of the scene.
+Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, const Camera& camera,
+                                                   const registry::ParameterValues& values) {
+  render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
+                                          .seed = std::uint64_t(values.integer("seed")),
+                                          .layers = scene.outputs.aovs,
+                                          .far_field = values.choice("field") == "far",
+                                          .lens = lens_of(scene, camera),
+                                          .lamp_radius = values.real("lamp_radius"),
+                                          .sun_angle = values.real("sun_angle")};
+  if (values.boolean("tables")) options.tables = {scene.material.layout, scene.material.lut_size};
+  const std::string& shadow = values.choice("shadow");
+  if (shadow == "traced") return options;
+  CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(shadow));
+  const bool of_scene = scene.shadow && scene.shadow->name == shadow;
+  options.shadows = {shadow, of_scene ? scene.shadow->values : registry::default_values(method->entry.parameters),
+                     scene.fibre_alpha};
+  return options;
+}
+
 }  // namespace
 
 Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
@@ -101,11 +121,7 @@ Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, 
   if (scene.floor) traced.surfaces.push_back(traced_floor(*scene.floor));
   if (motion.fins()) traced.surfaces.push_back(traced_fins(scene, set, *motion.fins()));
   const registry::ParameterValues values = values_of(scene, render::reference::entry());
-  const render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
-                                                .seed = std::uint64_t(values.integer("seed")),
-                                                .layers = scene.outputs.aovs,
-                                                .far_field = values.choice("field") == "far",
-                                                .lens = lens_of(scene, camera)};
+  CUTICLE_ASSIGN(const render::reference::TraceOptions options, options_of(scene, camera, values));
   const render::reference::Quality quality{
       .samples = int(values.integer("samples")), .max_error = values.real("max_error"), .state = state};
   CUTICLE_ASSIGN(render::reference::Picture picture,

@@ -37,12 +37,13 @@ struct BatchPoints {
   std::span<const float> h;
 };
 
-/// What directions are drawn for, with four random numbers in [0, 1) each (u[0] chooses the lobe) and a fifth for far
-/// fields, which draw the offset by it; unused arrays may be empty.
+/// What directions are drawn for, with four random numbers in [0, 1) each (u[0] chooses the lobe), a fifth for far
+/// fields, which draw the offset by it, and three more for models without kernels (deon, yan_fur, other forms of
+/// marschner). Arrays of the last three that are empty count as 0: such models then draw from a part of the sphere.
 struct BatchQueries {
   VectorSpans to_viewer;
   std::span<const float> h;
-  std::array<std::span<const float>, 5> u;
+  std::array<std::span<const float>, 8> u;
 };
 
 /// Values of one parameter for every point: "eta", "sigma_a.r", ...

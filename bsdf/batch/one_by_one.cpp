@@ -26,7 +26,8 @@ Point point_at(const BatchPoints& points, std::size_t i) {
 SampleQuery query_at(const BatchQueries& queries, std::size_t i) {
   const Angles viewer = angles_at(queries.to_viewer, i);
   SampleQuery query{.theta_o = viewer.theta, .phi_o = viewer.phi, .h = queries.h.empty() ? 0 : double(queries.h[i])};
-  for (std::size_t k = 0; k < queries.u.size(); ++k) query.u[k] = double(queries.u[k][i]);
+  for (std::size_t k = 0; k < queries.u.size(); ++k)
+    if (!queries.u[k].empty()) query.u[k] = double(queries.u[k][i]);
   return query;
 }
 

@@ -163,6 +163,28 @@ void tell_left_out(const plan::Plan& plan, Progress& progress) {
         progress.message(fmt::format("{}: asked for, but left out: {}", left.entry->name, left.reason));
 }
 
+/// One item of --match as a parameter of the pass 'reference'. Errors: usage.
+Result<void> add_restriction(std::string_view restriction, registry::ParameterTable table,
+                             registry::ParameterValues& values) {
+  constexpr std::string_view k_shadow = "shadow=";
+  if (restriction == "far_field") {
+    values.set("field", std::string("far"));
+  } else if (restriction == "single_scattering") {
+    values.set("bounces", std::int64_t(1));
+  } else if (restriction == "tables") {
+    values.set("tables", true);
+  } else if (restriction.starts_with(k_shadow)) {
+    CUTICLE_ASSIGN(const registry::Parameter* shadow, registry::find_parameter(table, "shadow"));
+    CUTICLE_ASSIGN(registry::Value method, registry::parse_value(*shadow, restriction.substr(k_shadow.size())));
+    values.set("shadow", std::move(method));
+  } else {
+    return usage_error(fmt::format("--match {}: not one of far_field, single_scattering, tables, shadow=METHOD",
+                                   restriction),
+                       "cuticle methods lists the shadow methods");
+  }
+  return {};
+}
+
 /// The options that only paths know, as parameters of the pass 'reference'.
 Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene) {
   const bool asks = options.samples || options.bounces || options.max_error || !options.state.empty() || !options.match.empty();
@@ -176,11 +198,7 @@ Result<void> set_path_options(const RenderOptions& options, scene::Scene& scene)
   if (options.samples) values.set("samples", *options.samples);
   if (options.bounces) values.set("bounces", *options.bounces);
   if (options.max_error) values.set("max_error", *options.max_error);
-  for (const std::string& restriction : options.match)
-    if (restriction == "far_field")
-      values.set("field", std::string("far"));
-    else
-      values.set("bounces", std::int64_t(1));
+  for (const std::string& restriction : options.match) CUTICLE_TRY(add_restriction(restriction, table, values));
   return {};
 }
 
@@ -262,9 +280,9 @@ void add_render(CLI::App& app, Context& context) {
                       "reference: relative standard error of a pixel at which its tile rests (default 0: none does)")
       ->check(CLI::Range(0.0, 10.0));
   command->add_option("--match", options->match,
-                      "reference: restrictions of the real-time ways: far_field (the model's mean over the width), single_scattering")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"far_field", "single_scattering"}));
+                      "reference: restrictions of the real-time ways: far_field (the model's mean over the width), "
+                      "single_scattering, tables (of the material's layout), shadow=METHOD (at the vertices)")
+      ->delimiter(',');
   command->add_option("--state", options->state,
                       "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");
   command->add_option("--out", options->out, "folder to write (default: render)");

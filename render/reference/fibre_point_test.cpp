@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace cuticle::render::reference::fibre_point_test {
 namespace {

@@ -110,8 +110,8 @@ Image Film::layers() const {
     *out++ = float(pixel.samples);
     if (names_.empty()) continue;
     const SeenFirst& first = first_[p];
-    for (const float value : {plain.pixels[4 * p + 3], first.depth, first.tangent.x, first.tangent.y, first.tangent.z,
-                              float(first.strand)})
+    for (const float value :
+         {plain.pixels[4 * p + 3], first.depth, first.tangent.x, first.tangent.y, first.tangent.z, float(first.strand)})
       *out++ = value;
     const float scale = pixel.samples > 0 ? 1 / float(pixel.samples) : 0;
     for (std::size_t k = 0; k < k_splits; ++k)
@@ -143,8 +143,9 @@ Result<bool> Film::load(const std::string& path, std::uint64_t key) {
   Header found{};
   if (bytes.size() >= sizeof found) std::memcpy(&found, bytes.data(), sizeof found);
   if (found != expected)
-    return bad_input(fmt::format("{}: not the sums of this picture: another scene, size, seed or choice of layers", path),
-                     "name another state file, or remove this one");
+    return bad_input(
+        fmt::format("{}: not the sums of this picture: another scene, size, seed or choice of layers", path),
+        "name another state file, or remove this one");
   const std::size_t size = sizeof found + pixels_.size() * sizeof(Pixel) + first_.size() * sizeof(SeenFirst) +
                            splits_.size() * sizeof(glm::vec3);
   if (bytes.size() != size)

@@ -33,8 +33,8 @@ class Film {
 
   /// All sums, for a render that is the same by `key`. Error: of the file system.
   Result<void> save(const std::string& path, std::uint64_t key) const;
-  /// False: there is no such file. Errors: bad_input, where it is not such a file, is cut short, or is of another scene,
-  /// size, seed or choice of layers.
+  /// False: there is no such file. Errors: bad_input, where it is not such a file, is cut short, or is of another
+  /// scene, size, seed or choice of layers.
   Result<bool> load(const std::string& path, std::uint64_t key);
 
  private:

@@ -141,11 +141,23 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
     hash.add(scene.surroundings->turn_degrees);
     hash.add(scene.surroundings->scale);
   }
-  for (const glm::dvec3& part : {scene.camera.position, scene.camera.target, scene.camera.up}) hash.add(part);
-  hash.add(scene.camera.vertical_field_of_view);
-  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
-                              options.lens.focus_distance})
+  for (const Camera& camera : {scene.camera, scene.camera_at_end.value_or(scene.camera)}) {
+    for (const glm::dvec3& part : {camera.position, camera.target, camera.up}) hash.add(part);
+    hash.add(camera.vertical_field_of_view);
+  }
+  hash.add(std::span<const glm::vec3>(scene.positions_at_end));
+  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field),
+                              options.lens.radius, options.lamp_radius, options.sun_angle, options.lens.focus_distance})
     hash.add(number);
+  if (options.tables) {
+    hash.add(options.tables->layout);
+    hash.add(double(options.tables->size));
+  }
+  if (options.shadows) {
+    hash.add(options.shadows->method);
+    hash.add(registry::to_json(options.shadows->values));
+    hash.add(options.shadows->alpha);
+  }
   return hash.value();
 }
 

@@ -5,9 +5,9 @@
 namespace cuticle::render::reference {
 
 struct Quality {
-  int samples = 64;       ///< of a pixel, at most
-  double max_error = 0;   ///< of a tile's pixels, root mean square, over the tile's mean or a twentieth of the picture's
-                          ///< largest; 0: all samples are drawn
+  int samples = 64;      ///< of a pixel, at most
+  double max_error = 0;  ///< of a tile's pixels, root mean square, over the tile's mean or a twentieth of the picture's
+                         ///< largest; 0: all samples are drawn
   std::string state = {};  ///< file of the sums; empty: none. An existing one is gone on from
   double save_seconds = 30;
 };
@@ -23,8 +23,8 @@ struct Picture {
 std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options);
 
 /// Renders in rounds of 8 samples over tiles of 16 x 16 pixels, on all threads; the same bits for any number of them,
-/// and where it was stopped and gone on from its state. Tiles whose error is met rest. Test: reference_test.cpp. Errors:
-/// those of Tracer and Film.
+/// and where it was stopped and gone on from its state. Tiles whose error is met rest. Test: reference_test.cpp.
+/// Errors: those of Tracer and Film.
 Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
                               Progress& progress);
 

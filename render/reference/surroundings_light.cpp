@@ -19,9 +19,10 @@ const glm::dvec3 k_luminance{0.2126, 0.7152, 0.0722};  // of linear Rec.709
 Result<SurroundingsLight> SurroundingsLight::make(const Surroundings& surroundings) {
   const Image& picture = surroundings.picture;
   if (picture.channels() < 3 || picture.height < 1 || picture.width != 2 * picture.height)
-    return bad_input(fmt::format("surroundings of {} x {} texels and {} channels: they must be twice as wide as high, "
-                                 "of three channels at least",
-                                 picture.width, picture.height, picture.channels()));
+    return bad_input(
+        fmt::format("surroundings of {} x {} texels and {} channels: they must be twice as wide as high, "
+                    "of three channels at least",
+                    picture.width, picture.height, picture.channels()));
   SurroundingsLight light;
   light.width_ = picture.width;
   light.height_ = picture.height;
@@ -41,8 +42,7 @@ Result<SurroundingsLight> SurroundingsLight::make(const Surroundings& surroundin
 }
 
 double SurroundingsLight::solid_angle(std::size_t row) const {
-  return 2 * k_pi / width_ *
-         (std::cos(k_pi * double(row) / height_) - std::cos(k_pi * double(row + 1) / height_));
+  return 2 * k_pi / width_ * (std::cos(k_pi * double(row) / height_) - std::cos(k_pi * double(row + 1) / height_));
 }
 
 SurroundingsLight::Drawn SurroundingsLight::draw(double u0, double u1, double u2) const {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <random>
 
-#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "scene/environment.h"
 

@@ -31,6 +31,12 @@ struct TracedScene {
   std::optional<Surroundings> surroundings;  ///< light hair and surfaces; the camera does not see them
   std::vector<Surface> surfaces;
   Camera camera;
+  /// Where vertices and camera are when the shutter closes; it opens at the above, and all moves evenly between. Empty:
+  /// still. Surfaces and lights stand; a restriction to a shadow method is that of the shutter's opening.
+  std::vector<glm::vec3> positions_at_end = {};
+  std::optional<Camera> camera_at_end = {};
+
+  bool moves() const { return !positions_at_end.empty() || camera_at_end.has_value(); }
 };
 
 }  // namespace cuticle::render::reference

@@ -23,10 +23,9 @@ registry::ParameterValues of_field(const bsdf::Model& model, registry::Parameter
 }  // namespace
 
 std::vector<std::string> split_names(const bsdf::Model& model) {
-  std::vector<std::string> names = {"scatterings_1",   "scatterings_2",      "scatterings_3",
-                                    "scatterings_4_7", "scatterings_8_15",   "scatterings_16_on",
-                                    "single",          "multiple_forward",   "multiple_backward",
-                                    "multiple_other"};
+  std::vector<std::string> names = {"scatterings_1",     "scatterings_2",     "scatterings_3", "scatterings_4_7",
+                                    "scatterings_8_15",  "scatterings_16_on", "single",        "multiple_forward",
+                                    "multiple_backward", "multiple_other"};
   for (int lobe = 0; lobe < k_most_lobes; ++lobe)
     names.push_back(std::size_t(lobe) < model.lobes.size() ? "lobe_" + std::string(model.lobes[std::size_t(lobe)])
                                                            : std::string());
@@ -41,7 +40,7 @@ Result<std::unique_ptr<Tracer>> Tracer::make(const TracedScene& scene, const Tra
     return usage_error(fmt::format("model {} has no sampler, which paths need", scene.model->entry.name));
   auto parts = std::make_unique<Parts>();
   parts->scene = scene;
-  parts->scene.values = of_field(*scene.model, scene.values, options.far_field);
+  parts->scene.values = of_field(*scene.model, scene.values, options.far_field || options.tables);
   CUTICLE_TRY(parts->wave.build(parts->scene, options));
   return std::unique_ptr<Tracer>(new Tracer(std::move(parts)));
 }

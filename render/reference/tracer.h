@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "render/reference/camera_rays.h"
 #include "render/reference/random_numbers.h"
+#include "render/reference/restrictions.h"
 #include "render/reference/traced_scene.h"
 
 namespace cuticle::render::reference {
@@ -17,9 +18,13 @@ namespace cuticle::render::reference {
 struct TraceOptions {
   int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
   std::uint64_t seed = 0;
-  bool layers = false;  ///< splits the light, which costs an evaluation of each lobe at the first scattering
+  bool layers = false;     ///< splits the light, which costs an evaluation of each lobe at the first scattering
   bool far_field = false;  ///< of models that have both fields
+  std::optional<TablesInstead> tables = {};    ///< their field is the far one
+  std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
   Lens lens = {};
+  double lamp_radius = 0;  ///< of every lamp, a sphere of even radiance, metres; 0: points
+  double sun_angle = 0;    ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
 };
 
 /// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the
@@ -46,7 +51,8 @@ struct PathLight {
 /// alone.
 class Tracer {
  public:
-  /// Errors: usage, where the model has no sampler; those of RayScene and SurroundingsLight.
+  /// Errors: usage, where the model has no sampler; those of RayScene, SurroundingsLight,
+  /// TableScattering and VertexTransmittance.
   static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
   ~Tracer();
   /// The light of each path; `paths` and `light` have one size.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace cuticle::render::reference {
@@ -15,15 +16,41 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
   scene = &traced;
   options = trace_options;
   tangents = strands::tangents(traced.hair);
+  if (!traced.positions_at_end.empty()) {
+    strands::Groom at_end = traced.hair;
+    at_end.positions = traced.positions_at_end;
+    CUTICLE_TRY(validate(at_end));
+    tangents_at_end = strands::tangents(at_end);
+  }
   std::vector<strands::Mesh> meshes;
   for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
-  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes));
+  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end));
+  if (options.shadows) {
+    CUTICLE_ASSIGN(transmittance, VertexTransmittance::make(traced, *options.shadows));
+    CUTICLE_ASSIGN(surfaces, strands::RayScene::build({}, meshes));
+  }
+  if (options.tables) {
+    CUTICLE_ASSIGN(tables, TableScattering::make(*traced.model, traced.values, *options.tables));
+  }
   CUTICLE_ASSIGN(model, bsdf::BatchEvaluator::make(*traced.model, traced.values));
   if (traced.surroundings) {
     CUTICLE_ASSIGN(surroundings, SurroundingsLight::make(*traced.surroundings));
   }
   camera.emplace(traced.camera, options.lens);
+  if (traced.camera_at_end) camera_at_end.emplace(*traced.camera_at_end, options.lens);
   return {};
+}
+
+FibreSegment WaveScene::segment_at(std::uint32_t v, double time) const {
+  const std::vector<glm::vec3>& at_begin = scene->hair.positions;
+  FibreSegment segment{at_begin[v], at_begin[v + 1], tangents[v], tangents[v + 1]};
+  if (tangents_at_end.empty()) return segment;
+  const std::vector<glm::vec3>& at_end = scene->positions_at_end;
+  segment.begin = glm::mix(segment.begin, glm::dvec3(at_end[v]), time);
+  segment.end = glm::mix(segment.end, glm::dvec3(at_end[v + 1]), time);
+  segment.tangent_at_begin = glm::mix(segment.tangent_at_begin, glm::dvec3(tangents_at_end[v]), time);
+  segment.tangent_at_end = glm::mix(segment.tangent_at_end, glm::dvec3(tangents_at_end[v + 1]), time);
+  return segment;
 }
 
 Wave::Wave(const WaveScene& scene, std::span<const PathName> names, std::span<PathLight> light)
@@ -33,10 +60,8 @@ void Wave::run() {
   begin_at_camera();
   const int most = scene_.options.scatterings;
   for (scattering_ = 0; !live_.empty(); ++scattering_) {
-    const bool ends = most > 0 && scattering_ == most;
-    if (ends && !scene_.surroundings) return;
+    if (most > 0 && scattering_ == most) return end();
     meet();
-    if (ends) return;
     for (int round = 0; round < light_rounds(); ++round) {
       light_fibres(round);
       for (const SurfacePoint& point : surface_points_) light_surface(point, round);
@@ -45,6 +70,17 @@ void Wave::run() {
     scatter_fibres();
     for (const SurfacePoint& point : surface_points_) scatter_surface(point);
     std::swap(live_, next_);
+  }
+}
+
+/// Paths that may not scatter again bring what the surroundings send.
+void Wave::end() {
+  if (!scene_.surroundings) return;
+  for (const std::uint32_t k : live_) {
+    const Path& path = paths_[k];
+    if (!scene_.rays->is_blocked(path.origin, path.direction, std::numeric_limits<double>::infinity(), path.from,
+                                 path.time))
+      leave(k);
   }
 }
 
@@ -59,7 +95,13 @@ void Wave::begin_at_camera() {
       lens = point_of_disk(double(u[0]), double(u[1]));
     }
     const glm::dvec2 pixel(names_[k].pixel % width + double(place[0]), names_[k].pixel / width + double(place[1]));
-    const CameraRays::Ray ray = scene_.camera->through(pixel, lens);
+    CameraRays::Ray ray = scene_.camera->through(pixel, lens);
+    if (scene_.scene->moves()) paths_[k].time = double(numbers(k, Purpose::time)[0]);
+    if (scene_.camera_at_end) {
+      const CameraRays::Ray last = scene_.camera_at_end->through(pixel, lens);
+      ray.origin = glm::mix(ray.origin, last.origin, paths_[k].time);
+      ray.direction = glm::normalize(glm::mix(ray.direction, last.direction, paths_[k].time));
+    }
     paths_[k].origin = ray.origin;
     paths_[k].direction = ray.direction;
     live_.push_back(k);
@@ -72,7 +114,7 @@ void Wave::meet() {
   surface_points_.clear();
   for (const std::uint32_t k : live_) {
     const Path& path = paths_[k];
-    const strands::RayHit hit = scene_.rays->closest(path.origin, path.direction, path.from);
+    const strands::RayHit hit = scene_.rays->closest(path.origin, path.direction, path.from, path.time);
     if (hit.kind == strands::RayHit::Kind::nothing)
       leave(k);
     else if (hit.kind == strands::RayHit::Kind::fibre)
@@ -102,7 +144,7 @@ void Wave::leave(std::uint32_t k) {
 
 void Wave::meet_fibre(std::uint32_t k, const strands::RayHit& hit) {
   const Path& path = paths_[k];
-  fibre_points_.push_back(fibre_point(scene_.scene->hair, scene_.tangents, hit, path.origin, path.direction));
+  fibre_points_.push_back(fibre_point(scene_.segment_at(hit.vertex, path.time), hit, path.origin, path.direction));
   fibre_paths_.push_back(k);
   if (scattering_ > 0) return;
   light_[k].covered = true;

@@ -16,13 +16,19 @@ namespace cuticle::render::reference {
 struct WaveScene {
   const TracedScene* scene = nullptr;
   TraceOptions options;
-  std::vector<glm::vec3> tangents;
+  std::vector<glm::vec3> tangents, tangents_at_end;
   std::unique_ptr<strands::RayScene> rays;
   std::optional<SurroundingsLight> surroundings;
   std::optional<bsdf::BatchEvaluator> model;
-  std::optional<CameraRays> camera;
+  std::unique_ptr<TableScattering> tables;           ///< in the place of the model's S; null: none
+  std::optional<VertexTransmittance> transmittance;  ///< in the place of shadow rays through hair
+  std::unique_ptr<strands::RayScene> surfaces;       ///< without hair; where `transmittance` is
+  std::optional<CameraRays> camera, camera_at_end;
 
   Result<void> build(const TracedScene& traced, const TraceOptions& trace_options);
+  FibreSegment segment_at(std::uint32_t vertex, double time) const;
+  /// S; arrays of one size.
+  void evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const;
 };
 
 /// Three arrays of one size.
@@ -44,6 +50,7 @@ class Wave {
   using Shares = std::array<glm::dvec3, k_most_lobes>;
   struct Path {
     glm::dvec3 origin, direction, throughput{1};
+    double time = 0;  ///< of the shutter, 0 .. 1
     strands::FibreLeft from;
     double density = 0;  ///< with which the model drew the direction; 0: nothing was drawn
     int backward = 0;    ///< scatterings that turned back, after the one that the camera sees
@@ -53,7 +60,9 @@ class Wave {
   struct Arriving {
     glm::dvec3 to_light{0, 1, 0}, irradiance{0};  ///< of one direction drawn by `density`: radiance / density
     double distance = std::numeric_limits<double>::infinity();
-    double density = 0;  ///< 0: the model cannot draw this direction
+    double density = 0;                     ///< 0: the model cannot draw this direction
+    glm::dvec3 point{0};                    ///< where it arrives
+    std::optional<std::size_t> light = {};  ///< of the scene; none: the surroundings
   };
   struct SurfacePoint {
     std::uint32_t path;
@@ -61,6 +70,7 @@ class Wave {
   };
 
   void begin_at_camera();
+  void end();
   void meet();
   void leave(std::uint32_t path);
   void meet_fibre(std::uint32_t path, const strands::RayHit& hit);
@@ -71,7 +81,10 @@ class Wave {
   void scatter_surface(const SurfacePoint& point);
   void light_surface(const SurfacePoint& point, int round);
   int light_rounds() const;
+  void spread(Arriving& from, const Light& light, std::uint32_t path) const;
   Arriving arriving(const glm::dvec3& point, std::uint32_t path, int round) const;
+  glm::dvec3 reaching(std::size_t point, const Arriving& light) const;
+  bool is_worth_a_ray(std::uint32_t path, int round, const glm::dvec3& scattered, glm::dvec3& light) const;
   bool goes_on(std::uint32_t path, const glm::dvec3& throughput, double u);
   /// What a split of the light has to know of it.
   struct Way {
@@ -98,7 +111,7 @@ class Wave {
   std::vector<FibrePoint> fibre_points_;
   VectorArray to_viewer_, to_light_, value_;
   std::vector<float> h_, density_;
-  std::array<std::vector<float>, 5> u_;
+  std::array<std::vector<float>, 7> u_;
   std::vector<float> ending_;
   std::vector<Shares> shares_;
 };

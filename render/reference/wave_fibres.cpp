@@ -1,6 +1,7 @@
 // What happens at fibres: lights that reach them, and where paths go from them.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -13,7 +14,38 @@ namespace {
 /// What cannot fail: arrays of one size, points in range, a model that draws.
 void must([[maybe_unused]] const Result<void>& done) { CUTICLE_EXPECT(done.ok(), "a model's call"); }
 
+/// Light of less than this share of what an even scatterer sends to all sides is asked for by chance.
+constexpr double k_worth_a_ray = 1;
+
 }  // namespace
+
+/// Russian roulette for rays to lights, after the scattering that the camera sees: `scattered` is S times the path's
+/// throughput; `light` is divided by the chance with which the ray is traced.
+bool Wave::is_worth_a_ray(std::uint32_t path, int round, const glm::dvec3& scattered, glm::dvec3& light) const {
+  if (scattering_ == 0) return true;
+  const double most = std::max({scattered.x, scattered.y, scattered.z});
+  const double chance = std::min(1.0, 4 * std::numbers::pi * most / k_worth_a_ray);
+  if (!(double(numbers(path, Purpose::shadow)[std::size_t(round)]) < chance)) return false;
+  light /= chance;
+  return true;
+}
+
+void WaveScene::evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const {
+  if (tables)
+    tables->evaluate(points, color);
+  else
+    must(model->evaluate(points, color));
+}
+
+/// What of a light arrives past hair and surfaces, 0 .. 1.
+glm::dvec3 Wave::reaching(std::size_t i, const Arriving& light) const {
+  const FibrePoint& point = fibre_points_[i];
+  const bool by_method = scene_.transmittance && light.light;
+  const strands::RayScene& blockers = by_method ? *scene_.surfaces : *scene_.rays;
+  if (blockers.is_blocked(point.position, light.to_light, light.distance, point.from, paths_[fibre_paths_[i]].time))
+    return glm::dvec3(0);
+  return by_method ? scene_.transmittance->at(*light.light, point) : glm::dvec3(1);
+}
 
 /// Whether light from there comes back on the viewer's side of the fibre.
 bool Wave::turns_back(std::size_t i, const glm::vec3& to_light) const {
@@ -31,7 +63,7 @@ void Wave::light_fibres(int round) {
     compared = compared || lights[i].density > 0;
   }
   const bsdf::BatchPoints points{to_light_.in(), to_viewer_.in(), h_};
-  must(scene_.model->evaluate(points, value_.out()));
+  scene_.evaluate(points, value_.out());
   if (compared) must(scene_.model->pdf(points, density_));
   std::vector<Shares> shares;
   if (splits() && scattering_ == 0) find_shares(to_light_, shares);
@@ -41,9 +73,9 @@ void Wave::light_fibres(int round) {
     glm::dvec3 light = path.throughput * glm::dvec3(value_[i]) * lights[i].irradiance;
     if (lights[i].density > 0) light *= lights[i].density / (lights[i].density + double(density_[i]));
     if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
-    if (scene_.rays->is_blocked(fibre_points_[i].position, lights[i].to_light, lights[i].distance,
-                                fibre_points_[i].from))
-      continue;
+    if (!is_worth_a_ray(k, round, path.throughput * glm::dvec3(value_[i]), light)) continue;
+    light *= reaching(i, lights[i]);
+    if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
     const int backward = path.backward + int(scattering_ > 0 && turns_back(i, to_light_[i]));
     add(k, light, {scattering_ + 1, backward, shares.empty() ? &path.shares : &shares[i]});
   }
@@ -84,10 +116,10 @@ void Wave::draw_directions() {
     const auto direction = numbers(fibre_paths_[i], Purpose::direction);
     const auto ending = numbers(fibre_paths_[i], Purpose::ending);
     for (std::size_t n = 0; n < direction.size(); ++n) u_[n][i] = direction[n];
-    u_[4][i] = ending[0];
-    ending_[i] = ending[1];
+    ending_[i] = ending[0];
+    for (std::size_t n = 1; n < ending.size(); ++n) u_[3 + n][i] = ending[n];
   }
-  const bsdf::BatchQueries queries{to_viewer_.in(), h_, {u_[0], u_[1], u_[2], u_[3], u_[4]}};
+  const bsdf::BatchQueries queries{to_viewer_.in(), h_, {u_[0], u_[1], u_[2], u_[3], u_[4], u_[5], u_[6]}};
   must(scene_.model->sample(queries, to_light_.out()));
 }
 
@@ -95,7 +127,7 @@ void Wave::scatter_fibres() {
   if (fibre_paths_.empty()) return;
   draw_directions();
   const bsdf::BatchPoints points{to_light_.in(), to_viewer_.in(), h_};
-  must(scene_.model->evaluate(points, value_.out()));
+  scene_.evaluate(points, value_.out());
   must(scene_.model->pdf(points, density_));
   if (splits() && scattering_ == 0) find_shares(to_light_, shares_);
   for (std::size_t i = 0; i < fibre_paths_.size(); ++i) {

@@ -20,7 +20,33 @@ double spot_share(const Lamp& lamp, const glm::dvec3& to_light) {
   return share * share;
 }
 
+/// An even direction of the cone around a unit axis.
+glm::dvec3 direction_in_cone(const glm::dvec3& axis, double cosine_of_edge, double u0, double u1) {
+  const double cosine = 1 - u0 * (1 - cosine_of_edge), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  const double turn = 2 * std::numbers::pi * u1;
+  const glm::dvec3 other = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 side = glm::normalize(glm::cross(axis, other));
+  return glm::normalize(cosine * axis + sine * (std::cos(turn) * side + std::sin(turn) * glm::cross(axis, side)));
+}
+
 }  // namespace
+
+/// From a point of light to one of the disk that a sphere or a sun shows: a direction drawn evenly in its cone of solid
+/// angle 2 pi (1 - c) with radiance E / (pi s^2), c and s the cosine and sine of half its angle.
+void Wave::spread(Arriving& from, const Light& light, std::uint32_t k) const {
+  const TraceOptions& options = scene_.options;
+  const bool is_lamp = light.lamp.has_value();
+  const double away = from.distance, radius = options.lamp_radius;
+  const double sine = is_lamp ? radius / away : std::sin(options.sun_angle);
+  if (!(sine > 0) || !(sine < 1)) return;  // a point; or inside the lamp, which is lit as by a point
+  const double cosine = std::sqrt(1 - sine * sine);
+  const auto u = numbers(k, Purpose::light);
+  from.to_light = direction_in_cone(from.to_light, cosine, double(u[1]), double(u[2]));
+  from.irradiance *= 2 / (1 + cosine);
+  if (!is_lamp) return;
+  const double along = glm::dot(light.lamp->position - from.point, from.to_light);
+  from.distance = along - std::sqrt(std::max(0.0, radius * radius - away * away + along * along));
+}
 
 /// At the scattering that the camera sees every light is asked, further on one that is drawn; the surroundings always.
 int Wave::light_rounds() const {
@@ -37,15 +63,22 @@ Wave::Arriving Wave::arriving(const glm::dvec3& point, std::uint32_t k, int roun
   }
   const bool draws = scattering_ > 0 && lights.size() > 1;
   const double u = draws ? double(numbers(k, Purpose::light)[0]) : 0;
-  const Light& light = lights[draws ? std::size_t(u * double(lights.size())) : std::size_t(round)];
-  Arriving from{.to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance};
-  if (!light.lamp) return from;
+  const std::size_t at = draws ? std::size_t(u * double(lights.size())) : std::size_t(round);
+  const Light& light = lights[at];
+  Arriving from{
+      .to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance, .light = at};
+  from.point = point;
+  if (!light.lamp) {
+    spread(from, light, k);
+    return from;
+  }
   const glm::dvec3 way = light.lamp->position - point;
   from.distance = glm::length(way);
   from.to_light = from.distance > 0 ? way / from.distance : glm::dvec3(0, 1, 0);
   const double away = std::max(from.distance, k_least_distance);
   from.irradiance = (draws ? double(lights.size()) : 1) * light.lamp->intensity *
                     (spot_share(*light.lamp, from.to_light) / (away * away));
+  spread(from, light, k);
   return from;
 }
 
@@ -58,7 +91,7 @@ void Wave::light_surface(const SurfacePoint& point, int round) {
   glm::dvec3 light = path.throughput * point.albedo * from.irradiance * (cosine / std::numbers::pi);
   if (from.density > 0) light *= from.density / (from.density + cosine / std::numbers::pi);
   if (!(std::max({light.x, light.y, light.z}) > 0)) return;
-  if (scene_.rays->is_blocked(point.position, from.to_light, from.distance)) return;
+  if (scene_.rays->is_blocked(point.position, from.to_light, from.distance, {}, path.time)) return;
   const int backward = path.backward + int(scattering_ > 0);
   add(point.path, light, {scattering_ + 1, backward, scattering_ > 0 ? &path.shares : nullptr});
 }
@@ -72,8 +105,7 @@ void Wave::scatter_surface(const SurfacePoint& point) {
   const glm::dvec3 other = std::abs(point.normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 side = glm::normalize(glm::cross(point.normal, other));
   path.origin = point.position;
-  path.direction =
-      glm::normalize(disk.x * side + disk.y * glm::cross(point.normal, side) + cosine * point.normal);
+  path.direction = glm::normalize(disk.x * side + disk.y * glm::cross(point.normal, side) + cosine * point.normal);
   path.from = {};
   path.density = cosine / std::numbers::pi;
   path.backward += int(scattering_ > 0);

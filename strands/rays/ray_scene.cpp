@@ -1,13 +1,13 @@
 #include "strands/rays/ray_scene.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
+#include <limits>
 #include <vector>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
-#include "strands/rays/detail/embree_curves.h"
+#include "strands/rays/detail/embree_scene.h"
 #include "strands/rays/round_cone.h"
 
 namespace cuticle::strands {
@@ -21,58 +21,42 @@ constexpr unsigned k_fibres = 0;  ///< geometry; surfaces follow
 }  // namespace
 
 struct RayScene::Impl {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  EmbreeScene tree;
   std::vector<RaySegment> segments;
-  std::vector<glm::vec4> spheres;
+  std::vector<glm::vec4> spheres, spheres_at_end;  ///< at_end: empty where nothing moves
   std::vector<std::uint32_t> offsets;
-  std::atomic<std::size_t> bytes{0};
 
-  ~Impl() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
+  Result<void> build(const Groom& groom, std::span<const Mesh> surfaces, std::span<const glm::vec3> positions_at_end);
+  glm::vec4 sphere_at(std::uint32_t vertex, float time) const {
+    return spheres_at_end.empty() ? spheres[vertex] : glm::mix(spheres[vertex], spheres_at_end[vertex], time);
   }
-  Result<void> build(const Groom& groom, std::span<const Mesh> surfaces);
-  void add_fibres(const Groom& groom);
-  void add_surface(const Mesh& mesh, unsigned id);
-  LineInterval interval(std::uint32_t vertex, const glm::dvec3& origin, const glm::dvec3& direction) const {
-    return round_cone_interval(origin, direction, spheres[vertex], spheres[vertex + 1]);
-  }
-  double leaves_at(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from) const;
 };
 
 namespace {
 
 /// Embree's query context with the ray in double and what the filter found.
 struct Query {
-  RTCIntersectContext context;  ///< first, so that Embree's pointer is ours
+  RayContext context;  ///< first, so that Embree's pointer is ours
   const RayScene::Impl* scene;
   glm::dvec3 origin, direction;
   FibreLeft from;
-  double limit;          ///< hits from here on do not count
-  double left_at = -1;   ///< where the ray is out of the fibre that it leaves; negative: not asked yet
+  double limit;  ///< hits from here on do not count
+  float time;
+  double left_at = -1;  ///< where the ray is out of the fibre that it leaves; negative: not asked yet
+
+  LineInterval interval(std::uint32_t vertex) const {
+    return round_cone_interval(origin, direction, scene->sphere_at(vertex, time), scene->sphere_at(vertex + 1, time));
+  }
 };
 
-void begin(RTCRay& ray, const Query& query) {
-  ray.org_x = float(query.origin.x);
-  ray.org_y = float(query.origin.y);
-  ray.org_z = float(query.origin.z);
-  ray.dir_x = float(query.direction.x);
-  ray.dir_y = float(query.direction.y);
-  ray.dir_z = float(query.direction.z);
-  ray.tnear = 0;
-  ray.tfar = float(query.limit);
-  ray.mask = ~0u;
-}
-
-}  // namespace
-
 /// How far the ray runs inside segments of its own strand that overlap one after the other, in both directions.
-double RayScene::Impl::leaves_at(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from) const {
-  const double slack = 1e-3 * double(spheres[from.vertex].w);
-  double out = std::max(0.0, interval(from.vertex, origin, direction).last);
+double leaves_at(const Query& query) {
+  const FibreLeft& from = query.from;
+  const std::vector<std::uint32_t>& offsets = query.scene->offsets;
+  const double slack = 1e-3 * double(query.scene->spheres[from.vertex].w);
+  double out = std::max(0.0, query.interval(from.vertex).last);
   const auto extend = [&](std::uint32_t vertex) {
-    const LineInterval more = interval(vertex, origin, direction);
+    const LineInterval more = query.interval(vertex);
     const bool overlaps = more.last >= 0 && more.first <= out + slack;
     if (overlaps) out = std::max(out, more.last);
     return overlaps;
@@ -82,15 +66,13 @@ double RayScene::Impl::leaves_at(const glm::dvec3& origin, const glm::dvec3& dir
   return out + slack;
 }
 
-namespace {
-
 /// Takes a fibre's hit where the ray enters the cone itself, and puts its distance into the ray.
 bool takes(Query& query, unsigned primitive, float& distance) {
   const RaySegment& segment = query.scene->segments[primitive];
-  const LineInterval inside = query.scene->interval(segment.first, query.origin, query.direction);
+  const LineInterval inside = query.interval(segment.first);
   if (!(inside.first > 0) || !(inside.first < query.limit)) return false;
   if (segment.strand == query.from.strand) {
-    if (query.left_at < 0) query.left_at = query.scene->leaves_at(query.origin, query.direction, query.from);
+    if (query.left_at < 0) query.left_at = leaves_at(query);
     if (inside.first <= query.left_at) return false;
   }
   query.limit = inside.first;
@@ -117,84 +99,43 @@ void filter_surface(const RTCFilterFunctionNArguments* arguments) {
     query.limit = double(distance);
 }
 
-bool count_memory(void* total, ssize_t bytes, bool) {
-  *static_cast<std::atomic<std::size_t>*>(total) += std::size_t(bytes);
-  return true;
-}
-
 }  // namespace
 
-void RayScene::Impl::add_fibres(const Groom& groom) {
-  for (std::size_t v = 0; v < groom.vertex_count(); ++v) spheres.emplace_back(groom.positions[v], groom.radii[v]);
+Result<void> RayScene::Impl::build(const Groom& groom, std::span<const Mesh> surfaces,
+                                   std::span<const glm::vec3> positions_at_end) {
+  spheres = spheres_of(groom);
+  for (std::size_t v = 0; v < positions_at_end.size(); ++v)
+    spheres_at_end.emplace_back(positions_at_end[v], groom.radii[v]);
   offsets = groom.offsets;
-  for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
-    for (std::uint32_t v = offsets[s]; v + 1 < offsets[s + 1]; ++v)
-      if (groom.positions[v] != groom.positions[v + 1]) segments.push_back({v, s});
-  if (segments.empty()) return;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-  if (fill_vertices(geometry, spheres.size(), [&](std::size_t v) { return spheres[v]; })) {
-    fill_segments(geometry, segments);
-    rtcSetGeometryIntersectFilterFunction(geometry, filter_fibre);
-    rtcSetGeometryOccludedFilterFunction(geometry, filter_fibre);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, k_fibres);
-  }
-  rtcReleaseGeometry(geometry);
-}
-
-void RayScene::Impl::add_surface(const Mesh& mesh, unsigned id) {
-  if (mesh.triangles.empty()) return;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-  auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
-  if (vertices && triangles) {
-    std::ranges::copy(mesh.positions, vertices);
-    std::ranges::copy(mesh.triangles, triangles);
-    rtcSetGeometryIntersectFilterFunction(geometry, filter_surface);
-    rtcSetGeometryOccludedFilterFunction(geometry, filter_surface);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-  }
-  rtcReleaseGeometry(geometry);
-}
-
-Result<void> RayScene::Impl::build(const Groom& groom, std::span<const Mesh> surfaces) {
-  device = rtcNewDevice(nullptr);
-  if (!device) return internal_error(fmt::format("Embree gave no device (error {})", int(rtcGetDeviceError(nullptr))));
-  rtcSetDeviceMemoryMonitorFunction(device, count_memory, &bytes);
-  scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-  add_fibres(groom);
-  for (std::size_t k = 0; k < surfaces.size(); ++k) add_surface(surfaces[k], k_fibres + 1 + unsigned(k));
-  rtcCommitScene(scene);
-  const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_NONE) return {};
-  const std::string message =
-      fmt::format("Embree could not build a tree over {} segments (error {})", segments.size(), int(error));
-  return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"}
-                                          : internal_error(message);
+  segments = segments_of(groom, true);
+  CUTICLE_TRY(tree.open(RTC_BUILD_QUALITY_HIGH));
+  tree.add_segments(spheres, spheres_at_end, segments, k_fibres, filter_fibre);
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+    tree.add_mesh(surfaces[k], k_fibres + 1 + unsigned(k), filter_surface);
+  return tree.commit(segments.size());
 }
 
 RayScene::RayScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayScene::~RayScene() = default;
 
-Result<std::unique_ptr<RayScene>> RayScene::build(const Groom& groom, std::span<const Mesh> surfaces) {
+Result<std::unique_ptr<RayScene>> RayScene::build(const Groom& groom, std::span<const Mesh> surfaces,
+                                                  std::span<const glm::vec3> positions_at_end) {
   CUTICLE_TRY(validate(groom));
+  if (!positions_at_end.empty() && positions_at_end.size() != groom.vertex_count())
+    return internal_error(fmt::format("{} positions at the end of the motion, {} vertices", positions_at_end.size(),
+                                      groom.vertex_count()));
   auto impl = std::make_unique<Impl>();
-  CUTICLE_TRY(impl->build(groom, surfaces));
+  CUTICLE_TRY(impl->build(groom, surfaces, positions_at_end));
   return std::unique_ptr<RayScene>(new RayScene(std::move(impl)));
 }
 
-RayHit RayScene::closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from) const {
-  Query query{{}, impl_.get(), origin, direction, from, std::numeric_limits<double>::infinity()};
-  rtcInitIntersectContext(&query.context);
-  RTCRayHit found{};
-  begin(found.ray, query);
+RayHit RayScene::closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from,
+                         double time) const {
+  Query query{{}, impl_.get(), origin, direction, from, std::numeric_limits<double>::infinity(), float(time)};
+  RTCRayHit found{ray_of(origin, direction), {}};
+  found.ray.time = query.time;
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &query.context, &found);
+  trace_closest(impl_->tree.scene(), query.context, found);
   RayHit hit;
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.distance = query.limit;
@@ -212,16 +153,16 @@ RayHit RayScene::closest(const glm::dvec3& origin, const glm::dvec3& direction, 
   return hit;
 }
 
-bool RayScene::is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance,
-                          const FibreLeft& from) const {
-  Query query{{}, impl_.get(), origin, direction, from, distance};
-  rtcInitIntersectContext(&query.context);
-  RTCRay ray{};
-  begin(ray, query);
-  rtcOccluded1(impl_->scene, &query.context, &ray);
+bool RayScene::is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance, const FibreLeft& from,
+                          double time) const {
+  Query query{{}, impl_.get(), origin, direction, from, distance, float(time)};
+  RTCRay ray = ray_of(origin, direction);
+  ray.tfar = float(distance);
+  ray.time = query.time;
+  trace_any(impl_->tree.scene(), query.context, ray);
   return ray.tfar < 0;
 }
 
-std::size_t RayScene::memory_bytes() const { return impl_->bytes; }
+std::size_t RayScene::memory_bytes() const { return impl_->tree.memory_bytes(); }
 
 }  // namespace cuticle::strands

@@ -38,14 +38,17 @@ struct RayHit {
 class RayScene {
  public:
   struct Impl;
-  /// Errors: internal, where the groom is not valid; out_of_memory, naming the segments.
-  static Result<std::unique_ptr<RayScene>> build(const Groom& groom, std::span<const Mesh> surfaces);
+  /// `positions_at_end`: of the groom's vertices at time 1, between which and its own, at time 0, they move evenly;
+  /// empty: nothing moves. Errors: internal, where the groom is not valid; out_of_memory, naming the segments.
+  static Result<std::unique_ptr<RayScene>> build(const Groom& groom, std::span<const Mesh> surfaces,
+                                                 std::span<const glm::vec3> positions_at_end = {});
   ~RayScene();
-  /// The first hit along the unit direction.
-  RayHit closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from = {}) const;
+  /// The first hit along the unit direction, at a time from 0 to 1.
+  RayHit closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from = {},
+                 double time = 0) const;
   /// Whether anything is met before `distance`.
-  bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance,
-                  const FibreLeft& from = {}) const;
+  bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance, const FibreLeft& from = {},
+                  double time = 0) const;
   /// Bytes that Embree holds for its trees and copies.
   std::size_t memory_bytes() const;
 

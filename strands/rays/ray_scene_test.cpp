@@ -4,23 +4,14 @@
 #include <cmath>
 #include <random>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "strands/rays/round_cone.h"
+#include "strands/rays/test_strands.h"
 
 namespace cuticle::strands::ray_scene_test {
 namespace {
-
-Groom groom_of(const std::vector<std::vector<glm::vec3>>& strands, float radius) {
-  Groom groom;
-  for (const auto& strand : strands) {
-    groom.positions.insert(groom.positions.end(), strand.begin(), strand.end());
-    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
-  }
-  groom.radii.assign(groom.positions.size(), radius);
-  return groom;
-}
 
 std::unique_ptr<RayScene> scene_of(const Groom& groom, std::span<const Mesh> surfaces = {}) {
   auto scene = RayScene::build(groom, surfaces);
@@ -28,40 +19,14 @@ std::unique_ptr<RayScene> scene_of(const Groom& groom, std::span<const Mesh> sur
   return std::move(scene).value();
 }
 
-/// Coils of segments of 1 mm, tapered, in a slab 0.1 x 0.1 x 0.02 m.
-Groom coils(std::size_t count, float radius) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> unit(0, 1);
-  std::vector<std::vector<glm::vec3>> strands(count);
-  for (auto& strand : strands) {
-    const glm::vec3 start(0.1f * unit(random), 0.1f * unit(random), 0.02f * unit(random));
-    const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)) - 0.5f);
-    const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0.3f, 1, 0.2f))), up = glm::cross(axis, side);
-    for (int i = 0; i < 25; ++i) {
-      const float turn = 0.35f * float(i);
-      strand.push_back(start + 4e-4f * float(i) * axis + 2.6e-3f * (std::cos(turn) * side + std::sin(turn) * up));
-    }
-  }
-  Groom groom = groom_of(strands, radius);
+/// Coils that taper by half.
+Groom tapered_coils(std::size_t count, float radius) {
+  Groom groom = random_coils(count, radius);
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) groom.radii[v] *= 1 - 0.02f * float(v % 25);
   return groom;
 }
 
-struct Ray {
-  glm::dvec3 origin, direction;
-};
-std::vector<Ray> rays_through_slab(int count) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Ray> rays;
-  for (int i = 0; i < count; ++i) {
-    const glm::dvec3 origin(0.1 * unit(random), 0.1 * unit(random), -0.05);
-    rays.push_back({origin, glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 1))});
-  }
-  return rays;
-}
-
-double nearest_by_force(const Groom& groom, const Ray& ray) {
+double nearest_by_force(const Groom& groom, const TestRay& ray) {
   double nearest = std::numeric_limits<double>::infinity();
   const auto sphere = [&](std::uint32_t v) { return glm::vec4(groom.positions[v], groom.radii[v]); };
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
@@ -73,10 +38,10 @@ double nearest_by_force(const Groom& groom, const Ray& ray) {
 }
 
 TEST(RayScene, Coils_NearestHitIsThatOfBruteForce) {
-  const Groom groom = coils(500, 2e-4f);
+  const Groom groom = tapered_coils(500, 2e-4f);
   const auto scene = scene_of(groom);
   int hits = 0;
-  for (const Ray& ray : rays_through_slab(1200)) {
+  for (const TestRay& ray : slab_rays(1200)) {
     const double expected = nearest_by_force(groom, ray);
     const RayHit hit = scene->closest(ray.origin, ray.direction);
     EXPECT_EQ(hit.kind == RayHit::Kind::fibre, std::isfinite(expected));
@@ -91,8 +56,8 @@ TEST(RayScene, Coils_NearestHitIsThatOfBruteForce) {
 
 TEST(RayScene, RayThatLeavesAFibre_MeetsItsOtherSegmentsOnlyWhereItComesBack) {
   // A hairpin: along x, up, and back.
-  const Groom groom = groom_of({{{-0.1f, 0, 0}, {-0.05f, 0, 0}, {0, 0, 0}, {0.05f, 0, 0}, {0.1f, 0.001f, 0}, {0, 0.02f, 0}}},
-                               1e-4f);
+  const Groom groom =
+      groom_of({{{-0.1f, 0, 0}, {-0.05f, 0, 0}, {0, 0, 0}, {0.05f, 0, 0}, {0.1f, 0.001f, 0}, {0, 0.02f, 0}}}, 1e-4f);
   const auto scene = scene_of(groom);
   const glm::dvec3 begin(0.0252, -1e-4, 0);  // on the side that looks down
   const FibreLeft from{0, 2};

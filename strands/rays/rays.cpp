@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include <fmt/core.h>
-
-#include "strands/rays/detail/embree_curves.h"
+#include "strands/rays/detail/embree_scene.h"
 #include "strands/rays/round_cone.h"
 
 namespace cuticle::strands {
@@ -16,7 +13,7 @@ namespace {
 
 /// Embree's query context, with the segments that the filter was told of.
 struct Collector {
-  RTCIntersectContext context;         ///< first, so that Embree's pointer is ours
+  RayContext context;                  ///< first, so that Embree's pointer is ours
   std::array<std::uint32_t, 2> first;  ///< segment of each geometry
   std::vector<std::uint32_t> segments;
 };
@@ -30,81 +27,27 @@ void collect_hit(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;
 }
 
-/// The segments that have a length, or those that have none.
-std::vector<RaySegment> segments_of(const Groom& groom, bool with_length) {
-  std::vector<RaySegment> segments;
-  for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
-    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
-      if ((groom.positions[v] != groom.positions[v + 1]) == with_length) segments.push_back({v, s});
-  return segments;
-}
-
-RTCRayHit make_ray(const glm::dvec3& origin, const glm::dvec3& direction) {
-  RTCRayHit query{};
-  query.ray.org_x = float(origin.x);
-  query.ray.org_y = float(origin.y);
-  query.ray.org_z = float(origin.z);
-  query.ray.dir_x = float(direction.x);
-  query.ray.dir_y = float(direction.y);
-  query.ray.dir_z = float(direction.z);
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  return query;
-}
-
 }  // namespace
 
 struct RayGroom::Impl {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  EmbreeScene tree;
   std::vector<RaySegment> segments;  ///< those with a length, then those without
   std::uint32_t with_length = 0;
   std::vector<glm::vec4> spheres;  ///< of the vertices: position, radius
 
-  ~Impl() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
-  }
   Result<void> build(const Groom& groom);
-  void attach(RTCGeometry geometry, unsigned id);
 };
 
-void RayGroom::Impl::attach(RTCGeometry geometry, unsigned id) {
-  rtcSetGeometryIntersectFilterFunction(geometry, collect_hit);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, id);
-  rtcReleaseGeometry(geometry);
-}
-
 Result<void> RayGroom::Impl::build(const Groom& groom) {
-  device = rtcNewDevice(nullptr);
-  if (!device) return internal_error(fmt::format("Embree gave no device (error {})", int(rtcGetDeviceError(nullptr))));
-  scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  for (std::size_t v = 0; v < groom.vertex_count(); ++v) spheres.emplace_back(groom.positions[v], groom.radii[v]);
+  spheres = spheres_of(groom);
   segments = segments_of(groom, true);
   with_length = std::uint32_t(segments.size());
   const std::vector<RaySegment> points = segments_of(groom, false);
-  if (with_length > 0) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-    if (fill_vertices(geometry, spheres.size(), [&](std::size_t v) { return spheres[v]; }))
-      fill_segments(geometry, segments);
-    attach(geometry, 0);
-  }
-  if (!points.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    fill_vertices(geometry, points.size(), [&](std::size_t i) { return spheres[points[i].first]; });
-    attach(geometry, 1);
-  }
+  CUTICLE_TRY(tree.open(RTC_BUILD_QUALITY_MEDIUM));
+  tree.add_segments(spheres, {}, segments, 0, collect_hit);
+  tree.add_points(spheres, points, 1, collect_hit);
   segments.insert(segments.end(), points.begin(), points.end());
-  rtcCommitScene(scene);
-  const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_NONE) return {};
-  const std::string message =
-      fmt::format("Embree could not build a tree over {} segments (error {})", segments.size(), int(error));
-  return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"}
-                                          : internal_error(message);
+  return tree.commit(segments.size());
 }
 
 RayGroom::RayGroom(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -137,11 +80,11 @@ void join_overlaps(std::vector<Crossing>& crossings) {
 void RayGroom::all_crossings(const glm::dvec3& origin, const glm::dvec3& direction,
                              std::vector<Crossing>& crossings) const {
   thread_local Collector collector;
-  rtcInitIntersectContext(&collector.context);
   collector.first = {0, impl_->with_length};
   collector.segments.clear();
-  RTCRayHit query = make_ray(origin, direction);
-  rtcIntersect1(impl_->scene, &collector.context, &query);
+  RTCRayHit query{ray_of(origin, direction), {}};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  trace_closest(impl_->tree.scene(), collector.context, query);
   std::vector<std::uint32_t>& found = collector.segments;
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

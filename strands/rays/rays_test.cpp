@@ -10,18 +10,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "strands/rays/test_strands.h"
+
 namespace cuticle::strands::rays_test {
 namespace {
-
-Groom groom_of(const std::vector<std::vector<glm::vec3>>& strands, float radius) {
-  Groom groom;
-  for (const auto& strand : strands) {
-    groom.positions.insert(groom.positions.end(), strand.begin(), strand.end());
-    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
-  }
-  groom.radii.assign(groom.positions.size(), radius);
-  return groom;
-}
 
 std::vector<Crossing> crossings_of(const Groom& groom, const glm::dvec3& origin, const glm::dvec3& direction) {
   const auto rays = RayGroom::build(groom);
@@ -66,37 +58,6 @@ Groom random_slab(std::size_t count, float radius) {
       strand.push_back(point);
       direction += 0.4f * glm::vec3(unit(random) - 0.5f, unit(random) - 0.5f, 0);
       point += 0.008f * glm::normalize(direction);
-    }
-  }
-  return groom_of(strands, radius);
-}
-
-struct TestRay {
-  glm::dvec3 origin, direction;
-};
-std::vector<TestRay> slab_rays(int count) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<TestRay> rays;
-  for (int i = 0; i < count; ++i) {
-    const glm::dvec3 origin(0.1 * unit(random), 0.1 * unit(random), -0.05);
-    rays.push_back({origin, glm::normalize(glm::dvec3(unit(random) - 0.5, unit(random) - 0.5, 1))});
-  }
-  return rays;
-}
-
-/// Coils of segments of 1 mm in the same slab, as curly hair has them.
-Groom random_coils(std::size_t count, float radius) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> unit(0, 1);
-  std::vector<std::vector<glm::vec3>> strands(count);
-  for (auto& strand : strands) {
-    const glm::vec3 start(0.1f * unit(random), 0.1f * unit(random), 0.02f * unit(random));
-    const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)) - 0.5f);
-    const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0.3f, 1, 0.2f))), up = glm::cross(axis, side);
-    for (int i = 0; i < 25; ++i) {
-      const float turn = 0.35f * float(i);
-      strand.push_back(start + 4e-4f * float(i) * axis + 2.6e-3f * (std::cos(turn) * side + std::sin(turn) * up));
     }
   }
   return groom_of(strands, radius);

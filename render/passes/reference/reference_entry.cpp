@@ -1,5 +1,9 @@
 #include "render/passes/reference/reference_entry.h"
 
+#include <vector>
+
+#include "shadows/method.h"
+
 namespace cuticle::render::reference {
 
 namespace {
@@ -9,6 +13,17 @@ using registry::ParameterType;
 
 constexpr std::string_view k_reference_demands[] = {"strands", "output_color", "drawn_by_reference"};
 constexpr std::string_view k_fields[] = {"near", "far"};
+
+/// "traced", then every shadow method.
+std::span<const std::string_view> shadow_choices() {
+  static const std::vector<std::string_view> choices = [] {
+    std::vector<std::string_view> names = {"traced"};
+    for (const shadows::Method* method : shadows::methods()) names.push_back(method->entry.name);
+    return names;
+  }();
+  return choices;
+}
+
 constexpr Parameter k_reference_parameters[] = {
     {.name = "samples",
      .type = ParameterType::integer,
@@ -38,7 +53,40 @@ constexpr Parameter k_reference_parameters[] = {
      .default_text = "near",
      .choices = k_fields,
      .summary = "of models that have both; near: at the offset of the hit; far: the mean over the fibre's width"},
+    {.name = "lamp_radius",
+     .unit = "m",
+     .minimum = 0,
+     .maximum = 10,
+     .default_text = "0",
+     .summary = "of every lamp, a sphere of even radiance; 0: points"},
+    {.name = "sun_angle",
+     .unit = "rad",
+     .minimum = 0,
+     .maximum = 1.5,
+     .default_text = "0",
+     .summary = "half the angle under which distant lights are seen; 0: points"},
+    {.name = "tables",
+     .type = ParameterType::boolean,
+     .default_text = "false",
+     .summary = "lookup tables of the material's layout and size, of the far field, in the place of the model"},
 };
+
+/// With every registered shadow method as a choice of `shadow`.
+std::span<const Parameter> parameters() {
+  static const std::vector<Parameter> table = [] {
+    std::vector<Parameter> rows(std::begin(k_reference_parameters), std::end(k_reference_parameters));
+    rows.push_back(
+        {.name = "shadow",
+         .type = ParameterType::choice,
+         .default_text = "traced",
+         .choices = shadow_choices(),
+         .summary =
+             "what of a light arrives at hair: by rays, or by a shadow method at the vertices; with the parameters "
+             "of shadow.method where it is the scene's, and with fibre_alpha"});
+    return rows;
+  }();
+  return table;
+}
 
 }  // namespace
 
@@ -48,7 +96,7 @@ const Pass& entry() {
                 .name = "reference",
                 .summary = "path tracing on the CPU: light that scatters from fibre to fibre, without tables or maps",
                 .source = "Kajiya 1986; Veach 1997 (multiple importance sampling); the material's own fibre model",
-                .parameters = k_reference_parameters,
+                .parameters = parameters(),
                 .demands = k_reference_demands,
                 .stage = registry::Stage::resolve},
       .whole_pictures = true};
