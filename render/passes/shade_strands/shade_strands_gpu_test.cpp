@@ -246,7 +246,7 @@ glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, dou
 TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
   const Field field;
   double gain = 0;
-  for (const auto [through, spread] : {std::pair{0.9f, 0.0}, {0.2f, 0.4}, {0.2f, 0.0}}) {
+  for (const auto& [through, spread] : {std::pair{0.9f, 0.0}, {0.2f, 0.4}, {0.2f, 0.0}}) {
     const Shaded with = through == 0.2f && spread == 0
                             ? deep_in_hair()
                             : field.shade({.dual = true, .through = through, .spread = spread}),
