@@ -55,6 +55,11 @@ std::vector<std::string> arguments_of(std::string_view command, const std::strin
 /// Why a picture cannot be made here; empty: it can.
 std::string missing_for(const GalleryPicture& picture) {
   if (picture.needs_data && !std::getenv("CUTICLE_TEST_DATA")) return "CUTICLE_TEST_DATA is not set";
+#ifndef CUTICLE_HAS_GPU
+  for (const std::string_view command : picture.commands)
+    if (command.starts_with("render") || command.starts_with("simulate"))
+      return "this program was built without Vulkan";
+#endif
 #ifndef CUTICLE_HAS_VTK
   if (picture.needs_display) return "this program was built without VTK";
 #endif

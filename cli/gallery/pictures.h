@@ -8,8 +8,8 @@ namespace cuticle::cli {
 
 struct GalleryPicture {
   std::string_view name, title;
-  /// Arguments of `cuticle`. {work} is a folder of the picture's own, {scenes} that of the scenes; {440} is 440 times the
-  /// gallery's scale.
+  /// Arguments of `cuticle`. {work} is a folder of the picture's own, {scenes} that of the scenes; {440} is 440 times
+  /// the gallery's scale.
   std::vector<std::string_view> commands;
   std::vector<std::string_view> parts;  ///< pictures in {work}, side by side
   int columns = 1;                      ///< parts in a row

@@ -65,7 +65,7 @@ float srgb_transfer(float linear) {
 float display_value(float radiance, float peak) {
   constexpr float k_whitens = 0.3f;
   if (!(radiance > 0.0f)) return 0.0f;
-  const float kept = radiance * (filmic_shoulder(peak) / peak), own = filmic_shoulder(radiance);
+  const float kept = filmic_shoulder(peak) * (radiance / peak), own = filmic_shoulder(radiance);
   return std::min(srgb_transfer(kept + k_whitens * (own - kept)), 1.0f);
 }
 

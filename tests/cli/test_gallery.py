@@ -9,7 +9,7 @@ from program import ROOT, run
 
 PAGE = (ROOT / "docs/gallery.md").read_text(encoding="utf-8")
 # What takes long even when small: the sweep runs these too.
-LONG = {"error_against_time", "mermaid", "tension", "colours", "fox_fur"}
+LONG = {"black_curls", "cards_beside_strands", "error_against_time", "mermaid", "tension", "colours", "fox_fur"}
 
 
 def names():
