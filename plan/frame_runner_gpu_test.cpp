@@ -188,7 +188,7 @@ TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
 
 // H11: a quarter of the strands, four times as wide, shadows all of them.
 TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
-  constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "caster_share": 0.25})";
+  constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "fibre_alpha": 0.4, "caster_share": 0.25})";
   const double all = mean(luminance(frame_of(*runner({k_light, k_shadow}), 0).color));
   const double quarter = mean(luminance(frame_of(*runner({k_light, few}), 0).color));
   const double open = mean(luminance(frame_of(*runner({k_light}), 0).color));

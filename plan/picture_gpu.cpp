@@ -111,7 +111,7 @@ Result<void> Picture::make_strands() {
   resources_.floor = scene_.floor;
   resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
-  resources_.fibre_alpha = scene_.fibre_alpha;
+  resources_.fibre_alpha = scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity));
   return {};
 }
 
@@ -197,6 +197,9 @@ std::uint32_t Picture::strands_of_level() const {
   for (const render::Pass* pass : {&render::lines::entry(), &render::quads::entry(), &render::tile_lists::entry()})
     if (find_pass(plan_, pass->entry.name))
       return render::lines::drawn_part(resources_, parameters_of(resources_, *pass)).strands;
+  return all_strands();
+}
+std::uint32_t Picture::all_strands() const {
   return resources_.strands.segment_count / (resources_.vertices_per_strand - 1);
 }
 
@@ -297,6 +300,7 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   if (begins_frame()) {
     CUTICLE_TRY(record_generate(commands, input));
     resources_.casters = casters();
+    resources_.strands_each = double(all_strands()) / double(std::max(1u, strands_of_level()));
     CUTICLE_TRY(shadows_.record(commands, resources_));
   }
   CUTICLE_TRY(record_passes(commands));

@@ -47,6 +47,7 @@ struct FrameResources {
   glm::ivec2 part_corner{0}, part_size{0};
   std::vector<Light> lights;
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
+  double strands_each = 1;                        ///< strands of the scene that one stands for at a level of detail
   shadows::GpuStrands casters;                    ///< those of them that cast shadows
   const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
   shadows::Channels channels;                     ///< whose transmittance differs

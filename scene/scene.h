@@ -138,7 +138,9 @@ struct Scene {
   std::vector<Light> lights;
   std::optional<EnvironmentSource> environment;
   std::optional<Block> shadow;  ///< shadow method with its parameters
-  glm::dvec3 fibre_alpha{0.4};  ///< opacity of one crossing, of red, green and blue light
+  /// Opacity of one crossing, of red, green and blue light; none: of opaque fibres, by width and number
+  /// (plan/file_strands.h).
+  std::optional<glm::dvec3> fibre_alpha;
   double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;

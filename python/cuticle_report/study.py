@@ -96,8 +96,9 @@ def words(study):
                      f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
                      f"disc of radius {1e3 * raw['footprint_m']:.3g} mm.")
     if truth := raw.get("truth"):
-        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over the "
-                     f"{truth['counted']} with 0.05 < T < 0.95, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
+        of = "all of them" if truth["counted"] == truth["receivers"] else f"the {truth['counted']} with 0.05 < T < 0.95"
+        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over "
+                     f"{of}, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
                      f"Settings are chosen on one half of them, and errors are those of the other half, with 95 % intervals.")
     if raw.get("device"):
         parts.append(f"Times are wall clock on {raw['device']}.")
