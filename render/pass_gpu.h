@@ -60,7 +60,7 @@ struct FrameResources {
   glm::dvec3 fibre_alpha{0.4};                   ///< opacity of one crossing per channel, as shadows have it
   const bsdf::Model* model = nullptr;            ///< the material's, with its parameters
   const registry::ParameterValues* model_values = nullptr;
-  bool evaluates_directly = false;  ///< strands are shaded by the model's formulas, not by tables
+  bool evaluates_directly = false;                    ///< strands are shaded by the model's formulas, not by tables
   const strands::Groom* rest = nullptr;               ///< drawn strands at rest, where a pass makes something of them
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points

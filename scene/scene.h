@@ -62,7 +62,7 @@ struct CharacterSource {
   strands::Convention convention;  ///< of the file
 };
 struct MaterialSource {
-  Block model;  ///< bsdf model with its parameters
+  Block model;                      ///< bsdf model with its parameters
   std::string evaluate = "tables";  ///< or "direct": by the model's formulas
   std::string layout = "nalu";
   int lut_size = 128;
@@ -141,7 +141,7 @@ struct Scene {
   /// Opacity of one crossing, of red, green and blue light; none: of opaque fibres, by width and number
   /// (plan/file_strands.h).
   std::optional<glm::dvec3> fibre_alpha;
-  double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
+  double caster_share = 1;  ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;
   int strand_vertices = 30;  ///< per drawn strand, 2 .. strands::k_most_vertices

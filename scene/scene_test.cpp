@@ -255,8 +255,10 @@ TEST(Scene, NotJson_NamesLineAndColumn) {
 
 TEST(Scene, Mistake_IsNamedWithLineAndColumn) {
   const auto message = [](const char* text) { return parse_scene(text, "/", "s.json", catalogue()).error().message; };
-  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov\": 30}}"), HasSubstr("s.json:2:14: camera: unknown key 'fov'"));
-  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov_deg\": 300}}"), HasSubstr("s.json:2:14: camera.fov_deg = 300"));
+  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov\": 30}}"),
+              HasSubstr("s.json:2:14: camera: unknown key 'fov'"));
+  EXPECT_THAT(message("{\"schema_version\": 1,\n  \"camera\": {\"fov_deg\": 300}}"),
+              HasSubstr("s.json:2:14: camera.fov_deg = 300"));
 }
 
 TEST(Scene, Comments_AreSkipped) {

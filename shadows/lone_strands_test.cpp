@@ -100,8 +100,9 @@ TEST(LoneStrands, UnderALamp_AreLit) {
     for (const glm::dvec3 lamp : {glm::dvec3(0.3, 0.4, 0.3), glm::dvec3(0.1, 3, 0.4)})
       for (const std::string map : {"resolution=256", "resolution=768,filter_texels=2.5"}) {
         const auto values = tests::values_of(setting.method, with(setting.full, map)).value();
-        const auto result = (*find_method(setting.method))
-                                ->evaluate({&lone.groom, 1, {0, 1, 0}, lamp}, {lone.groom.positions, lone.strands}, values);
+        const auto result =
+            (*find_method(setting.method))
+                ->evaluate({&lone.groom, 1, {0, 1, 0}, lamp}, {lone.groom.positions, lone.strands}, values);
         ASSERT_TRUE(result) << result.error().message;
         EXPECT_GT(tests::mean(result->values), 0.995) << setting.method << " " << map << ", lamp at " << lamp.y;
       }
@@ -113,7 +114,8 @@ TEST(LoneStrands, OfChannelsOfTheirOwnOpacity_AreLit) {
   for (const Setting& setting : map_settings()) {
     if (setting.method == "shadow_map") continue;
     for (const std::string more : {"", "accumulate=poisson"}) {
-      const auto values = tests::values_of(setting.method, with(with(setting.full, "resolution=512"), more.empty() ? "k=5.5" : more));
+      const auto values =
+          tests::values_of(setting.method, with(with(setting.full, "resolution=512"), more.empty() ? "k=5.5" : more));
       const auto result = evaluate_channels(**find_method(setting.method), {&lone.groom, 1, {0, 1, 0}}, {0.15, 0.5, 1},
                                             {lone.groom.positions, lone.strands}, values.value());
       ASSERT_TRUE(result) << result.error().message;

@@ -39,11 +39,13 @@ struct Strips {
 /// As few as let `layers` words a texel stay below `most_bytes`; a map is at most 4 times as wide as its resolution.
 Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_t most_bytes) {
   const std::uint64_t side = settings.resolution, all = side * side;
-  const auto margin = std::uint32_t(
-      1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
+  const auto margin =
+      std::uint32_t(1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
   const auto held = [&](std::uint64_t count) { return count == 1 ? all : all / count + (2 * margin + 2) * 4 * side; };
+  constexpr std::uint32_t k_most_strips = 64;
   std::uint32_t count = 1;
-  while (4 * layers * held(count) > most_bytes && held(count + 1) < held(count)) ++count;
+  while (4 * layers * held(count) > most_bytes && count < k_most_strips) ++count;
+  if (4 * layers * held(count) > most_bytes) count = 1;  // too wide a filter: refused as a whole
   return {count, count == 1 ? 0 : margin, held(count)};
 }
 

@@ -14,7 +14,8 @@ uint own_begin = 0u, own_end = 0u;  // segments
 uint segment_from(uint v) {
   const uint last = first_vertex(push.segment_count - 1u);
   if (v > last) return push.segment_count;
-  const uint guess = min(uint(float(v) * (float(push.segment_count - 1u) / float(max(last, 1u)))), push.segment_count - 1u);
+  const float share = float(v) / float(max(last, 1u));
+  const uint guess = min(uint(share * float(push.segment_count - 1u)), push.segment_count - 1u);
   const uint there = first_vertex(guess);
   uint first = there < v ? guess + 1u : guess - min(guess, there - v);
   uint count = there < v ? min(guess + (v - there), push.segment_count) - first : guess - first;

@@ -28,7 +28,7 @@ uint code_of(uint sum) {
 void main() {
   const uint t = invocation();
   if (t >= push.count) return;
-  // Numbers of the map from `first` to `end`, of which `sums` holds those from `held` on: a strip's words may begin with
+  // Numbers of the map from `first` to `end`; `sums` holds those from `held` to `held_end`, since words may begin with
   // numbers of the strip before.
   uint first = 0u, end = push.count * push.layers, held = 0u, held_end = end;
   for (bool in_strips = push.strips > 1u; in_strips; in_strips = false) {

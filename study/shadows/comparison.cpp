@@ -191,7 +191,8 @@ std::vector<ContactError> contact_errors(std::span<const float> values, const Co
       there.push_back(values[i]);
       truth.push_back(comparison.truth[i]);
     }
-    if (!there.empty()) bands.push_back({from, to, there.size(), error_statistics(there, truth, Half::both, comparison.errors_of())});
+    if (!there.empty())
+      bands.push_back({from, to, there.size(), error_statistics(there, truth, Half::both, comparison.errors_of())});
   }
   return bands;
 }
@@ -206,8 +207,7 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   Comparison comparison = describe(request, probes.points.size());
   progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
   CUTICLE_ASSIGN(auto truth, evaluate_truth(request, casters, receivers, comparison.footprint_radius));
-  if (!request.to_camera &&
-      !(has_counted(truth.values, Half::choosing) && has_counted(truth.values, Half::reporting)))
+  if (!request.to_camera && !(has_counted(truth.values, Half::choosing) && has_counted(truth.values, Half::reporting)))
     return bad_input("no receiver has a transmittance between 0.05 and 0.95: nothing to compare",
                      "another radius, alpha or light, more receivers, or check metres per unit");
   comparison.truth_cost = truth.cost;

@@ -87,11 +87,11 @@ struct ContactError {
 struct ComparisonRow {
   std::string method, settings;  ///< settings as `--set` would take them: what differs from the defaults
   registry::ParameterValues values;
-  ErrorStatistics choosing, error;   ///< over either half; `error` is the one to report
-  shadows::Cost cost;                ///< lookup at the receivers
-  double total_ms = 0;               ///< build, and lookup at every vertex of the groom
-  double light_left = 1;             ///< mean T of all receivers, whatever their truth
-  double light_left_interval = 0;    ///< half width of 95 % of its difference to the truth's
+  ErrorStatistics choosing, error;  ///< over either half; `error` is the one to report
+  shadows::Cost cost;               ///< lookup at the receivers
+  double total_ms = 0;              ///< build, and lookup at every vertex of the groom
+  double light_left = 1;            ///< mean T of all receivers, whatever their truth
+  double light_left_interval = 0;   ///< half width of 95 % of its difference to the truth's
   std::vector<ContactError> contact;
   std::vector<float> transmittance;  ///< at the receivers
   std::optional<Flicker> flicker;
@@ -110,9 +110,9 @@ struct Comparison {
   bool at_pixels = false;                  ///< receivers are what a camera sees
   std::size_t receivers = 0, counted = 0;  ///< asked for, and of those that errors are of
   Counted errors_of() const { return at_pixels ? Counted::all : Counted::partly_lit; }
-  double truth_standard_error = 0;         ///< mean over the receivers counted
+  double truth_standard_error = 0;  ///< mean over the receivers counted
   shadows::Cost truth_cost;
-  double light_left = 1;  ///< the truth's, of all receivers
+  double light_left = 1;                ///< the truth's, of all receivers
   ErrorStatistics none, best_constant;  ///< baselines: T = 1, and the constant with the least mean |error| (the median)
   double best_constant_value = 0;
   std::vector<glm::vec3> points;  ///< of the receivers, with their true transmittance and its standard error

@@ -85,11 +85,12 @@ std::string csv_line(const ComparisonRow& row) {
                                                row.on_device->build_ms, row.on_device->lookup_ms, row.on_device->device)
                                  : ",,,";
   return fmt::format(
-      "{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\",{},{},{},{:.6g},{:.3g}\n", row.method,
-      row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean, row.error.mean_interval,
-      row.error.percentile_95, row.error.maximum, row.error.bias, row.choosing.mean, row.cost.build_ms,
-      row.cost.lookup_ms, row.total_ms, row.cost.bytes, row.cost.device, light, motion, device, row.light_left,
-      row.light_left_interval);
+      "{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\",{},{},{},{:.6g},{:.3g}"
+      "\n",
+      row.method, row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean,
+      row.error.mean_interval, row.error.percentile_95, row.error.maximum, row.error.bias, row.choosing.mean,
+      row.cost.build_ms, row.cost.lookup_ms, row.total_ms, row.cost.bytes, row.cost.device, light, motion, device,
+      row.light_left, row.light_left_interval);
 }
 ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error, double light_left) {
   ComparisonRow row;
