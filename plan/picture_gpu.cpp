@@ -197,9 +197,6 @@ std::uint32_t Picture::strands_of_level() const {
   for (const render::Pass* pass : {&render::lines::entry(), &render::quads::entry(), &render::tile_lists::entry()})
     if (find_pass(plan_, pass->entry.name))
       return render::lines::drawn_part(resources_, parameters_of(resources_, *pass)).strands;
-  return all_strands();
-}
-std::uint32_t Picture::all_strands() const {
   return resources_.strands.segment_count / (resources_.vertices_per_strand - 1);
 }
 
@@ -300,7 +297,6 @@ Result<gpu::SubmitCost> Picture::paint_once(const PictureInput& input, Trace* tr
   if (begins_frame()) {
     CUTICLE_TRY(record_generate(commands, input));
     resources_.casters = casters();
-    resources_.strands_each = double(all_strands()) / double(std::max(1u, strands_of_level()));
     CUTICLE_TRY(shadows_.record(commands, resources_));
   }
   CUTICLE_TRY(record_passes(commands));

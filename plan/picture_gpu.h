@@ -66,7 +66,6 @@ class Picture {
                               std::span<const std::string_view> more_names) const;
   Result<void> record_generate(gpu::Commands& commands, const PictureInput& input);
   std::uint32_t strands_of_level() const;
-  std::uint32_t all_strands() const;
   shadows::GpuStrands casters() const;
   Result<void> record_passes(gpu::Commands& commands);
 

@@ -26,7 +26,9 @@ Result<void> StrandShadows::make_methods(const std::shared_ptr<gpu::Device>& dev
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(block.name));
   CUTICLE_ASSIGN(const shadows::Method* twin, shadows::find_method(block.name));
   root_ = shadows::root_opacity(*twin, block.values, resources.channels);
-  CUTICLE_ASSIGN(powers_, shadows::ChannelPowers::create(*device));
+  if (root_) {
+    CUTICLE_ASSIGN(powers_, shadows::ChannelPowers::create(*device));
+  }
   for (std::size_t k = 0; k < resources.lights.size() * (root_ ? 1 : resources.channels.count); ++k) {
     CUTICLE_ASSIGN(auto made, method->create(device, block.values));
     methods_.push_back(std::move(made));
@@ -49,11 +51,6 @@ Result<void> StrandShadows::record(gpu::Commands& commands, const render::FrameR
         powers_.record(commands, transmittance_[first + of], channels.alpha[other] / channels.alpha[of],
                        transmittance_[first + other], resources.strands.vertex_count);
   }
-  if (resources.strands_each <= 1) return {};
-  // A strand that is drawn for several leaves out its own shadow, and so that of these on each other.
-  for (std::size_t k = 0; k < transmittance_.size() && !methods_.empty(); ++k)
-    powers_.record(commands, transmittance_[k], 1, transmittance_[k], resources.strands.vertex_count,
-                   shadows::transmittance_within(channels.alpha[k % channels.count], resources.strands_each));
   return {};
 }
 

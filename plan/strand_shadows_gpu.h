@@ -27,7 +27,7 @@ class StrandShadows {
   std::vector<std::unique_ptr<shadows::GpuShadow>> methods_;  ///< one per buffer, or per light by the root, or none
   std::vector<gpu::Buffer> transmittance_;                    ///< FrameResources::transmittance
   std::optional<std::uint32_t> root_;                         ///< shadows::root_opacity
-  shadows::ChannelPowers powers_;
+  shadows::ChannelPowers powers_;                             ///< made where there is a root
 };
 
 }  // namespace cuticle::plan

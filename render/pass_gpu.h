@@ -47,7 +47,6 @@ struct FrameResources {
   glm::ivec2 part_corner{0}, part_size{0};
   std::vector<Light> lights;
   shadows::GpuStrands strands;                    ///< drawn strands: vec4 (position, radius) per vertex
-  double strands_each = 1;                        ///< strands of the scene that one stands for at a level of detail
   shadows::GpuStrands casters;                    ///< those of them that cast shadows
   const gpu::Buffer* tangents = nullptr;          ///< vec4 (unit tangent, fraction of the strand's length) per vertex
   shadows::Channels channels;                     ///< whose transmittance differs
@@ -60,7 +59,7 @@ struct FrameResources {
   glm::dvec3 fibre_alpha{0.4};                   ///< opacity of one crossing per channel, as shadows have it
   const bsdf::Model* model = nullptr;            ///< the material's, with its parameters
   const registry::ParameterValues* model_values = nullptr;
-  bool evaluates_directly = false;                    ///< strands are shaded by the model's formulas, not by tables
+  bool evaluates_directly = false;  ///< strands are shaded by the model's formulas, not by tables
   const strands::Groom* rest = nullptr;               ///< drawn strands at rest, where a pass makes something of them
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points

@@ -1,7 +1,6 @@
 #include "shadows/channels.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "shadows/channels.glslh"
 
@@ -39,11 +38,6 @@ Channels different_channels(const glm::dvec3& alpha) {
     if (same == end) channels.alpha[channels.count++] = alpha[channel];
   }
   return channels;
-}
-
-double transmittance_within(double alpha, double n) {
-  const double tau = n > 1 ? alpha * (n - 1) / n : 0;
-  return tau > 0 ? -std::expm1(-tau) / tau : 1;
 }
 
 std::optional<std::uint32_t> root_opacity(const Method& method, const registry::ParameterValues& values,

@@ -25,10 +25,6 @@ Channels different_channels(const glm::dvec3& alpha);
 std::optional<std::uint32_t> root_opacity(const Method& method, const registry::ParameterValues& values,
                                           const Channels& channels);
 
-/// What a strand drawn for n lets through to each of these, which lie evenly over its depth: (1 - e^-tau) / tau, where
-/// tau = alpha (n - 1) / n is what the others of it take. 1 for n = 1.
-double transmittance_within(double alpha, double n);
-
 /// Transmittance in [0, 1] of each channel, one per receiver.
 struct ColouredTransmittance {
   std::vector<glm::vec3> values;

@@ -11,7 +11,7 @@ namespace {
 /// As channel_power.comp reads it.
 struct Push {
   std::uint32_t vertex_count;
-  float ratio, factor;
+  float ratio;
 };
 
 }  // namespace
@@ -23,8 +23,8 @@ Result<ChannelPowers> ChannelPowers::create(gpu::Device& device) {
 }
 
 void ChannelPowers::record(gpu::Commands& commands, const gpu::Buffer& root, double ratio, const gpu::Buffer& other,
-                           std::uint32_t vertices, double factor) const {
-  const Push push{vertices, float(ratio), float(factor)};
+                           std::uint32_t vertices) const {
+  const Push push{vertices, float(ratio)};
   const gpu::Groups groups = gpu::groups_for(vertices);
   commands.begin_pass("shadow.channels");
   commands.dispatch(kernel_, {&root, &other}, {}, gpu::bytes_of(push), groups.x, groups.y);

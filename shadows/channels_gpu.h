@@ -9,9 +9,9 @@ namespace cuticle::shadows {
 class ChannelPowers {
  public:
   static Result<ChannelPowers> create(gpu::Device& device);
-  /// other := factor root^ratio, both of `vertices` floats (channels.glslh); they may be the same.
+  /// other := root^ratio, both of `vertices` floats (channels.glslh).
   void record(gpu::Commands& commands, const gpu::Buffer& root, double ratio, const gpu::Buffer& other,
-              std::uint32_t vertices, double factor = 1) const;
+              std::uint32_t vertices) const;
 
  private:
   gpu::Kernel kernel_;
