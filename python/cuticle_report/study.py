@@ -44,7 +44,7 @@ class Study:
         """Name of each curve and its rows, in the order of the column that labels the points."""
         series, named = self.raw["series"], {}
         for row in self.drawn_rows():
-            name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
+            name = f"{row['method']}, {series} {row[series]}" if series in row else self.named_by_settings(row)
             named.setdefault(name, []).append(row)
         if self.raw.get("pareto") and len(named) > MOST_CURVES:  # then the front of each method
             methods = dict.fromkeys(row["method"] for row in self.raw["rows"])
@@ -52,6 +52,11 @@ class Study:
                     for name in methods}
         key = self.point_label if self.has_numeric_labels() else self.x.key
         return {name: sorted(rows, key=lambda row: row.get(key, 0)) for name, rows in named.items()}
+
+    def named_by_settings(self, row):
+        """The method, with what else tells its curves apart where one is drawn along a setting."""
+        swept = [part for part in row.get("settings", "").split(",") if part and not part.startswith(f"{self.x.key}=")]
+        return ", ".join([row["method"], *swept]) if self.x.key == "resolution" else row["method"]
 
     def front(self):
         """Rows that no other passes in both axes, by x."""
@@ -134,14 +139,16 @@ def make(folder):
     """Writes the plots and index.html into the folder; returns the title and the sections."""
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
-    plots = [(study.x, "error_against_time.png")]
+    by_resolution = study.x.key == "resolution"
+    plots = [(study.x, "error_against_resolution.png" if by_resolution else "error_against_time.png")]
     if study.has_numeric_labels():
         plots.append((study.label_axis(), f"error_against_{study.point_label}.png"))
     plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
     for axis, file in plots:
         figures.save_png(study, axis, folder / file)
     columns, rows, chosen = table(study)
-    sections = verdict(study) + [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+    heading = "Error against resolution and settings" if by_resolution else "Error against time and settings"
+    sections = verdict(study) + [page.Section(heading, words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
     sections += receivers.sections(study.raw, folder) + curves.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))
