@@ -136,7 +136,7 @@ void expect_agreement(const std::string& method, std::string_view more) {
   const scene::Scene scene = scene_of({k_two_lights, shadow_of(method, "[0.1, 0.3, 0.8]", more)});
   const auto on_device = *shadows::upload_groom(*software_device(), hair);
   render::FrameResources resources;
-  resources.fibre_alpha = scene.fibre_alpha;
+  resources.fibre_alpha = *scene.fibre_alpha;
   resources.lights = scene.lights;
   resources.strands = resources.casters = on_device->strands;
   StrandShadows shadows;
@@ -150,7 +150,7 @@ void expect_agreement(const std::string& method, std::string_view more) {
   for (std::size_t light = 0; light < 2; ++light) {
     const auto cpu =
         shadows::evaluate_channels(**shadows::find_method(method), {&hair, 0.4, scene.lights[light].to_light},
-                                   scene.fibre_alpha, receivers.of(hair), scene.shadow->values);
+                                   *scene.fibre_alpha, receivers.of(hair), scene.shadow->values);
     ASSERT_TRUE(cpu) << cpu.error().message;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto reached =

@@ -64,7 +64,7 @@ registry::Fact head_fact(const scene::Scene& scene) {
 
 /// Whether channels are shadowed apart, by a method that the catalogue has.
 registry::Fact opacities_fact(const scene::Scene& scene) {
-  const glm::dvec3& alpha = scene.fibre_alpha;
+  const glm::dvec3 alpha = scene.fibre_alpha.value_or(glm::dvec3(1));
   const shadows::Channels channels = shadows::different_channels(alpha);
   if (channels.count == 1) return {false, "one opacity for all channels"};
   const auto method = shadows::find_method(scene.shadow->name);

@@ -122,6 +122,7 @@ void widen_and_taper(double stands_for, double taper, strands::Groom& groom) {
 void set_radii(const scene::Scene& scene, bool has_radii, StrandSet& set) {
   set.taper = float(scene.groom.taper.value_or(has_radii ? 0.0 : 0.5));
   set.radius = drawn_radius(scene, set.control, set.hairs.size());
+  set.opacity = crossing_opacity(scene, set.control, scene.groom.interpolate ? set.hairs.size() : set.placed.size());
   if (scene.groom.interpolate) return;
   const double each = has_radii && scene.fibre_count == 0 ? 1 : fibres_each(scene, set.placed.size());
   widen_and_taper(each, double(set.taper), set.control);
@@ -153,6 +154,12 @@ void draw_each_strand(StrandSet& set) {
     set.hairs.push_back({root.triangle, root.triangle, root.triangle});
     set.weights.push_back(root.weights);
   }
+}
+
+double crossing_opacity(const scene::Scene& scene, const strands::Groom& control, std::size_t strands) {
+  if (scene.fibre_count == 0) return 1;
+  return std::min(
+      1.0, fibre_radius(scene, control) * fibres_each(scene, strands) / double(drawn_radius(scene, control, strands)));
 }
 
 float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std::size_t strands) {

@@ -8,6 +8,10 @@ namespace cuticle::plan {
 /// past a millimetre it would look like one itself.
 float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std::size_t strands);
 
+/// Opacity of a crossing of each of so many drawn strands: the share of its width that opaque fibres side by side take,
+/// as many as it stands for. 1, but where `fibre_count` is below the number of strands.
+double crossing_opacity(const scene::Scene& scene, const strands::Groom& control, std::size_t strands);
+
 /// What every strand's own hair is: itself.
 void draw_each_strand(StrandSet& set);
 

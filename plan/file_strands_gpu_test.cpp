@@ -129,7 +129,7 @@ TEST(StrandsOfAFile, ShorterThanTheLongest_CoverAndShadowAsThoseCutIntoAsManySeg
   ASSERT_EQ(even.vertex_count(), 400u * 17u);
   const std::string uneven_path = written(groom, "mixed.npz"), even_path = written(even, "cut.npz");
   constexpr std::string_view lit = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}],
-    "passes": {"lines": {"ambient": 0}}, "shadow": {"method": {"deep_opacity": {"resolution": 128}}})";
+    "passes": {"lines": {"ambient": 0}}, "shadow": {"method": {"deep_opacity": {"resolution": 128}}, "fibre_alpha": 0.4})";
   for (std::string_view method : {k_lines, k_quads, k_tiles}) {
     const Image a = frame_of(*runner_of(of_file(uneven_path), method, lit), 0).color,
                 b = frame_of(*runner_of(of_file(even_path), method, lit), 0).color;

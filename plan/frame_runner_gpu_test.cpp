@@ -188,7 +188,8 @@ TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
 
 // H11: a quarter of the strands, four times as wide, shadows all of them.
 TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
-  constexpr std::string_view few = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "caster_share": 0.25})";
+  constexpr std::string_view few =
+      R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "fibre_alpha": 0.4, "caster_share": 0.25})";
   const double all = mean(luminance(frame_of(*runner({k_light, k_shadow}), 0).color));
   const double quarter = mean(luminance(frame_of(*runner({k_light, few}), 0).color));
   const double open = mean(luminance(frame_of(*runner({k_light}), 0).color));
@@ -196,8 +197,8 @@ TEST(FrameRunner, FewerThickerCasters_TakeAsMuchLight) {
   EXPECT_LT(std::abs(quarter - all), 0.16 * (open - all));
 }
 
-// The strands that far hair is drawn with cast for all: mean transmittance where hair is seen, of the same strands. Each
-// stands for several fibres, whose shadow on each other is left out with its own: measured .160 of the shadow.
+// The strands that far hair is drawn with cast for all: mean transmittance where hair is seen, of the same strands.
+// Each stands for several fibres, whose shadow on each other is left out with its own: measured .160 of the shadow.
 TEST(FrameRunner, LevelOfDetail_CastsWithItsPrefixAsMuchAsAll) {
   constexpr std::string_view all = R"("outputs": {"aovs": true})",
                              level = R"("outputs": {"aovs": true}, "passes": {"quads": {"full_px": 4000}})";

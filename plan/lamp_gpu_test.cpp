@@ -20,7 +20,7 @@ std::shared_ptr<gpu::Device> device() {
 Image picture(const std::string& method, const std::string& light) {
   const std::string text = fmt::format(
       R"({{"schema_version": 1, "strand_count": 1200, "strand_vertices": 12, "material": {{"lut_size": 16}}, {},
-      "shadow": {{"method": {{"deep_opacity": {{"resolution": 128}}}}}}, "passes": {{"surface_shadow": {{"resolution": 256}}}},
+      "shadow": {{"method": {{"deep_opacity": {{"resolution": 128}}}}, "fibre_alpha": 0.4}}, "passes": {{"surface_shadow": {{"resolution": 256}}}},
       "render": {{"method": "{}"}}, "camera": {{"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 26,
       "resolution_px": [96, 96]}}}})",
       light, method);

@@ -44,7 +44,7 @@ bool is_fused(const scene::Scene& scene, const Entry& entry) {
 }
 
 void count_opacities(const scene::Scene& scene, Candidate& method) {
-  const shadows::Channels channels = shadows::different_channels(scene.fibre_alpha);
+  const shadows::Channels channels = shadows::different_channels(scene.fibre_alpha.value_or(glm::dvec3(1)));
   const bool by_powers =
       bool(shadows::root_opacity(**shadows::find_method(method.entry->name), method.values, channels));
   (by_powers ? method.powers : method.runs) = by_powers ? channels.count - 1 : channels.count;

@@ -115,7 +115,7 @@ Result<void> Picture::make_strands() {
   resources_.floor = scene_.floor;
   resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
   resources_.lights = scene_.lights;
-  resources_.fibre_alpha = scene_.fibre_alpha;
+  resources_.fibre_alpha = scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity));
   return {};
 }
 

@@ -184,7 +184,7 @@ Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& 
   const Reader reader = root.child("shadow");
   scene.shadow = block_of(catalogue.methods, reader.value["method"]);
   CUTICLE_TRY(check_lamps(root, entry_of(catalogue.methods, scene.shadow->name), scene));
-  reader.get_rgb("fibre_alpha", scene.fibre_alpha);
+  if (reader.has("fibre_alpha")) reader.get_rgb("fibre_alpha", scene.fibre_alpha.emplace(1));
   reader.get("caster_share", scene.caster_share);
   return {};
 }

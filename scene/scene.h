@@ -67,7 +67,7 @@ struct CharacterSource {
   strands::Convention convention;  ///< of the file
 };
 struct MaterialSource {
-  Block model;  ///< bsdf model with its parameters
+  Block model;                      ///< bsdf model with its parameters
   std::string evaluate = "tables";  ///< or "direct": by the model's formulas
   std::string layout = "auto";
   int lut_size = 128;
@@ -143,8 +143,10 @@ struct Scene {
   std::vector<Light> lights;
   std::optional<EnvironmentSource> environment;
   std::optional<Block> shadow;  ///< shadow method with its parameters
-  glm::dvec3 fibre_alpha{0.4};  ///< opacity of one crossing, of red, green and blue light
-  double caster_share = 1;      ///< of the drawn strands that cast shadows, wider by as much
+  /// Opacity of one crossing, of red, green and blue light; none: of opaque fibres, by width and number
+  /// (plan/file_strands.h).
+  std::optional<glm::dvec3> fibre_alpha;
+  double caster_share = 1;  ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;
   int strand_vertices = 30;  ///< per drawn strand, 2 .. strands::k_most_vertices

@@ -221,7 +221,10 @@ Spec shadow(const Catalogue& catalogue) {
   return object(
       "shadow", "self-shadowing; absent: none",
       {required(block("method", "shadow method and its parameters", catalogue.methods)),
-       rgb("fibre_alpha", 0, 1, "opacity of one fibre crossing; as [r, g, b], hair casts coloured shadows"),
+       rgb("fibre_alpha", 0, 1,
+           "opacity of one fibre crossing; as [r, g, b], hair casts coloured shadows; absent: of opaque fibres, 1 "
+           "unless "
+           "strands are wider than the fibres that they stand for"),
        real("caster_share", 1e-3, 1, "of the drawn strands, that cast shadows, wider by as much; absent: all")});
 }
 

@@ -16,14 +16,32 @@ std::shared_ptr<gpu::Device> device() {
 }
 
 /// Mean T over the vertices.
-double light_left(const std::string& method, const std::string& set, double alpha) {
-  static const strands::Groom groom = tests::lone_strands().groom;
-  static const std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), groom).value();
+double light_left(GroomOnDevice& on_device, const std::string& method, const std::string& set, double alpha,
+                  const LightSource& light) {
   const auto shadow = (*find_gpu_method(method))->create(device(), tests::values_of(method, set).value()).value();
   gpu::Commands commands = device()->record();
-  EXPECT_TRUE(shadow->record(commands, on_device->strands, alpha, {{0, 1, 0}}, on_device->transmittance));
+  EXPECT_TRUE(shadow->record(commands, on_device.strands, alpha, light, on_device.transmittance));
   EXPECT_TRUE(device()->submit(std::move(commands)));
-  return tests::mean(gpu::read_buffer<float>(*device(), on_device->transmittance, groom.vertex_count()).value());
+  return tests::mean(
+      gpu::read_buffer<float>(*device(), on_device.transmittance, on_device.strands.vertex_count).value());
+}
+double light_left(const std::string& method, const std::string& set, double alpha,
+                  const LightSource& light = {{0, 1, 0}}) {
+  static const std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), tests::lone_strands().groom).value();
+  return light_left(*on_device, method, set, alpha, light);
+}
+
+/// The strands, and their vertices once more, which no segment joins: points that know no strand.
+std::unique_ptr<GroomOnDevice> with_free_points() {
+  const strands::Groom groom = tests::lone_strands().groom;
+  auto on_device = upload_groom(*device(), groom).value();
+  std::vector<glm::vec4> packed;
+  for (int copy = 0; copy < 2; ++copy)
+    for (std::size_t v = 0; v < groom.vertex_count(); ++v) packed.emplace_back(groom.positions[v], groom.radii[v]);
+  on_device->vertices = gpu::make_buffer_from<glm::vec4>(*device(), packed).value();
+  on_device->transmittance = device()->make_buffer(4 * packed.size()).value();
+  on_device->strands.vertex_count = std::uint32_t(packed.size());
+  return on_device;
 }
 
 }  // namespace
@@ -50,6 +68,23 @@ TEST(LoneStrandsGpu, AnyMethodFilterAndOpacity_AreLit) {
         EXPECT_GT(left, 0.995) << method << " " << set << ", " << map << ", alpha " << alpha;
         EXPECT_LE(left, 1.0 + 1e-6) << method << " " << set << ", " << map << ", alpha " << alpha;
       }
+}
+
+TEST(LoneStrandsGpu, UnderALamp_AreLit) {
+  const LightSource lamp{{0, 1, 0}, glm::dvec3(0.3, 0.4, 0.3)};
+  for (const std::string method : {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"})
+    EXPECT_GT(light_left(method, "resolution=256", 1, lamp), 0.995) << method;
+}
+
+// The kernels would shadow the strands by themselves, did they not take their fibre out: half of these vertices name no
+// strand, so that the mean is that of 1 and what these keep.
+TEST(LoneStrandsGpu, PointsThatNoSegmentJoins_AreShadowedByTheStrands) {
+  const auto on_device = with_free_points();
+  for (const std::string method : {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"}) {
+    const double left = light_left(*on_device, method, "resolution=512", 1, {{0, 1, 0}});
+    EXPECT_LT(left, 0.5 * (1 + 0.85)) << method;
+    EXPECT_GT(left, 0.5) << method;
+  }
 }
 
 TEST(LoneStrandsGpu, Volumes_AreLit) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "shadows/channels.h"
 #include "tests/support/lone_strands.h"
 #include "tests/support/shadow_runs.h"
 
@@ -90,6 +91,40 @@ TEST(LoneStrands, TruthOfAnyFootprint_IsLit) {
   if (!find_method("truth")) GTEST_SKIP() << "this build has no Embree";
   for (const std::string disc : {"0.001", "0.3", "5", "23"})
     expect_lit("truth", "rays=64,footprint_radius_mm=" + disc, 1);
+}
+
+// The same under a lamp, whose rays are not parallel.
+TEST(LoneStrands, UnderALamp_AreLit) {
+  const Lone lone = lone_strands();
+  for (const Setting& setting : map_settings())
+    for (const glm::dvec3 lamp : {glm::dvec3(0.3, 0.4, 0.3), glm::dvec3(0.1, 3, 0.4)})
+      for (const std::string map : {"resolution=256", "resolution=768,filter_texels=2.5"}) {
+        const auto values = tests::values_of(setting.method, with(setting.full, map)).value();
+        const auto result =
+            (*find_method(setting.method))
+                ->evaluate({&lone.groom, 1, {0, 1, 0}, lamp}, {lone.groom.positions, lone.strands}, values);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_GT(tests::mean(result->values), 0.995) << setting.method << " " << map << ", lamp at " << lamp.y;
+      }
+}
+
+// Opacities of channels: each evaluated, or powers of one.
+TEST(LoneStrands, OfChannelsOfTheirOwnOpacity_AreLit) {
+  const Lone lone = lone_strands();
+  for (const Setting& setting : map_settings()) {
+    if (setting.method == "shadow_map") continue;
+    for (const std::string more : {"", "accumulate=poisson"}) {
+      const auto values =
+          tests::values_of(setting.method, with(with(setting.full, "resolution=512"), more.empty() ? "k=5.5" : more));
+      const auto result = evaluate_channels(**find_method(setting.method), {&lone.groom, 1, {0, 1, 0}}, {0.15, 0.5, 1},
+                                            {lone.groom.positions, lone.strands}, values.value());
+      ASSERT_TRUE(result) << result.error().message;
+      glm::dvec3 sum(0);
+      for (const glm::vec3& value : result->values) sum += glm::dvec3(value);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_GT(sum[c] / double(result->values.size()), 0.995) << setting.method << " " << more << ", channel " << c;
+    }
+  }
 }
 
 // What the fibre itself would take away, were it not left out: the tests above could not pass.

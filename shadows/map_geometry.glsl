@@ -18,6 +18,8 @@ layout(push_constant) uniform Push {
   float reach;               // of seen_by_light: 0 for a distant light
   uint segment_count;        // of those that cast
   float target_steps;        // of a number in a drawn target of so many whole steps; 0: a float
+  uint strip, strips;        // of rows, which are filled and looked up one after the other; strips 1: the whole map
+  uint strip_margin;         // rows beside a strip that its lookups read
 } push;
 const uint k_poisson = 1u;
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair
@@ -39,6 +41,19 @@ vec3 upper_of(uint least[6]) {
   return -vec3(from_ordered_bits(least[3]), from_ordered_bits(least[4]), from_ordered_bits(least[5]));
 }
 uint columns, rows;  // of the map, once it is placed
+// Of a map in strips: rows that are looked up now, and texels that are kept for them.
+uint own_first_row, own_end_row, first_kept, end_kept;
+
+uint strip_row(uint strip) { return uint(float(rows * strip) / float(push.strips)); }
+void place_strip() {
+  own_first_row = strip_row(push.strip);
+  own_end_row = strip_row(push.strip + 1u);
+  first_kept = columns * (own_first_row - min(own_first_row, push.strip_margin));
+  end_kept = columns * min(rows, own_end_row + push.strip_margin);
+}
+/// Whether a texel, i + j * columns, is kept, and where.
+bool is_kept(uint texel) { return texel >= first_kept && texel < end_kept; }
+uint kept_place(uint texel) { return texel - first_kept; }
 
 MapPlacement placement_of(uint least[6]) {
   const float least_share = (push.flags & k_square) != 0u ? k_square_shape : k_any_shape;
@@ -46,5 +61,6 @@ MapPlacement placement_of(uint least[6]) {
       map_placement(lower_of(least), upper_of(least), push.resolution, push.intervals, least_share);
   columns = placement.columns;
   rows = placement.rows;
+  place_strip();
   return placement;
 }

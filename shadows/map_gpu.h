@@ -22,6 +22,7 @@ struct MapPush {
   float reach;
   std::uint32_t segment_count;
   float target_steps;
+  std::uint32_t strip = 0, strips = 1, strip_margin = 0;
 };
 inline constexpr std::uint32_t k_poisson_flag = 1, k_square_flag = 1u << 31;
 

@@ -6,14 +6,20 @@
 /// Called by walk_own() for every deposit in the texel.
 void own_deposit(uint covered, uint depth_step);
 
-const uint k_kept_pieces = 6u;  // of a lookup; more are made again for every texel
-Footprint kept[k_kept_pieces];
+// Pieces of a lookup: two, which most have, in registers, and some more; the pieces of lookups with more are made again
+// for every texel.
+const uint k_named_pieces = 2u, k_kept_pieces = 6u;
+Footprint nearest_pieces[k_named_pieces];  // always read by constant numbers
+Footprint further_pieces[k_kept_pieces - k_named_pieces];
 uint own_pieces = 0u;
 ivec2 own_texel;
 
 /// Keeps a piece as long as there is room.
 void piece(Footprint footprint) {
-  if (own_pieces < k_kept_pieces) kept[own_pieces] = footprint;
+  if (own_pieces == 0u) nearest_pieces[0] = footprint;
+  if (own_pieces == 1u) nearest_pieces[1] = footprint;
+  for (bool is_further = own_pieces >= k_named_pieces && own_pieces < k_kept_pieces; is_further; is_further = false)
+    further_pieces[own_pieces - k_named_pieces] = footprint;  // a loop is skipped where a condition would be masked
   ++own_pieces;
 }
 
@@ -45,30 +51,42 @@ void enter_own_row(int j) {
 
 /// One loop over segments and their pieces, where they are not kept: lavapipe ends an invocation's loops after 65,535
 /// rounds of them all.
-void walk_own() {
-  const bool are_kept = own_pieces <= k_kept_pieces;
+void walk_unkept() {
   const float column = float(own_texel.x) + 0.5;
-  const uint end = are_kept ? own_pieces : column < row_columns.x || column > row_columns.y ? 0u : row_end;
-  uint s = are_kept ? 0u : row_begin, i = 0u;
+  const uint end = column < row_columns.x || column > row_columns.y ? 0u : row_end;
+  uint s = row_begin, i = 0u;
   while (s < end) {
-    if (are_kept) {
-      visit_own(kept[s]);
-      ++s;
-    } else {
-      const MapSegment segment = map_segment(s);
-      const uint pieces = pieces_of(segment, push.pieces_per_step);
-      visit_own(piece_of(segment, i, pieces));
-      s += i + 1u == pieces ? 1u : 0u;
-      i = i + 1u == pieces ? 0u : i + 1u;
-    }
+    const MapSegment segment = map_segment(s);
+    const uint pieces = pieces_of(segment, push.pieces_per_step);
+    visit_own(piece_of(segment, i, pieces));
+    s += i + 1u == pieces ? 1u : 0u;
+    i = i + 1u == pieces ? 0u : i + 1u;
   }
+}
+
+/// Pieces that are not there cover nothing.
+void walk_own() {
+  for (bool is_unkept = own_pieces > k_kept_pieces; is_unkept; is_unkept = false) walk_unkept();
+  const uint kept = own_pieces > k_kept_pieces ? 0u : own_pieces;
+  if (kept > 0u) visit_own(nearest_pieces[0]);
+  if (kept > 1u) visit_own(nearest_pieces[1]);
+  for (uint i = k_named_pieces; i < kept; ++i) visit_own(further_pieces[i - k_named_pieces]);
 }
 
 /// In texels of the map.
 MapPlacement own_placement;
 vec2 receiver_at;
-float distance_across(uint v) {
-  return length(place_in_map(own_placement, in_light_axes(texelFetch(vertices, int(v)).xyz)).xy - receiver_at);
+MapVertex vertex_now, vertex_before;
+float visit_own_vertex(uint v) {
+  vertex_before = vertex_now;
+  vertex_now = map_vertex(v);
+  return length(place_in_map(own_placement, vertex_now.seen).xy - receiver_at);
+}
+
+void visit_own_segment(uint s, bool backward, bool is_first, bool is_last) {
+  const MapVertex first = backward ? vertex_now : vertex_before, last = backward ? vertex_before : vertex_now;
+  const MapSegment segment = segment_between(own_placement, first, last, is_first, is_last);
+  if (own_pieces <= k_kept_pieces) walk_pieces(segment, push.pieces_per_step);
 }
 
 /// The receiver lies at vertex v, where segment s begins or would, seen from the light at `seen`, in the map at `at`.
@@ -77,7 +95,6 @@ void find_own(MapPlacement placement, uint s, uint v, vec3 seen, vec2 at, float 
   const float half_width = radius * placement.scale.x * view_scale(seen, push.reach);
   own_placement = placement;
   receiver_at = at;
-  find_own_segments(s, v, own_reach(disc_radius, half_width), own_slack(half_width));
   own_pieces = 0u;
-  for (uint i = own_begin; i < own_end && own_pieces <= k_kept_pieces; ++i) walk_segment(i, push.pieces_per_step);
+  find_own_segments(s, v, own_reach(disc_radius, half_width), own_slack(half_width));
 }

@@ -20,18 +20,31 @@ vec3 place(MapPlacement placement, vec3 seen) {
 /// The first vertex of segment s.
 uint first_vertex(uint s) { return texelFetch(segments, int(s)).r; }
 
+struct MapVertex {
+  vec3 seen;  // by the light
+  float radius;
+};
+MapVertex map_vertex(uint v) {
+  const vec4 vertex = texelFetch(vertices, int(v));
+  return MapVertex(in_light_axes(vertex.xyz), vertex.w);
+}
+
+MapSegment segment_between(MapPlacement placement, MapVertex first, MapVertex last, bool is_first, bool is_last) {
+  precise float radius_sum = first.radius + last.radius;
+  precise float half_width =
+      0.5 * radius_sum * push.caster_width * placement.scale.x * segment_scale(first.seen, last.seen, push.reach);
+  MapSegment segment;
+  segment.a = place(placement, first.seen);
+  segment.b = place(placement, last.seen);
+  segment.half_width = half_width;
+  segment.is_first = is_first;
+  segment.is_last = is_last;
+  return segment;
+}
+
 MapSegment map_segment(uint s) {
   const uint v = first_vertex(s);
-  const vec4 first = texelFetch(vertices, int(v)), last = texelFetch(vertices, int(v + 1u));
-  const MapPlacement placement = placement_of(least);
-  precise float radius_sum = first.w + last.w;
-  const vec3 a = in_light_axes(first.xyz), b = in_light_axes(last.xyz);
-  precise float half_width = 0.5 * radius_sum * push.caster_width * placement.scale.x * segment_scale(a, b, push.reach);
-  MapSegment segment;
-  segment.a = place(placement, a);
-  segment.b = place(placement, b);
-  segment.half_width = half_width;
-  segment.is_first = s == 0u || first_vertex(s - 1u) + 1u != v;
-  segment.is_last = s + 1u == push.segment_count || first_vertex(s + 1u) != v + 1u;
-  return segment;
+  const bool is_first = s == 0u || first_vertex(s - 1u) + 1u != v;
+  const bool is_last = s + 1u == push.segment_count || first_vertex(s + 1u) != v + 1u;
+  return segment_between(placement_of(least), map_vertex(v), map_vertex(v + 1u), is_first, is_last);
 }

@@ -14,13 +14,13 @@ Footprint piece_of(MapSegment segment, uint i, uint pieces) {
                            segment.is_first && i == 0u ? 1.0 : 0.0, segment.is_last && i + 1u == pieces ? 1.0 : 0.0);
 }
 
-/// All pieces of segment s. Loops here end at their last line: on lavapipe one that asks first runs its body once more,
+/// All pieces of a segment. Loops here end at their last line: on lavapipe one that asks first runs its body once more,
 /// masked.
-void walk_segment(uint s, float steps_to_pieces) {
-  const MapSegment segment = map_segment(s);
+void walk_pieces(MapSegment segment, float steps_to_pieces) {
   const uint pieces = pieces_of(segment, steps_to_pieces);
   uint i = 0u;
   do {
     piece(piece_of(segment, i, pieces));
   } while (++i < pieces);
 }
+void walk_segment(uint s, float steps_to_pieces) { walk_pieces(map_segment(s), steps_to_pieces); }

@@ -10,10 +10,10 @@ layout(std430, binding = 4) buffer Sums { uint sums[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
   const uint amount = table[covered];
-  if (amount == 0u) return;
+  if (amount == 0u || !is_kept(texel)) return;
   const uint weights = k_coverage_steps + 1u + min(depth_step, k_series_steps - 1u) * push.layers;
   for (uint i = 0u; i < push.layers; ++i)
-    atomicAdd(sums[texel * push.layers + i], uint(weighted_amount(amount, uintBitsToFloat(table[weights + i]))));
+    atomicAdd(sums[kept_place(texel) * push.layers + i], uint(weighted_amount(amount, uintBitsToFloat(table[weights + i]))));
 }
 
 void main() {

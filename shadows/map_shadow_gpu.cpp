@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
+#include "shadows/filter.glslh"
 #include "shadows/map_series.h"
 #include "shadows/series.glslh"
 
@@ -30,6 +31,24 @@ gpu::ShaderInterface interface_of(const MapPass& pass, std::uint32_t textures) {
   return interface;
 }
 
+/// How a map is cut into strips of rows, and the most texels that one holds.
+struct Strips {
+  std::uint32_t count = 1, margin = 0;
+  std::uint64_t texels = 0;
+};
+/// As few as let `layers` words a texel stay below `most_bytes`; a map is at most 4 times as wide as its resolution.
+Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_t most_bytes) {
+  const std::uint64_t side = settings.resolution, all = side * side;
+  const auto margin =
+      std::uint32_t(1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
+  const auto held = [&](std::uint64_t count) { return count == 1 ? all : all / count + (2 * margin + 2) * 4 * side; };
+  constexpr std::uint32_t k_most_strips = 64;
+  std::uint32_t count = 1;
+  while (4 * layers * held(count) > most_bytes && count < k_most_strips) ++count;
+  if (4 * layers * held(count) > most_bytes) count = 1;  // too wide a filter: refused as a whole
+  return {count, count == 1 ? 0 : margin, held(count)};
+}
+
 class MapShadowGpu : public GpuShadow {
  public:
   MapShadowGpu(std::shared_ptr<gpu::Device> device, MapDescription description)
@@ -52,6 +71,8 @@ class MapShadowGpu : public GpuShadow {
   MapPush push_for(const LightAxes& axes, const GpuStrands& strands) const;
   void clear(gpu::Commands& commands) const;
   std::uint32_t invocations(const GpuStrands& strands, const MapPass& pass) const;
+  void clear_strip(gpu::Commands& commands) const;
+  std::size_t end_of_strip_passes(std::size_t first) const;
   void run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel, const GpuStrands& strands,
            MapPush push, const gpu::Buffer& transmittance) const;
 
@@ -59,6 +80,7 @@ class MapShadowGpu : public GpuShadow {
   MapDescription description_;
   DepositBuffer deposits_;
   gpu::Buffer box_;
+  Strips strips_;
   std::vector<gpu::Buffer> own_;
   std::vector<gpu::Texture> targets_;
   gpu::GraphicsPipeline drawing_, fragments_;
@@ -68,7 +90,9 @@ class MapShadowGpu : public GpuShadow {
 
 Result<void> MapShadowGpu::make() {
   CUTICLE_EXPECT(description_.own.size() <= 3, "three numbers fit into the push constants");
-  for (const MapBuffer& buffer : description_.buffers) {
+  strips_ = strips_of(description_.settings, description_.layers, device_->info().max_storage_buffer_bytes);
+  for (MapBuffer& buffer : description_.buffers) {
+    if (buffer.per_strip) buffer.words = strips_.texels * description_.layers;
     CUTICLE_ASSIGN(gpu::Buffer made, device_->make_buffer(4 * buffer.words));
     own_.push_back(std::move(made));
   }
@@ -150,6 +174,20 @@ void MapShadowGpu::clear(gpu::Commands& commands) const {
   commands.end_pass();
 }
 
+void MapShadowGpu::clear_strip(gpu::Commands& commands) const {
+  commands.begin_pass("shadow.clear");
+  for (std::size_t i = 0; i < own_.size(); ++i)
+    if (description_.buffers[i].per_strip) commands.fill(own_[i], description_.buffers[i].clear);
+  commands.end_pass();
+}
+
+/// One past the last of the passes from `first` on that run for each strip.
+std::size_t MapShadowGpu::end_of_strip_passes(std::size_t first) const {
+  std::size_t end = first;
+  while (end < kernels_.size() && description_.passes[end].per_strip) ++end;
+  return end;
+}
+
 std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass& pass) const {
   const std::uint32_t side = description_.settings.resolution;
   switch (pass.run) {
@@ -158,7 +196,7 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass
     case MapRun::per_counted_segment:
       return pass.counted(strands.segment_count);
     case MapRun::per_texel:
-      return side * side;
+      return pass.per_strip ? std::uint32_t(strips_.texels) : side * side;
     case MapRun::per_row:
       return side;
     case MapRun::per_vertex:
@@ -210,12 +248,25 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   if (description_.in_world && light.position) return lamp_refused(description_.settings.method);
   CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
-  const MapPush push = push_for(axes, strands);
+  MapPush push = push_for(axes, strands);
   clear(commands);
   run(commands, k_fit, fit_, strands, description_.in_world ? push_for({}, strands) : push, transmittance);
   if (!targets_.empty()) draw(commands, strands, push);
-  for (std::size_t i = 0; i < kernels_.size(); ++i)
-    run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
+  const auto run_passes = [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
+      run(commands, description_.passes[i], kernels_[i], strands, push, transmittance);
+  };
+  for (std::size_t first = 0, end = 0; first < kernels_.size(); first = end) {
+    end = end_of_strip_passes(first);
+    push.strips = end > first ? strips_.count : 1;
+    push.strip_margin = end > first ? strips_.margin : 0;
+    end = std::max(end, first + 1);
+    for (push.strip = 0; push.strip < push.strips; ++push.strip) {
+      if (push.strip > 0) clear_strip(commands);
+      run_passes(first, end);
+    }
+    push.strip = 0;
+  }
   return {};
 }
 
@@ -245,7 +296,10 @@ Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuSt
 }
 
 std::uint32_t MapShadowGpu::dispatches_per_frame(const GpuStrands& strands) const {
-  return strands.segment_count == 0 || strands.vertex_count == 0 ? 0 : std::uint32_t(1 + description_.passes.size());
+  if (strands.segment_count == 0 || strands.vertex_count == 0) return 0;
+  std::uint32_t dispatches = 1;
+  for (const MapPass& pass : description_.passes) dispatches += pass.per_strip ? strips_.count : 1;
+  return dispatches;
 }
 
 std::size_t MapShadowGpu::bytes() const {
@@ -283,12 +337,16 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
     for (const float weight : weights) words.push_back(std::bit_cast<std::uint32_t>(weight));
     return words;
   };
-  map.buffers = {{std::uint64_t(settings.resolution) * settings.resolution * functions}};
-  map.passes = {{"shadow.splat", map_series_comp, {k_vertices, k_segments, k_box, k_deposits, k_own}},
-                {"shadow.lookup",
-                 lookup,
-                 {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
-                 MapRun::per_vertex}};
+  map.buffers = {{.per_strip = true}};
+  map.passes = {{.name = "shadow.splat",
+                 .code = map_series_comp,
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own},
+                 .per_strip = true},
+                {.name = "shadow.lookup",
+                 .code = lookup,
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
+                 .run = MapRun::per_vertex,
+                 .per_strip = true}};
   return map;
 }
 

@@ -19,6 +19,7 @@ struct MapBuffer {
   std::uint32_t clear = 0;  ///< every word, at the start of each frame
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
   bool cleared = true;      ///< else only what is written is read
+  bool per_strip = false;   ///< `words` are MapDescription::layers a texel of the map, of which one strip is held
 };
 enum class MapRun {
   per_segment,
@@ -40,6 +41,7 @@ struct MapPass {
   std::uint32_t invocations = 0;                               ///< of MapRun::given
   std::uint32_t (*counted)(std::uint32_t segments) = nullptr;  ///< of MapRun::per_counted_segment
   std::vector<std::uint32_t> texels = {};  ///< further bindings that are read as texels (usamplerBuffer)
+  bool per_strip = false;                  ///< run for each strip of rows, with those beside it in the list
 };
 /// The graphics form: two triangles a segment, whose fragments are added into square targets, cleared to 0 before.
 struct MapDrawing {
@@ -72,7 +74,8 @@ struct MapDescription {
 /// The passes of a map. All records of one submission must share alpha and the number of segments, because the table of
 /// deposits is uploaded when they change. The light's view is fitted to the vertices as they are on the device; a
 /// filter in metres is cut off at 64 texels. Where nothing casts, the transmittance is filled with 1. Error:
-/// out_of_memory where the map passes the device's limits.
+/// out_of_memory where the map passes the device's limits. A buffer that is held per strip may pass them: the map then
+/// comes in as few strips of rows as keep them, each filled and looked up before the next, with equal results.
 Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description);
 
 /// A map of functions of depth (map_series.h), with `lookup` bound to vertices, segments, box, deposits with the

@@ -51,7 +51,8 @@ struct Cost {
 struct Transmittance {
   std::vector<float> values;
   std::vector<float> standard_error;  ///< empty unless the method is stochastic
-  std::size_t clamped = 0;            ///< numbers of the structure that the range of their format cut off
+  std::vector<float> occluders;  ///< of `truth`: metres to the nearest other fibre that a ray meets; infinity: none
+  std::size_t clamped = 0;       ///< numbers of the structure that the range of their format cut off
   Cost cost;
 };
 

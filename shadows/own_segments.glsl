@@ -1,16 +1,25 @@
-// The segments around a vertex that do not shadow it. The shader that includes this, after
-// map_segment.glsl, defines distance_across().
+// The segments around a vertex that do not shadow it. The shader that includes this, after map_segment.glsl, defines
+// visit_own_vertex() and visit_own_segment().
 #include "shadows/own_fibre.glslh"
 
-/// Distance of a vertex from the receiver across the light, in the units of reach and slack.
-float distance_across(uint v);
+/// The walk goes on to vertex v: its distance from the receiver across the light, in the units of reach and slack.
+float visit_own_vertex(uint v);
+/// Segment s, between the last two vertices visited; it begins at the later of them where `backward`.
+void visit_own_segment(uint s, bool backward, bool is_first, bool is_last);
 
 uint own_begin = 0u, own_end = 0u;  // segments
 
-/// The first segment that begins at a vertex not before v.
+/// The first segment that begins at a vertex not before v. Every segment begins at least one vertex behind the one
+/// before, so that a guess by equally long strands bounds where it lies.
 uint segment_from(uint v) {
-  uint first = 0u;
-  for (uint count = push.segment_count; count > 0u;) {
+  const uint last = first_vertex(push.segment_count - 1u);
+  if (v > last) return push.segment_count;
+  const float share = float(v) / float(max(last, 1u));
+  const uint guess = min(uint(share * float(push.segment_count - 1u)), push.segment_count - 1u);
+  const uint there = first_vertex(guess);
+  uint first = there < v ? guess + 1u : guess - min(guess, there - v);
+  uint count = there < v ? min(guess + (v - there), push.segment_count) - first : guess - first;
+  while (count > 0u) {
     const uint half_count = count / 2u;
     const bool is_before = first_vertex(first + half_count) < v;
     first = is_before ? first + half_count + 1u : first;
@@ -19,23 +28,37 @@ uint segment_from(uint v) {
   return first;
 }
 
+bool begins_at(uint s, uint v) { return s < push.segment_count && first_vertex(s) == v; }
+bool ends_at(uint s, uint v) { return s > 0u && first_vertex(s - 1u) + 1u == v; }  // the one before s
+
 /// Segments before and from `s`, which begins at vertex v or is the first behind it, as long as they are joined and still
-/// the receiver's own.
+/// the receiver's own; the one that begins at v the receiver may lie on.
 void find_own_segments(uint s, uint v, float reach, float slack) {
+  const bool has_before = ends_at(s, v), has_after = begins_at(s, v);
   own_begin = own_end = s;
-  if (s < push.segment_count && first_vertex(s) == v) ++own_end;  // the receiver may lie on it
+  const float away = visit_own_vertex(v);
   float furthest = 0.0;
-  while (own_end < push.segment_count && first_vertex(own_end) == v + (own_end - s)) {
-    const float away = distance_across(v + (own_end - s));
-    if (!is_still_own(away, furthest, reach, slack)) break;
-    furthest = max(furthest, away);
+  uint at = v;
+  bool goes_on = has_after;
+  while (goes_on) {
+    const float next = visit_own_vertex(++at);
+    const bool is_joined = begins_at(own_end + 1u, at);
+    visit_own_segment(own_end, false, own_end == s && !has_before, !is_joined);
     ++own_end;
+    goes_on = is_joined && is_still_own(next, furthest, reach, slack);
+    furthest = max(furthest, next);
   }
-  furthest = 0.0;
-  while (own_begin > 0u && first_vertex(own_begin - 1u) + 1u == v - (s - own_begin)) {
-    const float away = distance_across(v - (s - own_begin));
-    if (!is_still_own(away, furthest, reach, slack)) break;
-    furthest = max(furthest, away);
+  goes_on = has_before && is_still_own(away, 0.0, reach, slack);
+  if (!goes_on) return;
+  furthest = away;
+  at = v;
+  visit_own_vertex(v);
+  while (goes_on) {
+    const float next = visit_own_vertex(--at);
+    const bool is_joined = ends_at(own_begin - 1u, at);
+    visit_own_segment(own_begin - 1u, true, !is_joined, own_begin == s && !has_after);
     --own_begin;
+    goes_on = is_joined && is_still_own(next, furthest, reach, slack);
+    furthest = max(furthest, next);
   }
 }

@@ -15,7 +15,14 @@ void own_deposit(uint covered, uint depth_step) {
     sums_left[i] -= weighted_amount(table[covered], uintBitsToFloat(table[weights + i]));
 }
 
+int sum_of(uint texel, uint i) { return sums[kept_place(texel) * push.layers + i]; }
+
 void read_sums(uint texel) {
-  for (uint i = 0u; i < push.layers; ++i) sums_left[i] = sums[texel * push.layers + i];
+  for (uint i = 0u; i < push.layers; ++i) sums_left[i] = sum_of(texel, i);
   walk_own();
+}
+
+void look_up(uint v) {
+  const float through = transmittance_of_vertex(placement_of(least), v, float(k_series_steps));
+  if (through >= 0.0) transmittance[v] = through;
 }

@@ -44,7 +44,7 @@ class Study:
         """Name of each curve and its rows, in the order of the column that labels the points."""
         series, named = self.raw["series"], {}
         for row in self.drawn_rows():
-            name = f"{row['method']}, {series} {row[series]}" if series in row else row["method"]
+            name = f"{row['method']}, {series} {row[series]}" if series in row else self.named_by_settings(row)
             named.setdefault(name, []).append(row)
         if self.raw.get("pareto") and len(named) > MOST_CURVES:  # then the front of each method
             methods = dict.fromkeys(row["method"] for row in self.raw["rows"])
@@ -52,6 +52,11 @@ class Study:
                     for name in methods}
         key = self.point_label if self.has_numeric_labels() else self.x.key
         return {name: sorted(rows, key=lambda row: row.get(key, 0)) for name, rows in named.items()}
+
+    def named_by_settings(self, row):
+        """The method, with what else tells its curves apart where one is drawn along a setting."""
+        swept = [part for part in row.get("settings", "").split(",") if part and not part.startswith(f"{self.x.key}=")]
+        return ", ".join([row["method"], *swept]) if self.x.key == "resolution" else row["method"]
 
     def front(self):
         """Rows that no other passes in both axes, by x."""
@@ -94,8 +99,9 @@ def words(study):
                      f"{1e3 * groom['spacing_m']:.3g} mm. One crossing takes {100 * raw['alpha']:.3g} % of the light; transmittance is averaged over a "
                      f"disc of radius {1e3 * raw['footprint_m']:.3g} mm.")
     if truth := raw.get("truth"):
-        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over the "
-                     f"{truth['counted']} with 0.05 < T < 0.95, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
+        of = "all of them" if truth["counted"] == truth["receivers"] else f"the {truth['counted']} with 0.05 < T < 0.95"
+        parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over "
+                     f"{of}, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
                      f"Settings are chosen on one half of them, and errors are those of the other half, with 95 % intervals.")
     if raw.get("device"):
         parts.append(f"Times are wall clock on {raw['device']}.")
@@ -131,14 +137,16 @@ def make(folder):
     """Writes the plots and index.html into the folder; returns the title and the sections."""
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
-    plots = [(study.x, "error_against_time.png")]
+    by_resolution = study.x.key == "resolution"
+    plots = [(study.x, "error_against_resolution.png" if by_resolution else "error_against_time.png")]
     if study.has_numeric_labels():
         plots.append((study.label_axis(), f"error_against_{study.point_label}.png"))
     plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
     for axis, file in plots:
         figures.save_png(study, axis, folder / file)
     columns, rows, chosen = table(study)
-    sections = verdict(study) + [page.Section("Error against time and settings", words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+    heading = "Error against resolution and settings" if by_resolution else "Error against time and settings"
+    sections = verdict(study) + [page.Section(heading, words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
     sections += receivers.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))

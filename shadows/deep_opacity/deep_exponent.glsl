@@ -12,6 +12,7 @@ layout(std430, binding = 7) writeonly buffer Transmittance { float transmittance
 const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are packed codes
 
 float fibre_exponent;
+uint first_stored = 0u;  // the texel that the sums begin with
 
 uint own_range, own_layer;      // the texel's range, and the layer that is looked up
 uint own_before, own_after;     // what the own fibre has left before that layer, and before its end
@@ -70,7 +71,7 @@ float stored_exponent(uint texel, float z) {
     own_before = own_after = 0u;
     is_nearest = is_farthest = false;
     walk_own();
-    const uint i = texel * push.layers + own_layer;
+    const uint i = (texel - first_stored) * push.layers + own_layer;
     const float after = exponent_before(i, own_after);
     float before = 0.0;
     if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u, own_before);
@@ -83,5 +84,6 @@ float stored_exponent(uint texel, float z) {
 /// At a vertex: the mean over the filter's disc of T, or of sigma.
 void look_up(MapPlacement placement, uint v) {
   fibre_exponent = push.per_unit * float(texelFetch(table, int(texelFetch(layers, int(k_most_layers)).r)).r);
-  transmittance[v] = transmittance_of_vertex(placement, v, k_deepest);
+  const float through = transmittance_of_vertex(placement, v, k_deepest);
+  if (through >= 0.0) transmittance[v] = through;
 }

@@ -6,21 +6,25 @@ layout(local_size_x = 64) in;
 
 float exponent_at(uint texel, float z) { return stored_exponent(texel, z); }
 
+/// Codes are kept of all strips.
+bool is_packed() { return (push.flags & k_bytes) != 0u; }
+
 /// Brings the sums around a point near at once: a filter's texels are read one after the other, and wait for memory one
 /// by one. True where all are the largest number, which sums never are.
 bool is_damaged(vec2 p) {
-  const ivec2 at = clamp(ivec2(floor(p)), ivec2(1), ivec2(columns, rows) - 2);
+  const ivec2 at = clamp(ivec2(floor(p)), ivec2(1, own_first_row + 1u), ivec2(columns, own_end_row) - 2);
   uint all = 0xffffffffu;
   for (int j = at.y - 1; j <= at.y + 1; ++j)
     for (int i = at.x - 1; i <= at.x + 1; i += 2)
-      all &= texelFetch(sums, int((uint(j) * columns + uint(i)) * push.layers)).r;
-  return all == 0xffffffffu && (push.flags & k_bytes) == 0u;
+      all &= texelFetch(sums, int((uint(j) * columns + uint(i) - first_stored) * push.layers)).r;
+  return all == 0xffffffffu && !is_packed();
 }
 
 void main() {
   const uint v = invocation();
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
+  first_stored = is_packed() ? 0u : first_kept;
   const vec3 seen = in_light_axes(texelFetch(vertices, int(v)).xyz);
   if (!is_damaged(place_in_map(placement, seen).xy)) look_up(placement, v);
 }

@@ -54,9 +54,9 @@ AfterDeposits after_deposits(const Settings& settings) {
 
 std::vector<MapBuffer> buffers_of(const Settings& settings) {
   const std::uint64_t texels = std::uint64_t(settings.map.resolution) * settings.map.resolution;
-  const std::uint64_t numbers = texels * settings.layers, room = tile_room(settings);
+  const std::uint64_t room = tile_room(settings);
   const std::uint64_t stored = settings.sparse ? room * k_tile_texels : texels;
-  std::vector<MapBuffer> buffers = {{.words = numbers, .kept = !settings.bytes && !settings.sparse},
+  std::vector<MapBuffer> buffers = {{.kept = !settings.bytes && !settings.sparse, .per_strip = true},
                                     {.words = texels, .kept = !settings.sparse, .cleared = false},
                                     {.words = k_layer_words, .kept = false, .cleared = false},
                                     {.words = 2 * texels, .clear = k_no_depth, .kept = false},
@@ -81,15 +81,20 @@ Stored stored_of(const Settings& settings) {
   return {k_stored_ranges, k_stored_sums, std::uint32_t(tile_room(settings)) * k_tile_texels};
 }
 
-void add_tile_passes(const Settings& settings, MapDescription& map) {
+/// Which tiles hold hair, by the depths of all texels.
+void add_slot_passes(const Settings& settings, MapDescription& map) {
   map.own = {float(tile_room(settings))};
   map.passes.push_back({"shadow.mark", deep_tile_mark_comp, {k_box, k_depths, k_slots}, MapRun::per_texel});
   map.passes.push_back({"shadow.slots", deep_tile_slots_comp, {k_box, k_slots, k_list}, MapRun::one_group});
+}
+
+void add_keep_pass(const Settings& settings, MapDescription& map) {
   map.passes.push_back({.name = "shadow.keep",
                         .code = deep_tile_keep_comp,
                         .buffers = {k_box, k_list, k_ranges, k_sums, k_stored_ranges, k_stored_sums},
                         .run = MapRun::given,
-                        .invocations = stored_of(settings).texels});
+                        .invocations = stored_of(settings).texels,
+                        .per_strip = true});
 }
 
 /// Invocations of the histogram: whole runs.
@@ -118,26 +123,34 @@ MapDescription describe(const Settings& settings) {
                  .run = MapRun::per_counted_segment,
                  .counted = counted_segments,
                  .texels = {3}},
-                {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group},
-                {.name = "shadow.splat",
-                 .code = deep_splat_comp,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums},
-                 .texels = {3, 4, 5}},
-                {"shadow.scan", deep_scan_comp, {k_depths, k_ranges, k_sums}, MapRun::per_texel}};
-  if (settings.sparse) add_tile_passes(settings, map);
+                {"shadow.layers", deep_layers_comp, {k_deposits, k_histogram, k_ends}, MapRun::one_group}};
+  if (settings.sparse) add_slot_passes(settings, map);
+  map.passes.push_back({.name = "shadow.splat",
+                        .code = deep_splat_comp,
+                        .buffers = {k_vertices, k_segments, k_box, k_deposits, k_depths, k_ends, k_sums},
+                        .texels = {3, 4, 5},
+                        .per_strip = true});
+  map.passes.push_back({.name = "shadow.scan",
+                        .code = deep_scan_comp,
+                        .buffers = {k_depths, k_ranges, k_sums, k_box},
+                        .run = MapRun::per_texel,
+                        .per_strip = true});
+  if (settings.sparse) add_keep_pass(settings, map);
   const Stored stored = stored_of(settings);
   if (settings.bytes)
     map.passes.push_back({.name = "shadow.pack",
                           .code = deep_pack_comp,
-                          .buffers = {k_deposits, stored.sums, k_codes},
+                          .buffers = {k_deposits, stored.sums, k_codes, k_box},
                           .run = MapRun::given,
-                          .invocations = stored.texels});
+                          .invocations = stored.texels,
+                          .per_strip = !settings.sparse});
   MapPass lookup{"shadow.lookup",
                  deep_lookup_comp,
                  {k_vertices, k_segments, k_box, stored.ranges, k_ends, settings.bytes ? k_codes : stored.sums,
                   k_deposits, k_transmittance},
                  MapRun::per_vertex};
   lookup.texels = {3, 4, 5, 6};
+  lookup.per_strip = !settings.sparse && !settings.bytes;
   if (settings.sparse) {
     lookup.code = deep_tile_lookup_comp;
     lookup.buffers.push_back(k_slots);

@@ -8,13 +8,20 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Depths { uint depths[]; };
 layout(std430, binding = 1) writeonly buffer Ranges { uint ranges[]; };
 layout(std430, binding = 2) buffer Sums { uint sums[]; };
+layout(std430, binding = 3) readonly buffer Box { uint least[6]; };
 
 void main() {
-  const uint t = invocation();
-  if (t >= push.count) return;
+  const uint kept = invocation();
+  if (kept >= push.count) return;
+  uint t = kept;
+  for (bool in_strips = push.strips > 1u; in_strips; in_strips = false) {  // skipped where a condition would be masked
+    placement_of(least);
+    t += first_kept;
+    if (t >= end_kept) return;
+  }
   const uint nearest = depths[2u * t];
   ranges[t] = depth_range(nearest, ~depths[2u * t + 1u]);
-  const uint first = t * push.layers;
+  const uint first = kept * push.layers;
   if (nearest == k_no_depth) return;
   uint total = sums[first];
   for (uint i = 1u; i < push.layers; ++i) {

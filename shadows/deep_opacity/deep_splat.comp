@@ -11,9 +11,10 @@ layout(binding = 5) uniform usamplerBuffer layers;
 layout(std430, binding = 6) buffer Sums { uint sums[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
+  if (!is_kept(texel)) return;
   const uint behind = table_step(depth_step - texelFetch(depths, int(2u * texel)).r);
   const uint layer = unpacked_layer(texelFetch(layers, int(k_layer_table + behind)).r).index;
-  atomicAdd(sums[texel * push.layers + layer], texelFetch(table, int(covered)).r);
+  atomicAdd(sums[kept_place(texel) * push.layers + layer], texelFetch(table, int(covered)).r);
 }
 
 void main() {

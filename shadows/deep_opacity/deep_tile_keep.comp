@@ -19,8 +19,9 @@ void main() {
   placement_of(least);
   const uint i = tile_column(list[slot], place, columns), j = tile_row(list[slot], place, columns);
   const bool is_inside = i < columns && j < rows;
-  const uint texel = is_inside ? j * columns + i : 0u;
+  const uint texel = is_inside ? j * columns + i : first_kept;
+  if (!is_kept(texel)) return;
   stored_ranges[stored] = is_inside ? ranges[texel] : k_no_range;
   for (uint layer = 0u; layer < push.layers; ++layer)
-    stored_sums[stored * push.layers + layer] = is_inside ? sums[texel * push.layers + layer] : 0u;
+    stored_sums[stored * push.layers + layer] = is_inside ? sums[kept_place(texel) * push.layers + layer] : 0u;
 }

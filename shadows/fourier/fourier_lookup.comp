@@ -11,7 +11,7 @@ Integrals basis;
 
 float exponent_at(uint texel, float z) {
   const float depth = z / float(k_series_steps);
-  if (!(depth > 0.0) || sums[texel * push.layers] <= 0) return 0.0;
+  if (!(depth > 0.0) || sum_of(texel, 0u) <= 0) return 0.0;
   read_sums(texel);
   const float whole = float(sums_left[0]);
   if (!(whole > 0.0)) return 0.0;
@@ -25,5 +25,5 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, float(k_series_steps));
+  if (v < push.count) look_up(v);
 }

@@ -21,7 +21,7 @@ float exponent_at(uint texel, float z) {
   slice_behind = min(uint(limited), push.layers - 1u);
   own_nearer = own_farther = 0u;
   walk_own();
-  const uint first = texel * push.layers;
+  const uint first = kept_place(texel) * push.layers;
   const float nearer = slice_behind == 0u ? 0.0 : float(sums[first + slice_behind - 1u] - own_nearer);
   const float farther = float(sums[first + slice_behind] - own_farther);
   return push.per_unit * between_planes(nearer, farther, limited - float(slice_behind));
@@ -29,5 +29,7 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, push.intervals);
+  if (v >= push.count) return;
+  const float through = transmittance_of_vertex(placement_of(least), v, push.intervals);
+  if (through >= 0.0) transmittance[v] = through;
 }

@@ -38,12 +38,11 @@ MapDescription describe_drawn(const Settings& settings) {
 
 MapDescription describe(const Settings& settings) {
   if (settings.form != Form::compute) return describe_drawn(settings);
-  const std::uint64_t texels = std::uint64_t(settings.map.resolution) * settings.map.resolution;
   MapDescription map;
   map.settings = settings.map;
   map.intervals = settings.intervals();
   map.layers = settings.layers();
-  map.buffers = {{texels * settings.layers()}};
+  map.buffers = {{.per_strip = true}};
   map.passes = {
       {"shadow.splat", opacity_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}, MapRun::per_segment},
       {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
@@ -51,6 +50,7 @@ MapDescription describe(const Settings& settings) {
        opacity_lookup_comp,
        {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
        MapRun::per_vertex}};
+  for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;
 }
 

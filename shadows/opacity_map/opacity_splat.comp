@@ -8,7 +8,8 @@ layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) buffer Sums { uint sums[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
-  if (depth_step < push.layers) atomicAdd(sums[texel * push.layers + depth_step], table[covered]);
+  if (depth_step < push.layers && is_kept(texel))
+    atomicAdd(sums[kept_place(texel) * push.layers + depth_step], table[covered]);
 }
 
 void main() {

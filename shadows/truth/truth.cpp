@@ -44,6 +44,7 @@ constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 /// Mean and its standard error at one point.
 struct Estimate {
   float mean = 1, standard_error = 0;
+  float occluder = std::numeric_limits<float>::infinity();  // metres to the nearest
 };
 
 class Tracer {
@@ -54,11 +55,13 @@ class Tracer {
   struct Scratch {
     std::vector<strands::Crossing> crossings;
     OwnStretch stretch;
+    double occluder = 0;
   };
   Estimate at(const Receivers& receivers, std::size_t i, Scratch& scratch) const {
     const glm::dvec3 direction = way_from(glm::dvec3(receivers.points[i])).direction;
     const PlaneAxes axes = plane_axes(direction);
     scratch.stretch = stretch_of(receivers, i, direction);
+    scratch.occluder = std::numeric_limits<double>::infinity();
     double sum = 0, squares = 0;
     for (std::uint32_t ray = 0; ray < side_ * side_; ++ray) {
       const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i), axes), scratch);
@@ -67,7 +70,7 @@ class Tracer {
     }
     const double count = double(side_) * side_, mean = sum / count;
     const double variance = std::max(0.0, squares / count - mean * mean);
-    return {float(mean), count > 1 ? float(std::sqrt(variance / (count - 1))) : 0.0f};
+    return {float(mean), count > 1 ? float(std::sqrt(variance / (count - 1))) : 0.0f, float(scratch.occluder)};
   }
 
  private:
@@ -105,7 +108,9 @@ class Tracer {
       const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
       const bool own = !receivers.strands.empty() && crossing.strand == receivers.strands[i] &&
                        is_own(scratch.stretch, from, way.direction, crossing);
-      count += middle < way.distance && !own ? 1 : 0;
+      if (middle >= way.distance || own) continue;
+      scratch.occluder = std::min(scratch.occluder, std::max(0.0, double(crossing.entry)));
+      ++count;
     }
     return std::pow(1 - casters_.alpha, count);
   }
@@ -150,6 +155,7 @@ void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& 
       const Estimate estimate = tracer.at(receivers, i, scratch);
       result.values[i] = estimate.mean;
       result.standard_error[i] = estimate.standard_error;
+      result.occluders[i] = estimate.occluder;
     }
   });
 }
@@ -160,6 +166,7 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   Transmittance result;
   result.values.assign(receivers.points.size(), 1.0f);
   result.standard_error.assign(receivers.points.size(), 0.0f);
+  result.occluders.assign(receivers.points.size(), std::numeric_limits<float>::infinity());
   result.cost.device = cpu_device_name();
   if (casters.groom->strand_count() == 0) return result;
   const double given = 1e-3 * values.real("footprint_radius_mm");

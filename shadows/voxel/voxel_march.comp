@@ -40,12 +40,13 @@ vec2 span_inside(vec3 p, vec3 direction) {
   return span;
 }
 
-/// Distance of a vertex from the receiver, across the light.
 vec3 receiver;
-float distance_across(uint v) {
+float visit_own_vertex(uint v) {
   const vec3 away = texelFetch(vertices, int(v)).xyz - receiver;
   return length(away - dot(away, push.forward.xyz) * push.forward.xyz);
 }
+
+void visit_own_segment(uint s, bool backward, bool is_first, bool is_last) {}
 
 /// What the samples of a ray read of the receiver's own fibre.
 float own_samples(vec3 entry, vec3 direction, float span) {

@@ -51,7 +51,8 @@ Result<DemoSection> run_demo_study(const strands::Groom& drawn, const scene::Sce
   SlicesStudy study = quick_slices_study();
   study.request.groom = &drawn;
   study.request.groom_name = scene.groom.file.empty() ? "grown hair" : scene.groom.file;
-  study.request.alpha = (scene.fibre_alpha.x + scene.fibre_alpha.y + scene.fibre_alpha.z) / 3;
+  const glm::dvec3 alpha = scene.fibre_alpha.value_or(glm::dvec3(1));
+  study.request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
   study.request.to_light = light->to_light;
   const auto comparison = run_slices_study(study, progress);
   if (!comparison) {

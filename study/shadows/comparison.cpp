@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -53,7 +54,7 @@ void add_baselines(Comparison& comparison) {
   const std::vector<float>& truth = comparison.truth;
   std::vector<double> choosing;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!is_counted(truth[i])) continue;
+    if (!is_counted(truth[i], comparison.errors_of())) continue;
     ++comparison.counted;
     comparison.truth_standard_error += double(comparison.truth_errors[i]);
     if (is_in(Half::choosing, i)) choosing.push_back(double(truth[i]));
@@ -61,8 +62,22 @@ void add_baselines(Comparison& comparison) {
   comparison.truth_standard_error /= double(comparison.counted);
   comparison.best_constant_value = quantile(choosing, 0.5);
   const std::vector<float> ones(truth.size(), 1.0f), constant(truth.size(), float(comparison.best_constant_value));
-  comparison.none = error_statistics(ones, truth, Half::reporting);
-  comparison.best_constant = error_statistics(constant, truth, Half::reporting);
+  comparison.none = error_statistics(ones, truth, Half::reporting, comparison.errors_of());
+  comparison.best_constant = error_statistics(constant, truth, Half::reporting, comparison.errors_of());
+}
+
+double mean_of(std::span<const float> values) {
+  double sum = 0;
+  for (const float value : values) sum += double(value);
+  return sum / double(std::max<std::size_t>(1, values.size()));
+}
+
+/// Half width of 95 % of the mean difference of two lists.
+double difference_interval(std::span<const float> a, std::span<const float> b) {
+  const double count = double(a.size()), mean = mean_of(a) - mean_of(b);
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(double(a[i]) - double(b[i]) - mean, 2);
+  return count > 1 ? 1.96 * std::sqrt(squares / count / (count - 1)) : 0;
 }
 
 ComparisonRow row_of(const Candidate& candidate, shadows::Transmittance result, const Comparison& comparison) {
@@ -70,11 +85,14 @@ ComparisonRow row_of(const Candidate& candidate, shadows::Transmittance result, 
   row.method = candidate.method->entry.name;
   row.settings = settings_text(candidate);
   row.values = candidate.values;
-  row.choosing = error_statistics(result.values, comparison.truth, Half::choosing);
-  row.error = error_statistics(result.values, comparison.truth, Half::reporting);
+  row.choosing = error_statistics(result.values, comparison.truth, Half::choosing, comparison.errors_of());
+  row.error = error_statistics(result.values, comparison.truth, Half::reporting, comparison.errors_of());
   row.cost = std::move(result.cost);
   row.total_ms = row.cost.build_ms + row.cost.lookup_ms * double(comparison.vertices) /
                                          double(std::max<std::size_t>(1, comparison.receivers));
+  row.light_left = mean_of(result.values);
+  row.light_left_interval = difference_interval(result.values, comparison.truth);
+  row.contact = contact_errors(result.values, comparison);
   row.transmittance = std::move(result.values);
   return row;
 }
@@ -114,7 +132,7 @@ Result<void> add_rows(const ComparisonRequest& request, const FlickerScene& scen
 
 bool has_counted(std::span<const float> truth, Half half) {
   for (std::size_t i = 0; i < truth.size(); ++i)
-    if (is_in(half, i) && is_counted(truth[i])) return true;
+    if (is_in(half, i) && is_counted(truth[i], Counted::partly_lit)) return true;
   return false;
 }
 
@@ -134,13 +152,14 @@ double pixel_footprint(const strands::Groom& groom, const glm::dvec3& to_camera)
   return 0.5 * double(std::max(size.x, size.y)) / 1024;
 }
 
-ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half) {
+ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half,
+                                 Counted counted) {
   CUTICLE_EXPECT(values.size() == truth.size(), "one value per truth");
   std::vector<double> errors;
   ErrorStatistics statistics;
   double squares = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!is_counted(truth[i]) || !is_in(half, i)) continue;
+    if (!is_counted(truth[i], counted) || !is_in(half, i)) continue;
     const double error = double(values[i]) - double(truth[i]);
     errors.push_back(std::abs(error));
     statistics.mean += std::abs(error);
@@ -161,6 +180,23 @@ ErrorStatistics error_statistics(std::span<const float> values, std::span<const 
   return statistics;
 }
 
+std::vector<ContactError> contact_errors(std::span<const float> values, const Comparison& comparison) {
+  constexpr double k_endless = std::numeric_limits<double>::infinity();
+  std::vector<ContactError> bands;
+  for (double from = 0, to = 5e-4; from < 0.1; from = to, to = 2 * to < 0.1 ? 2 * to : k_endless) {
+    std::vector<float> there, truth;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double away = double(comparison.occluders[i]);
+      if (!(away >= from && away < to) || !is_counted(comparison.truth[i], comparison.errors_of())) continue;
+      there.push_back(values[i]);
+      truth.push_back(comparison.truth[i]);
+    }
+    if (!there.empty())
+      bands.push_back({from, to, there.size(), error_statistics(there, truth, Half::both, comparison.errors_of())});
+  }
+  return bands;
+}
+
 Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress& progress) {
   CUTICLE_EXPECT(request.groom != nullptr, "a request names its groom");
   CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(request.to_light));
@@ -171,13 +207,15 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   Comparison comparison = describe(request, probes.points.size());
   progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
   CUTICLE_ASSIGN(auto truth, evaluate_truth(request, casters, receivers, comparison.footprint_radius));
-  if (!has_counted(truth.values, Half::choosing) || !has_counted(truth.values, Half::reporting))
+  if (!request.to_camera && !(has_counted(truth.values, Half::choosing) && has_counted(truth.values, Half::reporting)))
     return bad_input("no receiver has a transmittance between 0.05 and 0.95: nothing to compare",
                      "another radius, alpha or light, more receivers, or check metres per unit");
   comparison.truth_cost = truth.cost;
   comparison.points = probes.points;
   comparison.truth = std::move(truth.values);
   comparison.truth_errors = std::move(truth.standard_error);
+  comparison.occluders = std::move(truth.occluders);
+  comparison.light_left = mean_of(comparison.truth);
   add_baselines(comparison);
   shadows::Transmittance turned;
   if (request.flicker) {

@@ -60,6 +60,13 @@ struct ComparisonRequest {
 /// Receivers are halved, so that settings are chosen on one half and their errors reported on the other.
 enum class Half { choosing, reporting, both };
 
+/// Receivers that errors are counted at: those with 0.05 < truth < 0.95, which a wide disc gives most of those in hair;
+/// or all, for what a camera sees: behind opaque fibres a pixel's truth is mostly 0 or 1.
+enum class Counted { partly_lit, all };
+constexpr bool is_counted(float truth, Counted counted) {
+  return counted == Counted::all || (truth > 0.05f && truth < 0.95f);
+}
+
 /// Of |T - truth| over the receivers counted; bias is the mean of T - truth. Intervals: half widths that hold 95 %.
 struct ErrorStatistics {
   double mean = 0, percentile_95 = 0, maximum = 0, bias = 0;
@@ -71,12 +78,21 @@ struct DeviceCost {
   double wall_ms = 0, build_ms = 0, lookup_ms = 0;
   std::vector<std::pair<std::string, double>> passes;  ///< name and milliseconds of each, in their order
 };
+/// The mean error of the receivers whose nearest occluder lies from .. to metres away.
+struct ContactError {
+  double from = 0, to = 0;
+  std::size_t receivers = 0;
+  ErrorStatistics error;
+};
 struct ComparisonRow {
   std::string method, settings;  ///< settings as `--set` would take them: what differs from the defaults
   registry::ParameterValues values;
-  ErrorStatistics choosing, error;   ///< over either half; `error` is the one to report
-  shadows::Cost cost;                ///< lookup at the receivers
-  double total_ms = 0;               ///< build, and lookup at every vertex of the groom
+  ErrorStatistics choosing, error;  ///< over either half; `error` is the one to report
+  shadows::Cost cost;               ///< lookup at the receivers
+  double total_ms = 0;              ///< build, and lookup at every vertex of the groom
+  double light_left = 1;            ///< mean T of all receivers, whatever their truth
+  double light_left_interval = 0;   ///< half width of 95 % of its difference to the truth's
+  std::vector<ContactError> contact;
   std::vector<float> transmittance;  ///< at the receivers
   std::optional<Flicker> flicker;
   std::optional<DeviceCost> on_device;
@@ -92,13 +108,16 @@ struct Comparison {
   glm::dvec3 to_light{0, 1, 0};
   int rays = 0;
   bool at_pixels = false;                  ///< receivers are what a camera sees
-  std::size_t receivers = 0, counted = 0;  ///< asked for, and of those with 0.05 < truth < 0.95
-  double truth_standard_error = 0;         ///< mean over the receivers counted
+  std::size_t receivers = 0, counted = 0;  ///< asked for, and of those that errors are of
+  Counted errors_of() const { return at_pixels ? Counted::all : Counted::partly_lit; }
+  double truth_standard_error = 0;  ///< mean over the receivers counted
   shadows::Cost truth_cost;
+  double light_left = 1;                ///< the truth's, of all receivers
   ErrorStatistics none, best_constant;  ///< baselines: T = 1, and the constant with the least mean |error| (the median)
   double best_constant_value = 0;
   std::vector<glm::vec3> points;  ///< of the receivers, with their true transmittance and its standard error
   std::vector<float> truth, truth_errors;
+  std::vector<float> occluders;  ///< metres to the nearest fibre between a receiver and the light; infinity: none
   std::vector<ComparisonRow> rows;
   std::vector<Refusal> refused;
 };
@@ -107,11 +126,13 @@ struct Comparison {
 /// candidate is refused; bad_input where a half has no receiver with 0.05 < truth < 0.95.
 Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress& progress);
 
-/// Whether errors are counted at a receiver: 0.05 < truth < 0.95.
-constexpr bool is_counted(float truth) { return truth > 0.05f && truth < 0.95f; }
+/// Statistics of values against the truth over the receivers of a half that are counted.
+ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half = Half::both,
+                                 Counted counted = Counted::partly_lit);
 
-/// Statistics of values against the truth over the receivers of a half with 0.05 < truth < 0.95.
-ErrorStatistics error_statistics(std::span<const float> values, std::span<const float> truth, Half half = Half::both);
+/// Errors by distance to the nearest occluder, of both halves: bands that double from half a millimetre, the first from
+/// 0, the last without end; those without a receiver are left out.
+std::vector<ContactError> contact_errors(std::span<const float> values, const Comparison& comparison);
 
 /// What a setting must keep; 0: not asked for.
 struct Request {
@@ -131,10 +152,12 @@ Nearest nearest_to(const Comparison& comparison, const Request& request);
 /// study/README.md describes both.
 std::string to_json(const Comparison& comparison);
 std::string to_csv(const Comparison& comparison);
+/// ComparisonRow::contact of every row: method, settings, from_mm, to_mm, receivers, mean_error, mean_interval, bias.
+std::string contact_csv(const Comparison& comparison);
 /// Receivers with their truth, and the transmittance of each method's best setting on the choosing half: x,y,z,truth,
 /// standard_error, then one column a method.
 std::string receivers_csv(const Comparison& comparison);
-/// Writes study.json, study.csv and receivers.csv into the folder.
+/// Writes study.json, study.csv, contact.csv and receivers.csv into the folder.
 Result<void> write_comparison(const Comparison& comparison, const std::string& folder);
 
 }  // namespace cuticle::study

@@ -41,6 +41,8 @@ Json row_json(const ComparisonRow& row) {
   json["lookup_ms"] = row.cost.lookup_ms;
   json["total_ms"] = row.total_ms;
   json["bytes"] = row.cost.bytes;
+  json["light_left"] = row.light_left;
+  json["light_left_interval"] = row.light_left_interval;
   json["device"] = row.cost.device;
   if (row.on_device) json["on_device"] = device_json(*row.on_device);
   if (row.flicker) json["light_flicker"] = row.flicker->light;
@@ -59,6 +61,7 @@ Json truth_json(const Comparison& comparison) {
           {"receivers", comparison.receivers},
           {"counted", comparison.counted},
           {"mean_standard_error", comparison.truth_standard_error},
+          {"light_left", comparison.light_left},
           {"ms", comparison.truth_cost.build_ms + comparison.truth_cost.lookup_ms},
           {"device", comparison.truth_cost.device}};
 }
@@ -82,13 +85,16 @@ std::string csv_line(const ComparisonRow& row) {
                                                row.on_device->build_ms, row.on_device->lookup_ms, row.on_device->device)
                                  : ",,,";
   return fmt::format(
-      "{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\",{},{},{}\n", row.method,
-      row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean, row.error.mean_interval,
-      row.error.percentile_95, row.error.maximum, row.error.bias, row.choosing.mean, row.cost.build_ms,
-      row.cost.lookup_ms, row.total_ms, row.cost.bytes, row.cost.device, light, motion, device);
+      "{},\"{}\",{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{},\"{}\",{},{},{},{:.6g},{:.3g}"
+      "\n",
+      row.method, row.settings, layers_of(row.values), cell(row.values, "resolution"), row.error.mean,
+      row.error.mean_interval, row.error.percentile_95, row.error.maximum, row.error.bias, row.choosing.mean,
+      row.cost.build_ms, row.cost.lookup_ms, row.total_ms, row.cost.bytes, row.cost.device, light, motion, device,
+      row.light_left, row.light_left_interval);
 }
-ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error) {
+ComparisonRow baseline_row(std::string_view method, const ErrorStatistics& error, double light_left) {
   ComparisonRow row;
+  row.light_left = light_left;
   row.method = method;
   row.choosing = row.error = error;
   return row;
@@ -147,10 +153,19 @@ std::string to_csv(const Comparison& comparison) {
   std::string text =
       "method,settings,layers,resolution,mean_error,mean_interval,p95_error,max_error,bias,choosing_error,build_ms,"
       "lookup_ms,total_ms,bytes,device,light_flicker,motion_flicker,device_wall_ms,"
-      "device_build_ms,device_lookup_ms,on_device\n";
-  text += csv_line(baseline_row("none", comparison.none));
-  text += csv_line(baseline_row("best constant", comparison.best_constant));
+      "device_build_ms,device_lookup_ms,on_device,light_left,light_left_interval\n";
+  text += csv_line(baseline_row("none", comparison.none, 1));
+  text += csv_line(baseline_row("best constant", comparison.best_constant, comparison.best_constant_value));
   for (const ComparisonRow& row : comparison.rows) text += csv_line(row);
+  return text;
+}
+
+std::string contact_csv(const Comparison& comparison) {
+  std::string text = "method,settings,from_mm,to_mm,receivers,mean_error,mean_interval,bias\n";
+  for (const ComparisonRow& row : comparison.rows)
+    for (const ContactError& band : row.contact)
+      text += fmt::format("{},\"{}\",{:g},{:g},{},{:.6g},{:.3g},{:.6g}\n", row.method, row.settings, 1e3 * band.from,
+                          1e3 * band.to, band.receivers, band.error.mean, band.error.mean_interval, band.error.bias);
   return text;
 }
 
@@ -173,6 +188,7 @@ std::string receivers_csv(const Comparison& comparison) {
 Result<void> write_comparison(const Comparison& comparison, const std::string& folder) {
   CUTICLE_TRY(make_folder(folder));
   CUTICLE_TRY(write_text_file(folder + "/study.csv", to_csv(comparison)));
+  CUTICLE_TRY(write_text_file(folder + "/contact.csv", contact_csv(comparison)));
   CUTICLE_TRY(write_text_file(folder + "/receivers.csv", receivers_csv(comparison)));
   return write_text_file(folder + "/study.json", to_json(comparison));
 }

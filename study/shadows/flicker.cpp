@@ -17,7 +17,7 @@ double mean_change(std::span<const float> truth, const auto& change) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
-    if (is_counted(truth[i])) {
+    if (is_counted(truth[i], Counted::partly_lit)) {
       sum += std::abs(change(i));
       ++count;
     }

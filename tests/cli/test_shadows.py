@@ -57,6 +57,23 @@ def test_Shadows_FiltersAndSpacings_AreSwept(groom):
     assert len({row["settings"] for row in table}) == 4 + 1, "and the baselines without any"
 
 
+def test_Shadows_Camera_ErrorFallsWithResolutionAndSoDoesTheFirstPlot(groom, tmp_path):
+    folder = tmp_path / "out"
+    command = ["shadows", groom, "--metres-per-unit", "1", "--radius", "0.0002", "--camera", "0,1,1", "--light", "1,1,0.3", "--receivers", "300",
+               "--rays", "64", "--methods", "opacity_map,deep_opacity,exact_list", "--layers", "16", "--resolution", "32,128,512", "--out", folder]
+    errors, left = {}, {}
+    for row in rows(*command)[2:]:
+        errors.setdefault(row["method"], []).append(float(row["mean_error"]))
+        left.setdefault(row["method"], []).append(float(row["light_left"]))
+    assert set(errors) == {"opacity_map", "deep_opacity", "exact_list"}
+    for method, of in errors.items():
+        assert of == sorted(of, reverse=True), f"{method}: {of}"
+    study = json.loads((folder / "study.json").read_text())
+    assert study["x"]["key"] == "resolution" and study["y"]["key"] == "mean_error"
+    for method, of in left.items():
+        assert abs(of[-1] - study["truth"]["light_left"]) < 0.02, f"{method}: {of}"
+
+
 def test_Shadows_AtPoints_OneColumnAMethod(groom, tmp_path):
     points = tmp_path / "points.csv"
     points.write_text("x,y,z\n0.02,0.5,0.015\n0.02,-0.01,0.015\n")
@@ -83,6 +100,8 @@ def test_Shadows_Folder_HoldsTheStudysData(groom, tmp_path):
     assert json.loads((folder / "study.json").read_text())["rows"]
     assert (folder / "study.csv").read_text().startswith("method,settings,")
     assert (folder / "receivers.csv").read_text().startswith("x,y,z,truth,standard_error,none ")
+    bands = (folder / "contact.csv").read_text().splitlines()
+    assert bands[0] == "method,settings,from_mm,to_mm,receivers,mean_error,mean_interval,bias" and len(bands) > 2
     assert (folder / "index.html").exists() and (folder / "hair.png").exists()
 
 

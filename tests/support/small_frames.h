@@ -11,7 +11,8 @@
 namespace cuticle::tests {
 
 inline constexpr std::string_view k_light = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])";
-inline constexpr std::string_view k_shadow = R"("shadow": {"method": {"opacity_map": {"resolution": 64}}})";
+inline constexpr std::string_view k_shadow =
+    R"("shadow": {"method": {"opacity_map": {"resolution": 64}}, "fibre_alpha": 0.4})";
 inline constexpr std::string_view k_simulation =
     R"("simulation": {"solver": {"classic": {}}, "effects": {"gravity": {}}})";
 inline constexpr std::string_view k_colliders = R"("colliders": {"head": true})";
