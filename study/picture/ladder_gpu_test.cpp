@@ -88,7 +88,7 @@ TEST(StrandErrors, AStrandTwiceAsBright_IsOffByItsShareOfTheMean) {
   const std::vector<double> errors = strand_errors(picture, truth, {0, 0, 0, 0, 1, 1, 1, -1});
   ASSERT_EQ(errors.size(), 1u);  // three pixels are too few
   EXPECT_NEAR(errors[0], 1, 1e-6);
-  EXPECT_NEAR(squared_errors(truth, picture, truth)[0], 1 / (1 + 1.0 / 16), 1e-6);
+  EXPECT_NEAR(squared_errors(truth, picture, truth)[0], 0.5, 1e-6);
   EXPECT_EQ(squared_errors(truth, picture, truth)[7], 0);
 }
 
