@@ -1,4 +1,5 @@
 // A subcommand for every registered study.
+#include <cstdio>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -33,6 +34,7 @@ int study_registered(const RegisteredOptions& options, Context& context) {
   const auto csv = run_registered(*options.entry, options.request, options.out, *context.progress);
   if (!csv) return report(csv.error());
   print_rows(*csv, options.out + "/study.csv");
+  std::fflush(stdout);  // before what the page's maker says
   return make_page("", options.out, *context.progress);
 }
 
@@ -49,6 +51,7 @@ void add_registered(CLI::App& study, Context& context, const study::StudyEntry& 
         ->capture_default_str();
   command->add_flag("--quick", options->request.quick, "a reduced form, some seconds");
   command->callback([&context, options] {
+    if (context.action) return;
     context.action = [&context, options] {
       options->request.device = context.device;
       return in_folder(options->out, [&] { return study_registered(*options, context); });

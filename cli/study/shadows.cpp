@@ -41,10 +41,11 @@ void add_shadow_marks(CLI::App& study, Context& context) {
   auto marks = std::make_shared<std::string>();
   command->add_option("--marks", *marks,
                       "measure the marks of a file instead (scenes/shadow_marks); grooms are found below CUTICLE_TEST_DATA");
-  command->final_callback([&context, command, marks] {
+  // Before the study's own callback, which leaves an action that is there.
+  command->parse_complete_callback([&context, command, marks] {
     if (marks->empty()) return;
-    const auto out = command->get_option("--out")->as<std::string>();
-    context.action = [&context, marks, out] {
+    context.action = [&context, command, marks] {
+      const auto out = command->get_option("--out")->as<std::string>();
       return in_folder(out, [&] {
         const auto code = measure(*marks, out, context);
         return code ? *code : report(code.error());

@@ -36,6 +36,11 @@ def ladder(study):
         total = rungs[-1].error("picture")["value"]
         if not total:
             continue
+        if group.raw["floor"] > 0.3 * total:
+            yield Finding(f"{group.raw['name'].capitalize()}: the truth is too noisy to rank its rungs: another seed changes the picture by a relative MSE of "
+                          f"{results.shown(group.raw['floor'], 2)}, all rungs together by {results.shown(total, 2)}. More samples tell (without --quick).",
+                          group_id(study, group), "the ladder")
+            continue
         share = worst.error("added")["value"] / sum(rung.error("added")["value"] for rung in rungs)
         saved = f", in {time(rungs[-1].seconds['value'])} a frame" if rungs[-1].seconds else ""
         yield Finding(f"{group.raw['name'].capitalize()}: the rung that changes the picture most is {worst.method.replace('_', ' ')}, {percent(share)} of what all rungs "
@@ -95,12 +100,12 @@ MAKERS = {"picture": ladder, "luts": tables, "lobes": precision, "skinning": vol
                                                         "(error on receivers that it was not chosen on: {judged})."),
           "motion": lambda study: choices(study, 0.01, "Motion, {group}: the cheapest setting within {error} of a strand's length is {point}, {time} a strand and frame."),
           "render": lambda study: choices(study, 0.01, "Drawing, {group}: the cheapest setting with a mean error of coverage of at most {error} is {point}, {time} a frame.")}
-ORDER = ("picture", "luts", "shadows", "render", "motion", "lobes", "skinning")
+ORDER = ("picture", "models", "luts", "shadows", "render", "motion", "lobes", "skinning")
 
 
 def find(studies, most=5):
     """The first finding of each study, then the second, and so on: `most` of them."""
     by_name = {study.name: study for study in studies}
-    lists = [list(MAKERS[name](by_name[name])) for name in ORDER if name in by_name]
+    lists = [list(MAKERS[name](by_name[name])) for name in ORDER if name in by_name and name in MAKERS]
     rounds = [found for turn in range(max(map(len, lists), default=0)) for found in (one[turn:turn + 1] for one in lists)]
     return [finding for found in rounds for finding in found][:most]

@@ -52,8 +52,9 @@ def hover(point, group, factor, unit):
 
 
 def tick_step(values):
-    """Every power of ten where there are many, else 1, 2 and 5 too."""
-    return 1 if max(values, default=1) > 300 * min(values, default=1) else "D2"
+    """Every power of ten where there are many, 1, 2 and 5 too where there are few, plotly's own within one."""
+    span = max(values, default=1) / max(min(values, default=1), 1e-300)
+    return 1 if span > 300 else "D2" if span > 8 else None
 
 
 def interactive(group, cost_label):

@@ -141,9 +141,12 @@ def views(study, means):
 
 def conclusions(study, group):
     """Settings to take, as rows: at most so large an error, the cheapest."""
-    rows = []
+    rows, before = [], None
     for step in group.conclusions["cheapest_for"]:
         choice = step["choice"]
+        if choice and choice["point"] == before:  # a looser error that the same setting meets
+            continue
+        before = choice and choice["point"]
         rows.append([results.shown(step["error_at_most"]), choice["point"] if choice else "none", findings.time(choice["seconds"]) if choice else "",
                      results.shown(choice["judging_error"]) if choice else ""])
     return ["error at most", "cheapest setting", "time", "error on the other half of the items"], rows
@@ -169,7 +172,7 @@ def section_of(study):
     means = flip.measure(study)
     groups = []
     for group in study.groups:
-        groups.append({"group": group, "figure": group_figure(study, group) if group.drawable() else None, "table": group_table(study, group),
+        groups.append({"group": group, "figure": group_figure(study, group) if len(group.drawable()) > 1 else None, "table": group_table(study, group),
                        "conclusions": conclusions(study, group) if group.drawable() else None, "sentences": sentences(group), "identity": findings.group_id(study, group)})
     plots = [curve_figure(study, plot) for plot in study.raw["plots"] if plot["curves"]] + [grid_figure(study, grid) for grid in study.raw.get("grids", [])]
     plots.sort(key=lambda drawn: not drawn.identity.endswith("-albedo"))

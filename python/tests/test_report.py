@@ -140,7 +140,7 @@ def test_DemoPage_WithAStudy_ShowsItsPlots(study, tmp_path):
 
 
 @pytest.mark.parametrize("mode, name, content, words", [
-    ([], "study.json", None, ["study.json", "No such file"]),
+    ([], "study.json", None, ["result.json"]),
     ([], "study.json", "{", ["study.json", "JSON"]),
     ([], "study.json", json.dumps({"title": "a"}), ["study.json", "'x'"]),
     ([], "study.json", json.dumps(study_of(rows=[])), ["study.json", "rows"]),

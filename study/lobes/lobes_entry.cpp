@@ -26,7 +26,9 @@ const StudyEntry& lobes_entry() {
                                 .summary = "every fibre model: error against time of its tiers, and its lobes",
                                 .options = {{"models", "all", "models, a,b,c, or all"},
                                             {"hair", "blond", "physical fibre that every model is mapped to"}},
-                                .declare = declare_lobes};
+                                .declare = declare_lobes,
+                                .quick_seconds = 45,
+                                .seconds = 240};
   return entry;
 }
 

@@ -27,7 +27,9 @@ const StudyEntry& luts_entry() {
                                 .options = {{"models", "marschner", "models, a,b,c"},
                                             {"layouts", "", "layouts, a,b,c; without it all whose tables make S"},
                                             {"set", "", "parameters of every model, name=value,name=value"}},
-                                .declare = declare_luts};
+                                .declare = declare_luts,
+                                .quick_seconds = 10,
+                                .seconds = 120};
   return entry;
 }
 

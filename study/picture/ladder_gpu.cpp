@@ -24,7 +24,7 @@ double offset_of(const Image& truth) {
       sum += luminance(&truth.pixels[4 * p]);
       ++count;
     }
-  const double mean = count > 0 ? sum / count / 4 : 1;
+  const double mean = count > 0 ? sum / count : 1;
   return std::max(mean * mean, 1e-12);
 }
 
@@ -105,6 +105,7 @@ void add_pictures(Study& study, const std::string& name, const Ladder& ladder) {
   const Image& truth = ladder.rungs.front().color;
   const double exposure = ladder.rungs.front().scene.outputs.exposure_stops;
   const std::string first = name + "_00_path_tracing.png";
+  study.pictures.push_back({fmt::format("{}_noise.png", name), fmt::format("{}: path tracing with another seed", name), first, tone_map(ladder.again, exposure)});
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
     const RungPicture& rung = ladder.rungs[k];
     const std::string stem = fmt::format("{}_{:02}_{}", name, k, rung.rung.name);

@@ -54,7 +54,7 @@ Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const LadderRequest& r
 Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung>& rungs, const LadderRequest& request,
                      Progress& progress);
 
-/// Relative squared errors of each pixel that either picture covers: |a - b|^2 over (truth^2 + (mean of the truth / 4)^2),
+/// Relative squared errors of each pixel that either picture covers: |a - b|^2 over (truth^2 + (mean of the truth)^2),
 /// mean of the colours. Their mean over the pixels is the relative MSE.
 std::vector<double> squared_errors(const Image& a, const Image& b, const Image& truth);
 /// |mean radiance over a strand's pixels - that of the truth| over the mean of the truth, of every strand that is first

@@ -117,10 +117,13 @@ struct View {
   std::size_t bytes_before = 0;
   Image truth;
 
-  Result<Image> draw(const Variant& variant) {
+  Result<void> change(const Variant& variant) {
     scene::Scene changed = scene;
     apply(variant, changed);
-    CUTICLE_TRY(runner->change(changed, silent_progress()));
+    return runner->change(changed, silent_progress());
+  }
+  Result<Image> draw(const Variant& variant) {
+    CUTICLE_TRY(change(variant));
     CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
     return std::move(frame.color);
   }
@@ -144,10 +147,7 @@ Point point_of(const SharedView& view, const Variant& variant) {
     PictureErrors errors = compare(picture, view->truth);
     return Measured{{std::move(errors.coverage), std::move(errors.color)}, double(view->device->allocated_bytes() - view->bytes_before)};
   };
-  const auto before = [=]() -> Result<void> {
-    CUTICLE_TRY(view->draw(variant));
-    return {};
-  };
+  const auto before = [=] { return view->change(variant); };
   const auto run = [=]() -> Result<void> {
     CUTICLE_TRY(view->runner->run(0));
     return {};
@@ -231,7 +231,7 @@ Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequ
               .wall_clock = !device->info().is_software,
               .device = device->info().name,
               .driver = device->info().driver,
-              .timing = {.rounds = request.grows ? 5 : 3, .slow_seconds = 1}};
+              .timing = {.rounds = request.grows ? 5 : 3, .sample_seconds = 1e-6, .slow_seconds = 1}};
   scene::Scene scene = hair_of(request.scene);
   CUTICLE_ASSIGN(const SharedView near, make_view(device, scene, request.truth_samples, progress));
   CUTICLE_TRY(add_view(study, "near", near, request));

@@ -11,7 +11,9 @@ Result<Study> declare_skinning(const StudyRequest& request, Progress&) { return 
 const StudyEntry& skinning_entry() {
   static const StudyEntry entry{.name = "skinning",
                                 .summary = "a twisted tube: the volume that linear blend and dual quaternions keep",
-                                .declare = declare_skinning};
+                                .declare = declare_skinning,
+                                .quick_seconds = 1,
+                                .seconds = 5};
   return entry;
 }
 
