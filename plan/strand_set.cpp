@@ -157,8 +157,10 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   if (scene.groom.file.empty()) {
     CUTICLE_TRY(grow(scene, set));
     set.taper = float(scene.groom.taper.value_or(double(set.taper)));
-    if (!scene::draws_as_given(scene)) set.radius = drawn_radius(scene, set.control, set.hairs.size());
-    set.opacity = crossing_opacity(scene, set.control, set.hairs.size());
+    if (!scene::draws_as_given(scene)) {
+      set.radius = drawn_radius(scene, set.control, set.hairs.size());
+      set.opacity = crossing_opacity(scene, set.control, set.hairs.size());
+    }
   } else {
     CUTICLE_TRY(read_file_strands(scene, set));
     CUTICLE_TRY(stand_file_on(scene, set));
