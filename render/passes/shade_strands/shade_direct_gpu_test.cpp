@@ -10,6 +10,7 @@
 #include "bsdf/model_gpu.h"
 #include "core/random.h"
 #include "lut/bake_gpu.h"
+#include "render/pass_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/shade_strands/shade_strands.h"
 #include "tests/support/drawn_strands.h"
