@@ -385,18 +385,6 @@ TEST(Batch, ArraysOfDifferentSize_AreRefusedByName) {
   queries.u[2] = {};
   EXPECT_THAT(batch.sample(queries, color.out()).error().message, HasSubstr("u has 0"));
 }
-// deon draws its inclination by the fifth and the sixth.
-TEST(Batch, ModelWithoutKernels_DrawsByNumbersAfterTheFifth) {
-  const Data data(8);
-  const Model& deon = *find_model("deon").value();
-  const BatchEvaluator batch = *BatchEvaluator::make(deon, parse_settings(deon, "", "").value());
-  BatchQueries queries = data.queries();
-  Arrays without(8), with(8);
-  ASSERT_TRUE(batch.sample(queries, without.out()).ok());
-  queries.u[5] = data.u[0];
-  ASSERT_TRUE(batch.sample(queries, with.out()).ok());
-  for (std::size_t i = 0; i < 8; ++i) EXPECT_NE(without.x[i], with.x[i]) << i;
-}
 TEST(Batch, ParameterThatCannotVary_IsRefusedWithTheListOfThoseThatCan) {
   const Data data(8);
   Arrays color(8);
