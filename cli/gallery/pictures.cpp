@@ -75,7 +75,7 @@ std::vector<GalleryPicture> diagrams() {
        .commands = {"study lobes --quick --out {work}"},
        .parts = {"error_against_time.png"}},
       {.name = "tension",
-       .title = "Stretch along simulated strands as the head turns",
+       .title = "Stretch along simulated strands",
        .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
                     "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
