@@ -4,16 +4,6 @@ namespace cuticle::cli {
 
 namespace {
 
-/// Four colours of hair on a scene's head, into {work}/STYLE_COLOUR.
-#define CUTICLE_COLOURS(style)                                                                       \
-  "render {scenes}/" style ".json --hair blond --size {200} {220} --out {work}/" style "_blond",     \
-      "render {scenes}/" style ".json --hair brown --size {200} {220} --out {work}/" style "_brown", \
-      "render {scenes}/" style ".json --hair black --size {200} {220} --out {work}/" style "_black", \
-      "render {scenes}/" style ".json --hair red --size {200} {220} --out {work}/" style "_red"
-#define CUTICLE_COLOUR_PARTS(style)                                                            \
-  style "_blond/frame_0000.png", style "_brown/frame_0000.png", style "_black/frame_0000.png", \
-      style "_red/frame_0000.png"
-
 /// Hair as it is rendered.
 std::vector<GalleryPicture> hair() {
   return {{.name = "straight_blond",
@@ -25,9 +15,12 @@ std::vector<GalleryPicture> hair() {
            .commands = {"render {scenes}/curls.json --hair black --size {440} {484} --out {work}"},
            .parts = {"frame_0000.png"}},
           {.name = "colours",
-           .title = "Three styles in four colours",
-           .commands = {CUTICLE_COLOURS("straight"), CUTICLE_COLOURS("waves"), CUTICLE_COLOURS("curls")},
-           .parts = {CUTICLE_COLOUR_PARTS("straight"), CUTICLE_COLOUR_PARTS("waves"), CUTICLE_COLOUR_PARTS("curls")},
+           .title = "Blond, brown, black and red hair",
+           .commands = {"render {scenes}/straight.json --hair blond --size {200} {220} --out {work}/blond",
+                        "render {scenes}/straight.json --hair brown --size {200} {220} --out {work}/brown",
+                        "render {scenes}/straight.json --hair black --size {200} {220} --out {work}/black",
+                        "render {scenes}/straight.json --hair red --size {200} {220} --out {work}/red"},
+           .parts = {"blond/frame_0000.png", "brown/frame_0000.png", "black/frame_0000.png", "red/frame_0000.png"},
            .columns = 4},
           {.name = "fox_fur",
            .title = "Fur on a running fox",
@@ -82,15 +75,12 @@ std::vector<GalleryPicture> diagrams() {
        .commands = {"study lobes --quick --out {work}"},
        .parts = {"error_against_time.png"}},
       {.name = "tension",
-       .title = "Stretch along simulated strands as the head turns",
+       .title = "Stretch along simulated strands",
        .commands = {"simulate {scenes}/hairworks.json --frames 0:12 --out {work}",
                     "view strands {work}/state_0012.vtp --size {800} {600} --screenshot {work}/tension.png"},
        .parts = {"tension.png"},
        .needs_display = true}};
 }
-
-#undef CUTICLE_COLOURS
-#undef CUTICLE_COLOUR_PARTS
 
 }  // namespace
 
