@@ -131,7 +131,8 @@ bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::spa
 }
 
 double caustic_index(const registry::ParameterValues& values) {
-  return has_exact_means(make(values)) ? values.real("eta") : 0;
+  const Parameters parameters = registry::from_values<Parameters>(values);
+  return has_exact_means(prepare(parameters)) ? parameters.eta : 0;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
