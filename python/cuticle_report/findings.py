@@ -100,7 +100,7 @@ MAKERS = {"picture": ladder, "luts": tables, "lobes": precision, "skinning": vol
                                                         "(error on receivers that it was not chosen on: {judged})."),
           "motion": lambda study: choices(study, 0.01, "Motion, {group}: the cheapest setting within {error} of a strand's length is {point}, {time} a strand and frame."),
           "render": lambda study: choices(study, 0.01, "Drawing, {group}: the cheapest setting with a mean error of coverage of at most {error} is {point}, {time} a frame.")}
-ORDER = ("picture", "models", "luts", "shadows", "render", "motion", "lobes", "skinning")
+ORDER = ("picture", "luts", "shadows", "render", "motion", "lobes", "skinning")
 
 
 def find(studies, most=5):
