@@ -99,7 +99,7 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(shadow));
   const bool of_scene = scene.shadow && scene.shadow->name == shadow;
   options.shadows = {shadow, of_scene ? scene.shadow->values : registry::default_values(method->entry.parameters),
-                     scene.fibre_alpha};
+                     scene.fibre_alpha.value_or(glm::dvec3(1))};
   return options;
 }
 

@@ -57,7 +57,8 @@ Result<ComparisonRow> shadow_error(const scene::Scene& scene, const Light& light
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(scene.shadow->name));
   ComparisonRequest request;
   request.groom = &drawn;
-  request.alpha = (scene.fibre_alpha.x + scene.fibre_alpha.y + scene.fibre_alpha.z) / 3;
+  const glm::dvec3 alpha = scene.fibre_alpha.value_or(glm::dvec3(1));
+  request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
   request.to_light = light.to_light;
   request.receivers = 400;
   request.rays = 256;

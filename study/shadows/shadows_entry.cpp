@@ -26,7 +26,7 @@ Result<SharedGroom> groom_of(const StudyRequest& request, Progress& progress) {
 std::vector<double> errors_of(std::span<const float> values, std::span<const float> truth) {
   std::vector<double> errors(values.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (is_counted(truth[i])) errors[i] = double(values[i]) - double(truth[i]);
+    if (is_counted(truth[i], Counted::partly_lit)) errors[i] = double(values[i]) - double(truth[i]);
   return errors;
 }
 
