@@ -139,10 +139,10 @@ void expect_agreement(const std::string& method, std::string_view more) {
   resources.fibre_alpha = *scene.fibre_alpha;
   resources.lights = scene.lights;
   resources.strands = resources.casters = on_device->strands;
-  StrandShadows shadows;
-  ASSERT_TRUE(shadows.make(software_device(), scene, make_plan(scene, {.lights = 2}), resources));
+  auto shadows = StrandShadows::make(software_device(), scene, make_plan(scene, {.lights = 2}), resources);
+  ASSERT_TRUE(shadows && *shadows);
   gpu::Commands commands = software_device()->record();
-  ASSERT_TRUE(shadows.record(commands, resources));
+  ASSERT_TRUE((*shadows)->record(commands, resources));
   ASSERT_TRUE(software_device()->submit(std::move(commands)));
   ASSERT_EQ(resources.transmittance.size(), 6u);
   const tests::VertexReceivers receivers = tests::vertex_receivers(hair);

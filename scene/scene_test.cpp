@@ -204,8 +204,13 @@ TEST(Scene, Environment_AddsLightsUpToEightInAll) {
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->lights.size(), 8u);
   expect_refused(key + R"(", "lights": 8})", {"environment.lights", "8 in all"});
-  expect_refused(R"("environment": {"lights": 2})", {"environment.file", "missing"});
   std::filesystem::remove(name);
+}
+
+TEST(Scene, EnvironmentWithoutAFile_IsTheBuiltInSky) {
+  const auto scene = parsed(R"("environment": {"lights": 2})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->lights.size(), 2u);
 }
 
 TEST(Scene, Lamp_IsALightWithAPlaceAndASpotACone) {

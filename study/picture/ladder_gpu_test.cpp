@@ -15,7 +15,7 @@ LadderRequest small_request(const std::string& hair) {
   LadderRequest request;
   request.name = "small";
   request.scene = *scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/still.json", plan::catalogue());
-  request.scene.strand_count = 100;
+  request.scene.strand_count = 600;
   request.scene.camera.camera.resolution = {24, 24};
   request.scene.material.lut_size = 16;
   const auto& passes = plan::catalogue().passes;
