@@ -26,8 +26,8 @@ constexpr std::string_view k_blond = "sigma_a=0.06/0.1/0.2", k_brown = "sigma_a=
                            k_black = "sigma_a=1/1.5/2";
 
 strands::Groom dense_head() {
-  auto specification = strands::default_specification();
-  specification.strands = registry::parse_assignments(strands::strand_parameters(), "density=4e5").value();
+  strands::GroomingSpecification specification;
+  specification.strands.density = 4e5;
   strands::Groom hair = strands::grow(specification).value().drawn;
   for (float& radius : hair.radii) radius = 8e-5f;
   return hair;

@@ -17,7 +17,7 @@ namespace {
 Result<void> draw(scene::Scene scene, const std::string& file, const std::shared_ptr<gpu::Device>& device,
                   Progress& progress, std::vector<Image>& pictures) {
   CUTICLE_ASSIGN(scene.groom.specification, strands::load_specification(file));
-  scene.strand_vertices = int(scene.groom.specification->strands.integer("vertices"));
+  scene.strand_vertices = scene.groom.specification->strands.vertices;
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
   for (int frame : {0, 1}) {
     CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(frame));

@@ -8,6 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include "plan/fitted_head.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/quads/quads.h"
+#include "render/passes/tile_lists/tile_lists.h"
 #include "strands/formats/formats.h"
 #include "strands/growing/root_rules.glslh"
 #include "strands/lod/lod.h"
@@ -75,9 +78,9 @@ void add_followers(std::size_t wanted, StrandSet& set) {
 
 /// Whether a prefix of the strands may stand for all: for the eye (a pass's level of detail) or for the light.
 bool may_use_a_prefix(const scene::Scene& scene) {
-  return scene.caster_share < 1 || std::ranges::any_of(scene.passes, [](const auto& pass) {
-           return pass.second.all().contains("full_px") && pass.second.real("full_px") > 0;
-         });
+  return scene.caster_share < 1 || render::parameters_of<render::lines::Parameters>(scene.passes).full_px > 0 ||
+         render::parameters_of<render::quads::Parameters>(scene.passes).full_px > 0 ||
+         render::parameters_of<render::tile_lists::Parameters>(scene.passes).full_px > 0;
 }
 
 /// F10: a file's strands stand in an order of its own; grown ones are in one of chance already.

@@ -20,7 +20,7 @@ namespace {
 scene::Scene small_fox(bool dual_quaternions) {
   auto scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/fox.json", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
-  scene->groom.specification->strands.set("share", 0.01);
+  scene->groom.specification->strands.share = 0.01;
   scene->material.lut_size = 16;
   scene->camera.camera.resolution = {64, 48};
   scene->character->dual_quaternions = dual_quaternions;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
 
 #include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
@@ -9,9 +11,9 @@
 #include "lut/bake_gpu.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/bake_tables/bake_tables.h"
-#include "render/passes/lines/tables_gpu.h"
 #include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/lines/tables_gpu.h"
 #include "render/passes/quads/quads.h"
 #include "render/passes/resolve/resolve.h"
 #include "render/passes/temporal_antialiasing/pixel_shift_gpu.h"
@@ -37,7 +39,7 @@ int supersampling(const Plan& plan) {
 /// The multisampling to draw with: what quads ask for; else 4 where the device offers it and only the strands' own
 /// draws read the depth.
 int sample_count(const gpu::DeviceInfo& info, const Plan& plan, const render::FrameResources& resources) {
-  if (find_pass(plan, "quads")) return int(parameters_of(resources, render::quads::entry()).integer("samples"));
+  if (find_pass(plan, "quads")) return render::parameters_of<render::quads::Parameters>(resources).samples;
   if (!find_pass(plan, "lines")) return 1;
   return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
 }
@@ -66,7 +68,7 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
 Result<void> Picture::choose_chunks() {
   const glm::ivec2 all = resources_.camera.resolution;
   const bool is_large = std::max(all.x, all.y) > k_most_at_once;
-  int chunk = int(parameters_of(resources_, render::tiles::entry()).integer("chunk_px"));
+  int chunk = parameters_of<render::tiles::Parameters>(resources_).chunk_px;
   if (chunk == 0 && is_large) chunk = k_usual_chunk;
   if (chunk == 0 || !(is_large || find_pass(plan_, "tiles"))) return {};
   for (const render::Pass* pass : render::passes())
@@ -192,9 +194,13 @@ Result<void> Picture::make_passes() {
 
 /// How many strands the frame's level of detail draws, by whichever pass does.
 std::uint32_t Picture::strands_of_level() const {
-  for (const render::Pass* pass : {&render::lines::entry(), &render::quads::entry(), &render::tile_lists::entry()})
-    if (find_pass(plan_, pass->entry.name))
-      return render::lines::drawn_part(resources_, parameters_of(resources_, *pass)).strands;
+  const auto drawn = [&]<class Parameters>(std::type_identity<Parameters>) -> std::optional<std::uint32_t> {
+    if (!find_pass(plan_, Parameters::name)) return std::nullopt;
+    return render::lines::drawn_part(resources_, parameters_of<Parameters>(resources_).full_px).strands;
+  };
+  if (const auto strands = drawn(std::type_identity<render::lines::Parameters>())) return *strands;
+  if (const auto strands = drawn(std::type_identity<render::quads::Parameters>())) return *strands;
+  if (const auto strands = drawn(std::type_identity<render::tile_lists::Parameters>())) return *strands;
   return resources_.strands.segment_count / (resources_.vertices_per_strand - 1);
 }
 
@@ -314,7 +320,7 @@ Result<Image> Picture::read_truth() const {
     CUTICLE_ASSIGN(scene_depth, device_->download(depth_));
   }
   const render::truth::Sampling sampling{int(parameters_of<render::truth::Parameters>(resources_).samples),
-                                         parameters_of(resources_, render::tiles::entry()).real("opacity")};
+                                         parameters_of<render::tiles::Parameters>(resources_).opacity};
   return rasterise(resources_.camera, {vertices, colors, segments},
                    {scene_color, scene_depth, resources_.supersampling}, sampling);
 }

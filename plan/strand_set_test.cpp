@@ -21,7 +21,6 @@ using testing::HasSubstr;
 
 scene::Scene grown(int strands) {
   scene::Scene scene;
-  scene.groom.grow = registry::default_values(strands::growing_parameters());
   scene.strand_count = strands;
   return scene;
 }

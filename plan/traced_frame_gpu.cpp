@@ -20,16 +20,11 @@ namespace {
 
 using render::reference::Surface;
 
-registry::ParameterValues values_of(const scene::Scene& scene, const render::Pass& pass) {
-  const auto found = scene.passes.find(pass.entry.name);
-  return found == scene.passes.end() ? registry::default_values(pass.entry.parameters) : found->second;
-}
-
 /// The head where the frame has it: turned, or as the device deformed it.
 Result<Surface> traced_head(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
                             const StrandMotion& motion) {
-  const registry::ParameterValues values = values_of(scene, render::head::entry());
-  const glm::vec3 skin(values.rgb("skin")), scalp(values.rgb("scalp"));
+  const auto parameters = render::parameters_of<render::head::Parameters>(scene.passes);
+  const glm::vec3 skin(parameters.skin), scalp(parameters.scalp);
   Surface surface;
   surface.mesh = strands::transformed(set.head, motion.head());
   const std::vector<float> shares =
@@ -58,10 +53,10 @@ Surface traced_floor(const Floor& floor) {
 }
 
 Surface traced_fins(const scene::Scene& scene, const StrandSet& set, const FinMotion& fins) {
-  const registry::ParameterValues values = values_of(scene, render::fins::entry());
+  const auto parameters = render::parameters_of<render::fins::Parameters>(scene.passes);
   Surface surface{fins.mesh(), {}};
   for (const float weight : set.fin_weights)
-    surface.albedo.push_back(glm::mix(glm::vec3(values.rgb("root")), glm::vec3(values.rgb("tip")), weight));
+    surface.albedo.push_back(glm::mix(glm::vec3(parameters.root), glm::vec3(parameters.tip), weight));
   return surface;
 }
 
@@ -78,23 +73,22 @@ Result<void> add_lights(const scene::Scene& scene, render::reference::TracedScen
 
 render::reference::Lens lens_of(const scene::Scene& scene, const Camera& camera) {
   if (!scene.passes.contains("depth_of_field")) return {};
-  const registry::ParameterValues values = values_of(scene, render::depth_of_field::entry());
-  const double focus = values.real("focus");
-  return {values.real("lens_radius") * 1e-3, focus > 0 ? focus : glm::distance(camera.target, camera.position)};
+  const auto lens = render::parameters_of<render::depth_of_field::Parameters>(scene.passes);
+  return {lens.lens_radius * 1e-3, lens.focus > 0 ? lens.focus : glm::distance(camera.target, camera.position)};
 }
 
 /// The parameters of the pass, and what they take from the rest of the scene.
 Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, const Camera& camera,
-                                                   const registry::ParameterValues& values) {
-  render::reference::TraceOptions options{.scatterings = int(values.integer("bounces")),
-                                          .seed = std::uint64_t(values.integer("seed")),
+                                                   const render::reference::Parameters& parameters) {
+  render::reference::TraceOptions options{.scatterings = parameters.bounces,
+                                          .seed = parameters.seed,
                                           .layers = scene.outputs.aovs,
-                                          .far_field = values.choice("field") == "far",
+                                          .far_field = parameters.far_field,
                                           .lens = lens_of(scene, camera),
-                                          .lamp_radius = values.real("lamp_radius"),
-                                          .sun_angle = values.real("sun_angle")};
-  if (values.boolean("tables")) options.tables = {scene.material.layout, scene.material.lut_size};
-  const std::string& shadow = values.choice("shadow");
+                                          .lamp_radius = parameters.lamp_radius,
+                                          .sun_angle = parameters.sun_angle};
+  if (parameters.tables) options.tables = {scene.material.layout, scene.material.lut_size};
+  const std::string& shadow = parameters.shadow;
   if (shadow == "traced") return options;
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(shadow));
   const bool of_scene = scene.shadow && scene.shadow->name == shadow;
@@ -120,13 +114,14 @@ Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, 
   }
   if (scene.floor) traced.surfaces.push_back(traced_floor(*scene.floor));
   if (motion.fins()) traced.surfaces.push_back(traced_fins(scene, set, *motion.fins()));
-  const registry::ParameterValues values = values_of(scene, render::reference::entry());
-  CUTICLE_ASSIGN(const render::reference::TraceOptions options, options_of(scene, camera, values));
+  const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
+  CUTICLE_ASSIGN(const render::reference::TraceOptions options, options_of(scene, camera, parameters));
   const render::reference::Quality quality{
-      .samples = int(values.integer("samples")), .max_error = values.real("max_error"), .state = state};
+      .samples = parameters.samples, .max_error = parameters.max_error, .state = state};
   CUTICLE_ASSIGN(render::reference::Picture picture,
                  render::reference::trace_picture(traced, options, quality, progress));
-  render::resolve::add_background(picture.color, values_of(scene, render::resolve::entry()).rgb("background"));
+  render::resolve::add_background(picture.color,
+                                  render::parameters_of<render::resolve::Parameters>(scene.passes).background);
   if (!scene.outputs.aovs) picture.layers = {};
   return TracedFrame{std::move(picture.color), std::move(picture.layers),
                      fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "

@@ -2,11 +2,6 @@
 
 namespace cuticle::render {
 
-registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass) {
-  const auto found = resources.parameters.find(pass.entry.name);
-  return found == resources.parameters.end() ? registry::default_values(pass.entry.parameters) : found->second;
-}
-
 glm::ivec2 drawn_size(const FrameResources& resources) {
   return resources.part_size == glm::ivec2(0) ? resources.camera.resolution : resources.part_size;
 }

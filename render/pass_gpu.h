@@ -37,10 +37,10 @@ struct Seen {
 
 /// How strands become triangles or lines, for what looks at which of them show.
 struct StrandDraw {
-  const Pass* pass;           ///< that draws them, with a parameter `full_px`
-  std::uint32_t corners;      ///< vertices a segment
-  double width_factor = 0;    ///< the greatest on a strand's own width
-  bool of_one_width = false;  ///< drawn as wide as lines::line_width says, not by their own widths
+  double (*full_px)(const PassParameters&);  ///< that parameter of the pass that draws them
+  std::uint32_t corners;                     ///< vertices a segment
+  double width_factor = 0;                   ///< the greatest on a strand's own width
+  bool of_one_width = false;                 ///< drawn as wide as lines::line_width says, not by their own widths
 };
 
 /// A character's skin, and the hair on it, posed for the frame.
@@ -70,7 +70,7 @@ struct FrameResources {
   glm::dvec3 fibre_alpha{0.4};                   ///< opacity of one crossing per channel, as shadows have it
   const bsdf::Model* model = nullptr;            ///< the material's, with its parameters
   const registry::ParameterValues* model_values = nullptr;
-  bool evaluates_directly = false;  ///< strands are shaded by the model's formulas, not by tables
+  bool evaluates_directly = false;                    ///< strands are shaded by the model's formulas, not by tables
   const strands::Groom* rest = nullptr;               ///< drawn strands at rest, where a pass makes something of them
   const gpu::Buffer* strand_colors = nullptr;         ///< per vertex four halves: radiance, 1 where the strand is kept
   const gpu::Buffer* shaded_vertices = nullptr;       ///< uint: how many vertices were shaded, then which; by points
@@ -112,16 +112,13 @@ struct FrameResources {
   int supersampling = 2;
   bool keep_target = false;    ///< the targets hold what an earlier pass of this frame drew
   bool resolve_target = true;  ///< this pass is the last to draw: its multisampled colour goes to `resolved`
-  /// Parameters of the passes by name, as the scene gives them; absent: defaults.
-  std::map<std::string, registry::ParameterValues, std::less<>> parameters;
+  PassParameters parameters;
 };
 
-/// The parameters of a pass in this frame; as its struct.
-registry::ParameterValues parameters_of(const FrameResources& resources, const Pass& pass);
+/// The parameters of a pass in this frame.
 template <class Parameters>
 Parameters parameters_of(const FrameResources& resources) {
-  const auto found = resources.parameters.find(Parameters::name);
-  return found == resources.parameters.end() ? Parameters{} : registry::from_values<Parameters>(found->second);
+  return parameters_of<Parameters>(resources.parameters);
 }
 /// Pixels of what is drawn at once: a chunk, else the picture.
 glm::ivec2 drawn_size(const FrameResources& resources);

@@ -169,11 +169,12 @@ Result<void> check_value(const Spec& spec, const Json& value, const Place& place
 
 }  // namespace
 
-Result<void> check(const Spec& spec, std::string_view json, const std::string& where) {
+Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& where) {
   const std::string text = without_comments(json);
-  const Result<Json> value = Json::parse(text);
+  Result<Json> value = Json::parse(text);
   if (!value) return bad_input(fmt::format("{}: {}", where, value.error().message), value.error().hint);
-  return check_value(spec, *value, {where, text});
+  CUTICLE_TRY(check_value(spec, *value, {where, text}));
+  return value;
 }
 
 }  // namespace cuticle::scene

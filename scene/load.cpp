@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/file.h"
-#include "core/json/position.h"
 #include "core/registry/read_json.h"
 #include "scene/reader.h"
 #include "scene/specification.h"
@@ -57,14 +56,15 @@ Result<void> read_groom(const Reader& reader, Scene& scene) {
   if (scene.groom.interpolate && scene.groom.file.empty())
     return bad_input(fmt::format("{}: groom.interpolate without groom.file", reader.where),
                      "grown hair is drawn between control hairs already");
-  scene.groom.grow = values_of(strands::growing_parameters(), reader.child("grow").value);
+  scene.groom.grow = registry::from_values<strands::Style>(
+      values_of(registry::table_of<strands::Style>(), reader.child("grow").value));
   CUTICLE_ASSIGN(const std::string specification, reader.file("specification", "groom.specification"));
   if (int(reader.has("file")) + int(reader.has("grow")) + int(reader.has("specification")) > 1)
     return bad_input(fmt::format("{}: groom has more than one of 'file', 'grow' and 'specification'", reader.where),
                      "keep one of them");
   if (specification.empty()) return {};
   CUTICLE_ASSIGN(scene.groom.specification, strands::load_specification(specification));
-  scene.strand_vertices = int(scene.groom.specification->strands.integer("vertices"));
+  scene.strand_vertices = scene.groom.specification->strands.vertices;
   return {};
 }
 
@@ -237,8 +237,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
 
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue) {
-  CUTICLE_TRY(check(specification(catalogue), json, where));
-  const Json value = Json::parse(without_comments(json)).value();
+  CUTICLE_ASSIGN(const Json value, parse_checked(specification(catalogue), json, where));
   return read_scene({value, where, folder}, catalogue);
 }
 

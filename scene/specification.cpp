@@ -82,7 +82,7 @@ Spec groom() {
   Spec grow{.key = "grow",
             .kind = SpecKind::parameters,
             .summary = "how hair grows on the head's scalp",
-            .table = strands::growing_parameters()};
+            .table = registry::table_of<strands::Style>()};
   return object(
       "groom", "the hair: a file, or grown on the head",
       {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),

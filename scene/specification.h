@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/json/json.h"
 #include "scene/scene.h"
 
 namespace cuticle::scene {
@@ -29,7 +30,7 @@ struct Spec {
 /// The whole file, for the entries that are registered.
 Spec specification(const Catalogue& catalogue);
 
-/// Checks the text against the tree. Error: bad_input naming source, key, value, allowed range or keys.
-Result<void> check(const Spec& spec, std::string_view json, const std::string& where);
+/// The text as JSON, checked against the tree. Error: bad_input naming source, key, value, allowed range or keys.
+Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& where);
 
 }  // namespace cuticle::scene

@@ -37,5 +37,10 @@ struct FragmentLists {
 /// The lists of all texels, the same at any thread count. Error: usage, naming the method, when they would pass 2 GiB.
 Result<FragmentLists> sort_fragments(const strands::Groom& groom, double alpha, const LightAxes& axes,
                                      const MapSettings& settings);
+template <class Settings>
+Result<FragmentLists> sort_fragments_of(const strands::Groom& groom, double alpha, const LightAxes& axes,
+                                        const Settings& settings) {
+  return sort_fragments(groom, alpha, axes, settings.map);
+}
 
 }  // namespace cuticle::shadows

@@ -14,10 +14,10 @@ MapDescription describe_lists(const MapSettings& settings) {
   MapDescription map;
   map.settings = settings;
   map.intervals = k_list_steps;
-  map.layers = std::uint32_t(settings.list_room / sizeof(Fragment));
+  map.layers = std::uint32_t(settings.list_room() / sizeof(Fragment));
   map.pieces_per_step = k_list_pieces_per_step;
   map.buffers = {{texels + 1, 0, true, false},
-                 {settings.list_room / 4, 0, true, false},
+                 {settings.list_room() / 4, 0, true, false},
                  {texels, 0, false},
                  {side, 0, false, false}};
   map.passes = {
@@ -30,7 +30,7 @@ MapDescription describe_lists(const MapSettings& settings) {
   return map;
 }
 
-MapWords words_of_lists(const FragmentLists& lists, const MapSettings&) {
+MapWords words_of_lists(const FragmentLists& lists) {
   MapWords words = {lists.first, {}};
   for (const Fragment& fragment : lists.fragments) {
     words[1].push_back(fragment.depth);

@@ -13,6 +13,6 @@ enum ListBinding : int { k_list_first = k_own, k_list_fragments, k_list_next, k_
 MapDescription describe_lists(const MapSettings& settings);
 
 /// The words that the first two buffers must hold.
-MapWords words_of_lists(const FragmentLists& lists, const MapSettings& settings);
+MapWords words_of_lists(const FragmentLists& lists);
 
 }  // namespace cuticle::shadows

@@ -247,7 +247,7 @@ TEST(OpacityDrawn, EightBitsAndHalf_StayCloseToTheTwin) {
     for (std::size_t s = 0; s < 2; ++s) {
       Scene& scene = scenes()[s];
       const auto values = tests::values_of("opacity_map", "slices=17,resolution=96,form=" + form).value();
-      const auto settings = opacity_map::settings_from(values).value();
+      const auto settings = settings_from<opacity_map::Settings>(values).value();
       const LightAxes axes = light_axes(scene.light, scene.on_device->strands.bounds).value();
       const opacity_map::Map twin = opacity_map::build_map(scene.hair, scene.alpha, axes, settings);
       const auto shadow = (*find_gpu_method("opacity_map"))->create(device(), values).value();

@@ -14,17 +14,32 @@ constexpr std::uint64_t k_most_bytes = 2ull << 30;
 
 }  // namespace
 
-MapSettings map_settings(std::string_view method, const registry::ParameterValues& values) {
-  MapSettings settings;
-  settings.method = method;
-  settings.resolution = std::uint32_t(values.integer("resolution"));
-  if (values.all().contains("k")) settings.accumulation.k = values.real("k");
-  if (values.all().contains("accumulate")) settings.accumulation.poisson = values.choice("accumulate") == "poisson";
-  if (values.all().contains("filter_texels")) settings.filter_texels = values.real("filter_texels");
-  settings.filter_radius = 1e-3 * values.real("filter_radius_mm");
-  if (values.all().contains("depth_offset_mm")) settings.depth_offset = 1e-3 * values.real("depth_offset_mm");
-  if (values.all().contains("room_mib")) settings.list_room = std::uint64_t(values.integer("room_mib")) << 20;
-  return settings;
+void describe_resolution(registry::Members& members, MapSettings& map) {
+  members(map.resolution, "resolution", 16, 4096, "the map has at most its square of texels, in the shape of the hair");
+}
+
+void describe_filter(registry::Members& members, MapSettings& map) {
+  members(map.filter_texels, "filter_texels", "1", 0, 64,
+          "radius of the disc that a lookup averages; below 0.5 one texel");
+  members.millimetres(map.filter_radius, "filter_radius_mm", 0, 1000,
+                      "the same in millimetres, at least half a texel; used instead where it is not 0");
+}
+
+void describe(registry::Members& members, MapSettings& map) {
+  describe_resolution(members, map);
+  members(map.accumulation.k, "k", "1", 0.1, 100, "sigma = optical depth / k, T = exp(-k sigma)");
+  describe_filter(members, map);
+  members.millimetres(map.depth_offset, "depth_offset_mm", 0, 1000,
+                      "fibres whose axes lie up to this far behind a point still count; pi/4 of the radius: those that "
+                      "the point's disc cuts");
+  members(map.accumulation.poisson, "accumulate", k_accumulations,
+          "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma");
+}
+
+void describe_room(registry::Members& members, MapSettings& map) {
+  members(map.room_mib, registry::row("room_mib", "MiB", 1, 2048,
+                                      "memory for fragments on a GPU, which leaves out those that find no room; the "
+                                      "CPU takes what it needs"));
 }
 
 Result<float> filter_in_texels(const MapSettings& settings, double texels_per_metre) {

@@ -83,23 +83,27 @@ Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> 
 MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
                                std::span<const std::uint32_t> lookup);
 
-/// GpuMethod::create of a method, from its settings_from(values) and describe(settings).
-template <auto settings_from, auto describe>
+/// GpuMethod::create of a method, from its Settings and description(settings), which may be a Result.
+template <class Settings, auto description>
 Result<std::unique_ptr<GpuShadow>> create_map(std::shared_ptr<gpu::Device> device,
                                               const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
-  return make_map_shadow(std::move(device), describe(settings));
+  CUTICLE_ASSIGN(const Settings settings, settings_from<Settings>(values));
+  CUTICLE_ASSIGN(MapDescription map, Result(description(settings)));
+  return make_map_shadow(std::move(device), std::move(map));
 }
 
-/// GpuMethod::cpu_map of a method, from its settings_from(values), build(groom, alpha, axes, settings) and
+/// GpuMethod::cpu_map of a method, from its Settings, build(groom, alpha, axes, settings) and
 /// words_of(map, settings), which are the map's sums unless given.
-inline constexpr auto k_sums_of = [](const auto& map, const auto&) { return MapWords{map.sums}; };
-template <auto settings_from, auto build, auto words_of = k_sums_of>
+inline constexpr auto k_sums_of = [](const auto& map) { return MapWords{map.sums}; };
+template <class Settings, auto build, auto words_of = k_sums_of>
 Result<MapWords> words_of_map(const Casters& casters, const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
+  CUTICLE_ASSIGN(const Settings settings, settings_from<Settings>(values));
   CUTICLE_ASSIGN(const LightAxes axes, axes_of(casters));
   CUTICLE_ASSIGN(const auto map, Result(build(*casters.groom, casters.alpha, axes, settings)));
-  return words_of(map, settings);
+  if constexpr (requires { words_of(map); })
+    return words_of(map);
+  else
+    return words_of(map, settings);
 }
 
 }  // namespace cuticle::shadows

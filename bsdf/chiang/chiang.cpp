@@ -4,37 +4,16 @@
 #include <fmt/core.h>
 
 #include "bsdf/chiang/chiang.glslh"
+#include "bsdf/chiang/chiang.h"
 #include "bsdf/chiang/conversions.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "core/registry/members.h"
 
 namespace cuticle::bsdf::chiang {
 namespace {
 
 constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
 constexpr std::array<std::string_view, 2> fields = {"near", "far"};
-
-enum class Field { near, far };
-struct Parameters {
-  double eta = 1.55;
-  glm::dvec3 sigma_a{0.2};
-  double beta_m = 0.3, beta_n = 0.3, alpha = 0.034906585039886591;
-  Field field = Field::far;
-  double h_from = -1, h_to = 1, tolerance = 1e-5;
-};
-void describe(registry::Members& members, Parameters& p) {
-  members(p.eta, eta_parameter);
-  members(p.sigma_a, sigma_a_parameter);
-  members(p.beta_m, "beta_m", "1", 1e-3, 1, "longitudinal roughness, the paper's perceptual scale");
-  members(p.beta_n, "beta_n", "1", 1e-3, 1, "azimuthal roughness, the paper's perceptual scale");
-  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
-          "tilt of the cuticle's scales, positive where they lean to the tip");
-  members(p.field, "field", fields, "near: a function of h; far: its mean over h_from .. h_to");
-  members(p.h_from, "h_from", "1", -1, 1, "start of the interval of h that the far field takes in");
-  members(p.h_to, "h_to", "1", -1, 1, "end of the interval; in either order; at h_from, the far field is 0");
-  members(p.tolerance, "tolerance", "1", 1e-12, 0.1, "relative error to which the far field is integrated");
-}
 
 constexpr std::array<registry::StudyCase, 5> tiers = {{
     {"near", "field=near"},
@@ -92,6 +71,19 @@ Model table() {
 }
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, sigma_a_parameter);
+  members(p.beta_m, "beta_m", "1", 1e-3, 1, "longitudinal roughness, the paper's perceptual scale");
+  members(p.beta_n, "beta_n", "1", 1e-3, 1, "azimuthal roughness, the paper's perceptual scale");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "tilt of the cuticle's scales, positive where they lean to the tip");
+  members(p.field, "field", fields, "near: a function of h; far: its mean over h_from .. h_to");
+  members(p.h_from, "h_from", "1", -1, 1, "start of the interval of h that the far field takes in");
+  members(p.h_to, "h_to", "1", -1, 1, "end of the interval; in either order; at h_from, the far field is 0");
+  members(p.tolerance, "tolerance", "1", 1e-12, 0.1, "relative error to which the far field is integrated");
+}
 
 CUTICLE_MODEL(prepare, table)
 

@@ -5,9 +5,9 @@
 #include <fmt/core.h>
 
 #include "bsdf/marschner/marschner.glslh"
+#include "bsdf/marschner/marschner.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
-#include "core/registry/members.h"
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -17,45 +17,6 @@ constexpr std::array<std::string_view, 2> variants = {"corrected", "literal"};
 constexpr std::array<std::string_view, 2> caustics = {"exact", "smoothed"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_d", "theta_o"};
 constexpr std::array<std::string_view, 4> system_rows = {"N11", "N16", "G1", "G7"};
-
-enum class Variant { corrected, literal };
-enum class CausticKind { exact, smoothed };
-enum class AttenuationAngle { theta_d, theta_o };
-/// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15
-/// degrees in theta_i.
-struct Parameters {
-  double eta = 1.55;
-  glm::dvec3 sigma_a{0.2};
-  double beta = 0.2617993877991494, alpha = -0.1308996938995747;
-  Variant variant = Variant::corrected;
-  double aspect = 1;
-  CausticKind caustic = CausticKind::exact;
-  double k_g = 0.5, w_c = 0.17453292519943295, delta_eta = 0.2, delta_h_max = 0.5;
-  AttenuationAngle attenuation_angle = AttenuationAngle::theta_d;
-};
-void describe(registry::Members& members, Parameters& p) {
-  members(p.eta, eta_parameter);
-  members(p.sigma_a, sigma_a_parameter);
-  members(p.beta, "beta", "rad", 1e-3, 1,
-          "standard deviation of the R lobe in theta_i (twice the paper's beta_R, which is in theta_h)");
-  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
-          "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)");
-  members(p.variant, "variant", variants,
-          "corrected: energy-conserving M, exact roots, true chord; literal: the paper as printed");
-  members(p.aspect, "aspect", "1", 0.5, 2,
-          "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
-  members(p.caustic, "caustic", caustics,
-          "exact: TRT with its singularities; smoothed: the paper's N_TRT without them");
-  members(p.k_g, "k_g", "1", 0, 5, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper");
-  members(p.w_c, "w_c", "rad", 0.08726646259971647, 0.5235987755982988,
-          "smoothed: standard deviation of the glints in azimuth, 10 .. 25 degrees in the paper");
-  members(p.delta_eta, "delta_eta", "1", 0.05, 1,
-          "smoothed: range of eta' beyond 2 over which the glints fade, 0.2 .. 0.4 in the paper");
-  members(p.delta_h_max, "delta_h_max", "radius", 0.05, 1,
-          "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper");
-  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
-          "corrected: theta_d, the paper's, is reciprocal where alpha is 0; theta_o keeps energy with any tilt");
-}
 
 // The last is what the others are compared with: the paper's cubic and its M, and its caustic without singularities.
 constexpr std::array<registry::StudyCase, 3> tiers = {{
@@ -139,8 +100,8 @@ FibreMapping from_fibre(const Fibre& fibre) {
   const double beta = std::clamp(fibre.longitudinal_deviation, 1e-3, 1.0);
   const double alpha = std::clamp(-fibre.scale_tilt, -0.17453292519943295, 0.0);
   return {
-      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta={:.15g},alpha={:.15g},aspect={:.15g}", fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y,
-                  fibre.sigma_a.z, beta, alpha, std::max(fibre.aspect, 0.5)),
+      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},beta={:.15g},alpha={:.15g},aspect={:.15g}", fibre.eta,
+                  fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, beta, alpha, std::max(fibre.aspect, 0.5)),
       "beta is the longitudinal deviation, alpha minus the tilt of the scales, aspect that of the cross-section (TRT "
       "only); a smooth cuticle without azimuthal blur, and no medulla"};
 }
@@ -178,6 +139,30 @@ Model table() {
 }
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.eta, eta_parameter);
+  members(p.sigma_a, sigma_a_parameter);
+  members(p.beta, "beta", "rad", 1e-3, 1,
+          "standard deviation of the R lobe in theta_i (twice the paper's beta_R, which is in theta_h)");
+  members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
+          "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)");
+  members(p.variant, "variant", variants,
+          "corrected: energy-conserving M, exact roots, true chord; literal: the paper as printed");
+  members(p.aspect, "aspect", "1", 0.5, 2,
+          "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
+  members(p.caustic, "caustic", caustics,
+          "exact: TRT with its singularities; smoothed: the paper's N_TRT without them");
+  members(p.k_g, "k_g", "1", 0, 5, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper");
+  members(p.w_c, "w_c", "rad", 0.08726646259971647, 0.5235987755982988,
+          "smoothed: standard deviation of the glints in azimuth, 10 .. 25 degrees in the paper");
+  members(p.delta_eta, "delta_eta", "1", 0.05, 1,
+          "smoothed: range of eta' beyond 2 over which the glints fade, 0.2 .. 0.4 in the paper");
+  members(p.delta_h_max, "delta_h_max", "radius", 0.05, 1,
+          "smoothed: widest stretch of the fibre that feeds a glint, 0.5 in the paper");
+  members(p.attenuation_angle, "attenuation_angle", attenuation_angles,
+          "corrected: theta_d, the paper's, is reciprocal where alpha is 0; theta_o keeps energy with any tilt");
+}
 
 CUTICLE_MODEL(prepare, table)
 

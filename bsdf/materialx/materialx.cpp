@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/chiang/chiang.h"
 #include "bsdf/chiang/conversions.h"
 #include "bsdf/materialx/document.h"
 #include "core/file.h"
@@ -84,15 +85,15 @@ pugi::xml_node add_node(pugi::xml_node parent, const char* category, const char*
   return node;
 }
 
-void add_hair(pugi::xml_node root, const registry::ParameterValues& values) {
+void add_hair(pugi::xml_node root, const chiang::Parameters& p) {
   pugi::xml_node roughness = add_node(root, "chiang_hair_roughness", "roughness", "multioutput");
-  add_input(roughness, "longitudinal", "float", fmt::format("{}", values.real("beta_m")));
-  add_input(roughness, "azimuthal", "float", fmt::format("{}", values.real("beta_n")));
+  add_input(roughness, "longitudinal", "float", fmt::format("{}", p.beta_m));
+  add_input(roughness, "azimuthal", "float", fmt::format("{}", p.beta_n));
   pugi::xml_node hair = add_node(root, "chiang_hair_bsdf", "hair", "BSDF");
-  const glm::dvec3 sigma_a = values.rgb("sigma_a");
-  add_input(hair, "ior", "float", fmt::format("{}", values.real("eta")));
-  add_input(hair, "cuticle_angle", "float", fmt::format("{}", 0.5 + values.real("alpha") / pi));
-  add_input(hair, "absorption_coefficient", "vector3", fmt::format("{}, {}, {}", sigma_a.x, sigma_a.y, sigma_a.z));
+  add_input(hair, "ior", "float", fmt::format("{}", p.eta));
+  add_input(hair, "cuticle_angle", "float", fmt::format("{}", 0.5 + p.alpha / pi));
+  add_input(hair, "absorption_coefficient", "vector3",
+            fmt::format("{}, {}, {}", p.sigma_a.x, p.sigma_a.y, p.sigma_a.z));
   for (const char* output : {"roughness_R", "roughness_TT", "roughness_TRT"})
     add_connection(hair, output, "vector2", "roughness", output);
 }
@@ -119,7 +120,7 @@ std::string write_materialx(const registry::ParameterValues& values) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("materialx");
   root.append_attribute("version") = "1.39";
-  add_hair(root, values);
+  add_hair(root, registry::from_values<chiang::Parameters>(values));
   add_connection(add_node(root, "surface", "surface", "surfaceshader"), "bsdf", "BSDF", "hair", "");
   add_connection(add_node(root, "surfacematerial", "material", "material"), "surfaceshader", "surfaceshader", "surface",
                  "");

@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include "bsdf/scheuermann/scheuermann.glslh"
+#include "bsdf/scheuermann/scheuermann.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_energy.h"
 #include "bsdf/shared/highlight_mixture.h"
-#include "core/registry/members.h"
 
 namespace cuticle::bsdf::scheuermann {
 namespace {
@@ -15,30 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
 constexpr std::array<std::string_view, 3> system_rows = {"A4", "A5", "A6"};
 using std::numbers::pi;
-
-struct Parameters {
-  glm::dvec3 base{1};
-  double occlusion = 1;
-  glm::dvec3 diffuse{0.12}, primary{0.025};
-  double primary_exponent = 100, primary_shift = 0.05;
-  glm::dvec3 secondary{0.01};
-  double secondary_exponent = 25, secondary_shift = -0.08, shift_texture = 0.5, mask = 1;
-};
-void describe(registry::Members& members, Parameters& p) {
-  members(p.base, "base", "1", 0, 1, "base colour, of a texture, on every lobe");
-  members(p.occlusion, "occlusion", "1", 0, 1, "ambient occlusion of the vertex, 1: open, on every lobe");
-  members(p.diffuse, "diffuse", "1", 0, 1, "colour of the diffuse lobe");
-  members(p.primary, "primary", "1", 0, 10, "colour of the primary highlight");
-  members(p.primary_exponent, "primary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
-  members(p.primary_shift, "primary_shift", "1", -1, 1,
-          "of the tangent along the normal; positive reflects toward the root");
-  members(p.secondary, "secondary", "1", 0, 10, "colour of the secondary highlight");
-  members(p.secondary_exponent, "secondary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
-  members(p.secondary_shift, "secondary_shift", "1", -1, 1,
-          "of the tangent along the normal; negative reflects toward the tip");
-  members(p.shift_texture, "shift_texture", "1", 0, 1, "texel of the shift texture; 0.5 moves nothing");
-  members(p.mask, "mask", "1", 0, 1, "texel of the noise that makes the secondary highlight sparkle");
-}
 
 // As from_fibre maps the fibres blond, brown and black.
 constexpr std::array<registry::StudyCase, 3> presets = {{
@@ -122,6 +98,22 @@ Model table() {
 }
 
 }  // namespace
+
+void describe(registry::Members& members, Parameters& p) {
+  members(p.base, "base", "1", 0, 1, "base colour, of a texture, on every lobe");
+  members(p.occlusion, "occlusion", "1", 0, 1, "ambient occlusion of the vertex, 1: open, on every lobe");
+  members(p.diffuse, "diffuse", "1", 0, 1, "colour of the diffuse lobe");
+  members(p.primary, "primary", "1", 0, 10, "colour of the primary highlight");
+  members(p.primary_exponent, "primary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.primary_shift, "primary_shift", "1", -1, 1,
+          "of the tangent along the normal; positive reflects toward the root");
+  members(p.secondary, "secondary", "1", 0, 10, "colour of the secondary highlight");
+  members(p.secondary_exponent, "secondary_exponent", "1", 1, 1e6, "of the sine of the angle between T and H");
+  members(p.secondary_shift, "secondary_shift", "1", -1, 1,
+          "of the tangent along the normal; negative reflects toward the tip");
+  members(p.shift_texture, "shift_texture", "1", 0, 1, "texel of the shift texture; 0.5 moves nothing");
+  members(p.mask, "mask", "1", 0, 1, "texel of the noise that makes the secondary highlight sparkle");
+}
 
 CUTICLE_MODEL(prepare, table)
 

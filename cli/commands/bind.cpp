@@ -91,10 +91,8 @@ Result<Bound> bind(const BindRequest& request, Progress& progress) {
   const strands::Mesh at_roots = strands::mesh_at_roots(mesh, binding.roots);
   bound.normal_angle = mean_angle(at_roots, input.normals);
   if (input.normals.empty()) return bound;
-  CUTICLE_ASSIGN(const registry::ParameterValues growing,
-                 registry::parse_assignments(strands::growing_parameters(), request.settings));
-  CUTICLE_ASSIGN(bound.groom,
-                 strands::plant_control_hairs({.mesh = mesh, .scalp = at_roots, .colliders = {}}, growing));
+  CUTICLE_ASSIGN(const strands::Style style, registry::parse<strands::Style>(request.settings));
+  CUTICLE_ASSIGN(bound.groom, strands::plant_control_hairs({.mesh = mesh, .scalp = at_roots, .colliders = {}}, style));
   return bound;
 }
 
@@ -128,8 +126,7 @@ int run(const BindRequest& request, Context& context) {
 }  // namespace
 
 void add_bind(CLI::App& app, Context& context) {
-  auto* command =
-      app.add_subcommand("bind", "bind roots to the nearest points of a mesh; reports how well they fit");
+  auto* command = app.add_subcommand("bind", "bind roots to the nearest points of a mesh; reports how well they fit");
   auto request = std::make_shared<BindRequest>();
   command->add_option("input", request->input, "groom, or .txt: places of roots, on which hair is then grown")
       ->required();

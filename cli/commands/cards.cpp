@@ -18,13 +18,13 @@ struct CardsRequest {
 };
 
 Result<std::string> make_files(const CardsRequest& request, Progress& progress) {
-  CUTICLE_ASSIGN(const auto values, registry::parse_assignments(strands::card_parameters(), request.settings));
+  CUTICLE_ASSIGN(const auto parameters, registry::parse<strands::CardParameters>(request.settings));
   CUTICLE_ASSIGN(const strands::Groom groom, load_groom(request.groom, request.read, progress));
   strands::Mesh head;
   if (!request.head.empty()) {
     CUTICLE_ASSIGN(head, strands::read_obj(request.head, request.head_metres_per_unit));
   }
-  CUTICLE_ASSIGN(const strands::HairCards cards, strands::make_hair_cards(groom, &head, values));
+  CUTICLE_ASSIGN(const strands::HairCards cards, strands::make_hair_cards(groom, &head, parameters));
   CUTICLE_TRY(make_folder(request.out));
   CUTICLE_TRY(strands::write_cards(request.out, cards));
   return strands::card_report(cards);
@@ -49,7 +49,8 @@ void add_cards(CLI::App& app, Context& context) {
   command->add_option("--head-metres-per-unit", request->head_metres_per_unit, "scale of the head");
   command->add_option("--set", request->settings, "card parameters as name=value,name=value");
   add_groom_options(*command, request->read.metres_per_unit, request->read.radius);
-  command->footer([] { return table_help("--set (name, default, range, unit)", strands::card_parameters()); });
+  command->footer(
+      [] { return table_help("--set (name, default, range, unit)", registry::table_of<strands::CardParameters>()); });
   command->callback([&context, request] {
     context.action = [&context, request] { return in_folder(request->out, [&] { return act(*request, context); }); };
   });

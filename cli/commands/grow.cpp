@@ -23,15 +23,14 @@ struct GrowRequest {
 };
 
 Result<strands::GroomingSpecification> specification_of(const GrowRequest& request, const std::string& file) {
-  auto specification = strands::default_specification();
+  auto specification = strands::GroomingSpecification();
   if (!file.empty()) {
     CUTICLE_ASSIGN(specification, strands::load_specification(file));
   } else {
-    CUTICLE_ASSIGN(specification.growing, registry::parse_assignments(strands::growing_parameters(), request.settings));
-    CUTICLE_ASSIGN(specification.strands,
-                   registry::parse_assignments(strands::strand_parameters(), request.strand_settings));
+    CUTICLE_ASSIGN(specification.growing, registry::parse<strands::Style>(request.settings));
+    CUTICLE_ASSIGN(specification.strands, registry::parse<strands::StrandParameters>(request.strand_settings));
   }
-  if (request.share >= 0) specification.strands.set("share", request.share);
+  if (request.share >= 0) specification.strands.share = request.share;
   return specification;
 }
 
@@ -99,10 +98,11 @@ int run(const GrowRequest& request, Context& context) {
 }
 
 std::string parameters_help() {
-  std::string text = table_help("growing: --set", strands::growing_parameters()) +
-                     table_help("strands: --strands", strands::strand_parameters()) +
-                     table_help("regions", strands::region_parameters()) +
-                     table_help("strokes", strands::stroke_parameters()) + table_help("bun", strands::bun_parameters());
+  std::string text = table_help("growing: --set", registry::table_of<strands::Style>()) +
+                     table_help("strands: --strands", registry::table_of<strands::StrandParameters>()) +
+                     table_help("regions", registry::table_of<strands::Region>()) +
+                     table_help("strokes", registry::table_of<strands::Stroke>()) +
+                     table_help("bun", registry::table_of<strands::Bun>());
   for (const strands::Shaping* shaping : strands::shapings())
     text += table_help(fmt::format("shaping.{}", shaping->entry.name), shaping->entry.parameters);
   return text;
@@ -111,7 +111,8 @@ std::string parameters_help() {
 }  // namespace
 
 void add_grow(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("grow", "grow hair on the procedural head; write it as a groom in metres, or draw it");
+  auto* command =
+      app.add_subcommand("grow", "grow hair on the procedural head; write it as a groom in metres, or draw it");
   command->footer(parameters_help);
   auto request = std::make_shared<GrowRequest>();
   auto* specification = command->add_option("specification", request->specifications,

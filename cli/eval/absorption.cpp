@@ -6,6 +6,7 @@
 
 #include "bsdf/pigment/pigment.h"
 #include "cli/command.h"
+#include "core/registry/find_value.h"
 
 namespace cuticle::cli {
 namespace {
@@ -37,7 +38,7 @@ Result<glm::dvec3> from_color(const std::string& text, const bsdf::Model& model,
   const glm::dvec3 color(named.numbers[0], named.numbers[1], named.numbers[2]);
   if (named.name == "fibre") return bsdf::absorption_of_fibre(model, values, color);
   if (named.name == "assembly")
-    return bsdf::absorption_of_assembly(color, values.all().contains("beta_n") ? values.real("beta_n") : 0.3);
+    return bsdf::absorption_of_assembly(color, registry::find_value<double>(values, "beta_n").value_or(0.3));
   return usage_error(fmt::format("--color: meaning '{}' is not one of assembly, fibre", named.name),
                      "--color assembly:0.6/0.4/0.2");
 }

@@ -44,9 +44,9 @@ class Members {
   void operator()(bool& member, std::string_view name, std::string_view summary) {
     (*this)(member, row(name, "1", 0, 0, summary));
   }
-  /// An enumeration whose values are places in `choices`.
+  /// An enumeration whose values are places in `choices`, a boolean whose false and true have names, or a name.
   template <class T>
-  requires std::is_enum_v<T>
+  requires std::is_enum_v<T> || std::same_as<T, bool> || std::same_as<T, std::string>
   void operator()(T& member, std::string_view name, std::span<const std::string_view> choices,
                   std::string_view summary) {
     Parameter named = row(name, "1", 0, 0, summary);
@@ -59,13 +59,22 @@ class Members {
     if constexpr (std::is_enum_v<T>)
       member = T(meet_choice(row, std::size_t(member)));
     else if constexpr (std::is_same_v<T, bool>)
-      member = std::get<bool>(meet(row, ParameterType::boolean, member));
+      member = row.choices.empty() ? std::get<bool>(meet(row, ParameterType::boolean, member))
+                                   : meet_choice(row, std::size_t(member)) == 1;
+    else if constexpr (std::is_same_v<T, std::string>)
+      member = std::get<std::string>(meet(row, ParameterType::choice, member));
     else if constexpr (std::integral<T>)
       member = T(std::get<std::int64_t>(meet(row, ParameterType::integer, std::int64_t(member))));
     else if constexpr (std::floating_point<T>)
       member = T(std::get<double>(meet(row, ParameterType::real, in_decimal(member))));
     else
       member = std::get<glm::dvec3>(meet(row, ParameterType::rgb, member));
+  }
+  /// A length in metres that is given in millimetres.
+  void millimetres(double& metres, std::string_view name, double minimum, double maximum, std::string_view summary) {
+    double given = 1e3 * metres;
+    (*this)(given, name, "mm", minimum, maximum, summary);
+    metres = 1e-3 * given;
   }
 
  private:
@@ -108,6 +117,13 @@ T from_values(const ParameterValues& values) {
   Members members = reader(values);
   describe(members, read);
   return read;
+}
+
+/// "name=value,name=value" over the defaults. Errors: those of parse_assignments.
+template <class T>
+Result<T> parse(std::string_view text) {
+  CUTICLE_ASSIGN(const ParameterValues values, parse_assignments(table_of<T>(), text));
+  return from_values<T>(values);
 }
 
 template <class T>

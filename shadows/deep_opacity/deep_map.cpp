@@ -170,22 +170,6 @@ Result<std::vector<float>> look_up_packed(const Map& map, const Settings& settin
 
 }  // namespace
 
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  Settings settings;
-  settings.map = map_settings("deep_opacity", values);
-  settings.layers = Word(values.integer("layers"));
-  const std::string& spacing = values.choice("spacing");
-  settings.spacing = spacing == "geometric" ? Spacing::geometric
-                     : spacing == "equal"   ? Spacing::equal
-                                            : Spacing::equal_opacity;
-  settings.first_layer = values.real("first_layer");
-  settings.bytes = values.choice("storage") == "bytes";
-  settings.sparse = values.choice("tiles") == "sparse";
-  settings.tile_share = values.real("tile_share");
-  CUTICLE_TRY(check_map_bytes(settings.map, settings.layers + 1));
-  return settings;
-}
-
 std::vector<Word> layer_shares(const Settings& settings) {
   const double count = settings.layers, given = settings.first_layer;
   const double first = given > 0 ? given : settings.layers <= 4 ? 1.0 / 32 : 1.0 / 128;

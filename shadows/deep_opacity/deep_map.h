@@ -18,18 +18,18 @@ namespace cuticle::shadows::deep_opacity {
 /// How the ends of the layers are spread over the depth of the hair behind its nearest surface.
 enum class Spacing { equal_opacity, geometric, equal };
 
-/// The method's parameters, in SI units; ranges are those of its parameter table.
+/// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map;
+  MapSettings map{.method = "deep_opacity"};
   std::uint32_t layers = 4;
   Spacing spacing = Spacing::equal_opacity;
   bool bytes = false;      ///< T before each layer's end in 8 bits; else sigma in 32
   bool sparse = false;     ///< only tiles of 4 x 4 texels that hold hair are stored
   double tile_share = 1;   ///< of all tiles of the resolution: room for those that are stored
   double first_layer = 0;  ///< of geometric spacing, as a share of the depth; 0: 1/32 up to 4 layers, 1/128 beyond
+  Result<void> check() const { return check_map_bytes(map, layers + 1); }
 };
-/// Error: usage, when the map would pass 2 GiB.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 /// Ends of the layers as shares of the depth, 0 .. 65536; not used by equal_opacity.
 std::vector<std::uint32_t> layer_shares(const Settings& settings);

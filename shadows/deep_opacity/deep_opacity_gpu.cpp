@@ -103,7 +103,7 @@ std::uint32_t counted_segments(std::uint32_t segments) {
   return (segments + every - 1) / every * k_counted_run;
 }
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   MapDescription map;
   map.settings = settings.map;
   map.intervals = float(k_depth_steps);
@@ -182,8 +182,8 @@ MapWords words_of(const Map& map, const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"deep_opacity", create_map<settings_from, describe>,
-                                words_of_map<settings_from, build_both, words_of>};
+  static const GpuMethod method{"deep_opacity", create_map<Settings, description>,
+                                words_of_map<Settings, build_both, words_of>};
   return method;
 }
 

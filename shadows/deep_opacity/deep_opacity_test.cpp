@@ -24,7 +24,7 @@ using tests::mean;
 deep_opacity::Map map_of(const strands::Groom& groom, const std::string& set, glm::dvec3 to_light = {0, 1, 0}) {
   const auto values = registry::parse_assignments((*find_method("deep_opacity"))->entry.parameters, set).value();
   return deep_opacity::build_map(groom, 0.4, light_axes(unit_to_light(to_light).value()),
-                                 deep_opacity::settings_from(values).value());
+                                 settings_from<deep_opacity::Settings>(values).value());
 }
 /// A fibre along x at each height, 0.1 m long.
 strands::Groom pile(std::initializer_list<float> heights) {

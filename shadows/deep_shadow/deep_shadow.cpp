@@ -6,28 +6,7 @@
 namespace cuticle::shadows::deep_shadow {
 namespace {
 
-using registry::ParameterType;
 constexpr std::string_view k_storages[] = {"words", "halves"};
-constexpr registry::Parameter k_parameters[] = {
-    {"pieces", ParameterType::integer, "1", 1, k_most_pieces, "256", {}, "most straight pieces of a texel's function"},
-    {"error_bound",
-     ParameterType::real,
-     "1",
-     0,
-     0.5,
-     "0.02",
-     {},
-     "largest error of a texel's visibility, where the pieces suffice"},
-    {"storage", ParameterType::choice, "1", 0, 0, "words", k_storages,
-     "a knot in 32 bits; or in 16: 9 of depth, over the depths of 8 x 8 texels, and 7 of visibility"},
-    k_resolution,
-    k_optical_k,
-    k_filter_texels,
-    k_filter_radius,
-    k_depth_offset,
-    k_accumulate,
-    k_list_room,
-};
 constexpr registry::StudyCase k_cases[] = {{"bound 0.1", "error_bound=0.1"}, {"bound 0.02", "error_bound=0.02"}};
 
 struct Map {
@@ -68,18 +47,22 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, con
 
 }  // namespace
 
-Settings settings_from(const registry::ParameterValues& values) {
-  return {map_settings("deep_shadow", values), values.real("error_bound"), std::size_t(values.integer("pieces")),
-          values.choice("storage") == "words" ? KnotStorage::words : KnotStorage::halves};
+void describe(registry::Members& members, Settings& settings) {
+  members(settings.pieces, "pieces", 1, k_most_pieces, "most straight pieces of a texel's function");
+  members(settings.error_bound, "error_bound", "1", 0, 0.5,
+          "largest error of a texel's visibility, where the pieces suffice");
+  members(settings.storage, "storage", k_storages,
+          "a knot in 32 bits; or in 16: 9 of depth, over the depths of 8 x 8 texels, and 7 of visibility");
+  describe(members, settings.map);
+  describe_room(members, settings.map);
 }
 
 /// Passes: fit, six that make the lists (list_gpu.h), compress, lookup; the clearing is a fill.
 const Method& entry() {
-  static const Method method = map_method<settings_from, build, look_up>(
+  static const Method method = map_method<Settings, build, look_up>(
       {.name = "deep_shadow",
        .summary = "a visibility function per texel, compressed within an error bound (deep shadow map)",
        .source = "Lokovic and Veach 2000, Deep Shadow Maps, section 3",
-       .parameters = k_parameters,
        .study_cases = k_cases,
        .dispatches = passes_per_light<9>});
   return method;

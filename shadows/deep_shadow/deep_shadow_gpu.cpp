@@ -11,18 +11,14 @@ namespace {
 
 constexpr int k_counts = k_list_next, k_knots = k_list_totals + 1;  // a texel's number of knots, and those
 
-Result<Settings> settings_on_device(const registry::ParameterValues& values) {
-  const Settings settings = settings_from(values);
-  if (settings.storage == KnotStorage::words) return settings;
-  return usage_error("deep_shadow: storage=halves is not kept on a GPU", "storage=words");
-}
-
-MapDescription describe(const Settings& settings) {
+Result<MapDescription> description(const Settings& settings) {
+  if (settings.storage != KnotStorage::words)
+    return usage_error("deep_shadow: storage=halves is not kept on a GPU", "storage=words");
   MapDescription map = describe_lists(settings.map);
   map.own = {float(settings.error_bound), float(settings.pieces)};
   map.buffers[k_list_fragments].kept = false;
   map.buffers[k_counts].kept = true;
-  map.buffers.push_back({settings.map.list_room / 4, 0, true, false});
+  map.buffers.push_back({settings.map.list_room() / 4, 0, true, false});
   map.passes.push_back({"shadow.compress",
                         deep_shadow_compress_comp,
                         {k_list_first, k_list_fragments, k_counts, k_knots},
@@ -34,13 +30,11 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
-MapSettings lists_from(const registry::ParameterValues& values) { return settings_from(values).map; }
-
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"deep_shadow", create_map<settings_on_device, describe>,
-                                words_of_map<lists_from, sort_fragments, words_of_lists>};
+  static const GpuMethod method{"deep_shadow", create_map<Settings, description>,
+                                words_of_map<Settings, sort_fragments_of<Settings>, words_of_lists>};
   return method;
 }
 

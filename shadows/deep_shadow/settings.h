@@ -6,11 +6,11 @@
 namespace cuticle::shadows::deep_shadow {
 
 struct Settings {
-  MapSettings map;
+  MapSettings map{.method = "deep_shadow"};
   double error_bound = 0.02;
   std::size_t pieces = k_most_pieces;
   KnotStorage storage = KnotStorage::words;
 };
-Settings settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 }  // namespace cuticle::shadows::deep_shadow

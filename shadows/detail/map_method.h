@@ -48,13 +48,12 @@ Result<std::vector<float>> look_up_receivers(const MapView& view, const MapSetti
   return values;
 }
 
-/// Method::evaluate of a method of maps, from its settings_from(values), build(groom, alpha, axes, settings) and
-/// look_up(map, settings, asked), each a value or a Result of one. Errors: those of `check` and of
-/// these.
-template <auto settings_from, auto build, auto look_up>
+/// Method::evaluate of a method of maps, from its Settings, build(groom, alpha, axes, settings) and
+/// look_up(map, settings, asked), each a value or a Result of one. Errors: those of `check` and of these.
+template <class Settings, auto build, auto look_up>
 Result<Transmittance> evaluate_map(const Casters& casters, const Receivers& receivers,
                                    const registry::ParameterValues& values) {
-  CUTICLE_ASSIGN(const auto settings, Result(settings_from(values)));
+  CUTICLE_ASSIGN(const Settings settings, settings_from<Settings>(values));
   CUTICLE_TRY(check(casters, receivers));
   CUTICLE_ASSIGN(const LightAxes axes, axes_of(casters));
   Transmittance result;
@@ -76,14 +75,15 @@ std::uint32_t passes_per_light(const registry::ParameterValues&, const registry:
   return passes * shape.lights;
 }
 
-/// The registered method of the functions of evaluate_map; `entry` says what is its own, and may say its demands.
-template <auto settings_from, auto build, auto look_up>
+/// The registered method of what evaluate_map takes; `entry` says what is its own, and may say its demands.
+template <class Settings, auto build, auto look_up>
 Method map_method(registry::Entry entry, decltype(Method::is_proportional) is_proportional = nullptr) {
   static constexpr std::string_view k_demands[] = {"light", "shadow_method"};
   entry.kind = registry::EntryKind::method;
   if (entry.demands.empty()) entry.demands = k_demands;
   entry.stage = registry::Stage::shadow;
-  return {entry, evaluate_map<settings_from, build, look_up>, is_proportional};
+  entry.parameters = registry::table_of<Settings>();
+  return {entry, evaluate_map<Settings, build, look_up>, is_proportional};
 }
 
 }  // namespace cuticle::shadows

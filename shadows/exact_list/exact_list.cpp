@@ -2,13 +2,12 @@
 #include <algorithm>
 
 #include "shadows/detail/map_method.h"
+#include "shadows/exact_list/settings.h"
 #include "shadows/fragment_lists.h"
 
 namespace cuticle::shadows::exact_list {
 namespace {
 
-constexpr registry::Parameter k_parameters[] = {k_resolution,   k_optical_k,  k_filter_texels, k_filter_radius,
-                                                k_depth_offset, k_accumulate, k_list_room};
 constexpr registry::StudyCase k_cases[] = {{"default", ""}};
 
 /// The sum of the fragments that lie in steps before that of depth z, without those of the receiver's own fibre.
@@ -23,11 +22,9 @@ float sum_before(const FragmentLists& lists, std::size_t texel, float z, std::sp
   return float(sum);
 }
 
-MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
-
-Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings& settings, const Asked& asked) {
-  const float per_unit = exponent_per_unit(settings, lists.scale);
-  return look_up_receivers(lists.view, settings, k_behind_lists, k_list_pieces_per_step, asked,
+Result<std::vector<float>> look_up(const FragmentLists& lists, const Settings& settings, const Asked& asked) {
+  const float per_unit = exponent_per_unit(settings.map, lists.scale);
+  return look_up_receivers(lists.view, settings.map, k_behind_lists, k_list_pieces_per_step, asked,
                            [&](std::size_t, float z) {
                              return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
                                return per_unit * sum_before(lists, texel, z, own);
@@ -39,14 +36,13 @@ Result<std::vector<float>> look_up(const FragmentLists& lists, const MapSettings
 
 /// Passes: fit, count, rows, totals, begin, fill, sort, lookup; the clearing is a fill.
 const Method& entry() {
-  static const Method method = map_method<settings_from, sort_fragments, look_up>(
+  static const Method method = map_method<Settings, sort_fragments_of<Settings>, look_up>(
       {.name = "exact_list",
        .summary = "every fragment of every texel, sorted by depth: the ceiling of what a map can do",
        .source = "the sorted list of Lokovic and Veach 2000, section 3.1, kept whole",
-       .parameters = k_parameters,
        .study_cases = k_cases,
        .dispatches = passes_per_light<8>},
-      is_poisson);
+      is_poisson<Settings>);
   return method;
 }
 

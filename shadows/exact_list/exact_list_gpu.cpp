@@ -1,4 +1,5 @@
 // The sorted lists on the GPU: the passes of list_gpu.h, then lookup; the lists equal the CPU's.
+#include "shadows/exact_list/settings.h"
 #include "shadows/list_gpu.h"
 
 #include <exact_list_lookup_comp.spv.h>
@@ -6,10 +7,8 @@
 namespace cuticle::shadows::exact_list {
 namespace {
 
-MapSettings settings_from(const registry::ParameterValues& values) { return map_settings("exact_list", values); }
-
-MapDescription describe(const MapSettings& settings) {
-  MapDescription map = describe_lists(settings);
+MapDescription description(const Settings& settings) {
+  MapDescription map = describe_lists(settings.map);
   map.passes.push_back({"shadow.lookup",
                         exact_list_lookup_comp,
                         {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments, k_transmittance},
@@ -20,8 +19,8 @@ MapDescription describe(const MapSettings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"exact_list", create_map<settings_from, describe>,
-                                words_of_map<settings_from, sort_fragments, words_of_lists>};
+  static const GpuMethod method{"exact_list", create_map<Settings, description>,
+                                words_of_map<Settings, sort_fragments_of<Settings>, words_of_lists>};
   return method;
 }
 

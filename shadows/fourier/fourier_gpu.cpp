@@ -7,7 +7,7 @@
 namespace cuticle::shadows::fourier {
 namespace {
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   MapDescription map = describe_series(settings.map, settings.functions(), weights(settings), fourier_lookup_comp);
   map.own = {float(settings.smoothing)};
   return map;
@@ -16,7 +16,7 @@ MapDescription describe(const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"fourier", create_map<settings_from, describe>, words_of_map<settings_from, build_map>};
+  static const GpuMethod method{"fourier", create_map<Settings, description>, words_of_map<Settings, build_map>};
   return method;
 }
 

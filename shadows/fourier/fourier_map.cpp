@@ -22,15 +22,6 @@ float sum_at(const SeriesMap& map, const Integrals<float>& basis, float depth, s
 
 }  // namespace
 
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  Settings settings;
-  settings.map = map_settings("fourier", values);
-  settings.harmonics = std::uint32_t(values.integer("harmonics"));
-  settings.smoothing = values.real("smoothing");
-  CUTICLE_TRY(check_map_bytes(settings.map, settings.functions()));
-  return settings;
-}
-
 std::vector<float> weights(const Settings& settings) {
   return series_weights(settings.functions(), [](std::size_t i, double depth) {
     const double angle = 2 * std::numbers::pi * double((i + 1) / 2) * depth;

@@ -10,13 +10,13 @@ namespace cuticle::shadows::fourier {
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map;
+  MapSettings map{.method = "fourier"};
   std::uint32_t harmonics = 3;
   double smoothing = 0;
   std::uint32_t functions() const { return 2 * harmonics + 1; }
+  Result<void> check() const { return check_map_bytes(map, functions()); }
 };
-/// Error: usage, when the map would pass 2 GiB.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 /// 1, then cos and sin of each harmonic, at every depth step.
 std::vector<float> weights(const Settings& settings);

@@ -9,7 +9,7 @@ namespace {
 
 float share_before(const SeriesMap& map, const Settings& settings, std::size_t texel, float depth,
                    std::span<const OwnDeposit> own) {
-  const float whole = map.sum(texel, 0, own), bias = float(settings.bias),
+  const float whole = map.sum(texel, 0, own), bias = float(settings.bias()),
               overestimation = float(settings.overestimation);
   const auto moment = [&](std::size_t i) { return map.sum(texel, i, own) / whole; };
   if (settings.basis == Basis::trigonometric_4)
@@ -30,17 +30,6 @@ float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, 
 }  // namespace
 
 double default_bias(Basis basis) { return basis == Basis::power_4 ? 1e-4 : basis == Basis::power_6 ? 1e-3 : 4e-4; }
-
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  Settings settings;
-  settings.map = map_settings("moments", values);
-  const std::string& basis = values.choice("basis");
-  settings.basis = basis == "power_4" ? Basis::power_4 : basis == "power_6" ? Basis::power_6 : Basis::trigonometric_4;
-  settings.bias = values.real("bias") > 0 ? values.real("bias") : default_bias(settings.basis);
-  settings.overestimation = values.real("overestimation");
-  CUTICLE_TRY(check_map_bytes(settings.map, settings.functions()));
-  return settings;
-}
 
 std::vector<float> weights(const Settings& settings) {
   const bool trigonometric = settings.basis == Basis::trigonometric_4;

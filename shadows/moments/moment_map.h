@@ -10,18 +10,20 @@ namespace cuticle::shadows::moments {
 
 enum class Basis { power_4, power_6, trigonometric_4 };
 
-/// The method's parameters, in SI units.
-struct Settings {
-  MapSettings map;
-  Basis basis = Basis::power_4;
-  double bias = 0;              ///< in use: default_bias where the parameter is 0
-  double overestimation = 0.5;  ///< share of the hair at the very depth asked for that counts as before it
-  std::uint32_t functions() const { return basis == Basis::power_6 ? 7 : 5; }
-};
 /// Enough for the rounding of the stored integers (README.md).
 double default_bias(Basis basis);
-/// Error: usage, when the map would pass 2 GiB.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+
+/// The method's parameters, in SI units.
+struct Settings {
+  MapSettings map{.method = "moments"};
+  Basis basis = Basis::power_4;
+  double given_bias = 0;        ///< 0: default_bias
+  double overestimation = 0.5;  ///< share of the hair at the very depth asked for that counts as before it
+  std::uint32_t functions() const { return basis == Basis::power_6 ? 7 : 5; }
+  double bias() const { return given_bias > 0 ? given_bias : default_bias(basis); }
+  Result<void> check() const { return check_map_bytes(map, functions()); }
+};
+void describe(registry::Members& members, Settings& settings);
 
 /// 1, then the powers of depth -1 .. 1, or cosine and sine of one and two turns, at every depth step.
 std::vector<float> weights(const Settings& settings);

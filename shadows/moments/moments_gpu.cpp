@@ -9,17 +9,17 @@ namespace {
 
 constexpr std::uint32_t k_trigonometric_flag = 2;  // k_trigonometric of moments_lookup.comp
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   MapDescription map = describe_series(settings.map, settings.functions(), weights(settings), moments_lookup_comp);
   map.flags = settings.basis == Basis::trigonometric_4 ? k_trigonometric_flag : 0;
-  map.own = {float(settings.bias), float(settings.overestimation)};
+  map.own = {float(settings.bias()), float(settings.overestimation)};
   return map;
 }
 
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"moments", create_map<settings_from, describe>, words_of_map<settings_from, build_map>};
+  static const GpuMethod method{"moments", create_map<Settings, description>, words_of_map<Settings, build_map>};
   return method;
 }
 

@@ -76,22 +76,12 @@ void store(Form form, Map& map) {
 
 }  // namespace
 
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  Settings settings;
-  settings.map = map_settings("opacity_map", values);
-  settings.slices = std::uint32_t(values.integer("slices"));
-  settings.vertex_weights = values.choice("weights") == "per_vertex";
-  settings.printed_spacing = values.choice("spacing") == "printed";
-  const std::string& form = values.choice("form");
-  settings.form = form == "compute"         ? Form::compute
-                  : form == "graphics_8bit" ? Form::graphics_8bit
-                                            : Form::graphics_half;
-  if (settings.form != Form::compute && settings.layers() > k_target_planes)
-    return usage_error(fmt::format("opacity_map: {} slices are outside 2 .. {} of form={}", settings.slices,
-                                   k_target_planes + 1, form),
+Result<void> Settings::check() const {
+  if (form != Form::compute && layers() > k_target_planes)
+    return usage_error(fmt::format("opacity_map: {} slices are outside 2 .. {} of form={}", slices, k_target_planes + 1,
+                                   form == Form::graphics_8bit ? "graphics_8bit" : "graphics_half"),
                        "form=compute, or fewer slices");
-  CUTICLE_TRY(check_map_bytes(settings.map, settings.layers()));
-  return settings;
+  return check_map_bytes(map, layers());
 }
 
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {

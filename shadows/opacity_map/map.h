@@ -21,9 +21,9 @@ enum class Form { compute, graphics_8bit, graphics_half };
 /// Planes that four targets of four channels hold.
 inline constexpr std::uint32_t k_target_planes = 16;
 
-/// The method's parameters, in SI units; ranges are those of its parameter table.
+/// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map;
+  MapSettings map{.method = "opacity_map"};
   std::uint32_t slices = 16;     ///< planes, the first of which holds nothing and is not stored
   bool printed_spacing = false;  ///< slices range / n apart, as printed in the source; else range / (n - 1)
   Form form = Form::compute;
@@ -32,9 +32,10 @@ struct Settings {
   std::uint32_t layers() const { return slices - 1; }
   /// Slice spacings from the near to the far plane of the hair.
   float intervals() const { return float(printed_spacing ? slices : slices - 1); }
+  /// Error: usage, when the map would pass 2 GiB, or a drawn one its 16 planes.
+  Result<void> check() const;
 };
-/// Error: usage, when the map would pass 2 GiB, or a drawn one its 16 planes.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 /// A filled map: sigma at slice i + 1 of texel t is sums[t * layers + i] / scale.
 struct Map {

@@ -36,7 +36,7 @@ MapDescription describe_drawn(const Settings& settings) {
   return map;
 }
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   if (settings.form != Form::compute) return describe_drawn(settings);
   MapDescription map;
   map.settings = settings.map;
@@ -62,8 +62,8 @@ MapWords words_of(const Map& map, const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"opacity_map", create_map<settings_from, describe>,
-                                words_of_map<settings_from, build_map, words_of>};
+  static const GpuMethod method{"opacity_map", create_map<Settings, description>,
+                                words_of_map<Settings, build_map, words_of>};
   return method;
 }
 

@@ -15,16 +15,6 @@ bool is_own(std::uint32_t nearest, std::span<const OwnDeposit> own) {
 
 }  // namespace
 
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  Settings settings;
-  settings.map = map_settings("shadow_map", values);
-  settings.bias = 1e-3 * values.real("bias_mm");
-  settings.opaque = values.choice("hair") == "opaque";
-  settings.fibre_spacing = 1e-3 * values.real("fibre_spacing_mm");
-  CUTICLE_TRY(check_map_bytes(settings.map, 1));
-  return settings;
-}
-
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings) {
   Map map;
   map.view = map_view(axes, light_box(axes, groom.positions), settings.map.resolution, float(k_depth_steps));
@@ -42,7 +32,7 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, con
     return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
       if (map.nearest[texel] == k_no_depth || is_own(map.nearest[texel], own)) return 0.0f;
       const float behind = steps_behind(z, map.nearest[texel], bias, steps_per_metre);
-      return -depth_behind(behind, settings.opaque, map.crossing, spacing);
+      return -depth_behind(behind, !settings.absorbing, map.crossing, spacing);
     };
   };
   return look_up_receivers(map.view, settings.map, k_deepest, k_pieces_per_step, asked, at_depth);

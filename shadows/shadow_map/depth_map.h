@@ -15,13 +15,13 @@ namespace cuticle::shadows::shadow_map {
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map;
+  MapSettings map{.method = "shadow_map"};
   double bias = 1e-3;           ///< metres
-  bool opaque = true;           ///< a fibre lets nothing pass; else hair absorbs along its depth
+  bool absorbing = false;       ///< hair absorbs along its depth; else a fibre lets nothing pass
   double fibre_spacing = 1e-3;  ///< metres of depth for each fibre that absorbs
+  Result<void> check() const { return check_map_bytes(map, 1); }
 };
-/// Error: usage, when the map would pass 2 GiB.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 struct Map {
   MapView view;

@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint32_t k_opaque_flag = 2;  // k_opaque of shadow_map_lookup.comp
 constexpr int k_nearest = k_own;
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   MapDescription map;
   map.settings = settings.map;
   map.intervals = float(k_depth_steps);
-  map.flags = settings.opaque ? k_opaque_flag : 0;
+  map.flags = settings.absorbing ? 0 : k_opaque_flag;
   map.pieces_per_step = k_pieces_per_step;
   map.own = {float(settings.bias), float(settings.fibre_spacing)};
   map.buffers = {{std::uint64_t(settings.map.resolution) * settings.map.resolution, k_no_depth}};
@@ -28,13 +28,13 @@ MapDescription describe(const Settings& settings) {
   return map;
 }
 
-MapWords words_of(const Map& map, const Settings&) { return {map.nearest}; }
+MapWords words_of(const Map& map) { return {map.nearest}; }
 
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"shadow_map", create_map<settings_from, describe>,
-                                words_of_map<settings_from, build_map, words_of>};
+  static const GpuMethod method{"shadow_map", create_map<Settings, description>,
+                                words_of_map<Settings, build_map, words_of>};
   return method;
 }
 

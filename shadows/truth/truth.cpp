@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "core/registry/members.h"
 #include "shadows/footprint.h"
 #include "shadows/light_frame.h"
 #include "shadows/method.h"
@@ -20,25 +21,15 @@
 namespace cuticle::shadows::truth {
 namespace {
 
-using registry::ParameterType;
-constexpr registry::Parameter k_parameters[] = {
-    {"rays",
-     ParameterType::integer,
-     "1",
-     1,
-     65536,
-     "1024",
-     {},
-     "rays per point, rounded up to a square: one in each cell of a grid"},
-    {"footprint_radius_mm",
-     ParameterType::real,
-     "mm",
-     0,
-     1000,
-     "0",
-     {},
-     "radius of the disc around the point that rays start from; 0: two strand spacings (four across)"},
+struct Parameters {
+  std::int64_t rays = 1024;
+  double footprint_radius = 0;
 };
+void describe(registry::Members& members, Parameters& parameters) {
+  members(parameters.rays, "rays", 1, 65536, "rays per point, rounded up to a square: one in each cell of a grid");
+  members.millimetres(parameters.footprint_radius, "footprint_radius_mm", 0, 1000,
+                      "radius of the disc around the point that rays start from; 0: two strand spacings (four across)");
+}
 constexpr std::string_view k_demands[] = {"light", "shadow_method"};
 
 /// Mean and its standard error at one point.
@@ -169,13 +160,14 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
   result.occluders.assign(receivers.points.size(), std::numeric_limits<float>::infinity());
   result.cost.device = cpu_device_name();
   if (casters.groom->strand_count() == 0) return result;
-  const double given = 1e-3 * values.real("footprint_radius_mm");
+  const auto parameters = registry::from_values<Parameters>(values);
   const auto start = std::chrono::steady_clock::now();
   CUTICLE_ASSIGN(const auto rays, strands::RayGroom::build(*casters.groom));
   result.cost.build_ms = milliseconds_since(start);
   const auto built = std::chrono::steady_clock::now();
-  const double radius = given > 0 ? given : default_footprint_radius(*casters.groom);
-  trace_all(Tracer(*rays, casters, radius, values.integer("rays")), receivers, result);
+  const double radius =
+      parameters.footprint_radius > 0 ? parameters.footprint_radius : default_footprint_radius(*casters.groom);
+  trace_all(Tracer(*rays, casters, radius, parameters.rays), receivers, result);
   result.cost.lookup_ms = milliseconds_since(built);
   return result;
 }
@@ -185,7 +177,7 @@ Result<Transmittance> evaluate(const Casters& casters, const Receivers& receiver
 const Method& entry() {
   static const Method method{
       {registry::EntryKind::method, "truth", "mean over a disc of rays to the light, every fibre crossing counted",
-       "Embree; docs/conventions.md", k_parameters, k_demands, registry::Stage::shadow},
+       "Embree; docs/conventions.md", registry::table_of<Parameters>(), k_demands, registry::Stage::shadow},
       evaluate};
   return method;
 }

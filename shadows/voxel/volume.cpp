@@ -84,7 +84,7 @@ void find_own_cells(const Volume& volume, const Settings& settings, const Asked&
   const OwnStretch stretch =
       own_stretch(*own, settings.map.filter_radius + double(k_own_cells) * cell, cell, distance_of);
   for (std::uint32_t v = stretch.begin; v < stretch.end; ++v)
-    for_each_deposit(volume, asked.groom, v, settings.anisotropic, [&](const glm::vec3& at, std::uint32_t amount) {
+    for_each_deposit(volume, asked.groom, v, !settings.isotropic, [&](const glm::vec3& at, std::uint32_t amount) {
       if (cells.empty() || cells.back().cell != at) cells.push_back({at, 0});
       cells.back().amount += float(amount);
     });
@@ -118,12 +118,6 @@ std::vector<glm::vec3> ray_starts(const Volume& volume, double radius) {
 
 }  // namespace
 
-Result<Settings> settings_from(const registry::ParameterValues& values) {
-  const Settings settings{map_settings("voxel", values), values.choice("form") == "anisotropic"};
-  CUTICLE_TRY(check_map_bytes(settings.map, settings.map.resolution));
-  return settings;
-}
-
 float units_per_crossing(double alpha, const Settings& settings) {
   const double depth = settings.map.accumulation.poisson ? alpha : std::min(k_largest_depth, -std::log1p(-alpha));
   return float(double(k_units) * depth);
@@ -145,7 +139,7 @@ Result<Volume> build_volume(const strands::Groom& groom, double alpha, const Lig
   volume.sums.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
-      for_each_deposit(volume, groom, v, settings.anisotropic, [&](const glm::vec3& cell, std::uint32_t amount) {
+      for_each_deposit(volume, groom, v, !settings.isotropic, [&](const glm::vec3& cell, std::uint32_t amount) {
         add_to(volume.sums[cell_number(volume.placement, cell)], amount);
       });
   });

@@ -16,11 +16,13 @@ namespace cuticle::shadows::voxel {
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map;          ///< resolution: cells along the longest side; filter_radius: rays start from a disc of it
-  bool anisotropic = true;  ///< a piece weighs with the width that it shows to the light; else with its mean, pi/4
+  /// resolution: cells along the longest side; filter_radius: rays start from a disc of it
+  MapSettings map{.method = "voxel", .resolution = 64, .accumulation = {.poisson = true}};
+  bool isotropic = false;  ///< a piece weighs with its mean width, pi/4; else with that which it shows to the light
+  /// Error: usage, when the volume could pass 2 GiB.
+  Result<void> check() const { return check_map_bytes(map, map.resolution); }
 };
-/// Error: usage, when the volume could pass 2 GiB.
-Result<Settings> settings_from(const registry::ParameterValues& values);
+void describe(registry::Members& members, Settings& settings);
 
 /// k_units times what a crossing counts as; an opaque one as an optical depth of 16 ln 2.
 float units_per_crossing(double alpha, const Settings& settings);

@@ -14,12 +14,12 @@ namespace {
 constexpr std::uint32_t k_anisotropic_flag = 2;  // k_anisotropic of voxel_deposit.comp
 constexpr int k_sums = k_own;
 
-MapDescription describe(const Settings& settings) {
+MapDescription description(const Settings& settings) {
   const std::uint64_t side = settings.map.resolution;
   MapDescription map;
   map.settings = settings.map;
   map.in_world = true;
-  map.flags = settings.anisotropic ? k_anisotropic_flag : 0;
+  map.flags = settings.isotropic ? 0 : k_anisotropic_flag;
   map.after_deposits = [settings](double alpha, double) {
     return std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(units_per_crossing(alpha, settings)),
                                       std::bit_cast<std::uint32_t>(crossing_met_at_random(alpha, settings))};
@@ -36,8 +36,7 @@ MapDescription describe(const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"voxel", create_map<settings_from, describe>,
-                                words_of_map<settings_from, build_volume>};
+  static const GpuMethod method{"voxel", create_map<Settings, description>, words_of_map<Settings, build_volume>};
   return method;
 }
 

@@ -7,7 +7,7 @@ namespace cuticle::strands {
 
 struct CardShape {
   int segments = 12;
-  double width = 0, within = 0.95, outward = 0.5;  ///< as card_parameters() has them
+  double width = 0, within = 0.95, outward = 0.5;  ///< as CardParameters has them
 };
 struct BuiltCard {
   std::vector<CardRow> rows;

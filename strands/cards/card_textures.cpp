@@ -165,19 +165,18 @@ glm::vec2 CardTextures::atlas_uv(std::uint32_t kind, float u, float v) const {
 
 namespace {
 
-CardKind bake_kind(const Groom& groom, const CardSet& set, std::uint32_t chosen,
-                   const registry::ParameterValues& values, CardTextures& textures) {
+CardKind bake_kind(const Groom& groom, const CardSet& set, std::uint32_t chosen, const CardParameters& parameters,
+                   CardTextures& textures) {
   const Card& card = set.cards[chosen];
-  const auto seed = std::uint64_t(values.integer("seed"));
   StrandTexture texture(groom, set, card, textures.width, textures.height);
   texture.draw(1);
   CardKind kind{.card = chosen, .coverage = texture.mean_alpha()};
-  kind.strand_width = draw_filled(texture, values.real("fill"));
+  kind.strand_width = draw_filled(texture, parameters.fill);
   kind.alpha = texture.mean_alpha();
   kind.opaque = texture.opaque_share();
   std::vector<Look> looks;
-  for (std::uint32_t strand : card.members) looks.emplace_back(seed, strand);
-  const Variation variation{float(values.real("base_variation")), float(values.real("shift_variation"))};
+  for (std::uint32_t strand : card.members) looks.emplace_back(parameters.seed, strand);
+  const Variation variation{float(parameters.base_variation), float(parameters.shift_variation)};
   KindPainter(textures, int(textures.kinds.size()), variation).paint(texture, looks);
   return kind;
 }
@@ -199,23 +198,20 @@ double assign_kinds(const Clusters& clusters, std::span<const float> features, s
 
 }  // namespace
 
-CardTextures bake_textures(const Groom& groom, CardSet& set, const registry::ParameterValues& values) {
+CardTextures bake_textures(const Groom& groom, CardSet& set, const CardParameters& parameters) {
   std::vector<float> features;
   for (const Card& card : set.cards) {
     const std::vector<float> alphas = coarse_alphas(groom, set, card);
     features.insert(features.end(), alphas.begin(), alphas.end());
   }
-  const Clusters clusters =
-      k_means(features, k_features, std::size_t(values.integer("kinds")), 8, std::uint64_t(values.integer("seed")));
-  CardTextures textures{.width = int(values.integer("texture_width")),
-                        .height = int(values.integer("texture_height")),
-                        .atlas = {},
-                        .kinds = {}};
+  const Clusters clusters = k_means(features, k_features, parameters.kinds, 8, parameters.seed);
+  CardTextures textures{
+      .width = parameters.texture_width, .height = parameters.texture_height, .atlas = {}, .kinds = {}};
   textures.atlas =
       make_image(textures.width * int(clusters.count), textures.height, {"base", "shift", "mask", "alpha"});
   for (std::size_t kind = 0; kind < clusters.count; ++kind)
     textures.kinds.push_back(
-        bake_kind(groom, set, representative(clusters, kind, features, k_features), values, textures));
+        bake_kind(groom, set, representative(clusters, kind, features, k_features), parameters, textures));
   textures.kind_error = assign_kinds(clusters, features, textures.kinds, set.cards);
   return textures;
 }

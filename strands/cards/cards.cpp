@@ -36,11 +36,11 @@ Result<void> check_strand(const Groom& groom, std::size_t s) {
   return {};
 }
 
-Result<void> check(const Groom& groom, const registry::ParameterValues& values) {
+Result<void> check(const Groom& groom, const CardParameters& parameters) {
   if (groom.strand_count() == 0) return bad_input("cards: the groom has 0 strands, at least 1 is needed");
-  for (const char* name : {"cards", "layers", "segments"})
-    if (values.integer(name) < 1)
-      return bad_input(fmt::format("cards: {} = {}, at least 1 is needed", name, values.integer(name)));
+  for (const auto& [name, count] : {std::pair("cards", parameters.cards), std::pair("layers", parameters.layers),
+                                    std::pair("segments", parameters.segments)})
+    if (count < 1) return bad_input(fmt::format("cards: {} = {}, at least 1 is needed", name, count));
   for (std::size_t s = 0; s < groom.strand_count(); ++s) CUTICLE_TRY(check_strand(groom, s));
   return {};
 }
@@ -82,9 +82,8 @@ struct CoverSums {
 
 class Maker {
  public:
-  Maker(const Groom& groom, const CardBody& body, const registry::ParameterValues& values)
-      : groom_(groom), body_(body), layers_(values.integer("layers")) {
-    shape_ = {int(values.integer("segments")), values.real("width"), values.real("within"), values.real("outward")};
+  Maker(const Groom& groom, const CardBody& body, const CardParameters& p)
+      : groom_(groom), body_(body), layers_(p.layers), shape_{int(p.segments), p.width, p.within, p.outward} {
     for (std::size_t s = 0; s < groom.strand_count(); ++s) strands_.emplace_back(groom.strand(s));
     radius_ = float(std::reduce(groom.radii.begin(), groom.radii.end(), 0.0) / double(groom.radii.size()));
   }
@@ -158,11 +157,10 @@ CardBody body_of_roots(const Groom& groom) {
   return {glm::vec3(sum / double(std::max<std::size_t>(1, groom.strand_count())))};
 }
 
-Result<CardSet> make_cards(const Groom& groom, const CardBody& body, const registry::ParameterValues& values) {
-  CUTICLE_TRY(check(groom, values));
-  const auto clusters = std::size_t(std::max<std::int64_t>(1, values.integer("cards") / values.integer("layers")));
-  return Maker(groom, body, values)
-      .make(clusters, int(values.integer("iterations")), std::uint64_t(values.integer("seed")));
+Result<CardSet> make_cards(const Groom& groom, const CardBody& body, const CardParameters& p) {
+  CUTICLE_TRY(check(groom, p));
+  const auto clusters = std::size_t(std::max<std::int64_t>(1, p.cards / p.layers));
+  return Maker(groom, body, p).make(clusters, p.iterations, p.seed);
 }
 
 std::vector<CardPoint> on_card(const CardSet& set, const Card& card, std::span<const glm::vec3> strand) {

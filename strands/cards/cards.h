@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/registry/parameter.h"
+#include "core/registry/members.h"
 #include "core/result.h"
 #include "strands/groom.h"
 
@@ -39,8 +39,19 @@ struct CardSet {
   CoverError error;
 };
 
-/// Number of cards and layers, segments, width, textures, each with unit and range.
-registry::ParameterTable card_parameters();
+/// Units and ranges are those of its description.
+struct CardParameters {
+  std::int64_t cards = 600, layers = 2, segments = 12;
+  double width = 0, within = 0.95, outward = 0.5;
+  int iterations = 8;
+  std::uint64_t seed = 1;
+  std::size_t kinds = 12;
+  int texture_width = 64, texture_height = 256;
+  double fill = 0.6, base_variation = 0.5, shift_variation = 0.3;
+  int occlusion_rays = 32;
+  double swings_from = 0;
+};
+void describe(registry::Members& members, CardParameters& cards);
 
 /// What the hair grows on, as far as cards need it: `center` of the head, metres.
 struct CardBody {
@@ -51,10 +62,10 @@ CardBody body_of_roots(const Groom& groom);
 
 /// A1: strands resampled by arc length, put into clusters of near ones, each in layers from the head outward, each of
 /// these a card along the mean of its strands, as wide as they lie, its face where they are flattest and away from the
-/// head (`outward`). `values`: of card_parameters(), or of a table that holds these. The same groom and seed give the
-/// same cards; there may be fewer than asked for where strands are few. Error: bad_input without strands, for a strand
-/// of fewer than two vertices or no length, and where a position or radius is not finite, naming the strand.
-Result<CardSet> make_cards(const Groom& groom, const CardBody& body, const registry::ParameterValues& values);
+/// head (`outward`). The same groom and seed give the same cards; there may be fewer than asked for where strands are
+/// few. Error: bad_input without strands, for a strand of fewer than two vertices or no length, and where a position or
+/// radius is not finite, naming the strand.
+Result<CardSet> make_cards(const Groom& groom, const CardBody& body, const CardParameters& parameters);
 
 /// A point of a strand as its card has it: u and v as a row has them (outside 0 .. 1: beside or beyond the card), and
 /// the height above the card's surface, metres.

@@ -18,12 +18,12 @@
 namespace cuticle::strands::cards_test {
 namespace {
 
-registry::ParameterValues settings(std::initializer_list<std::pair<const char*, registry::Value>> changes) {
-  registry::ParameterValues values = registry::default_values(card_parameters());
+CardParameters settings(std::initializer_list<std::pair<const char*, registry::Value>> changes) {
+  registry::ParameterValues values = registry::to_values(CardParameters());
   values.set("texture_width", std::int64_t(32));
   values.set("texture_height", std::int64_t(64));
   for (const auto& [name, value] : changes) values.set(name, value);
-  return values;
+  return registry::from_values<CardParameters>(values);
 }
 
 void add_strand(Groom& groom, std::span<const glm::vec3> points, float radius) {
@@ -56,7 +56,7 @@ Groom locks(int patches, int strands) {
   return groom;
 }
 
-CardSet cards_of(const Groom& groom, const registry::ParameterValues& values) {
+CardSet cards_of(const Groom& groom, const CardParameters& values) {
   auto made = make_cards(groom, body_of_roots(groom), values);
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
@@ -109,8 +109,8 @@ TEST(Cards, EqualSeeds_GiveEqualCards) {
 }
 
 TEST(Cards, BadGrooms_AreRefusedByName) {
-  const registry::ParameterValues defaults = settings({});
-  const auto message = [&](const Groom& groom, const registry::ParameterValues& values) {
+  const CardParameters defaults = settings({});
+  const auto message = [&](const Groom& groom, const CardParameters& values) {
     const auto made = make_cards(groom, {}, values);
     EXPECT_FALSE(made);
     return made ? std::string() : made.error().message;
@@ -129,7 +129,7 @@ TEST(Cards, BadGrooms_AreRefusedByName) {
   EXPECT_NE(message(infinite, defaults).find("strand 1: vertex 2"), std::string::npos);
   groom.positions[12].y = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NE(message(groom, defaults).find("strand 1: vertex 3"), std::string::npos);
-  EXPECT_FALSE(registry::parse_assignments(card_parameters(), "cards=0"));
+  EXPECT_FALSE(registry::parse_assignments(registry::table_of<CardParameters>(), "cards=0"));
 }
 
 TEST(Clusters, PointsApart_AreToldApart) {

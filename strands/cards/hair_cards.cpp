@@ -79,14 +79,14 @@ CardBody body_of(const Groom& groom, const Mesh* head) {
 
 }  // namespace
 
-Result<HairCards> make_hair_cards(const Groom& groom, const Mesh* head, const registry::ParameterValues& values) {
+Result<HairCards> make_hair_cards(const Groom& groom, const Mesh* head, const CardParameters& parameters) {
   const CardBody body = body_of(groom, head);
   HairCards cards;
-  CUTICLE_ASSIGN(cards.set, make_cards(groom, body, values));
-  cards.textures = bake_textures(groom, cards.set, values);
-  cards.mesh = make_card_mesh(cards.set, cards.textures, body, values.real("swings_from"));
-  cards.occlusion = ambient_occlusion(groom, head, cards.mesh.mesh.positions, cards.mesh.mesh.normals,
-                                      int(values.integer("occlusion_rays")));
+  CUTICLE_ASSIGN(cards.set, make_cards(groom, body, parameters));
+  cards.textures = bake_textures(groom, cards.set, parameters);
+  cards.mesh = make_card_mesh(cards.set, cards.textures, body, parameters.swings_from);
+  cards.occlusion =
+      ambient_occlusion(groom, head, cards.mesh.mesh.positions, cards.mesh.mesh.normals, parameters.occlusion_rays);
   return cards;
 }
 

@@ -12,9 +12,8 @@ struct HairCards {
   CardMesh mesh;
   std::vector<float> occlusion;  ///< A3, one per vertex of the mesh
 };
-/// `head`: what the hair grows on, null or without vertices where there is none. `values`: of card_parameters(), or of
-/// a table that holds these. Error: as make_cards.
-Result<HairCards> make_hair_cards(const Groom& groom, const Mesh* head, const registry::ParameterValues& values);
+/// `head`: what the hair grows on, null or without vertices where there is none. Error: as make_cards.
+Result<HairCards> make_hair_cards(const Groom& groom, const Mesh* head, const CardParameters& parameters);
 
 /// Into a folder that exists: cards.obj (metres; occlusion as grey vertex colours; faces in the static order, one group
 /// for each part), cards.mtl, base.png, alpha.png, shift.png, mask.png (8 bits, values as they are), and cards.json

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/registry/parameter.h"
+#include "core/registry/members.h"
 #include "strands/mesh.h"
 
 namespace cuticle::strands {
@@ -14,7 +14,7 @@ namespace cuticle::strands {
 /// Where something applies: 1 within `radius` of `center`, 0 past `radius` + `blend`, smooth between.
 struct Area {
   glm::dvec3 center{0};
-  double radius = 0, blend = 0;
+  double radius = 0.03, blend = 0.02;
   double weight(const glm::dvec3& point) const;
 };
 /// Factors on density and length within an area.
@@ -42,12 +42,9 @@ struct Grooming {
   std::optional<Bun> bun;
 };
 
-registry::ParameterTable region_parameters();
-registry::ParameterTable stroke_parameters();
-registry::ParameterTable bun_parameters();
-Region region_of(const registry::ParameterValues& values);
-Stroke stroke_of(const registry::ParameterValues& values);
-Bun bun_of(const registry::ParameterValues& values);
+void describe(registry::Members& members, Region& region);
+void describe(registry::Members& members, Stroke& stroke);
+void describe(registry::Members& members, Bun& bun);
 
 /// Products of the regions' factors at a point; 1 outside all.
 double density_factor(const Grooming& grooming, const glm::dvec3& point);

@@ -15,16 +15,9 @@ namespace cuticle::strands {
 
 namespace {
 
-/// The place of a choice among those of its parameter, as an enumerator.
-template <class Enumeration>
-Enumeration chosen(const registry::ParameterValues& values, std::string_view name) {
-  const auto choices = registry::find_parameter(strand_parameters(), name).value()->choices;
-  return Enumeration(std::find(choices.begin(), choices.end(), values.choice(name)) - choices.begin());
-}
-
-Head head_for(const registry::ParameterValues& strands) {
-  Head head = make_head(int(strands.integer("control_hairs")));
-  if (strands.choice("surface") == "head") head.scalp = head.mesh;
+Head head_for(const StrandParameters& strands) {
+  Head head = make_head(strands.control_hairs);
+  if (strands.surface == HairSurface::head) head.scalp = head.mesh;
   return head;
 }
 
@@ -39,14 +32,14 @@ void thin_at_the_edge(double share, const Mesh& scalp, std::vector<float>& map) 
 }
 
 Result<PlacedRoots> roots_for(const GroomingSpecification& specification, const Mesh& scalp) {
-  const registry::ParameterValues& strands = specification.strands;
+  const StrandParameters& strands = specification.strands;
   std::vector<float> map = density_map(specification.grooming, scalp);
-  thin_at_the_edge(strands.real("hairline"), scalp, map);
-  return place_roots(scalp, {.density = strands.real("density"),
-                             .share = strands.real("share"),
+  thin_at_the_edge(strands.hairline, scalp, map);
+  return place_roots(scalp, {.density = strands.density,
+                             .share = strands.share,
                              .density_map = map,
-                             .rule = chosen<RootRule>(strands, "roots"),
-                             .seed = std::uint64_t(strands.integer("seed"))});
+                             .rule = strands.roots,
+                             .seed = strands.seed});
 }
 
 std::vector<glm::vec3> normals_at(const Mesh& scalp, const std::vector<Root>& roots) {
@@ -79,16 +72,15 @@ std::size_t move_out(Groom& groom, const Mesh& mesh, double reach, const Test& m
 }
 
 Groom drawn_between(const Groom& smoothed, const Mesh& scalp, const std::vector<Root>& roots,
-                    const registry::ParameterValues& strands) {
+                    const StrandParameters& strands) {
   std::vector<std::uint32_t> hairs(scalp.positions.size());
   std::iota(hairs.begin(), hairs.end(), 0u);
-  return strands.choice("interpolation") == "nearest_hair" ? follow(smoothed, scalp, roots, hairs)
-                                                           : interpolate(smoothed, scalp, roots, hairs);
+  return strands.nearest_hair ? follow(smoothed, scalp, roots, hairs) : interpolate(smoothed, scalp, roots, hairs);
 }
 
 /// All but what keeps the strands outside.
 Result<Grown> grow_on(const GroomingSpecification& specification, Head head) {
-  const registry::ParameterValues& strands = specification.strands;
+  const StrandParameters& strands = specification.strands;
   Grown grown;
   grown.head = std::move(head);
   CUTICLE_ASSIGN(const PlacedRoots placed, roots_for(specification, grown.head.scalp));
@@ -97,15 +89,14 @@ Result<Grown> grow_on(const GroomingSpecification& specification, Head head) {
                      "raise density or share, or give regions some density");
   // Positions, radii and frames of the strands, and the copies that shaping and smoothing make of them.
   constexpr std::uint64_t bytes_per_vertex = 64;
-  const auto vertices = std::uint64_t(strands.integer("vertices"));
+  const auto vertices = std::uint64_t(strands.vertices);
   CUTICLE_TRY(require_memory(fmt::format("hair of {} strands with {} vertices", placed.roots.size(), vertices),
                              {placed.roots.size(), vertices, bytes_per_vertex}));
   CUTICLE_ASSIGN(grown.control, plant_control_hairs(grown.head, specification.growing, specification.grooming));
-  const Groom smoothed = smooth(grown.control, int(strands.integer("vertices")), chosen<Curve>(strands, "curve"));
+  const Groom smoothed = smooth(grown.control, strands.vertices, strands.curve);
   grown.report = {placed.report, deviation_from_controls(grown.control, smoothed), 0};
   grown.drawn = drawn_between(smoothed, grown.head.scalp, placed.roots, strands);
-  shape(grown.drawn, specification.shaping, normals_at(grown.head.scalp, placed.roots),
-        std::uint64_t(strands.integer("seed")));
+  shape(grown.drawn, specification.shaping, normals_at(grown.head.scalp, placed.roots), strands.seed);
   return grown;
 }
 

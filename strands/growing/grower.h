@@ -6,28 +6,6 @@
 
 namespace cuticle::strands {
 
-/// The parameters as numbers.
-struct Style {
-  explicit Style(const registry::ParameterValues& values)
-      : vertices(int(values.integer("control_vertices"))),
-        length(values.real("length")),
-        variation(values.real("length_variation")),
-        growth(values.real("segment_growth")),
-        parting(values.real("parting")),
-        comb(values.real("comb")),
-        droop(values.real("droop")),
-        volume(values.real("volume")),
-        under(values.real("under")),
-        cut_height(values.real("cut_height")),
-        fringe(values.real("fringe")),
-        clump(values.real("clump")),
-        radius(values.real("radius")),
-        seed(std::uint64_t(values.integer("seed"))) {}
-  int vertices;
-  double length, variation, growth, parting, comb, droop, volume, under, cut_height, fringe, clump, radius;
-  std::uint64_t seed;
-};
-
 /// Head coordinates: about the middle of the scalp, in units of its width (1 unit = 0.15 m on an adult head).
 struct HeadFrame {
   glm::dvec3 center{0};

@@ -8,12 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include "strands/growing/bust.h"
 #include "strands/growing/face_parts.h"
 #include "strands/growing/growing.h"
 #include "strands/growing/head_shape.h"
 #include "strands/spline/smooth.h"
-#include <glm/geometric.hpp>
 
 namespace cuticle::strands::growing_test {
 namespace {
@@ -24,7 +24,7 @@ const Head& head() {
 }
 
 Groom planted(const char* settings) {
-  return plant_control_hairs(head(), registry::parse_assignments(growing_parameters(), settings).value()).value();
+  return plant_control_hairs(head(), registry::parse<Style>(settings).value()).value();
 }
 
 const Groom& planted_by_default() {
@@ -233,9 +233,9 @@ TEST(Planting, SameSeed_SameHair_OtherSeed_OtherHair) {
 
 TEST(Planting, ScalpWithoutVerticesOrNormals_IsRefused) {
   Head bare;
-  EXPECT_FALSE(plant_control_hairs(bare, registry::default_values(growing_parameters())).ok());
+  EXPECT_FALSE(plant_control_hairs(bare, Style()).ok());
   bare.scalp.positions = {{0, 0, 0}};
-  EXPECT_FALSE(plant_control_hairs(bare, registry::default_values(growing_parameters())).ok());
+  EXPECT_FALSE(plant_control_hairs(bare, Style()).ok());
 }
 
 }  // namespace

@@ -13,47 +13,6 @@ namespace cuticle::strands {
 
 namespace {
 
-using registry::Parameter;
-using registry::ParameterType;
-
-constexpr Parameter k_parameters[] = {
-    {"control_vertices", ParameterType::integer, "1", 2, 64, "7", {}, "Vertices of a control hair"},
-    {"length", ParameterType::real, "m", 0.001, 2, "0.27", {}, "Length of a hair"},
-    {"length_variation", ParameterType::real, "1", 0, 0.9, "0.12", {}, "Part of the length that chance may take away"},
-    {"segment_growth",
-     ParameterType::real,
-     "1",
-     1,
-     3,
-     "1.25",
-     {},
-     "Length of a segment over the one before it, root to tip"},
-    {"parting", ParameterType::real, "1", 0, 1, "0.8", {}, "Combed straight back (0) or apart from the middle (1)"},
-    {"comb",
-     ParameterType::real,
-     "1",
-     0,
-     1,
-     "1",
-     {},
-     "How far hair near the head follows the comb; 0 leaves it on the normal"},
-    {"droop",
-     ParameterType::real,
-     "1",
-     -1,
-     1,
-     "1",
-     {},
-     "How far hair bends to the ground; 0 leaves it stiff, below 0 it rises"},
-    {"cut_height", ParameterType::real, "m", -2, 2, "-2", {}, "Hair ends where it first falls below this height"},
-    {"volume", ParameterType::real, "m", 0.005, 0.1, "0.012", {}, "Height over the scalp at which combed hair lies"},
-    {"under", ParameterType::real, "1", 0, 1, "0", {}, "How far the comb holds hair where the skin faces down, as fur"},
-    {"fringe", ParameterType::real, "1", 0.05, 1, "1", {}, "Length at the front hairline over length elsewhere"},
-    {"clump", ParameterType::real, "1", 0, 1, "0.25", {}, "How far tips gather to those of chosen neighbours"},
-    {"radius", ParameterType::real, "m", 5e-6, 1e-3, "3.5e-5", {}, "Fibre radius"},
-    {"seed", ParameterType::integer, "1", 0, 4294967295.0, "1", {}, "Seed of all chance"},
-};
-
 /// N6: lengths of the segments, each `growth` times the one before, summing to `length`.
 std::vector<double> segment_lengths(double length, int segments, double growth) {
   std::vector<double> lengths(std::size_t(segments), 1);
@@ -141,12 +100,25 @@ Groom to_groom(const Hairs& hairs, const Mesh& scalp, double radius) {
 
 }  // namespace
 
-registry::ParameterTable growing_parameters() { return k_parameters; }
+void describe(registry::Members& members, Style& style) {
+  members(style.vertices, "control_vertices", 2, 64, "Vertices of a control hair");
+  members(style.length, "length", "m", 0.001, 2, "Length of a hair");
+  members(style.variation, "length_variation", "1", 0, 0.9, "Part of the length that chance may take away");
+  members(style.growth, "segment_growth", "1", 1, 3, "Length of a segment over the one before it, root to tip");
+  members(style.parting, "parting", "1", 0, 1, "Combed straight back (0) or apart from the middle (1)");
+  members(style.comb, "comb", "1", 0, 1, "How far hair near the head follows the comb; 0 leaves it on the normal");
+  members(style.droop, "droop", "1", -1, 1, "How far hair bends to the ground; 0 leaves it stiff, below 0 it rises");
+  members(style.cut_height, "cut_height", "m", -2, 2, "Hair ends where it first falls below this height");
+  members(style.volume, "volume", "m", 0.005, 0.1, "Height over the scalp at which combed hair lies");
+  members(style.under, "under", "1", 0, 1, "How far the comb holds hair where the skin faces down, as fur");
+  members(style.fringe, "fringe", "1", 0.05, 1, "Length at the front hairline over length elsewhere");
+  members(style.clump, "clump", "1", 0, 1, "How far tips gather to those of chosen neighbours");
+  members(style.radius, "radius", "m", 5e-6, 1e-3, "Fibre radius");
+  members(style.seed, "seed", 0, 4294967295.0, "Seed of all chance");
+}
 
-Result<Groom> plant_control_hairs(const Head& head, const registry::ParameterValues& growing,
-                                  const Grooming& grooming) {
+Result<Groom> plant_control_hairs(const Head& head, const Style& style, const Grooming& grooming) {
   CUTICLE_TRY(check_head(head));
-  const Style style(growing);
   const Grower grower(head, style, grooming);
   Hairs hairs(head.scalp.positions.size());
   std::vector<std::vector<double>> lengths(hairs.size());

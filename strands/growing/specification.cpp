@@ -8,45 +8,14 @@
 #include "core/json/json.h"
 #include "core/json/position.h"
 #include "core/registry/read_json.h"
-#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
 
 namespace {
 
-using registry::Parameter;
-using registry::ParameterType;
-
 constexpr std::string_view k_surfaces[] = {"scalp", "head"};
 constexpr std::string_view k_curves[] = {"bezier", "catmull_rom", "b_spline"};
 constexpr std::string_view k_interpolations[] = {"three_hairs", "nearest_hair"};
-constexpr Parameter k_strands[] = {
-    {"surface", ParameterType::choice, "1", 0, 0, "scalp", k_surfaces,
-     "What carries hair: the scalp or the whole head"},
-    {"control_hairs",
-     ParameterType::integer,
-     "1",
-     8,
-     100000,
-     "300",
-     {},
-     "Control hairs on the scalp, about; the head has one per vertex"},
-    {"density", ParameterType::real, "1/m2", 0, 1e8, "1e5", {}, "Drawn strands per area"},
-    {"share", ParameterType::real, "1", 0, 1, "1", {}, "Level of detail: share of the strands that is drawn"},
-    {"hairline",
-     ParameterType::real,
-     "1",
-     0,
-     1,
-     "0",
-     {},
-     "Share of the scalp's radius over which the density falls to nothing at its edge"},
-    {"vertices", ParameterType::integer, "1", 2, k_most_vertices, "30", {}, "Vertices of a drawn strand"},
-    {"roots", ParameterType::choice, "1", 0, 0, "folded", k_root_rules, "How the place of a root is found"},
-    {"curve", ParameterType::choice, "1", 0, 0, "bezier", k_curves, "Curve through the control vertices"},
-    {"interpolation", ParameterType::choice, "1", 0, 0, "three_hairs", k_interpolations,
-     "Strands mixed from three control hairs, or following the nearest"},
-    {"seed", ParameterType::integer, "1", 0, 4294967295.0, "1", {}, "Seed of roots and shaping"}};
 
 constexpr std::string_view k_keys[] = {"schema_version", "name",    "growing", "strands",
                                        "regions",        "strokes", "bun",     "shaping"};
@@ -68,31 +37,28 @@ Result<void> check_keys(const Json& object, const std::string& where) {
       "\"schema_version\": 1");
 }
 
-Result<registry::ParameterValues> values_of(registry::ParameterTable table, const Json& value,
-                                            const std::string& where) {
-  return registry::values_from_object(table, value, where);
+template <class Parameters>
+Result<Parameters> read(const Json& value, const std::string& where) {
+  CUTICLE_ASSIGN(const auto values, registry::values_from_object(registry::table_of<Parameters>(), value, where));
+  return registry::from_values<Parameters>(values);
 }
 
-/// The table's values under a key; its defaults where the key is absent.
-Result<registry::ParameterValues> values_at(registry::ParameterTable table, const Json& root, const char* key,
-                                            const std::string& where) {
-  if (!root.contains(key)) return registry::default_values(table);
-  return values_of(table, root[key], where + ": " + key);
+/// What stands under a key; the defaults where it is absent.
+template <class Parameters>
+Result<Parameters> read_at(const Json& root, const char* key, const std::string& where) {
+  if (!root.contains(key)) return Parameters{};
+  return read<Parameters>(root[key], where + ": " + key);
 }
 
-/// A list of parameter objects, each made into an Item.
+/// A list of parameter objects.
 template <class Item>
-Result<void> read_list(const Json& root, const char* key, registry::ParameterTable table,
-                       Item (*make)(const registry::ParameterValues&), const std::string& where,
-                       std::vector<Item>& out) {
+Result<void> read_list(const Json& root, const char* key, const std::string& where, std::vector<Item>& out) {
   if (!root.contains(key)) return {};
   const Json& list = root[key];
   if (!list.is_list() || list.size() > k_most_items)
     return bad_input(fmt::format("{}: {} is not a list of at most {} objects", where, key, k_most_items));
   for (std::size_t i = 0; i < list.size(); ++i) {
-    CUTICLE_ASSIGN(const registry::ParameterValues values,
-                   values_of(table, list[i], fmt::format("{}: {}[{}]", where, key, i)));
-    out.push_back(make(values));
+    CUTICLE_ASSIGN(out.emplace_back(), read<Item>(list[i], fmt::format("{}: {}[{}]", where, key, i)));
   }
   return {};
 }
@@ -103,17 +69,18 @@ Result<void> read_shaping(const Json& root, const std::string& where, ShapingBlo
   for (const auto& [name, value] : root["shaping"].items()) {
     const auto shaping = find_shaping(name);
     if (!shaping) return bad_input(fmt::format("{}: {}", where, shaping.error().message), shaping.error().hint);
-    CUTICLE_ASSIGN(blocks[name], values_of((*shaping)->entry.parameters, value, where + ": shaping." + name));
+    CUTICLE_ASSIGN(blocks[name],
+                   registry::values_from_object((*shaping)->entry.parameters, value, where + ": shaping." + name));
   }
   return {};
 }
 
 Result<void> read_grooming(const Json& root, const std::string& where, Grooming& grooming) {
-  CUTICLE_TRY(read_list(root, "regions", region_parameters(), region_of, where, grooming.regions));
-  CUTICLE_TRY(read_list(root, "strokes", stroke_parameters(), stroke_of, where, grooming.strokes));
-  if (!root.contains("bun")) return {};
-  CUTICLE_ASSIGN(const registry::ParameterValues values, values_of(bun_parameters(), root["bun"], where + ": bun"));
-  grooming.bun = bun_of(values);
+  CUTICLE_TRY(read_list(root, "regions", where, grooming.regions));
+  CUTICLE_TRY(read_list(root, "strokes", where, grooming.strokes));
+  if (root.contains("bun")) {
+    CUTICLE_ASSIGN(grooming.bun, read_at<Bun>(root, "bun", where));
+  }
   return {};
 }
 
@@ -138,10 +105,20 @@ Json shaping_schema() {
 
 }  // namespace
 
-registry::ParameterTable strand_parameters() { return k_strands; }
-
-GroomingSpecification default_specification() {
-  return {{}, registry::default_values(growing_parameters()), registry::default_values(strand_parameters()), {}, {}};
+void describe(registry::Members& members, StrandParameters& strands) {
+  members(strands.surface, "surface", k_surfaces, "What carries hair: the scalp or the whole head");
+  members(strands.control_hairs, "control_hairs", 8, 100000,
+          "Control hairs on the scalp, about; the head has one per vertex");
+  members(strands.density, "density", "1/m2", 0, 1e8, "Drawn strands per area");
+  members(strands.share, "share", "1", 0, 1, "Level of detail: share of the strands that is drawn");
+  members(strands.hairline, "hairline", "1", 0, 1,
+          "Share of the scalp's radius over which the density falls to nothing at its edge");
+  members(strands.vertices, "vertices", 2, k_most_vertices, "Vertices of a drawn strand");
+  members(strands.roots, "roots", k_root_rules, "How the place of a root is found");
+  members(strands.curve, "curve", k_curves, "Curve through the control vertices");
+  members(strands.nearest_hair, "interpolation", k_interpolations,
+          "Strands mixed from three control hairs, or following the nearest");
+  members(strands.seed, "seed", 0, 4294967295.0, "Seed of roots and shaping");
 }
 
 Result<GroomingSpecification> parse_specification(std::string_view text, const std::string& where) {
@@ -155,8 +132,8 @@ Result<GroomingSpecification> parse_specification(std::string_view text, const s
     if (!root["name"].is_text()) return bad_input(fmt::format("{}: name is not a text", where));
     result.name = root["name"].text();
   }
-  CUTICLE_ASSIGN(result.growing, values_at(growing_parameters(), root, "growing", where));
-  CUTICLE_ASSIGN(result.strands, values_at(strand_parameters(), root, "strands", where));
+  CUTICLE_ASSIGN(result.growing, read_at<Style>(root, "growing", where));
+  CUTICLE_ASSIGN(result.strands, read_at<StrandParameters>(root, "strands", where));
   CUTICLE_TRY(read_grooming(root, where, result.grooming));
   CUTICLE_TRY(read_shaping(root, where, result.shaping));
   return result;
@@ -170,11 +147,11 @@ Result<GroomingSpecification> load_specification(const std::string& path) {
 std::string specification_schema() {
   const Json properties = {{"schema_version", {{"type", "integer"}, {"minimum", 1}, {"maximum", 1}}},
                            {"name", {{"type", "string"}}},
-                           {"growing", table_schema(growing_parameters())},
-                           {"strands", table_schema(strand_parameters())},
-                           {"regions", list_schema(region_parameters())},
-                           {"strokes", list_schema(stroke_parameters())},
-                           {"bun", table_schema(bun_parameters())},
+                           {"growing", table_schema(registry::table_of<Style>())},
+                           {"strands", table_schema(registry::table_of<StrandParameters>())},
+                           {"regions", list_schema(registry::table_of<Region>())},
+                           {"strokes", list_schema(registry::table_of<Stroke>())},
+                           {"bun", table_schema(registry::table_of<Bun>())},
                            {"shaping", shaping_schema()}};
   const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                        {"title", "Cuticle grooming specification"},

@@ -5,23 +5,32 @@
 
 #include "strands/growing/growing.h"
 #include "strands/shaping/shaping.h"
+#include "strands/spline/smooth.h"
 
 namespace cuticle::strands {
+
+/// What carries hair.
+enum class HairSurface { scalp, head };
+/// Number, place, curve and interpolation of drawn strands.
+struct StrandParameters {
+  HairSurface surface = HairSurface::scalp;
+  int control_hairs = 300, vertices = 30;
+  double density = 1e5, share = 1, hairline = 0;
+  RootRule roots = RootRule::folded;
+  Curve curve = Curve::bezier;
+  bool nearest_hair = false;  ///< strands follow the nearest control hair; else they are mixed from three
+  std::uint64_t seed = 1;
+};
+void describe(registry::Members& members, StrandParameters& strands);
 
 /// Validated; what the file leaves out has its default.
 struct GroomingSpecification {
   std::string name;
-  registry::ParameterValues growing;  ///< of growing_parameters(): control hairs
-  registry::ParameterValues strands;  ///< of strand_parameters(): drawn strands
-  Grooming grooming;                  ///< "regions", "strokes", "bun"
-  ShapingBlocks shaping;              ///< effects by name; none runs that is not named
+  Style growing;             ///< control hairs
+  StrandParameters strands;  ///< drawn strands
+  Grooming grooming;         ///< "regions", "strokes", "bun"
+  ShapingBlocks shaping;     ///< effects by name; none runs that is not named
 };
-
-/// Number, place, curve and interpolation of drawn strands.
-registry::ParameterTable strand_parameters();
-
-/// All defaults, no grooming, no shaping.
-GroomingSpecification default_specification();
 
 /// From a JSON object with "schema_version": 1 and any of the keys above. Error: bad_input naming `where`, key, value
 /// and range; an unknown key is refused with the nearest known one.

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include "core/file.h"
 #include "strands/growing/grow.h"
-#include <glm/geometric.hpp>
 
 namespace cuticle::strands::specification_test {
 namespace {
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 GroomingSpecification specified(const std::string& fields) {
   const auto read = parse_specification(R"({"schema_version": 1, )" + fields + "}", "test");
   EXPECT_TRUE(read) << (read ? "" : read.error().message);
-  return read ? *read : default_specification();
+  return read ? *read : GroomingSpecification();
 }
 
 void expect_refused(const std::string& text, std::initializer_list<const char*> words) {
@@ -32,7 +32,7 @@ void expect_refused(const std::string& text, std::initializer_list<const char*> 
 TEST(Specification, Empty_IsTheDefaults) {
   const auto spec = specified(R"("name": "plain")");
   EXPECT_EQ(spec.name, "plain");
-  EXPECT_EQ(spec.growing, registry::default_values(growing_parameters()));
+  EXPECT_EQ(registry::to_values(spec.growing), registry::to_values(Style()));
   EXPECT_TRUE(spec.shaping.empty());
   EXPECT_FALSE(spec.grooming.bun);
 }
@@ -114,8 +114,8 @@ TEST(Growing, NoDensity_IsRefused) {
 
 TEST(Growing, CountsThatOverflowAndNaN_AreRefused) {
   for (double density : {1e9, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
-    GroomingSpecification spec = default_specification();
-    spec.strands.set("density", density);
+    GroomingSpecification spec = {};
+    spec.strands.density = density;
     const auto grown = grow(spec);
     ASSERT_FALSE(grown) << density;
     EXPECT_THAT(grown.error().message, HasSubstr("density"));

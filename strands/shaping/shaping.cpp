@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "strands/growing/random.h"
+#include "strands/shaping/clumping/clumping.h"
 #include "strands/spline/frames.h"
 
 namespace cuticle::strands {
@@ -23,7 +24,7 @@ std::vector<std::uint32_t> leaders_of(const Groom& groom, const ShapingBlocks& b
   std::iota(leader.begin(), leader.end(), 0u);
   const auto clumping = blocks.find("clumping");
   if (clumping == blocks.end()) return leader;
-  const double share = 1 / clumping->second.real("strands_per_lock");
+  const double share = 1 / registry::from_values<clumping::Parameters>(clumping->second).strands_per_lock;
   for (std::uint32_t s : leader)
     if (random_stream(seed, Chance::lock, s).next_unit() < share) leaders.push_back(s);
   if (leaders.empty()) return leader;

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/registry/entry.h"
+#include "core/registry/members.h"
 #include "strands/groom.h"
 
 namespace cuticle::strands {
@@ -35,6 +36,15 @@ struct Shaping {
   int order = 0;
   Shaper (*make)(const registry::ParameterValues& values) = nullptr;
 };
+/// The registered effect of a struct of parameters and of what makes a shaper of it; `entry` says what is its own.
+template <class Parameters, Shaper (*make)(const Parameters&)>
+Shaping shaping_of(registry::Entry entry, int order) {
+  entry.kind = registry::EntryKind::effect;
+  entry.stage = registry::Stage::generate;
+  entry.parameters = registry::table_of<Parameters>();
+  return {entry, order,
+          [](const registry::ParameterValues& values) { return make(registry::from_values<Parameters>(values)); }};
+}
 /// The effects found in the folders of strands/shaping.
 std::span<const Shaping* const> shapings();
 /// Error: usage, listing the known names and hinting at the nearest.

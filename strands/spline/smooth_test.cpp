@@ -116,7 +116,7 @@ TEST(Interpolation, Weights_BlendThreeHairs) {
 
 TEST(Interpolation, PublishedSizes_4095StrandsOf36And30) {
   const Head head = make_head();
-  const Groom control = plant_control_hairs(head, registry::default_values(growing_parameters())).value();
+  const Groom control = plant_control_hairs(head, Style()).value();
   std::vector<std::uint32_t> hairs(head.scalp.positions.size());
   for (std::size_t v = 0; v < hairs.size(); ++v) hairs[v] = std::uint32_t(v);
   const auto roots = scatter_roots(head.scalp, 4095, 1);

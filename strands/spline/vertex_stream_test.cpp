@@ -12,7 +12,7 @@ namespace {
 
 struct Hair {
   Head head = make_head(60);
-  Groom control = plant_control_hairs(head, registry::default_values(growing_parameters())).value();
+  Groom control = plant_control_hairs(head, Style()).value();
   std::vector<Root> roots = scatter_roots(head.scalp, 700, 5);
   std::vector<std::array<std::uint32_t, 3>> hairs;
   std::vector<glm::vec3> weights;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/marschner/marschner.h"
 #include "study/lobes/lobes_study.h"
 
 namespace cuticle::study {
@@ -70,7 +71,7 @@ Result<Landmarks> longitudinal_landmarks(const bsdf::Model& model, const std::st
   // A wide lobe's M peaks further out than its shift (0.8 degrees for TRT at a width of 0.4), so the fibre is made
   // smooth.
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings + ",beta=0.02"));
-  const double shift = -2 * values.real("alpha") / degree;
+  const double shift = -2 * registry::from_values<bsdf::marschner::Parameters>(values).alpha / degree;
   Landmarks found;
   Plot plot{"landmarks_M", "marschner: M of narrow lobes at theta_o = 0", "theta_i, degrees", "M, 1/rad", false, {}};
   const Sweep sweep{bsdf::Quantity::M, &bsdf::Point::theta_i, 15, {}};
@@ -137,7 +138,8 @@ Result<std::vector<Plot>> lobe_plots(const bsdf::Model& model, const std::string
 Result<Grid> lobe_grid(const bsdf::Model& model, const std::string& settings, std::size_t samples) {
   CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", settings));
   const std::string name(model.entry.name);
-  Grid grid{name + "_S_grid", name + ": S at theta_o = 20 degrees (green)", "phi, degrees", "theta_i, degrees", "S, 1/sr"};
+  Grid grid{name + "_S_grid", name + ": S at theta_o = 20 degrees (green)", "phi, degrees", "theta_i, degrees",
+            "S, 1/sr"};
   const std::size_t rows = samples / 2 + 1;
   std::vector<bsdf::Point> points;
   for (std::size_t i = 0; i < samples; ++i) grid.x.push_back(360 * double(i) / double(samples - 1) - 180);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/random.h"
+#include "core/registry/find_value.h"
 
 namespace cuticle::study::model_check {
 namespace {
@@ -95,17 +96,18 @@ bool carries_all_orders(const bsdf::Model& model) {
 }
 
 /// Of the cross-section; 1 where the model has no ellipse.
-double aspect_of(const ParameterValues& values) { return values.all().contains("aspect") ? values.real("aspect") : 1; }
+double aspect_of(const ParameterValues& values) {
+  return registry::find_value<double>(values, "aspect").value_or(1);
+}
 
 /// The dielectric cylinder that the values describe, where the model follows the paths of one and nothing else.
 std::optional<Cylinder> cylinder_of(const bsdf::Model& model, const ParameterValues& values) {
-  const auto& all = values.all();
-  const auto eta = all.find("eta"), sigma_a = all.find("sigma_a");
+  const auto eta = registry::find_value<double>(values, "eta");
+  const auto sigma_a = registry::find_value<glm::dvec3>(values, "sigma_a");
   const bool paths_only = std::all_of(model.lobes.begin(), model.lobes.end(),
                                       [](std::string_view lobe) { return is_path(lobe) || is_rest(lobe); });
-  if (eta == all.end() || sigma_a == all.end() || !paths_only) return {};
-  if (aspect_of(values) != 1) return {};
-  return Cylinder{values.real("eta"), values.rgb("sigma_a"), carries_all_orders(model) ? 0 : int(model.lobes.size())};
+  if (!eta || !sigma_a || !paths_only || aspect_of(values) != 1) return {};
+  return Cylinder{*eta, *sigma_a, carries_all_orders(model) ? 0 : int(model.lobes.size())};
 }
 
 Batch batch_of(const bsdf::Model& model, const ParameterValues& values, bsdf::Precision precision,

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "render/passes/reference/reference_entry.h"
 #include "study/picture/picture_study.h"
 
 namespace cuticle::study {
@@ -44,8 +45,7 @@ struct Drawn {
 
 /// Paths that do not read the tables have small ones made: those of a near field take longer than the picture.
 scene::Scene with_tables_in_use(scene::Scene scene) {
-  const auto values = scene.passes.find("reference");
-  const bool reads = values != scene.passes.end() && values->second.all().contains("tables") && values->second.boolean("tables");
+  const bool reads = render::parameters_of<render::reference::Parameters>(scene.passes).tables;
   if (scene.render_method == "reference" && !reads) scene.material.lut_size = 16;
   return scene;
 }
@@ -61,7 +61,8 @@ Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const scene::Scen
   return drawn;
 }
 
-Result<void> add_truth(Ladder& ladder, const std::shared_ptr<gpu::Device>& device, scene::Scene scene, Progress& progress) {
+Result<void> add_truth(Ladder& ladder, const std::shared_ptr<gpu::Device>& device, scene::Scene scene,
+                       Progress& progress) {
   scene.outputs.aovs = true;
   CUTICLE_ASSIGN(const Drawn layered, draw(device, scene, progress));
   ladder.strands = first_strands(layered.frame.aovs);
@@ -90,7 +91,8 @@ Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung
     CUTICLE_ASSIGN(Drawn drawn, draw(device, scene, progress));
     if (ladder.rungs.empty() && rungs.size() > 3) CUTICLE_TRY(add_truth(ladder, device, scene, progress));
     const bool on_device = scene.render_method != "reference" && scene.render_method != "truth";
-    ladder.rungs.push_back({rung, scene, std::move(drawn.frame.color), on_device ? drawn.runner : nullptr, drawn.seconds, drawn.bytes});
+    ladder.rungs.push_back(
+        {rung, scene, std::move(drawn.frame.color), on_device ? drawn.runner : nullptr, drawn.seconds, drawn.bytes});
   }
   progress.update(fmt::format("rungs of {}", request.name), done, rungs.size());
   return ladder;

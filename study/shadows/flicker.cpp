@@ -7,6 +7,7 @@
 
 #include "study/shadows/comparison.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
+#include "core/registry/find_value.h"
 #include "shadows/map_view.h"
 
 namespace cuticle::study {
@@ -58,9 +59,9 @@ Result<Flicker> measure_flicker(const Candidate& candidate, const FlickerScene& 
   flicker.light = mean_change(scene.truth, [&](std::size_t i) {
     return double(light.values[i]) - double(values[i]) - double(scene.turned_truth[i]) + double(scene.truth[i]);
   });
-  if (!candidate.values.all().contains("resolution")) return flicker;
-  const auto resolution = std::uint32_t(candidate.values.integer("resolution"));
-  const strands::Groom groom = moved(*scene.casters.groom, scene.casters.to_light, 0.1, resolution);
+  const auto resolution = registry::find_value<std::int64_t>(candidate.values, "resolution");
+  if (!resolution) return flicker;
+  const strands::Groom groom = moved(*scene.casters.groom, scene.casters.to_light, 0.1, std::uint32_t(*resolution));
   shadows::Casters casters = scene.casters;
   casters.groom = &groom;
   CUTICLE_ASSIGN(const auto motion, evaluate_at(candidate, casters, on_groom(groom, *scene.probes), scene.weights));

@@ -5,7 +5,7 @@ import pytest
 
 from repository import ROOT
 
-PLACES = {"model": "bsdf", "method": "shadows", "effect": "sim", "pass": "render/passes"}
+PLACES = {"model": "bsdf", "method": "shadows", "effect": "sim", "pass": "render/passes", "format": "strands/formats"}
 
 
 def make(kind, name, root):

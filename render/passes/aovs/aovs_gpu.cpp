@@ -52,7 +52,7 @@ class Aovs : public GpuPass {
   /// Of each strand, by the pass that drew into a visibility buffer.
   static std::uint32_t drawn_segments(const FrameResources& resources) {
     if (!resources.strand_draw) return resources.vertices_per_strand - 1;
-    return lines::drawn_part(resources, parameters_of(resources, *resources.strand_draw->pass)).segments;
+    return lines::drawn_part(resources, resources.strand_draw->full_px(resources.parameters)).segments;
   }
 
   /// Bindings 0 .. 7 of aovs.glsl; what is not there has another in its place.

@@ -30,12 +30,12 @@ static_assert(sizeof(CardFrame) == 64 + 16 * 8 + 16 * 3 * k_most_lights);
 /// What light scattered many times is taken from; cards_shade.glsl has the same numbers.
 enum class ScatteredBy : std::uint32_t { none, frame_multiple, dual_scattering };
 
-void set_material(CardFrame& frame, const registry::ParameterValues& values) {
-  const glm::dvec3 all = values.rgb("base") * values.real("occlusion");
-  frame.diffuse = glm::vec4(all * values.rgb("diffuse"), 0);
-  frame.primary = glm::vec4(all * values.rgb("primary"), values.real("primary_exponent"));
-  frame.secondary = glm::vec4(all * values.rgb("secondary"), values.real("secondary_exponent"));
-  frame.shifts = glm::vec4(values.real("primary_shift"), values.real("secondary_shift"), 1, 0);
+void set_material(CardFrame& frame, const bsdf::scheuermann::Parameters& p) {
+  const glm::dvec3 all = p.base * p.occlusion;
+  frame.diffuse = glm::vec4(all * p.diffuse, 0);
+  frame.primary = glm::vec4(all * p.primary, p.primary_exponent);
+  frame.secondary = glm::vec4(all * p.secondary, p.secondary_exponent);
+  frame.shifts = glm::vec4(p.primary_shift, p.secondary_shift, 1, 0);
 }
 
 /// u = 0 and 1 of a card lie at the borders of its kind's hair.
@@ -65,22 +65,23 @@ class Cards : public GpuPass {
   explicit Cards(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
   Result<void> make_parts(const FrameResources& resources) {
-    const registry::ParameterValues parameters = parameters_of(resources, entry());
+    const auto parameters = parameters_of<Parameters>(resources);
     CUTICLE_ASSIGN(const strands::HairCards cards,
                    strands::make_hair_cards(*resources.rest, resources.head, parameters));
     CUTICLE_ASSIGN(placement_, Placement::make(*device_, resources, cards));
     frame_.vertex_count = placement_.row_count();
-    CUTICLE_ASSIGN(sorting_, Sorting::make(*device_, cards.mesh, order_of(parameters.choice("order"))));
+    CUTICLE_ASSIGN(sorting_, Sorting::make(*device_, cards.mesh, parameters.order));
     CUTICLE_ASSIGN(texture_,
                    device_->make_texture({.size = {cards.textures.atlas.width, cards.textures.atlas.height}}));
     CUTICLE_TRY(device_->upload(texture_, cards.textures.atlas.pixels));
     CUTICLE_ASSIGN(frame_buffer_, device_->make_buffer(sizeof(CardFrame)));
     CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_most_steps * sizeof(std::uint32_t)));
-    CUTICLE_ASSIGN(const registry::ParameterValues material, material_of(*resources.model, *resources.model_values));
+    CUTICLE_ASSIGN(const bsdf::scheuermann::Parameters material,
+                   material_of(*resources.model, *resources.model_values));
     set_material(frame_, material);
     if (is_lit_as_strands(resources)) CUTICLE_TRY(light_as_strands(resources, parameters));
-    frame_.atlas = atlas_of(cards.textures, parameters.real("opaque_alpha"));
-    counts_ = parameters.boolean("count_fragments");
+    frame_.atlas = atlas_of(cards.textures, parameters.opaque_alpha);
+    counts_ = parameters.count_fragments;
     return make_steps(resources, parameters);
   }
 
@@ -117,19 +118,14 @@ class Cards : public GpuPass {
   }
 
   /// The base texture, which varies a diffuse colour from 1 down, then leaves the mean as it is.
-  Result<void> light_as_strands(const FrameResources& resources, const registry::ParameterValues& parameters) {
+  Result<void> light_as_strands(const FrameResources& resources, const Parameters& parameters) {
     frame_.diffuse = glm::vec4(0);
-    frame_.shifts.z = float(1 / (1 - 0.5 * parameters.real("base_variation")));
+    frame_.shifts.z = float(1 / (1 - 0.5 * parameters.base_variation));
     scattered_by_ = resources.dual_scattering ? ScatteredBy::dual_scattering : ScatteredBy::frame_multiple;
     if (resources.dual_scattering) return {};
-    const double strength = parameters_of(resources, lines::entry()).real("ambient");
+    const double strength = parameters_of<lines::Parameters>(resources).ambient;
     CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*resources.model, *resources.model_values, strength));
     return {};
-  }
-
-  static Order order_of(const std::string& name) {
-    if (name == "static") return Order::inside_to_outside;
-    return name == "groups" ? Order::groups : Order::parts;
   }
 
   /// A step's shader, blending and depth; every step has the same vertices.
@@ -167,11 +163,12 @@ class Cards : public GpuPass {
 
   /// A8: opaque parts, back faces, front faces, each by alpha test. A9: the depth of opaque parts first, so that the
   /// tests of depth do the rest, before anything is shaded.
-  Result<void> make_steps(const FrameResources& resources, const registry::ParameterValues& parameters) {
+  Result<void> make_steps(const FrameResources& resources, const Parameters& parameters) {
     using gpu::DepthCompare;
-    const bool primes = parameters.choice("scheme") == "four_pass";
-    const std::string& writes = parameters.choice("transparent_depth");
-    const bool front = writes == "front" || writes == "both" || (writes == "printed" && !primes);
+    const bool primes = !parameters.three_pass;
+    const TransparentDepth writes = parameters.transparent_depth;
+    const bool both = writes == TransparentDepth::both;
+    const bool front = writes == TransparentDepth::front || both || (writes == TransparentDepth::printed && !primes);
     const std::span<const std::uint32_t> rest =
         primes ? std::span<const std::uint32_t>(cards_early_frag) : std::span<const std::uint32_t>(cards_frag);
     if (primes) {
@@ -181,8 +178,7 @@ class Cards : public GpuPass {
     } else {
       CUTICLE_TRY(add_step(resources, "cards: opaque", {.fragment = rest, .is_opaque = true, .writes_depth = true}));
     }
-    CUTICLE_TRY(add_step(resources, "cards: back faces",
-                         {.fragment = rest, .writes_depth = writes == "both", .cull_front = true}));
+    CUTICLE_TRY(add_step(resources, "cards: back faces", {.fragment = rest, .writes_depth = both, .cull_front = true}));
     return add_step(resources, "cards: front faces", {.fragment = rest, .writes_depth = front, .cull_back = true});
   }
 

@@ -38,7 +38,8 @@ TEST(Cards, PixelOfACard_EqualsTheModelWithTexelAndOcclusion) {
   scene.settings = {{"cards", std::int64_t(1)}, {"layers", std::int64_t(1)}, {"width", 0.04}};
   scene.material =
       "base=0.9/0.7/0.5,diffuse=0.1,primary=0.3/0.2/0.4,primary_exponent=30,secondary=0.2,secondary_exponent=8";
-  const auto made = strands::make_hair_cards(scene.groom, &scene.head, parameters_of(scene));
+  const auto made = strands::make_hair_cards(scene.groom, &scene.head,
+                                             registry::from_values<cards::Parameters>(parameters_of(scene)));
   ASSERT_TRUE(made);
   const auto values =
       *registry::parse_assignments((*bsdf::find_model("scheuermann"))->entry.parameters, scene.material);
@@ -201,7 +202,8 @@ TEST(CardOrder, OfThisFrame_IsThatOfBruteForce) {
     add_strand(groom, {s % 2 ? 0.1f : -0.1f, 0.0005f * float(s), 0}, {s % 2 ? 0.03f : -0.03f, 0, 0.01f}, 1e-3f);
   Scene scene{.groom = groom};
   scene.settings = {{"swings_from", 0.2}};
-  const auto made = strands::make_hair_cards(groom, &scene.head, parameters_of(scene));
+  const auto made =
+      strands::make_hair_cards(groom, &scene.head, registry::from_values<cards::Parameters>(parameters_of(scene)));
   ASSERT_TRUE(made);
   std::vector<glm::vec4> placed;
   for (const strands::CardRow& row : made->mesh.rows)

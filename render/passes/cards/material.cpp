@@ -4,6 +4,7 @@
 
 #include <glm/ext/scalar_constants.hpp>
 
+#include "bsdf/marschner/marschner.h"
 #include "bsdf/pigment/pigment.h"
 
 namespace cuticle::render::cards {
@@ -14,22 +15,20 @@ constexpr double k_azimuthal_roughness = 0.3;  // that of the absorption of a co
 
 }  // namespace
 
-Result<registry::ParameterValues> material_of(const bsdf::Model& model, const registry::ParameterValues& values) {
-  if (model.entry.name == "scheuermann") return values;
+Result<bsdf::scheuermann::Parameters> material_of(const bsdf::Model& model, const registry::ParameterValues& values) {
+  if (model.entry.name == "scheuermann") return registry::from_values<bsdf::scheuermann::Parameters>(values);
   if (model.entry.name != "marschner")
     return bad_input(fmt::format("material.model = '{}': cards are shaded by 'scheuermann', from its own parameters or "
                                  "those of 'marschner'",
                                  model.entry.name),
                      "use the model 'scheuermann'");
   CUTICLE_ASSIGN(const bsdf::Model* shading, bsdf::find_model("scheuermann"));
-  const bsdf::FibreMapping mapping = shading->from_fibre({.sigma_a = values.rgb("sigma_a"),
-                                                          .eta = values.real("eta"),
-                                                          .scale_tilt = -values.real("alpha"),
-                                                          .longitudinal_deviation = values.real("beta")});
-  CUTICLE_ASSIGN(registry::ParameterValues shaded,
-                 registry::parse_assignments(shading->entry.parameters, mapping.settings));
-  CUTICLE_ASSIGN(const glm::dvec3 color, bsdf::color_of_assembly(values.rgb("sigma_a"), k_azimuthal_roughness));
-  shaded.set("diffuse", color / glm::pi<double>());
+  const auto fibre = registry::from_values<bsdf::marschner::Parameters>(values);
+  const bsdf::FibreMapping mapping = shading->from_fibre(
+      {.sigma_a = fibre.sigma_a, .eta = fibre.eta, .scale_tilt = -fibre.alpha, .longitudinal_deviation = fibre.beta});
+  CUTICLE_ASSIGN(auto shaded, registry::parse<bsdf::scheuermann::Parameters>(mapping.settings));
+  CUTICLE_ASSIGN(const glm::dvec3 color, bsdf::color_of_assembly(fibre.sigma_a, k_azimuthal_roughness));
+  shaded.diffuse = color / glm::pi<double>();
   return shaded;
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 // The order in which parts of cards are drawn: the index buffer, static or of this frame.
 #include "render/pass_gpu.h"
+#include "render/passes/cards/cards.h"
 #include "strands/cards/card_mesh.h"
 
 namespace cuticle::render::cards {
-
-/// inside_to_outside: as computed beforehand (A7); groups: A10, groups by their depth, in those that swing parts by
-/// theirs, on the head the static order; parts: all by their depth.
-enum class Order { inside_to_outside, groups, parts };
 
 class Sorting {
  public:

@@ -39,7 +39,7 @@ struct Buffers {
 Push push_of(const FrameResources& resources) {
   const Camera& camera = resources.camera;
   const StrandDraw& draw = *resources.strand_draw;
-  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, *draw.pass));
+  const lines::DrawnPart part = lines::drawn_part(resources, draw.full_px(resources.parameters));
   Push push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.size = glm::uvec2(resources.depth->size());
@@ -49,7 +49,7 @@ Push push_of(const FrameResources& resources) {
   push.corners = draw.corners;
   push.width_scale =
       float(draw.width_factor * part.width * push.size.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
-  const float line_width = lines::line_width(resources, parameters_of(resources, lines::entry()));
+  const float line_width = lines::line_width(resources);
   push.least_half_width = draw.of_one_width ? lines::widened(line_width, part.width) / 2 : 0;
   push.near = float(camera.near_plane);
   push.far = float(camera.far_plane);

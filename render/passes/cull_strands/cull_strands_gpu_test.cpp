@@ -29,7 +29,10 @@ std::vector<std::string> notes_of(const Drawing& drawing) {
                        {glm::vec3(-3), glm::vec3(3)}};
   resources.vertices_per_strand = k_vertices;
   resources.depth = &depth;
-  resources.strand_draw = StrandDraw{.pass = &quads::entry(), .corners = 6, .width_factor = 1};
+  resources.strand_draw =
+      StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<quads::Parameters>(all).full_px; },
+                 .corners = 6,
+                 .width_factor = 1};
   resources.parameters["quads"] = registry::default_values(quads::entry().entry.parameters);
   const auto entry = std::ranges::find(gpu_passes(), "cull_strands", &GpuPassEntry::name);
   const auto pass = *(*entry)->create(device(), resources);

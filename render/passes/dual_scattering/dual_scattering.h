@@ -3,6 +3,12 @@
 
 namespace cuticle::render::dual_scattering {
 
+struct Parameters {
+  static constexpr std::string_view name = "dual_scattering";
+  double forward_density = 1, backward_density = 1, direction_spread = 0.4;
+};
+void describe(registry::Members& members, Parameters& parameters);
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

@@ -2,6 +2,7 @@
 #include <deque>
 #include <mutex>
 
+#include "bsdf/chiang/chiang.h"
 #include "bsdf/dual_scattering/dual_scattering.h"
 #include "render/passes/dual_scattering/dual_scattering.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
@@ -39,13 +40,14 @@ Result<bsdf::DualScatteringTable> table_of(const bsdf::Model& model, const regis
   return table;
 }
 
-/// Averages over the fibre's width come several times faster from the near field, of models that have it for all h.
+/// Averages over the fibre's width come several times faster from the near field, of models that have it for all h:
+/// `chiang` alone has a far field of a part of the width.
 registry::ParameterValues of_near_field(const bsdf::Model& model, registry::ParameterValues values) {
-  const auto has = [&](std::string_view name) {
-    return std::ranges::find(model.entry.parameters, name, &registry::Parameter::name) != model.entry.parameters.end();
-  };
-  const bool of_a_part = has("h_from") && (values.real("h_from") != -1 || values.real("h_to") != 1);
-  if (has("field") && !of_a_part) values.set("field", std::string("near"));
+  if (model.entry.name == "chiang") {
+    const auto fibre = registry::from_values<bsdf::chiang::Parameters>(values);
+    if (fibre.h_from != -1 || fibre.h_to != 1) return values;
+  }
+  if (values.all().contains("field")) values.set("field", std::string("near"));
   return values;
 }
 
@@ -54,10 +56,9 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resour
   const bsdf::Model& model = set ? *set->model : *resources.model;
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
                  table_of(model, of_near_field(model, set ? set->values : *resources.model_values)));
-  const registry::ParameterValues values = parameters_of(resources, entry());
-  const double spread = values.real("direction_spread");
-  std::vector<glm::vec4> terms = {
-      {values.real("forward_density"), values.real("backward_density"), spread * spread, 0}};
+  const auto parameters = parameters_of<Parameters>(resources);
+  const double spread = parameters.direction_spread;
+  std::vector<glm::vec4> terms = {{parameters.forward_density, parameters.backward_density, spread * spread, 0}};
   for (const bsdf::DualScatteringRow& row : table.rows) {
     append(row.average.forward, terms);
     append(row.average.backward, terms);

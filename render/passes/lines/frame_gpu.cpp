@@ -34,15 +34,15 @@ Result<glm::vec4> multiple_scattering(const bsdf::Model& model, const registry::
   return glm::vec4(once * once * once * (strength / (std::numbers::pi * std::numbers::pi)), 0);
 }
 
-Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
+Result<Frame> constant_part(const FrameResources& resources) {
+  const auto parameters = parameters_of<Parameters>(resources);
   Frame frame{};
-  frame.variation = float(parameters.real("variation"));
-  frame.tip_variation = float(parameters.real("tip_variation"));
+  frame.variation = float(parameters.variation);
+  frame.tip_variation = float(parameters.tip_variation);
   frame.vertices_per_strand = resources.vertices_per_strand;
   frame.vertex_count = resources.strands.vertex_count;
   if (resources.evaluates_directly) {
-    CUTICLE_ASSIGN(frame.multiple,
-                   multiple_scattering(*resources.model, *resources.model_values, parameters.real("ambient")));
+    CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*resources.model, *resources.model_values, parameters.ambient));
     return frame;
   }
   if (!resources.table_set) return frame;
@@ -51,7 +51,7 @@ Result<Frame> constant_part(const FrameResources& resources, const registry::Par
   frame.table_maps = drawn.maps;
   frame.table_scales = drawn.scales;
   frame.caustic = drawn.caustic;
-  CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*set.model, set.values, parameters.real("ambient")));
+  CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*set.model, set.values, parameters.ambient));
   return frame;
 }
 
@@ -62,11 +62,10 @@ void set_view(Frame& frame, const FrameResources& resources) {
   frame.lights = light_rows(resources.lights);
 }
 
-DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters) {
+DrawnPart drawn_part(const FrameResources& resources, double full_px) {
   constexpr double k_least_share = 0.01;
   const std::uint32_t size = resources.vertices_per_strand;
   DrawnPart part{resources.strands.vertex_count / std::max(1u, size), std::max(1u, size) - 1};
-  const double full_px = parameters.real("full_px");
   if (full_px == 0 || part.strands == 0) return part;
   const double covered_px = strands::covered_pixels(resources.strands.bounds, resources.camera);
   const double share = strands::drawn_share<double>(covered_px, full_px, k_least_share);
@@ -104,17 +103,16 @@ double nearest_depth(const FrameResources& resources) {
 
 }  // namespace
 
-float line_width(const FrameResources& resources, const registry::ParameterValues& parameters) {
-  const double given = parameters.real("width_px");
-  if (given > 0) return float(given * resources.supersampling);
+float line_width(const FrameResources& resources) {
+  const auto parameters = parameters_of<Parameters>(resources);
+  if (parameters.width_px > 0) return float(parameters.width_px * resources.supersampling);
   const double width = 2 * resources.strand_radius * texels_at_a_metre(resources) / nearest_depth(resources);
   const double step = std::exp2(std::ceil(4 * std::log2(std::max(width, 1.0))) / 4);
-  return float(std::max(1.0, std::min(step, parameters.real("widest_px") * resources.supersampling)));
+  return float(std::max(1.0, std::min(step, parameters.widest_px * resources.supersampling)));
 }
 
-float opacity_of_radius(const FrameResources& resources, const registry::ParameterValues& parameters,
-                        const DrawnPart& part, float width) {
-  if (parameters.real("width_px") > 0) return 0;
+float opacity_of_radius(const FrameResources& resources, const DrawnPart& part, float width) {
+  if (parameters_of<Parameters>(resources).width_px > 0) return 0;
   return float(2 * texels_at_a_metre(resources) * part.width / double(width));
 }
 

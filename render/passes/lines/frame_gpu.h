@@ -1,8 +1,9 @@
 #pragma once
 // What a frame tells the line shaders (lines_frame.glsl).
 #include "render/lights_gpu.h"
-#include "render/passes/lines/tables_gpu.h"
 #include "render/pass_gpu.h"
+#include "render/passes/lines/lines.h"
+#include "render/passes/lines/tables_gpu.h"
 
 namespace cuticle::render::lines {
 
@@ -22,7 +23,7 @@ static_assert(sizeof(Frame) == 64 + 16 * 13 + 16 * 3 * k_most_lights);
 
 /// What does not change between frames: texture coordinates, table scales and the tint of light scattered many times.
 /// Error: bad_input as drawn_tables.
-Result<Frame> constant_part(const FrameResources& resources, const registry::ParameterValues& parameters);
+Result<Frame> constant_part(const FrameResources& resources);
 /// Radiance per irradiance and `ambient_share` (ambient.glsl) of light that fibres of the model have scattered many
 /// times; `strength`: the parameter `ambient`. Error: of the model.
 Result<glm::vec4> multiple_scattering(const bsdf::Model& model, const registry::ParameterValues& values,
@@ -35,16 +36,15 @@ struct DrawnPart {
   std::uint32_t strands = 0, segments = 0;  ///< the first of them; of each
   double width = 1;                         ///< factor that makes up for the strands left out
 };
-/// All where the strands cover the parameter `full_px` pixels, or where it is 0. Widths go in steps of the fourth root
+/// All where the strands cover `full_px` pixels, or where it is 0. Widths go in steps of the fourth root
 /// of 2, each with as many strands as cover the area of all.
-DrawnPart drawn_part(const FrameResources& resources, const registry::ParameterValues& parameters);
+DrawnPart drawn_part(const FrameResources& resources, double full_px);
 /// Line width in supersampled pixels: as given, or that of the widest strand where it may be nearest in this frame, up
 /// to the next fourth root of 2, at least one supersample and at most `widest_px`.
-float line_width(const FrameResources& resources, const registry::ParameterValues& parameters);
+float line_width(const FrameResources& resources);
 /// What a radius is multiplied by, over its depth, for the opacity of its strand: its width over that of a line, which
 /// is `width` supersamples. 0, all opaque, where the parameter `width_px` gives a width.
-float opacity_of_radius(const FrameResources& resources, const registry::ParameterValues& parameters,
-                        const DrawnPart& part, float width);
+float opacity_of_radius(const FrameResources& resources, const DrawnPart& part, float width);
 inline constexpr float k_widest_lines = 8;  ///< supersamples; devices with wide lines have 8 at least
 /// A width times a factor of at least 1, up to k_widest_lines.
 float widened(float width, double factor);

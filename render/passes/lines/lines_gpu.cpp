@@ -46,7 +46,10 @@ class Lines : public GpuPass {
       : device_(std::move(device)), inputs_(std::move(inputs)) {}
 
   void publish(FrameResources& resources) const override {
-    resources.strand_draw = StrandDraw{.pass = &entry(), .corners = k_corners, .of_one_width = true};
+    resources.strand_draw =
+        StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<Parameters>(all).full_px; },
+                   .corners = k_corners,
+                   .of_one_width = true};
     if (seen_) resources.seen_samples = &seen_;
   }
 
@@ -64,10 +67,10 @@ class Lines : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     CUTICLE_ASSIGN(Frame* const frame, inputs_.update(resources));
-    const DrawnPart part = drawn_part(resources, parameters_of(resources, entry()));
+    const DrawnPart part = drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
-    const float width = widened(line_width(resources, parameters_of(resources, entry())), part.width);
-    frame->opacity_of_radius = opacity_of_radius(resources, parameters_of(resources, entry()), part, width);
+    const float width = widened(line_width(resources), part.width);
+    frame->opacity_of_radius = opacity_of_radius(resources, part, width);
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, width));
     const DrawnBuffers buffers = packed_or_full(commands, resources);
     frame->packed_vertices = buffers.packed ? 1 : 0;
@@ -84,11 +87,10 @@ class Lines : public GpuPass {
   }
 
   Result<void> make_parts(const FrameResources& resources) {
-    const registry::ParameterValues parameters = parameters_of(resources, entry());
     if (resources.says_seen) {
       CUTICLE_ASSIGN(seen_, make_visibility(*device_, *resources.color));
     }
-    if (!parameters.boolean("packed")) return {};
+    if (!parameters_of<Parameters>(resources).packed) return {};
     const std::uint32_t size = resources.vertices_per_strand;
     CUTICLE_ASSIGN(packing_, strands::GpuPacking::create(*device_, resources.strands.vertex_count / size, size));
     return {};

@@ -28,7 +28,7 @@ Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, c
 }
 
 Result<void> ShadingInputs::take_tables(const FrameResources& resources) {
-  CUTICLE_ASSIGN(frame_, constant_part(resources, parameters_of(resources, entry())));
+  CUTICLE_ASSIGN(frame_, constant_part(resources));
   if (const registry::ParameterValues* values = values_of(resources)) values_ = *values;
   return {};
 }

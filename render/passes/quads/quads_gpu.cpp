@@ -23,12 +23,12 @@ class Quads : public GpuPass {
   explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
 
   void publish(FrameResources& resources) const override {
-    const registry::ParameterValues parameters = parameters_of(resources, entry());
+    const auto parameters = parameters_of<Parameters>(resources);
     resources.seen_samples = &seen_;
     resources.strand_draw =
-        StrandDraw{.pass = &entry(),
+        StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<Parameters>(all).full_px; },
                    .corners = k_corners,
-                   .width_factor = std::max(parameters.real("root_width"), parameters.real("tip_width"))};
+                   .width_factor = std::max(parameters.root_width, parameters.tip_width)};
   }
 
   Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
@@ -39,7 +39,7 @@ class Quads : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
     CUTICLE_ASSIGN(lines::Frame* const frame, inputs_.update(resources));
-    const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, entry()));
+    const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
     CUTICLE_TRY(inputs_.record(commands, resources));
     see(commands, resources, part);
@@ -57,11 +57,11 @@ class Quads : public GpuPass {
 
  private:
   Result<void> make_taper(gpu::Device& device, const FrameResources& resources) {
-    const registry::ParameterValues parameters = parameters_of(resources, entry());
-    const double root = parameters.real("root_width"), tip = parameters.real("tip_width");
+    const auto parameters = parameters_of<Parameters>(resources);
+    const double root = parameters.root_width, tip = parameters.tip_width;
     std::vector<float> texels;
     for (int k = 0; k < k_taper_texels; ++k) {
-      const double along = std::pow(double(k) / (k_taper_texels - 1), parameters.real("taper_power"));
+      const double along = std::pow(double(k) / (k_taper_texels - 1), parameters.taper_power);
       texels.insert(texels.end(), {float(root + (tip - root) * along), 0, 0, 0});
     }
     CUTICLE_ASSIGN(taper_, device.make_texture({.size = {k_taper_texels, 1}}));

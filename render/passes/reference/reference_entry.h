@@ -3,6 +3,18 @@
 
 namespace cuticle::render::reference {
 
+struct Parameters {
+  static constexpr std::string_view name = "reference";
+  int samples = 64, bounces = 0;
+  double max_error = 0;
+  std::uint64_t seed = 0;
+  bool far_field = false;
+  double lamp_radius = 0, sun_angle = 0;
+  bool tables = false;
+  std::string shadow = "traced";  ///< or the name of a shadow method
+};
+void describe(registry::Members& members, Parameters& parameters);
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

@@ -79,17 +79,17 @@ class ShadeStrands : public GpuPass {
     const ShadePush push{only_visible(resources), point_px_ > 0 ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
-    commands.dispatch(kernels_.shade,
-                      {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(),
-                       &inputs_.transmittance(), &visible(resources), &buffers_.shaded, dual.terms, dual.visibility,
-                       &inputs_.scattered()},
-                      {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)},
-                      gpu::bytes_of(push), groups.x, groups.y);
+    commands.dispatch(
+        kernels_.shade,
+        {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(), &inputs_.transmittance(),
+         &visible(resources), &buffers_.shaded, dual.terms, dual.visibility, &inputs_.scattered()},
+        {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, gpu::bytes_of(push),
+        groups.x, groups.y);
   }
 
   void record_fill(gpu::Commands& commands, const FrameResources& resources) const {
     const FillPush push{resources.strands.vertex_count, resources.vertices_per_strand,
-                        float(parameters_of(resources, lines::entry()).real("tip_variation")), only_visible(resources)};
+                        float(parameters_of<lines::Parameters>(resources).tip_variation), only_visible(resources)};
     const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
     commands.dispatch(kernels_.fill, {resources.tangents, &visible(resources), &buffers_.points, &buffers_.colors}, {},
                       gpu::bytes_of(push), groups.x, groups.y);

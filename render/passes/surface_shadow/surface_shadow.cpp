@@ -8,36 +8,8 @@ namespace cuticle::render::surface_shadow {
 
 namespace {
 
-using registry::Parameter;
-
 constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces", "output_color"};
 constexpr std::string_view k_systems[] = {"F3"};
-constexpr Parameter k_parameters[] = {
-    {.name = "resolution",
-     .type = registry::ParameterType::integer,
-     .minimum = 16,
-     .maximum = 4096,
-     .default_text = "1024",
-     .summary = "texels of each light's maps along each side"},
-    {.name = "bias_mm",
-     .unit = "mm",
-     .minimum = 0,
-     .maximum = 1000,
-     .default_text = "4",
-     .summary = "how far behind the surface a strand must lie to be shadowed by it"},
-    {.name = "strand_filter",
-     .unit = "texels",
-     .minimum = 0.5,
-     .maximum = 16,
-     .default_text = "1",
-     .summary = "half side of the square of a map that is averaged for a strand"},
-    {.name = "surface_filter",
-     .unit = "texels",
-     .minimum = 0.5,
-     .maximum = 16,
-     .default_text = "3",
-     .summary = "half side of the square of a map that is averaged for a surface"},
-};
 
 /// What this pass takes further: the transmittance of whichever method the scene names.
 std::vector<std::string_view> method_names() {
@@ -52,13 +24,22 @@ std::uint32_t one_per_light(const registry::ParameterValues&, const registry::Fr
 
 }  // namespace
 
+void describe(registry::Members& members, Parameters& p) {
+  members(p.resolution, "resolution", 16, 4096, "texels of each light's maps along each side");
+  members.millimetres(p.bias, "bias_mm", 0, 1000, "how far behind the surface a strand must lie to be shadowed by it");
+  members(p.strand_filter, "strand_filter", "texels", 0.5, 16,
+          "half side of the square of a map that is averaged for a strand");
+  members(p.surface_filter, "surface_filter", "texels", 0.5, 16,
+          "half side of the square of a map that is averaged for a surface");
+}
+
 const Pass& entry() {
   static const std::vector<std::string_view> after = method_names();
   static const Pass pass{{.kind = registry::EntryKind::pass,
                           .name = "surface_shadow",
                           .summary = "shadow maps of the lights: what surfaces cast on hair, and hair on surfaces",
                           .source = "Williams 1978; hair by chance: Enderton, Sintorn, Shirley and Luebke 2010",
-                          .parameters = k_parameters,
+                          .parameters = registry::table_of<Parameters>(),
                           .demands = k_demands,
                           .stage = registry::Stage::shadow,
                           .systems = k_systems,

@@ -3,6 +3,14 @@
 
 namespace cuticle::render::surface_shadow {
 
+struct Parameters {
+  static constexpr std::string_view name = "surface_shadow";
+  int resolution = 1024;
+  double bias = 4e-3;  ///< metres
+  float strand_filter = 1, surface_filter = 3;
+};
+void describe(registry::Members& members, Parameters& parameters);
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

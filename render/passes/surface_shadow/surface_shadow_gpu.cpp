@@ -295,16 +295,16 @@ Result<Surface> upload(gpu::Device& device, const strands::Mesh& mesh) {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
   CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size() * resources.channels.count,
                  "a transmittance per light and opacity");
-  const registry::ParameterValues values = parameters_of(resources, entry());
-  const Settings settings{int(values.integer("resolution")), int(resources.lights.size()),
-                          1e-3 * values.real("bias_mm"), float(values.real("strand_filter"))};
+  const auto parameters = parameters_of<Parameters>(resources);
+  const Settings settings{parameters.resolution, int(resources.lights.size()), parameters.bias,
+                          parameters.strand_filter};
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   Surface surface;
   if (resources.head) {
     CUTICLE_ASSIGN(surface, upload(*device, *resources.head));
   }
   auto pass = std::make_unique<SurfaceShadow>(std::move(device), settings, std::move(kernels), std::move(surface));
-  CUTICLE_TRY(pass->make_maps(resources, float(values.real("surface_filter"))));
+  CUTICLE_TRY(pass->make_maps(resources, parameters.surface_filter));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }
 

@@ -153,7 +153,7 @@ TilePush push_of(const FrameResources& resources, const TileLists& lists) {
   push.resolution = glm::uvec2(camera.resolution);
   push.part = glm::uvec2(drawn_size(resources));
   push.corner = std::uint32_t(resources.part_corner.x) / k_tile | std::uint32_t(resources.part_corner.y) / k_tile << 16;
-  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of(resources, entry()));
+  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
   push.segment_count = resources.strands.segment_count;
   if (part.width > 1) push.segment_count = part.strands * (resources.vertices_per_strand - 1);
   push.vertices_per_strand = resources.vertices_per_strand;
@@ -162,9 +162,9 @@ TilePush push_of(const FrameResources& resources, const TileLists& lists) {
   push.pixel_scale = float(part.width * camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
   push.inverse_near = float(1 / camera.near_plane);
   push.inverse_far = float(1 / camera.far_plane);
-  push.tip_variation = float(parameters_of(resources, lines::entry()).real("tip_variation"));
+  push.tip_variation = float(parameters_of<lines::Parameters>(resources).tip_variation);
   push.kept_share = float(lists.kept_share);
-  push.opacity = float(parameters_of(resources, tiles::entry()).real("opacity"));
+  push.opacity = float(parameters_of<tiles::Parameters>(resources).opacity);
   push.slices = parameters_of<tile_sort::Parameters>(resources).slices;
   return push;
 }

@@ -99,10 +99,10 @@ std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_rec
 
 /// By slices where the scene asks for them, else as sorted.
 Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
-  const registry::ParameterValues& parameters = parameters_of(resources, entry());
+  const auto parameters = parameters_of<Parameters>(resources);
   const bool sliced = parameters_of<tile_sort::Parameters>(resources).slices > 0;
-  const auto rows = std::uint32_t(parameters.integer("coverage_rows"));
-  const bool spans = !sliced && rows > 0 && parameters.real("opacity") >= 1;
+  const std::uint32_t rows = parameters.coverage_rows;
+  const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
   const std::size_t vertices = resources.strands.vertex_count;
   Fine fine;
   fine.reads_records = !sliced && reads_records(device.info(), vertices);

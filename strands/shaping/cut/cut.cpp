@@ -3,30 +3,21 @@
 
 #include <glm/common.hpp>
 
-#include "strands/shaping/shaping.h"
 #include "strands/shaping/cut/cut.glslh"
+#include "strands/shaping/shaping.h"
 
 namespace cuticle::strands::cut {
 
 namespace {
 
-using registry::Parameter;
-
 constexpr std::string_view k_systems[] = {"H9"};
-constexpr Parameter k_parameters[] = {
-    {.name = "variation",
-     .unit = "1",
-     .minimum = 0,
-     .maximum = 0.95,
-     .default_text = "0.3",
-     .summary = "largest share of a strand that is cut off"},
-    {.name = "profile",
-     .unit = "1",
-     .minimum = 0.1,
-     .maximum = 8,
-     .default_text = "1",
-     .summary = "above 1: few strands short, below 1: few long"},
+struct Parameters {
+  float variation = 0.3f, profile = 1;
 };
+void describe(registry::Members& members, Parameters& p) {
+  members(p.variation, "variation", "1", 0, 0.95, "largest share of a strand that is cut off");
+  members(p.profile, "profile", "1", 0.1, 8, "above 1: few strands short, below 1: few long");
+}
 
 /// The points resampled to the first `share` of their polyline (by vertices), as many as before.
 void keep(std::span<glm::vec3> points, float share) {
@@ -38,25 +29,21 @@ void keep(std::span<glm::vec3> points, float share) {
   }
 }
 
-Shaper make(const registry::ParameterValues& values) {
-  const float variation = float(values.real("variation")), profile = float(values.real("profile"));
+Shaper make(const Parameters& p) {
   return [=](const ShapedStrand& strand) {
-    keep(strand.points, kept_share<float>(variation, shaping_chance(strand, strand.strand, "cut").a, profile));
+    keep(strand.points, kept_share<float>(p.variation, shaping_chance(strand, strand.strand, "cut").a, p.profile));
   };
 }
 
 }  // namespace
 
 const Shaping& entry() {
-  static const Shaping shaping{{.kind = registry::EntryKind::effect,
-                                .name = "cut",
-                                .summary = "drawn strands cut to different lengths, last of all effects",
-                                .source = "length variation: docs/systems.md, H9",
-                                .parameters = k_parameters,
-                                .stage = registry::Stage::generate,
-                                .systems = k_systems},
-                               90,
-                               make};
+  static const Shaping shaping =
+      shaping_of<Parameters, make>({.name = "cut",
+                                    .summary = "drawn strands cut to different lengths, last of all effects",
+                                    .source = "length variation: docs/systems.md, H9",
+                                    .systems = k_systems},
+                                   90);
   return shaping;
 }
 

@@ -1,43 +1,34 @@
-#include "strands/shaping/shaping.h"
 #include "strands/shaping/volume/volume.glslh"
+#include "strands/shaping/shaping.h"
 
 namespace cuticle::strands::volume {
 
 namespace {
 
-using registry::Parameter;
-
 constexpr std::string_view k_systems[] = {"H17"};
-constexpr Parameter k_parameters[] = {
-    {.name = "lift", .unit = "m", .minimum = -0.05, .maximum = 0.1, .default_text = "0.01", .summary = "height gained"},
-    {.name = "onset",
-     .unit = "m",
-     .minimum = 0,
-     .maximum = 0.5,
-     .default_text = "0.03",
-     .summary = "length over which it is gained"},
+struct Parameters {
+  float lift = 0.01f, onset = 0.03f;
 };
+void describe(registry::Members& members, Parameters& p) {
+  members(p.lift, "lift", "m", -0.05, 0.1, "height gained");
+  members(p.onset, "onset", "m", 0, 0.5, "length over which it is gained");
+}
 
-Shaper make(const registry::ParameterValues& values) {
-  const float lift = float(values.real("lift")), onset = float(values.real("onset"));
+Shaper make(const Parameters& p) {
   return [=](const ShapedStrand& strand) {
     for (std::size_t i = 1; i < strand.points.size(); ++i)
-      strand.points[i] += volume_offset<float>(strand.root_normal, strand.travelled[i], lift, onset);
+      strand.points[i] += volume_offset<float>(strand.root_normal, strand.travelled[i], p.lift, p.onset);
   };
 }
 
 }  // namespace
 
 const Shaping& entry() {
-  static const Shaping shaping{{.kind = registry::EntryKind::effect,
-                                .name = "volume",
-                                .summary = "hair lifted off the surface it roots on",
-                                .source = "volume control: docs/systems.md, H17",
-                                .parameters = k_parameters,
-                                .stage = registry::Stage::generate,
-                                .systems = k_systems},
-                               20,
-                               make};
+  static const Shaping shaping = shaping_of<Parameters, make>({.name = "volume",
+                                                               .summary = "hair lifted off the surface it roots on",
+                                                               .source = "volume control: docs/systems.md, H17",
+                                                               .systems = k_systems},
+                                                              20);
   return shaping;
 }
 
