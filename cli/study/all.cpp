@@ -21,11 +21,11 @@ struct AllOptions {
 
 /// Those of --only, else all that take part. Error: usage, for an unknown name.
 Result<std::vector<const study::StudyEntry*>> chosen(const AllOptions& options) {
+  if (options.only.empty()) return std::vector(study::studies().begin(), study::studies().end());
   std::vector<const study::StudyEntry*> entries;
   for (const std::string& name : split_list(options.only)) {
     CUTICLE_ASSIGN(entries.emplace_back(), study::find_study(study::studies(), name));
   }
-  if (options.only.empty()) entries.assign(study::studies().begin(), study::studies().end());
   return entries;
 }
 

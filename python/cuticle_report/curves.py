@@ -6,6 +6,8 @@ import plotly.graph_objects as plotly
 from .figures import COLORS, LOBE_COLORS
 
 DECADES = 5  # shown of a polar plot, below its largest value
+MOST_COLORED, OTHERS = 6, "#9a9a9a"  # curves of a plot
+PLOT_PIXELS, LABEL_PIXELS = 340, 14  # heights of the axis and of a name
 DASHES = ("solid", "dash", "dot", "dashdot")
 LOOKS = [(color, dash) for dash in DASHES for color in COLORS]  # of a plot's curves, in turn
 
@@ -32,16 +34,43 @@ def polar_labels(largest):
     return [f"{largest * 10.0 ** (decade - DECADES):.1g}" for decade in range(1, DECADES + 1)]
 
 
+def lowest(plot):
+    """Places of the six curves that end lowest: the most exact, where errors are drawn."""
+    ends = [curve["y"][-1] if curve["y"] else math.inf for curve in plot["curves"]]
+    return sorted(range(len(ends)), key=ends.__getitem__)[:MOST_COLORED]
+
+
+def label_ends(figure, plot, colors):
+    """The name of each curve beside its last point, moved so far up or down that no name covers another."""
+    scale = (lambda value: math.log10(max(value, 1e-300))) if plot.get("logarithmic") else float
+    values = [scale(value) for curve in plot["curves"] for value in curve["y"] if value > 0 or not plot.get("logarithmic")]
+    per_pixel = (max(values) - min(values) or 1) / PLOT_PIXELS
+    ends = sorted((scale(curve["y"][-1]), place) for place, curve in enumerate(plot["curves"]) if curve["y"])
+    reached = -math.inf
+    for value, place in ends:
+        height = max(value / per_pixel, reached + LABEL_PIXELS)
+        reached = height
+        figure.add_annotation(x=1, xref="paper", y=value, text=plot["curves"][place]["name"], font={"color": colors[place], "size": 11}, showarrow=False,
+                              xanchor="left", xshift=4, yshift=height - value / per_pixel)
+    figure.update_layout(showlegend=False, margin={"r": 20 + 7 * max(len(curve["name"]) for curve in plot["curves"])})
+
+
 def interactive(plot):
-    """The same as a plotly figure."""
-    figure, largest = plotly.Figure(), largest_of(plot)
-    for (color, dash), curve in zip(looks_of(plot), plot["curves"]):
+    """The same as a plotly figure. Of more than six curves six have a colour, the rest are grey, and all have their names at their ends."""
+    figure, largest, looks = plotly.Figure(), largest_of(plot), looks_of(plot)
+    is_crowded = len(plot["curves"]) > MOST_COLORED and not plot["polar"]
+    if is_crowded:
+        colored = dict(zip(lowest(plot), COLORS))
+        looks = [(colored.get(place, OTHERS), "solid") for place in range(len(looks))]
+    for (color, dash), curve in zip(looks, plot["curves"]):
         line = {"color": color, "dash": dash}
         if plot["polar"]:
             figure.add_scatterpolar(theta=curve["x"], r=radii(curve["y"], largest), name=curve["name"], mode="lines", line=line)
         else:
             figure.add_scatter(x=curve["x"], y=curve["y"], name=curve["name"], mode="lines", line=line)
     figure.update_layout(template="plotly_white", height=420, title=plot["title"], margin={"l": 70, "r": 20, "t": 60, "b": 60})
+    if is_crowded:
+        label_ends(figure, plot, [color for color, _ in looks])
     if plot["polar"]:
         figure.update_layout(polar={"radialaxis": {"tickvals": list(range(1, DECADES + 1)), "ticktext": polar_labels(largest)}})
     else:

@@ -1,5 +1,6 @@
 """Error against time of a group: interactive (plotly), and as PDF and SVG at column width (matplotlib)."""
 import io
+import itertools
 
 from matplotlib import pyplot
 import plotly.graph_objects as plotly
@@ -67,12 +68,13 @@ def interactive(group, cost_label):
     rest = others(group)
     figure.add_scatter(x=[p.seconds["value"] * factor for p in rest], y=[p.error(group.metric)["value"] for p in rest], mode="markers", showlegend=False,
                        marker={"color": "rgba(128,128,128,0.5)", "size": 5}, hovertext=[hover(p, group, factor, unit) for p in rest], hoverinfo="text")
-    for color, (name, points) in zip(COLORS, curves(group).items()):
+    sides = itertools.cycle(("bottom right", "top right"))  # beside an interval's bar, not on it
+    for color, side, (name, points) in zip(COLORS, sides, curves(group).items()):
         seconds, errors = [p.seconds for p in points], [p.error(group.metric) for p in points]
         (right, left), (up, down) = bars(points, seconds, factor), bars(points, errors, 1)
         figure.add_scatter(x=[s["value"] * factor for s in seconds], y=[e["value"] for e in errors], mode="lines+markers+text", name=name, showlegend=False,
                            line={"color": color, "width": 2}, marker={"size": 7},
-                           text=[""] * (len(points) - 1) + [name], textposition="middle right", textfont={"color": color, "size": 12}, cliponaxis=False,
+                           text=[""] * (len(points) - 1) + [name], textposition=side, textfont={"color": color, "size": 12}, cliponaxis=False,
                            error_x={"array": right, "arrayminus": left, "thickness": 1, "width": 2},
                            error_y={"array": up, "arrayminus": down, "thickness": 1, "width": 2},
                            hovertext=[hover(p, group, factor, unit) for p in points], hoverinfo="text")

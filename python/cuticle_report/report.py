@@ -15,6 +15,7 @@ from . import ReportError, curves, findings, flip, ladder, page, pareto, results
 HERE = pathlib.Path(__file__).parent
 CONFIG = {"responsive": True, "displaylogo": False, "displayModeBar": "hover"}
 BAR = {"bgcolor": "rgba(0,0,0,0)", "color": "rgba(128,128,128,0.6)"}
+LEAST_SPAN = 2  # of times that an exponent is told of
 MOST_PLOTS = 4  # of curves shown at once; the rest open on demand
 
 
@@ -152,10 +153,18 @@ def conclusions(study, group):
     return ["error at most", "cheapest setting", "time", "error on the other half of the items"], rows
 
 
+def time_span(group, method):
+    """The largest time of a method's points by the smallest."""
+    times = [point.seconds["value"] for point in group.drawable() if point.method == method]
+    return max(times) / min(times) if times else 1
+
+
 def sentences(group):
-    """What is known of the group's rankings and exponents, and what is not."""
+    """What is known of the group's rankings and exponents, and what is not; no exponent of points that take about the same time."""
     found = []
     for fit in group.conclusions["exponents"]:
+        if time_span(group, fit["method"]) < LEAST_SPAN:
+            continue
         found.append(f"{fit['method']}: error falls as time to the power {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)}.")
     for fit in group.conclusions["growth"]:
         found.append(f"{fit['method']}: time grows with the {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)} power of the factor.")

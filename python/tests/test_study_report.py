@@ -11,7 +11,18 @@ import pytest
 from matplotlib import image
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from cuticle_report import curves  # noqa: E402
 from test_report import CONSOLE, browse, report  # noqa: E402
+
+
+def test_Curves_MoreThanSix_AreSixColoursAndNamesThatDoNotTouch():
+    plot = {"title": "t", "x_label": "x", "y_label": "y", "polar": False, "logarithmic": True,
+            "curves": [{"name": f"curve {k}", "x": [1, 2], "y": [1, 0.1 * 1.01 ** k]} for k in range(9)]}
+    figure = curves.interactive(plot)
+    assert len({curve.line.color for curve in figure.data}) == 7, "six colours and grey"
+    heights = sorted(340 * (note.y + 1) + note.yshift for note in figure.layout.annotations)
+    assert len(heights) == 9 and all(high - low >= 13.9 for low, high in zip(heights, heights[1:]))
+    assert figure.layout.showlegend is False
 
 
 def interval(value, spread=0.1):

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "strands/growing/face_parts.h"
 #include "strands/spline/curves.glslh"
 
@@ -70,6 +73,19 @@ void append(const Mesh& part, float side, Mesh& head) {
   }
 }
 
+/// The head's neck narrows downward where the shoulders' widens: about where they cross, both take the normal of one
+/// upright ellipse, and light shows no edge.
+void join_normals_of_necks(Mesh& head) {
+  constexpr float k_crossing = -0.042f, k_reach = 0.032f, k_side = 0.047f, k_front = 0.050f, k_middle = -0.028f;
+  for (std::size_t i = 0; i < head.positions.size(); ++i) {
+    const glm::vec3& point = head.positions[i];
+    const float away = glm::smoothstep(0.3f, 1.0f, std::abs(point.y - k_crossing) / k_reach);
+    if (away == 1) continue;
+    const glm::vec3 upright(point.x / (k_side * k_side), 0, (point.z - k_middle) / (k_front * k_front));
+    head.normals[i] = glm::normalize(glm::mix(glm::normalize(upright), head.normals[i], away));
+  }
+}
+
 }  // namespace
 
 void add_bust(Mesh& head) {
@@ -79,6 +95,7 @@ void add_bust(Mesh& head) {
     for (const float side : {1.0f, -1.0f}) append(part, side, head);
   head.uv.clear();
   compute_normals(head);
+  join_normals_of_necks(head);
 }
 
 }  // namespace cuticle::strands

@@ -1,10 +1,11 @@
 """`cuticle study`: results that repeat bit for bit, one page for all, what is complete is not run again, two results compared."""
 import json
 import re
+import subprocess
 
 import pytest
 
-from program import run
+from program import PROGRAM, run
 
 STUDIES = "motion,skinning"
 
@@ -32,6 +33,14 @@ def test_Study_All_WritesOnePageWithFindings(studied):
     assert 'id="motion"' in page and 'id="skinning"' in page
     assert "Linear blend loses up to" in page
     assert not re.search(r'<(script|img|link)[^>]*(src|href)="(?!data:)', page)
+
+
+def test_Study_AllWithoutOnly_BeginsWithTheFirst(tmp_path):
+    command = [PROGRAM, "study", "all", "--quick", "--out", str(tmp_path)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as running:
+        first = next((line for line in running.stderr if "remain" in line or "error" in line), "nothing")
+        running.terminate()
+    assert re.match(r"\w+; about \d+ s remain", first), first
 
 
 def test_Study_AllAgain_GoesOnWhereItWasStopped(studied):
