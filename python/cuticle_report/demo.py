@@ -1,4 +1,5 @@
 """The demo's page, from demo.json (README.md)."""
+import math
 import pathlib
 
 from . import ReportError, data, page, study
@@ -23,6 +24,23 @@ def section_of(raw, where, folder):
     return page.Section(raw["title"], raw.get("text", ""), pictures, columns, rows)
 
 
+def verdict(section):
+    """Of a section that says what was measured and what was wanted, how many rows meet it, and those that do not."""
+    if section.columns[:3] != ["what", "measured", "wanted"]:
+        return ""
+    missed = [what for what, measured, wanted, *_ in section.rows if not is_number(measured) or float(measured) > float(wanted)]
+    if not missed:
+        return f"All {len(section.rows)} numbers of these frames are within what is wanted."
+    return f"{len(section.rows) - len(missed)} of {len(section.rows)} numbers of these frames are within what is wanted; not: {'; '.join(missed)}."
+
+
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
 def make(folder):
     """Writes folder/index.html."""
     folder = pathlib.Path(folder)
@@ -31,6 +49,10 @@ def make(folder):
     require(isinstance(raw.get("title"), str), source, "key 'title' is missing or not a text")
     require(isinstance(raw.get("sections"), list), source, "key 'sections' is missing or not a list")
     sections = [section_of(s, f"{source}: sections[{i}]", folder) for i, s in enumerate(raw["sections"])]
+    for section in sections:
+        section.strong = verdict(section)
+    if sections:
+        sections[0].strong = next((section.strong for section in sections if section.strong), "")
     if (folder / "study" / "study.json").is_file():
         title, more = study.make(folder / "study")
         more[0].title = f"{title}: {more[0].title.lower()}"

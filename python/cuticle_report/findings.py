@@ -9,6 +9,7 @@ class Finding:
     text: str
     anchor: str  # id of a figure on the page
     link: str = "figure"
+    is_doubt: bool = False  # says what is not known; such come last
 
 
 def group_id(study, group):
@@ -30,6 +31,7 @@ def named(group, name):
 
 def ladder(study):
     """Which rung adds most to the picture's error; what the whole ladder saves."""
+    noisy = []
     for group in study.groups:
         rungs = group.points
         worst = max(rungs, key=lambda rung: rung.error("added")["value"])
@@ -37,14 +39,17 @@ def ladder(study):
         if not total:
             continue
         if group.raw["floor"] > 0.3 * total:
-            yield Finding(f"{group.raw['name'].capitalize()}: the truth is too noisy to rank its rungs: another seed changes the picture by a relative MSE of "
-                          f"{results.shown(group.raw['floor'], 2)}, all rungs together by {results.shown(total, 2)}. More samples tell (without --quick).",
-                          group_id(study, group), "the ladder")
+            noisy.append((group, total))
             continue
         share = worst.error("added")["value"] / sum(rung.error("added")["value"] for rung in rungs)
         saved = f", in {time(rungs[-1].seconds['value'])} a frame" if rungs[-1].seconds else ""
         yield Finding(f"{group.raw['name'].capitalize()}: the rung that changes the picture most is {worst.method.replace('_', ' ')}, {percent(share)} of what all rungs "
                       f"add. The real-time picture is off by a relative MSE of {results.shown(total, 2)}{saved}.", group_id(study, group), "the ladder")
+    if noisy:
+        seeds = ", ".join(f"{results.shown(group.raw['floor'], 2)} ({group.raw['name']})" for group, _ in noisy)
+        totals = ", ".join(results.shown(total, 2) for _, total in noisy)
+        yield Finding(f"The ladder: the truth is too noisy to rank its rungs: another seed changes the picture by a relative MSE of {seeds}; all rungs together by {totals}. "
+                      "More samples tell (without --quick).", group_id(study, noisy[0][0]), "the ladder", is_doubt=True)
 
 
 def tables(study):
@@ -108,4 +113,5 @@ def find(studies, most=5):
     by_name = {study.name: study for study in studies}
     lists = [list(MAKERS[name](by_name[name])) for name in ORDER if name in by_name and name in MAKERS]
     rounds = [found for turn in range(max(map(len, lists), default=0)) for found in (one[turn:turn + 1] for one in lists)]
-    return [finding for found in rounds for finding in found][:most]
+    chosen = [finding for found in rounds for finding in found][:most]
+    return sorted(chosen, key=lambda finding: finding.is_doubt)
