@@ -54,12 +54,13 @@ inline bool is_poisson(const registry::ParameterValues& values) { return values.
 inline constexpr registry::Parameter k_depth_offset{"depth_offset_mm",
                                                     registry::ParameterType::real,
                                                     "mm",
-                                                    0,
+                                                    -1000,
                                                     1000,
                                                     "0",
                                                     {},
                                                     "fibres whose axes lie up to this far behind a point still count; "
-                                                    "pi/4 of the radius: those that the point's disc cuts"};
+                                                    "pi/4 of the radius: those that the point's disc cuts; below 0: "
+                                                    "those nearer than this before it do not"};
 
 inline constexpr registry::Parameter k_list_room{
     "room_mib",
