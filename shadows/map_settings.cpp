@@ -29,7 +29,7 @@ void describe(registry::Members& members, MapSettings& map) {
   describe_resolution(members, map);
   members(map.accumulation.k, "k", "1", 0.1, 100, "sigma = optical depth / k, T = exp(-k sigma)");
   describe_filter(members, map);
-  members.millimetres(map.depth_offset, "depth_offset_mm", 0, 1000,
+  members.millimetres(map.depth_offset, "depth_offset_mm", -1000, 1000,
                       "fibres whose axes lie up to this far behind a point still count; pi/4 of the radius: those that "
                       "the point's disc cuts");
   members(map.accumulation.poisson, "accumulate", k_accumulations,

@@ -76,7 +76,8 @@ float stored_exponent(uint texel, float z) {
     float before = 0.0;
     if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u, own_before);
     exponent = exponent_within(layer, extent, depth, before, after, is_nearest ? 0.0 : fibre_exponent,
-                               is_farthest ? 0.0 : fibre_exponent);
+                               is_farthest ? 0.0 : fibre_exponent,
+                               (push.flags & k_poisson) != 0u ? 0.0 : fibre_exponent);
   }
   return exponent;
 }

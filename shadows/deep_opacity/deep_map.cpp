@@ -138,7 +138,8 @@ float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t tex
   const Layer& layer = layers[table_step(Word(depth))];
   const float before = layer.index == 0 ? 0.0f : before_end(layer.index - 1);
   return exponent_within(layer, extent, depth, before, before_end(layer.index),
-                         mine.is_nearest ? 0.0f : map.fibre_exponent, mine.is_farthest ? 0.0f : map.fibre_exponent);
+                         mine.is_nearest ? 0.0f : map.fibre_exponent, mine.is_farthest ? 0.0f : map.fibre_exponent,
+                         map.spread_exponent);
 }
 
 /// Looks receivers up by exponent_before of exponent_at.
@@ -193,6 +194,7 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   map.ends = layer_ends(histogram, settings);
   map.fibre = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
   map.fibre_exponent = exponent_per_unit(settings.map, map.scale) * float(map.table[map.fibre]);
+  map.spread_exponent = accumulation.poisson ? 0.0f : map.fibre_exponent;
   map.sums.resize(map.view.texels() * settings.layers);
   fill_layers(groom, depths, map);
   sum_along_depth(map.sums, settings.layers);
