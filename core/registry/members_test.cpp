@@ -36,9 +36,9 @@ TEST(Members, Table_HasARowPerMemberWithTheStructsDefaults) {
   std::vector<std::string> rows;
   for (const Parameter& p : table_of<Toy>())
     rows.push_back(std::string(p.name) + "=" + std::string(p.default_text) + " " + std::string(p.unit));
-  EXPECT_THAT(rows, ::testing::ElementsAre("damping=2 1/s", "stiffness=3.9e9 Pa", "radius=3.5e-5 m", "steps=64 1",
-                                           "exact=true 1", "order=red_black 1", "gravity=0/-9.80665/0 m/s^2",
-                                           "tint=0.2 1"));
+  EXPECT_THAT(rows,
+              ::testing::ElementsAre("damping=2 1/s", "stiffness=3.9e9 Pa", "radius=3.5e-5 m", "steps=64 1",
+                                     "exact=true 1", "order=red_black 1", "gravity=0/-9.80665/0 m/s^2", "tint=0.2 1"));
 }
 
 TEST(Members, Defaults_OfTheTable_AreThoseOfTheStruct) {
@@ -76,8 +76,30 @@ TEST(Members, Struct_WrittenAndRead_IsTheSame) {
   EXPECT_EQ(from_values<Toy>(values).steps, 3u);
 }
 
-TEST(Members, FloatMember_InValues_IsTheDecimalThatWasMeant) {
-  EXPECT_EQ(to_values(Toy{}).real("radius"), 3.5e-5);
+TEST(Members, FloatMember_InValues_IsTheDecimalThatWasMeant) { EXPECT_EQ(to_values(Toy{}).real("radius"), 3.5e-5); }
+
+constexpr std::string_view k_storages[] = {"words", "bytes"}, k_methods[] = {"traced", "voxel"};
+struct Named {
+  bool bytes = false;
+  double bias = 4e-3;
+  std::string method = "traced";
+};
+void describe(Members& members, Named& named) {
+  members(named.bytes, "storage", k_storages, "of a map");
+  members.millimetres(named.bias, "bias_mm", 0, 1000, "of a map");
+  members(named.method, "method", k_methods, "of a shadow");
+}
+
+TEST(Members, NamedBooleanMillimetresAndNames_AsTyped_AreTheMembers) {
+  const ParameterTable table = table_of<Named>();
+  EXPECT_EQ(table[0].default_text, "words");
+  EXPECT_EQ(table[1].default_text, "4");
+  EXPECT_EQ(table[2].default_text, "traced");
+  const Named named = parse<Named>("storage=bytes,bias_mm=2,method=voxel").value();
+  EXPECT_TRUE(named.bytes);
+  EXPECT_EQ(named.bias, 1e-3 * 2);
+  EXPECT_EQ(named.method, "voxel");
+  EXPECT_FALSE(parse<Named>("storage=halves"));
 }
 
 }  // namespace
