@@ -84,7 +84,7 @@ SCRIPT = """<script>window.addEventListener("load", () => setTimeout(async () =>
   const table = document.getElementById("luts-rungs"), column = n => [...table.tBodies[0].rows].map(row => row.cells[n].textContent);
   const seen = {}, header = n => table.tHead.rows[0].cells[n].querySelector("button");
   header(1).click(); seen.up = column(1); header(1).click(); seen.down = column(1); header(0).click(); seen.words = column(0);
-  for (const kind of ["csv", "latex"]) { const button = document.querySelector(`button[data-copy=${kind}][data-table=luts-rungs]`); button.click(); for (let n = 0; n < 100 && !button.dataset.copied; n++) await new Promise(r => setTimeout(r, 20)); seen[kind] = button.dataset.copied; }
+  for (const kind of ["csv", "latex"]) { const button = document.querySelector(`button[data-copy=${kind}][data-table=luts-rungs]`); button.click(); for (let n = 0; n < 1000 && !button.dataset.copied; n++) await new Promise(r => setTimeout(r, 20)); seen[kind] = button.dataset.copied; }
   const views = document.querySelector(".views"), flip = views.querySelector("input[value=flip]"); flip.click();
   seen.views = [...views.querySelectorAll("[data-view]")].filter(part => !part.hidden).map(part => part.dataset.view);
   const slider = document.querySelector("img-comparison-slider"); views.querySelector("input[value=slider]").click();
