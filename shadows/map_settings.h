@@ -11,10 +11,14 @@ namespace cuticle::shadows {
 
 inline constexpr std::string_view k_accumulations[] = {"optical_depth", "poisson"};
 inline constexpr registry::Parameter k_resolution{
-    "resolution", registry::ParameterType::integer,
-    "1",          16,
-    4096,         "256",
-    {},           "the map has at most its square of texels, in the shape of the hair"};
+    "resolution",
+    registry::ParameterType::integer,
+    "1",
+    16,
+    4096,
+    "256",
+    {},
+    "the map has at most its square of texels, in the shape of the hair"};
 inline constexpr registry::Parameter k_optical_k{
     "k", registry::ParameterType::real, "1", 0.1, 100, "5.5", {}, "sigma = optical depth / k, T = exp(-k sigma)"};
 inline constexpr registry::Parameter k_filter_texels{"filter_texels",
@@ -59,19 +63,23 @@ inline constexpr registry::Parameter k_depth_offset{"depth_offset_mm",
                                                     "those nearer than this before it do not"};
 
 inline constexpr registry::Parameter k_list_room{
-    "room_mib", registry::ParameterType::integer,
-    "MiB",      1,
-    2048,       "64",
-    {},         "memory for fragments on a GPU, which leaves out those that find no room; the CPU takes what it needs"};
+    "room_mib",
+    registry::ParameterType::integer,
+    "MiB",
+    1,
+    2048,
+    "64",
+    {},
+    "memory for fragments on a GPU, which leaves out those that find no room; the CPU takes what it needs"};
 
 /// Values of the parameters above, in SI units.
 struct MapSettings {
   std::string_view method;         ///< whose, for errors
   std::uint32_t resolution = 256;  ///< the map has at most its square of texels
   Accumulation accumulation;
-  double filter_texels = 1;            ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
-  double filter_radius = 0;            ///< the same in metres, at least half a texel; used instead where it is not 0
-  double depth_offset = 0;             ///< metres
+  double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
+  double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
+  double depth_offset = 0;   ///< metres
   std::uint64_t list_room = 64 << 20;  ///< bytes for fragments on a device
 };
 /// Of those that a method does not have, the values above.
