@@ -40,9 +40,9 @@ struct Map {
   MapView view;
   double scale = 1;
   LayerEnds ends{};
-  std::uint32_t fibre = 0;            ///< mean coverage of a texel's middle by one fibre: an index of the deposits
-  float fibre_exponent = 0;           ///< what that adds to the exponent of T
-  float spread_exponent = 0;          ///< of one that lies somewhere in a layer; 0: even hair, where sums are proportional
+  std::uint32_t fibre = 0;    ///< mean coverage of a texel's middle by one fibre: an index of the deposits
+  float fibre_exponent = 0;   ///< what that adds to the exponent of T
+  float spread_exponent = 0;  ///< of one that lies somewhere in a layer; 0: even hair, where sums are proportional
   std::vector<std::uint32_t> ranges;  ///< nearest and farthest depth step of each texel, or k_no_range
   std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> codes;  ///< instead of sums, where Settings::bytes: T in 255ths, four a word

@@ -130,7 +130,8 @@ TEST(DeepOpacity, OpaqueHairInFewLayers_KeepsTheLightBeforeIt) {
   const float wanted = mean(run(groom, points, map, 1, {0, 1, 0}, "exact_list").value().values);
   for (const std::string layers : {"1", "4", "16"}) {
     const float got = mean(run(groom, points, map + ",layers=" + layers, 1).value().values);
-    std::printf("%s layers leave %.3f of the light, the exact list %.3f\n", layers.c_str(), double(got), double(wanted));
+    std::printf("%s layers leave %.3f of the light, the exact list %.3f\n", layers.c_str(), double(got),
+                double(wanted));
     EXPECT_NEAR(got, wanted, k_of_random_depths) << layers;
   }
 }
