@@ -100,9 +100,9 @@ TEST_P(ColouredShadow, OfChannelsThatHairTakesLessOf_IsBrighter) {
 INSTANTIATE_TEST_SUITE_P(Ways, ColouredShadow,
                          testing::Values(Way{"lines", k_lines, k_bare}, Way{"quads", k_quads, k_bare},
                                          Way{"tiles", k_tiles, k_bare}, Way{"cards", k_cards, k_bare},
-                                         Way{"dual_scattering", k_tiles, k_dual},
-                                         Way{"dual_scattering_lines", k_lines, k_dual, 0.05},
-                                         Way{"dual_scattering_quads", k_quads, k_dual},
+                                         Way{"dual_scattering", k_tiles, k_dual, 0.04},
+                                         Way{"dual_scattering_lines", k_lines, k_dual, 0.04},
+                                         Way{"dual_scattering_quads", k_quads, k_dual, 0.04},
                                          Way{"on_surfaces", k_tiles, k_on_surfaces, 0.005, 2}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 

@@ -68,7 +68,7 @@ def test_Render_UnknownMethod_IsRefusedWithTheKnownOnes(scene):
 def test_StudyRender_Quick_HasEveryMethodNearAndFar(scene, tmp_path):
     done = run("study", "render", scene, "--quick", "--out", tmp_path)
     assert done.returncode == 0, done.stderr
-    rows = list(csv.DictReader((tmp_path / "study/study.csv").open()))
-    assert {(row["view"], row["method"]) for row in rows} == {(v, m) for v in ("near", "four times as far") for m in METHODS}
+    rows = list(csv.DictReader((tmp_path / "study.csv").open()))
+    assert {(row["group"], row["method"]) for row in rows} == {(g, m) for g in ("near", "far") for m in METHODS}
     assert all(0 <= float(row["mean_error"]) <= float(row["max_error"]) <= 1 for row in rows)
     assert (tmp_path / "index.html").stat().st_size > 0
