@@ -70,5 +70,7 @@ def test_StudyRender_Quick_HasEveryMethodNearAndFar(scene, tmp_path):
     assert done.returncode == 0, done.stderr
     rows = list(csv.DictReader((tmp_path / "study.csv").open()))
     assert {(row["group"], row["method"]) for row in rows} == {(g, m) for g in ("near", "far") for m in METHODS}
-    assert all(0 <= float(row["mean_error"]) <= float(row["max_error"]) <= 1 for row in rows)
+    # Coverage is a fraction. Colour is relative to the truth's mean, so an error of a bright pixel may pass 1.
+    most = {"coverage": 1, "color": 2}
+    assert all(0 <= float(row["mean_error"]) <= float(row["max_error"]) <= most[row["metric"]] for row in rows)
     assert (tmp_path / "index.html").stat().st_size > 0
