@@ -25,7 +25,7 @@ double midpoint(double k, int steps) {
 
 struct Rule {
   std::string name;
-  int slowness = 1;     ///< so often the work is done
+  int slowness = 1;     ///< so many times as long it takes
   double mistake = 0;  ///< added
 };
 
@@ -40,7 +40,8 @@ Point point_of(const Rule& rule, int steps) {
   };
   const auto run = [rule, steps]() -> Result<void> {
     volatile double sink = 0;
-    for (int k = 0; k < rule.slowness; ++k) sink = midpoint(1.5, steps);
+    constexpr int k_repeats = 100;  // so that the sums outweigh the cost of the call, under sanitizers too
+    for (int k = 0; k < k_repeats * rule.slowness; ++k) sink = midpoint(1.5, steps);
     static_cast<void>(sink);
     return {};
   };
