@@ -10,6 +10,7 @@
 #include "plan/fitted_head.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/quads/quads.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/passes/tile_lists/tile_lists.h"
 #include "strands/formats/formats.h"
 #include "strands/growing/root_rules.glslh"
@@ -80,7 +81,8 @@ void add_followers(std::size_t wanted, StrandSet& set) {
 bool may_use_a_prefix(const scene::Scene& scene) {
   return scene.caster_share < 1 || render::parameters_of<render::lines::Parameters>(scene.passes).full_px > 0 ||
          render::parameters_of<render::quads::Parameters>(scene.passes).full_px > 0 ||
-         render::parameters_of<render::tile_lists::Parameters>(scene.passes).full_px > 0;
+         render::parameters_of<render::tile_lists::Parameters>(scene.passes).full_px > 0 ||
+         render::parameters_of<render::surface_shadow::Parameters>(scene.passes).hair_share < 1;
 }
 
 /// F10: a file's strands stand in an order of its own; grown ones are in one of chance already.

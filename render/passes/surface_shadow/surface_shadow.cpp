@@ -31,6 +31,8 @@ void describe(registry::Members& members, Parameters& p) {
           "half side of the square of a map that is averaged for a strand");
   members(p.surface_filter, "surface_filter", "texels", 0.5, 16,
           "half side of the square of a map that is averaged for a surface");
+  members(p.hair_share, "hair_share", "1", 1e-3, 1,
+          "of the strands that cast shadows, those that cast on surfaces, wider by as much");
 }
 
 const Pass& entry() {

@@ -8,6 +8,7 @@ struct Parameters {
   int resolution = 1024;
   double bias = 4e-3;  ///< metres
   float strand_filter = 1, surface_filter = 3;
+  double hair_share = 1;
 };
 void describe(registry::Members& members, Parameters& parameters);
 

@@ -1,6 +1,7 @@
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -50,6 +51,7 @@ struct Settings {
   int resolution, lights;
   double bias;          ///< metres
   float strand_filter;  ///< texels
+  double hair_share;
   int columns() const { return std::min(lights, k_most_columns); }
   glm::ivec2 texture_size() const { return resolution * glm::ivec2(columns(), (lights + columns() - 1) / columns()); }
 };
@@ -219,17 +221,20 @@ class SurfaceShadow : public GpuPass {
     commands.end_rendering();
   }
 
+  /// Strands are in random order, so that the first of them stand for all.
   void draw_hair(gpu::Commands& commands, const FrameResources& resources) const {
     const shadows::GpuStrands& casters = resources.casters;
     const shadows::Channels channels = hair_channels(resources);
     const glm::vec3 alpha(channels.alpha[0], channels.alpha[1], channels.alpha[2]);
+    const std::uint32_t segments = resources.vertices_per_strand - 1, all = casters.segment_count / segments;
+    const auto drawn = std::max(std::min(1u, all), std::uint32_t(std::lround(settings_.hair_share * all)));
     const HairPush push{resources.vertices_per_strand,
-                        casters.caster_width,
+                        casters.caster_width * float(all) / float(std::max(drawn, 1u)),
                         std::uint32_t(settings_.lights),
                         {alpha.x, alpha.y, alpha.z}};
     commands.begin_rendering({}, &maps_.hair);
     commands.draw(kernels_.hair, {&frame_, casters.vertices, casters.segments}, {}, gpu::bytes_of(push),
-                  6 * casters.segment_count, std::uint32_t(settings_.lights) * channels.count);
+                  6 * segments * drawn, std::uint32_t(settings_.lights) * channels.count);
     commands.end_rendering();
   }
 
@@ -297,7 +302,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
                  "a transmittance per light and opacity");
   const auto parameters = parameters_of<Parameters>(resources);
   const Settings settings{parameters.resolution, int(resources.lights.size()), parameters.bias,
-                          parameters.strand_filter};
+                          parameters.strand_filter, parameters.hair_share};
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   Surface surface;
   if (resources.head) {
