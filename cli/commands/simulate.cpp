@@ -167,7 +167,8 @@ void print(const StateSeries& series, const strands::Groom& rest, const std::str
 Result<void> simulate(const SimulateOptions& options, Context& context, Trace* trace) {
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(const Formats formats, parse_formats(options.format));
-  CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
+  scene.outputs.color = scene.outputs.aovs = false;  // states alone: nothing of a picture is made
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   CUTICLE_ASSIGN(RunFolder folder, RunFolder::open(options.out));
