@@ -20,7 +20,9 @@ struct MapSettings {
   double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
   double depth_offset = 0;   ///< metres
   std::uint32_t room_mib = 512;
-  std::uint64_t list_room() const { return std::uint64_t(room_mib) << 20; }  ///< bytes for fragments on a device, at most
+  std::uint64_t list_room() const {
+    return std::uint64_t(room_mib) << 20;
+  }  ///< bytes for fragments on a device, at most
 };
 void describe_resolution(registry::Members& members, MapSettings& map);
 void describe_filter(registry::Members& members, MapSettings& map);

@@ -184,7 +184,8 @@ void MapShadowGpu::clear(gpu::Commands& commands) const {
 void MapShadowGpu::clear_strip(gpu::Commands& commands) const {
   commands.begin_pass("shadow.clear");
   for (std::size_t i = 0; i < own_.size(); ++i)
-    if (description_.buffers[i].per_strip || description_.buffers[i].cleared_per_strip) commands.fill(own_[i], description_.buffers[i].clear);
+    if (description_.buffers[i].per_strip || description_.buffers[i].cleared_per_strip)
+      commands.fill(own_[i], description_.buffers[i].clear);
   commands.end_pass();
 }
 
@@ -286,16 +287,17 @@ Result<MapRoom> MapShadowGpu::settle() {
   CUTICLE_TRY(device_->download(counter, std::as_writable_bytes(std::span(&needed, 1)), counter.size() - 4));
   if (needed <= need.room) return MapRoom{};
   if (make_room(needed)) return MapRoom{.holds = false};
-  return MapRoom{.note = fmt::format("{}: of {} {} {} found no room, so the shadow is too weak: {}",
-                                     description_.settings.method, needed, need.items, needed - need.room,
-                                     need.advice)};
+  return MapRoom{.note =
+                     fmt::format("{}: of {} {} {} found no room, so the shadow is too weak: {}",
+                                 description_.settings.method, needed, need.items, needed - need.room, need.advice)};
 }
 
 /// Larger buffers, as far as they may grow, and beyond that more strips. False: neither.
 bool MapShadowGpu::make_room(std::uint64_t needed) {
   const MapNeed& need = description_.need;
   if (need.grown.empty()) return false;
-  const std::uint64_t wanted = needed + needed / 8, largest = device_->info().max_storage_buffer_bytes / need.item_bytes;
+  const std::uint64_t wanted = needed + needed / 8,
+                      largest = device_->info().max_storage_buffer_bytes / need.item_bytes;
   const std::uint64_t room = std::min({wanted, need.most_room, largest});
   const bool has_grown = room > need.room && grow(room);
   if (needed <= need.room || strips_.count == k_most_strips) return has_grown;

@@ -83,10 +83,9 @@ TEST(MapStrips, LargerThanABuffer_AgreeWithTheCpu) {
 
 TEST(MapRoom, ListsBeyondTheirRoom_ComeInStripsWithEqualShadow) {
   for (const std::string method : {"exact_list", "deep_shadow"}) {
-    const DeviceRun small = run(method, "resolution=512,room_mib=1", 5000),
-                    large = run(method, "resolution=512", 5000);
-    std::printf("%s: %d submissions, %u dispatches; %u with room\n", method.c_str(), small.submissions, small.dispatches,
-                large.dispatches);
+    const DeviceRun small = run(method, "resolution=512,room_mib=1", 5000), large = run(method, "resolution=512", 5000);
+    std::printf("%s: %d submissions, %u dispatches; %u with room\n", method.c_str(), small.submissions,
+                small.dispatches, large.dispatches);
     EXPECT_LT(small.difference, 4e-5) << method;  // knots have 65,535 steps
     EXPECT_EQ(small.difference, large.difference) << method;
     EXPECT_GT(small.dispatches, 2 * large.dispatches) << method;

@@ -27,7 +27,7 @@ struct FragmentTarget {
 
 /// Whether a map had room for all that casts.
 struct MapRoom {
-  bool holds = true;  ///< false: more room was made; record and submit again
+  bool holds = true;      ///< false: more room was made; record and submit again
   std::string note = {};  ///< what the shadow lacks, one sentence; empty: nothing
 };
 

@@ -68,7 +68,7 @@ TEST(Voxel, CellsNearTheFibresSize_KeepTheMean) {
     EXPECT_NEAR(mean_of(groom, tests::grid_below(-0.001), set) / mean, 1, 0.01) << set;
 }
 
-// Cells of 3.2 to 0.4 of a fibre's width, of opaque fibres too: a fibre wider than a cell lies in lanes.
+// Cells of 1.9 to 0.24 of a fibre's width, of opaque fibres too: a fibre wider than a cell lies in lanes.
 TEST(Voxel, CellsNarrowerThanTheFibres_KeepTheMean) {
   const strands::Groom groom = tests::random_slab(60, 0.1, 0.05, 1e-3f, 7);
   const auto points = tests::grid_below(-0.001);
