@@ -56,4 +56,14 @@ Result<void> StrandShadows::record(gpu::Commands& commands, const render::FrameR
   return {};
 }
 
+Result<render::Settled> StrandShadows::settle() {
+  render::Settled settled;
+  for (const auto& method : methods_) {
+    CUTICLE_ASSIGN(const shadows::MapRoom room, method->settle());
+    settled.holds = settled.holds && room.holds;
+    if (!room.note.empty()) settled.notes.push_back(room.note);
+  }
+  return settled;
+}
+
 }  // namespace cuticle::plan

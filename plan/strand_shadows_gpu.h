@@ -20,6 +20,8 @@ class StrandShadows : public render::GpuPass {
                                                      render::FrameResources& resources);
   /// By the `casters` of `resources`. Errors: the method's.
   Result<void> record(gpu::Commands& commands, const render::FrameResources& resources) override;
+  /// What the methods say of their maps' room.
+  Result<render::Settled> settle() override;
 
  private:
   Result<void> make_methods(const std::shared_ptr<gpu::Device>& device, const scene::Block& block,

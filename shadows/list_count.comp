@@ -8,7 +8,7 @@ layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) buffer Next { uint next[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
-  if (table[covered] > 0u) atomicAdd(next[texel], 1u);
+  if (table[covered] > 0u && is_kept(texel)) atomicAdd(next[texel], 1u);
 }
 
 void main() {

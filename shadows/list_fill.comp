@@ -9,7 +9,7 @@ layout(std430, binding = 4) buffer Next { uint next[]; };
 layout(std430, binding = 5) writeonly buffer Fragments { uvec2 fragments[]; };
 
 void deposit(uint texel, uint covered, uint depth_step) {
-  if (table[covered] == 0u) return;
+  if (table[covered] == 0u || !is_kept(texel)) return;
   const uint at = atomicAdd(next[texel], 1u);
   if (at < push.layers) fragments[at] = uvec2(depth_step, table[covered]);
 }

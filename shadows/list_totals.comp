@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One invocation: totals become what lies before each; the last list ends behind the last texel.
+// One invocation: totals become what lies before each; the last list ends behind the last texel. The fullest strip's number
+// of fragments stands behind the totals.
 layout(local_size_x = 64) in;
 #include "shadows/map_geometry.glsl"
 
@@ -16,4 +17,5 @@ void main() {
     before += total;
   }
   first[push.resolution * push.resolution] = before;
+  totals[push.resolution] = max(totals[push.resolution], before);
 }

@@ -38,8 +38,8 @@ void describe(registry::Members& members, MapSettings& map) {
 
 void describe_room(registry::Members& members, MapSettings& map) {
   members(map.room_mib, registry::row("room_mib", "MiB", 1, 2048,
-                                      "memory for fragments on a GPU, which leaves out those that find no room; the "
-                                      "CPU takes what it needs"));
+                                      "memory for fragments on a GPU, at most; those of a larger map come in strips "
+                                      "of rows, one after the other. The CPU takes what it needs"));
 }
 
 Result<float> filter_in_texels(const MapSettings& settings, double texels_per_metre) {

@@ -19,8 +19,10 @@ struct MapSettings {
   double filter_texels = 1;  ///< radius of the lookup's disc; under 0.5: the one texel that holds the point
   double filter_radius = 0;  ///< the same in metres, at least half a texel; used instead where it is not 0
   double depth_offset = 0;   ///< metres
-  std::uint32_t room_mib = 64;
-  std::uint64_t list_room() const { return std::uint64_t(room_mib) << 20; }  ///< bytes for fragments on a device
+  std::uint32_t room_mib = 512;
+  std::uint64_t list_room() const {
+    return std::uint64_t(room_mib) << 20;
+  }  ///< bytes for fragments on a device, at most
 };
 void describe_resolution(registry::Members& members, MapSettings& map);
 void describe_filter(registry::Members& members, MapSettings& map);

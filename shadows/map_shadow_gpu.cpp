@@ -7,16 +7,15 @@
 
 #include "gpu/groups.h"
 #include "shadows/filter.glslh"
-#include "shadows/map_series.h"
-#include "shadows/series.glslh"
 
 #include <map_fit_comp.spv.h>
-#include <map_series_comp.spv.h>
 
 namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
+
+constexpr std::uint32_t k_most_strips = 64;
 
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
@@ -36,13 +35,15 @@ struct Strips {
   std::uint32_t count = 1, margin = 0;
   std::uint64_t texels = 0;
 };
+/// Rows beside a strip that its lookups read.
+std::uint32_t margin_of(const MapSettings& settings) {
+  return std::uint32_t(1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
+}
 /// As few as let `layers` words a texel stay below `most_bytes`; a map is at most 4 times as wide as its resolution.
 Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_t most_bytes) {
   const std::uint64_t side = settings.resolution, all = side * side;
-  const auto margin =
-      std::uint32_t(1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
+  const std::uint32_t margin = margin_of(settings);
   const auto held = [&](std::uint64_t count) { return count == 1 ? all : all / count + (2 * margin + 2) * 4 * side; };
-  constexpr std::uint32_t k_most_strips = 64;
   std::uint32_t count = 1;
   while (4 * layers * held(count) > most_bytes && count < k_most_strips) ++count;
   if (4 * layers * held(count) > most_bytes) count = 1;  // too wide a filter: refused as a whole
@@ -58,6 +59,7 @@ class MapShadowGpu : public GpuShadow {
                       const gpu::Buffer& transmittance) override;
   Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
                                 const FragmentTarget& target) override;
+  Result<MapRoom> settle() override;
   std::uint32_t dispatches_per_frame(const GpuStrands& strands) const override;
   std::size_t bytes() const override;
   std::vector<const gpu::Buffer*> map_buffers() const override;
@@ -67,6 +69,8 @@ class MapShadowGpu : public GpuShadow {
   Result<void> make_drawing();
   Result<void> make_fragments();
   Result<void> make_kernels();
+  bool make_room(std::uint64_t needed);
+  bool grow(std::uint64_t room);
   void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
   MapPush push_for(const LightAxes& axes, const GpuStrands& strands) const;
   void clear(gpu::Commands& commands) const;
@@ -81,6 +85,7 @@ class MapShadowGpu : public GpuShadow {
   DepositBuffer deposits_;
   gpu::Buffer box_;
   Strips strips_;
+  bool has_run_ = false;  // the passes, by the last record
   std::vector<gpu::Buffer> own_;
   std::vector<gpu::Texture> targets_;
   gpu::GraphicsPipeline drawing_, fragments_;
@@ -90,7 +95,9 @@ class MapShadowGpu : public GpuShadow {
 
 Result<void> MapShadowGpu::make() {
   CUTICLE_EXPECT(description_.own.size() <= 3, "three numbers fit into the push constants");
-  strips_ = strips_of(description_.settings, description_.layers, device_->info().max_storage_buffer_bytes);
+  const std::uint64_t most_bytes = device_->info().max_storage_buffer_bytes;
+  strips_ = description_.need.grown.empty() ? strips_of(description_.settings, description_.layers, most_bytes)
+                                            : strips_of(description_.settings, 1, most_bytes);
   for (MapBuffer& buffer : description_.buffers) {
     if (buffer.per_strip) buffer.words = strips_.texels * description_.layers;
     CUTICLE_ASSIGN(gpu::Buffer made, device_->make_buffer(4 * buffer.words));
@@ -177,7 +184,8 @@ void MapShadowGpu::clear(gpu::Commands& commands) const {
 void MapShadowGpu::clear_strip(gpu::Commands& commands) const {
   commands.begin_pass("shadow.clear");
   for (std::size_t i = 0; i < own_.size(); ++i)
-    if (description_.buffers[i].per_strip) commands.fill(own_[i], description_.buffers[i].clear);
+    if (description_.buffers[i].per_strip || description_.buffers[i].cleared_per_strip)
+      commands.fill(own_[i], description_.buffers[i].clear);
   commands.end_pass();
 }
 
@@ -241,7 +249,8 @@ void MapShadowGpu::draw(gpu::Commands& commands, const GpuStrands& strands, MapP
 
 Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& strands, double alpha,
                                   const LightSource& light, const gpu::Buffer& transmittance) {
-  if (dispatches_per_frame(strands) == 0) {  // nothing casts a shadow
+  has_run_ = dispatches_per_frame(strands) > 0;
+  if (!has_run_) {  // nothing casts a shadow
     if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
     return {};
   }
@@ -268,6 +277,52 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
     push.strip = 0;
   }
   return {};
+}
+
+Result<MapRoom> MapShadowGpu::settle() {
+  const MapNeed& need = description_.need;
+  if (need.counter < 0 || !has_run_) return MapRoom{};
+  const gpu::Buffer& counter = own_[std::size_t(need.counter)];
+  std::uint32_t needed = 0;
+  CUTICLE_TRY(device_->download(counter, std::as_writable_bytes(std::span(&needed, 1)), counter.size() - 4));
+  if (needed <= need.room) return MapRoom{};
+  if (make_room(needed)) return MapRoom{.holds = false};
+  return MapRoom{.note =
+                     fmt::format("{}: of {} {} {} found no room, so the shadow is too weak: {}",
+                                 description_.settings.method, needed, need.items, needed - need.room, need.advice)};
+}
+
+/// Larger buffers, as far as they may grow, and beyond that more strips. False: neither.
+bool MapShadowGpu::make_room(std::uint64_t needed) {
+  const MapNeed& need = description_.need;
+  if (need.grown.empty()) return false;
+  const std::uint64_t wanted = needed + needed / 8,
+                      largest = device_->info().max_storage_buffer_bytes / need.item_bytes;
+  const std::uint64_t room = std::min({wanted, need.most_room, largest});
+  const bool has_grown = room > need.room && grow(room);
+  if (needed <= need.room || strips_.count == k_most_strips) return has_grown;
+  strips_.count = std::uint32_t(std::min<std::uint64_t>(k_most_strips, strips_.count * (wanted / need.room + 1)));
+  strips_.margin = margin_of(description_.settings);
+  return true;
+}
+
+/// False, and nothing changed, where the device has no memory for it.
+bool MapShadowGpu::grow(std::uint64_t room) {
+  MapNeed& need = description_.need;
+  std::vector<gpu::Buffer> larger;
+  for ([[maybe_unused]] const int buffer : need.grown) {
+    auto made = device_->make_buffer(room * need.item_bytes);
+    if (!made) return false;
+    larger.push_back(std::move(*made));
+  }
+  for (std::size_t i = 0; i < larger.size(); ++i) {
+    const auto buffer = std::size_t(need.grown[i]);
+    own_[buffer] = std::move(larger[i]);
+    description_.buffers[buffer].words = room * need.item_bytes / 4;
+  }
+  need.room = room;
+  description_.layers = std::uint32_t(room);
+  return true;
 }
 
 Result<void> MapShadowGpu::record_fragments(gpu::Commands& commands, const GpuStrands& strands,
@@ -323,32 +378,6 @@ std::vector<const gpu::Texture*> MapShadowGpu::map_targets() const {
 }
 
 }  // namespace
-
-MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
-                               std::span<const std::uint32_t> lookup) {
-  MapDescription map;
-  map.settings = settings;
-  map.intervals = float(k_series_steps);
-  map.layers = functions;
-  map.pieces_per_step = k_series_pieces_per_step;
-  map.signed_sums = true;
-  map.after_deposits = [weights](double, double) {
-    std::vector<std::uint32_t> words;
-    for (const float weight : weights) words.push_back(std::bit_cast<std::uint32_t>(weight));
-    return words;
-  };
-  map.buffers = {{.per_strip = true}};
-  map.passes = {{.name = "shadow.splat",
-                 .code = map_series_comp,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own},
-                 .per_strip = true},
-                {.name = "shadow.lookup",
-                 .code = lookup,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
-                 .run = MapRun::per_vertex,
-                 .per_strip = true}};
-  return map;
-}
 
 Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description) {
   auto shadow = std::make_unique<MapShadowGpu>(std::move(device), std::move(description));

@@ -20,6 +20,17 @@ struct MapBuffer {
   bool kept = true;         ///< part of the map that is looked up; else it only serves to fill it
   bool cleared = true;      ///< else only what is written is read
   bool per_strip = false;   ///< `words` are MapDescription::layers a texel of the map, of which one strip is held
+  bool cleared_per_strip = false;  ///< of another size, but cleared for each strip
+};
+/// Of a map whose need is known once it is filled: the last word of one of the buffers counts the items that it would
+/// hold, of its fullest strip. Where `grown` names none, settle() only says what was left out.
+struct MapNeed {
+  int counter = -1;              ///< the buffer; -1: the need is known before
+  std::uint64_t room = 0;        ///< items that there is room for
+  std::uint64_t most_room = 0;   ///< that settle() may make room for
+  std::vector<int> grown = {};   ///< buffers that hold them; passes find the room in push.layers
+  std::uint64_t item_bytes = 0;  ///< in each
+  std::string_view items, advice;
 };
 enum class MapRun {
   per_segment,
@@ -66,6 +77,7 @@ struct MapDescription {
   bool signed_sums = false;      ///< half of the sums' range is left to the sign
   bool in_world = false;         ///< the box is that of the world's axes, not of the light's
   std::vector<MapBuffer> buffers;
+  MapNeed need;
   MapDrawing drawing;           ///< "shadow.draw", after "shadow.fit", where it has targets
   FragmentDrawing fragments;    ///< GpuShadow::record_fragments, "shadow.fragments", where it has code
   std::vector<MapPass> passes;  ///< after "shadow.clear" (fills), "shadow.fit" and the drawing

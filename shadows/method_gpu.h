@@ -2,6 +2,7 @@
 // GPU half of a shadow method: a builder that fills its map from the strand buffer and writes one transmittance per
 // vertex.
 #include <memory>
+#include <string>
 
 #include "gpu/device.h"
 #include "shadows/method.h"
@@ -24,6 +25,12 @@ struct FragmentTarget {
   std::uint32_t per_segment = 1;
 };
 
+/// Whether a map had room for all that casts.
+struct MapRoom {
+  bool holds = true;      ///< false: more room was made; record and submit again
+  std::string note = {};  ///< what the shadow lacks, one sentence; empty: nothing
+};
+
 /// A method's passes, recorded into a frame. `transmittance` receives one float per vertex. A lamp's view is fitted to
 /// the strands' bounds and what lies in them. Error: usage, for a light that light_axes or the method refuses.
 class GpuShadow {
@@ -35,6 +42,8 @@ class GpuShadow {
   /// Error: usage, of a method whose map is not looked up there, or where the target has no room for all segments.
   virtual Result<void> record_fragments(gpu::Commands& commands, const GpuStrands& strands, const LightSource& light,
                                         const FragmentTarget& target);
+  /// After a submission of `record`: what found no room is never left out without a word. Errors: of the device.
+  virtual Result<MapRoom> settle() { return MapRoom{}; }
   /// Dispatches that `record` will make: what a plan prints.
   virtual std::uint32_t dispatches_per_frame(const GpuStrands& strands) const = 0;
   virtual std::size_t bytes() const = 0;

@@ -84,6 +84,7 @@ Stored stored_of(const Settings& settings) {
 /// Which tiles hold hair, by the depths of all texels.
 void add_slot_passes(const Settings& settings, MapDescription& map) {
   map.own = {float(tile_room(settings))};
+  map.need = {.counter = k_list, .room = tile_room(settings), .items = "tiles with hair", .advice = "raise tile_share"};
   map.passes.push_back({"shadow.mark", deep_tile_mark_comp, {k_box, k_depths, k_slots}, MapRun::per_texel});
   map.passes.push_back({"shadow.slots", deep_tile_slots_comp, {k_box, k_slots, k_list}, MapRun::one_group});
 }

@@ -15,7 +15,8 @@ layout(std430, binding = 5) writeonly buffer StoredSums { uint stored_sums[]; };
 
 void main() {
   const uint stored = invocation(), slot = stored / k_tile_texels, place = stored % k_tile_texels;
-  if (slot >= list[uint(push.own[0])]) return;
+  const uint room = uint(push.own[0]);
+  if (slot >= min(room, list[room])) return;
   placement_of(least);
   const uint i = tile_column(list[slot], place, columns), j = tile_row(list[slot], place, columns);
   const bool is_inside = i < columns && j < rows;

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // One work group: marks of tiles become slots, in the order of the tiles, as far as there is room; and the tile of each
-// slot is listed, with the number of slots behind the list.
+// slot is listed, with the number of marks behind the list.
 layout(local_size_x = 64) in;
 #include "shadows/deep_opacity/tiles.glslh"
 #include "shadows/map_geometry.glsl"
@@ -33,5 +33,5 @@ void main() {
     slots[tile] = is_stored ? slot : k_no_slot;
     slot += holds ? 1u : 0u;
   }
-  if (lane == 0u) list[room] = min(room, before[k_lanes]);
+  if (lane == 0u) list[room] = before[k_lanes];
 }

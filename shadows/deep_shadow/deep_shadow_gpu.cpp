@@ -18,7 +18,8 @@ Result<MapDescription> description(const Settings& settings) {
   map.own = {float(settings.error_bound), float(settings.pieces)};
   map.buffers[k_list_fragments].kept = false;
   map.buffers[k_counts].kept = true;
-  map.buffers.push_back({settings.map.list_room() / 4, 0, true, false});
+  map.buffers.push_back({map.buffers[k_list_fragments].words, 0, true, false});
+  map.need.grown.push_back(k_knots);
   map.passes.push_back({"shadow.compress",
                         deep_shadow_compress_comp,
                         {k_list_first, k_list_fragments, k_counts, k_knots},
@@ -27,6 +28,7 @@ Result<MapDescription> description(const Settings& settings) {
                         deep_shadow_lookup_comp,
                         {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance},
                         MapRun::per_vertex});
+  for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;
 }
 

@@ -50,5 +50,7 @@ float exponent_at(uint texel, float z) {
 
 void main() {
   const uint v = invocation();
-  if (v < push.count) transmittance[v] = transmittance_of_vertex(placement_of(least), v, push.intervals + 1.0);
+  if (v >= push.count) return;
+  const float found = transmittance_of_vertex(placement_of(least), v, push.intervals + 1.0);
+  if (found >= 0.0) transmittance[v] = found;
 }

@@ -21,12 +21,18 @@ void for_each_deposit(const Volume& volume, const strands::Groom& groom, std::ui
   const VolumePlacement<float>& placement = volume.placement;
   const glm::vec3 a = groom.positions[v], b = groom.positions[v + 1], along = b - a;
   const std::uint32_t pieces = volume_pieces(placement, exact_length(along));
-  const float shown = shown_length(along, -volume.axes.forward, anisotropic);
+  const glm::vec3 to_light = -volume.axes.forward;
+  const float shown = shown_length(along, to_light, anisotropic);
   const float width = groom.radii[v] + groom.radii[v + 1];
+  const std::uint32_t lanes = lane_count(placement, width);
   const std::uint32_t amount =
-      piece_deposit(placement, volume.crossing_units, volume.crossing_meeting, width, shown, pieces);
-  for (std::uint32_t i = 0; i < pieces; ++i)
-    deposit(cell_of(placement, piece_in_cells(placement, a, b, i, pieces)), amount);
+      piece_deposit(placement, volume.crossing_units, volume.crossing_meeting, width, shown, lanes * pieces);
+  for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+    const glm::vec3 offset = lane_offset(along, to_light, width, lane, lanes);
+    const glm::vec3 from = moved_by(a, offset), to = moved_by(b, offset);
+    for (std::uint32_t i = 0; i < pieces; ++i)
+      deposit(cell_of(placement, piece_in_cells(placement, from, to, i, pieces)), amount);
+  }
 }
 
 /// Trilinear between the middles of cells, 0 outside; `p` in cells.
@@ -80,9 +86,9 @@ void find_own_cells(const Volume& volume, const Settings& settings, const Asked&
     const glm::vec3 away = asked.groom.positions[v] - asked.receivers.points[i];
     return double(glm::length(away - glm::dot(away, forward) * forward));
   };
-  const double cell = double(volume.placement.cell);
+  const double cell = double(volume.placement.cell), radius = double(asked.groom.radii[own->vertex]);
   const OwnStretch stretch =
-      own_stretch(*own, settings.map.filter_radius + double(k_own_cells) * cell, cell, distance_of);
+      own_stretch(*own, settings.map.filter_radius + double(k_own_cells) * cell + radius, cell, distance_of);
   for (std::uint32_t v = stretch.begin; v < stretch.end; ++v)
     for_each_deposit(volume, asked.groom, v, !settings.isotropic, [&](const glm::vec3& at, std::uint32_t amount) {
       if (cells.empty() || cells.back().cell != at) cells.push_back({at, 0});

@@ -12,7 +12,6 @@ void main() {
   if (s >= push.count) return;
   const VolumePlacement placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
   const SegmentDeposit deposit = segment_deposit(placement, s);
-  for (uint i = 0u; i < deposit.pieces; ++i)
-    atomicAdd(sums[cell_number(placement, piece_in_cells(placement, deposit.a, deposit.b, i, deposit.pieces))],
-              deposit.amount);
+  for (uint i = 0u; i < deposit.lanes * deposit.pieces; ++i)
+    atomicAdd(sums[cell_number(placement, deposit_place(placement, deposit, i))], deposit.amount);
 }

@@ -53,8 +53,8 @@ float own_samples(vec3 entry, vec3 direction, float span) {
   float sum = 0.0;
   for (uint s = own_begin; s < own_end; ++s) {
     const SegmentDeposit deposit = segment_deposit(placement, s);
-    for (uint i = 0u; i < deposit.pieces; ++i) {
-      const vec3 cell = cell_of(placement, piece_in_cells(placement, deposit.a, deposit.b, i, deposit.pieces));
+    for (uint i = 0u; i < deposit.lanes * deposit.pieces; ++i) {
+      const vec3 cell = cell_of(placement, deposit_place(placement, deposit, i));
       sum += float(deposit.amount) * weight_of_cell(cell, entry, direction, span);
     }
   }
@@ -77,7 +77,8 @@ void main() {
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
   receiver = texelFetch(vertices, int(v)).xyz;
-  find_own_segments(segment_from(v), v, push.filter_radius + k_own_cells * placement.cell, placement.cell);
+  find_own_segments(segment_from(v), v, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
+                    placement.cell);
   precise float cells = push.filter_radius * placement.per_metre;
   const int count = ray_count(cells);
   float sum = 0.0;

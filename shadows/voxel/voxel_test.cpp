@@ -68,6 +68,20 @@ TEST(Voxel, CellsNearTheFibresSize_KeepTheMean) {
     EXPECT_NEAR(mean_of(groom, tests::grid_below(-0.001), set) / mean, 1, 0.01) << set;
 }
 
+// Cells of 1.9 to 0.24 of a fibre's width, of opaque fibres too: a fibre wider than a cell lies in lanes.
+TEST(Voxel, CellsNarrowerThanTheFibres_KeepTheMean) {
+  const strands::Groom groom = tests::random_slab(60, 0.1, 0.05, 1e-3f, 7);
+  const auto points = tests::grid_below(-0.001);
+  for (const double alpha : {0.4, 1.0})
+    for (const char* set : {"resolution=64", "resolution=128", "resolution=256", "resolution=512"}) {
+      const auto result = run(groom, points, set, alpha);
+      ASSERT_TRUE(result);
+      const double mean = std::accumulate(result->values.begin(), result->values.end(), 0.0) / double(points.size());
+      std::printf("alpha %.1f, %s: %.4f of %.4f\n", alpha, set, mean, mean_of_crossings(groom, alpha));
+      EXPECT_NEAR(mean, mean_of_crossings(groom, alpha), 0.012) << set << ", alpha " << alpha;
+    }
+}
+
 // Fibres crossed square on show 4/pi of their mean over directions.
 TEST(Voxel, IsotropicForm_CountsTheMeanWidth) {
   const strands::Groom groom = slab();

@@ -78,9 +78,13 @@ Result<Values> run_shadow_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(Uploaded uploaded, upload(*device, setting.groom));
   uploaded.strands.vertices = &uploaded.vertices;
   uploaded.strands.segments = &uploaded.segments;
-  gpu::Commands commands = device->record();
-  CUTICLE_TRY(shadow->record(commands, uploaded.strands, setting.alpha, {setting.to_light}, uploaded.transmittance));
-  CUTICLE_TRY(device->submit(std::move(commands)));
+  for (bool holds = false; !holds;) {
+    gpu::Commands commands = device->record();
+    CUTICLE_TRY(shadow->record(commands, uploaded.strands, setting.alpha, {setting.to_light}, uploaded.transmittance));
+    CUTICLE_TRY(device->submit(std::move(commands)));
+    CUTICLE_ASSIGN(const shadows::MapRoom room, shadow->settle());
+    holds = room.holds;
+  }
   CUTICLE_ASSIGN(const std::vector<float> values,
                  gpu::read_buffer<float>(*device, uploaded.transmittance, setting.groom.vertex_count()));
   return Values(values.begin(), values.end());
