@@ -1,8 +1,9 @@
 #include "plan/drawn_strands.h"
 
+#include <algorithm>
 #include <numeric>
 
-#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "strands/spline/smooth.h"
@@ -19,8 +20,20 @@ strands::Groom placed_at(const StrandSet& set, strands::Groom control, const glm
   return placed;
 }
 
+/// In place of radii: shares of each control polygon's length, which smoothing and blending carry along.
+void set_shares(strands::Groom& control) {
+  for (std::size_t s = 0; s < control.strand_count(); ++s) {
+    const auto length = float(strands::strand_length(control, s));
+    float travelled = 0;
+    for (std::uint32_t v = control.offsets[s]; v < control.offsets[s + 1]; ++v) {
+      if (v > control.offsets[s]) travelled += glm::distance(control.positions[v - 1], control.positions[v]);
+      control.radii[v] = length > 0 ? std::min(travelled / length, 1.0f) : 0.0f;
+    }
+  }
+}
+
 /// Each between three smoothed control hairs: a "mesh" whose triangles are those.
-strands::Groom blended_at(const scene::Scene& scene, const StrandSet& set, const strands::Groom& control) {
+strands::Groom blended_at(const scene::Scene& scene, const StrandSet& set, strands::Groom control) {
   strands::Mesh hairs;
   hairs.positions.resize(control.strand_count());
   hairs.triangles = set.hairs;
@@ -28,10 +41,9 @@ strands::Groom blended_at(const scene::Scene& scene, const StrandSet& set, const
   for (std::size_t s = 0; s < set.hairs.size(); ++s) roots.push_back({std::uint32_t(s), set.weights[s]});
   std::vector<std::uint32_t> itself(control.strand_count());
   std::iota(itself.begin(), itself.end(), 0u);
+  set_shares(control);
   strands::Groom drawn = strands::interpolate(strands::smooth(control, scene.strand_vertices), hairs, roots, itself);
-  const auto count = std::size_t(scene.strand_vertices);
-  for (std::size_t v = 0; v < drawn.vertex_count(); ++v)
-    drawn.radii[v] = set.radius * (1 - set.taper * float(v % count) / float(count - 1));
+  for (float& radius : drawn.radii) radius = set.radius * (1 - set.taper * radius);
   drawn.root_triangle.clear();
   drawn.root_barycentrics.clear();
   return drawn;
@@ -43,7 +55,8 @@ strands::Groom drawn_strands_at(const scene::Scene& scene, const StrandSet& set,
                                 const glm::dmat3& turn) {
   strands::Groom moved = set.control;
   moved.positions.assign(control.begin(), control.end());
-  return scene::draws_as_given(scene) ? placed_at(set, std::move(moved), turn) : blended_at(scene, set, moved);
+  return scene::draws_as_given(scene) ? placed_at(set, std::move(moved), turn)
+                                      : blended_at(scene, set, std::move(moved));
 }
 
 }  // namespace cuticle::plan
