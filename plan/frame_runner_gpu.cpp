@@ -8,7 +8,7 @@
 #include "plan/camera_path.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
-#include "plan/traced_frame_gpu.h"
+#include "plan/traced_frame.h"
 
 namespace cuticle::plan {
 
@@ -130,11 +130,28 @@ struct FrameRunner::Impl {
     return {};
   }
 
+  /// A character's skin as the device deformed it; none where the head turns.
+  Result<std::optional<strands::Mesh>> deformed_skin() const {
+    const CharacterMotion* const character = motion->character();
+    if (!character || set.head.triangles.empty()) return std::optional<strands::Mesh>();
+    strands::Mesh mesh = set.head;
+    const std::size_t count = mesh.positions.size();
+    CUTICLE_ASSIGN(const auto positions, gpu::read_buffer<glm::vec4>(*device, character->mesh_positions(), count));
+    CUTICLE_ASSIGN(const auto normals, gpu::read_buffer<glm::vec4>(*device, character->mesh_normals(), count));
+    for (std::size_t v = 0; v < count; ++v) {
+      mesh.positions[v] = glm::vec3(positions[v]);
+      mesh.normals[v] = glm::vec3(normals[v]);
+    }
+    return std::optional(std::move(mesh));
+  }
+
   Result<void> trace_paths(int frame, const FrameOptions& options, FrameResult& result) {
-    CUTICLE_ASSIGN(strands::Groom hair, picture->read_strands());
+    TracedPlaces places{.head = motion->head(), .fins = motion->fins() ? &motion->fins()->mesh() : nullptr};
+    CUTICLE_ASSIGN(places.hair, picture->read_strands());
+    CUTICLE_ASSIGN(places.skin, deformed_skin());
     Progress& progress = options.progress ? *options.progress : silent_progress();
-    CUTICLE_ASSIGN(TracedFrame traced, trace_frame(*device, scene, set, *motion, std::move(hair), camera(frame),
-                                                   options.path_state, progress));
+    CUTICLE_ASSIGN(TracedFrame traced,
+                   trace_frame(scene, set, std::move(places), camera(frame), options.path_state, progress));
     result.color = std::move(traced.color);
     result.aovs = std::move(traced.layers);
     result.notes = {traced.note};

@@ -6,20 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "plan/traced_scene_runner.h"
 #include "sim/control/control_gpu.h"
 
 namespace cuticle::plan {
-
-sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
-  sim::EffectBlocks blocks;
-  for (const registry::Entry* effect : catalogue().effects) {
-    if (!find_pass(plan, effect->name) || (*sim::find_effect(effect->name))->acts_on_fins) continue;
-    const auto given = scene.simulation.effects.find(effect->name);
-    blocks[std::string(effect->name)] =
-        given == scene.simulation.effects.end() ? registry::default_values(effect->parameters) : given->second;
-  }
-  return blocks;
-}
 
 namespace {
 

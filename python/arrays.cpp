@@ -4,9 +4,32 @@
 
 namespace cuticle::python {
 
-void raise(const Error& error) {
-  throw nb::value_error(
-      (error.hint.empty() ? error.message : fmt::format("{} (try: {})", error.message, error.hint)).c_str());
+namespace {
+
+const char* kind_name(ErrorKind kind) {
+  constexpr const char* names[] = {"usage", "bad_input", "no_device", "out_of_memory", "internal"};
+  return names[std::size_t(kind)];
+}
+
+void set_error(const Error& error) {
+  const std::string text = error.hint.empty() ? error.message : fmt::format("{} (try: {})", error.message, error.hint);
+  const nb::object type = nb::module_::import_("cuticle._errors").attr("Error");
+  const nb::object value = type(text, kind_name(error.kind), error.hint);
+  PyErr_SetObject(type.ptr(), value.ptr());
+}
+
+}  // namespace
+
+void raise(const Error& error) { throw Failure(error); }
+
+void add_errors(nb::module_&) {
+  nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const Failure& failure) {
+      set_error(failure.error);
+    }
+  });
 }
 
 std::vector<std::size_t> broadcast_shape(const std::vector<Numbers>& arrays) {

@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <numbers>
+#include <memory>
 
 #include <fmt/format.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "bsdf/fibre/fibres.h"
 #include "bsdf/listing/listing.h"
@@ -14,27 +16,11 @@
 
 #include "core/memory_limit.h"
 #include "python/arrays.h"
+#include "python/points.h"
 #include "python/signals.h"
 
 namespace cuticle::python {
 namespace {
-
-constexpr std::array<double bsdf::Point::*, bsdf::coordinate_count> k_members = {
-    &bsdf::Point::theta_i, &bsdf::Point::theta_o, &bsdf::Point::theta_d,
-    &bsdf::Point::phi,     &bsdf::Point::h,       &bsdf::Point::phi_o};
-constexpr std::size_t k_offset = 4;  // h is no angle
-
-std::vector<bsdf::Point> make_points(const std::vector<Numbers>& coordinates, const std::vector<std::size_t>& shape) {
-  std::size_t count = 1;
-  for (std::size_t length : shape) count *= length;
-  std::vector<bsdf::Point> points(count);
-  for (std::size_t c = 0; c < k_members.size(); ++c) {
-    const double unit = c == k_offset ? 1 : std::numbers::pi / 180;
-    for (std::size_t i = 0; i < count; ++i)
-      points[i].*k_members[c] = coordinates[c].data()[broadcast_index(coordinates[c], shape, i)] * unit;
-  }
-  return points;
-}
 
 bsdf::Precision find_precision(const std::string& name) {
   if (name == "f64") return bsdf::Precision::f64;
@@ -60,24 +46,45 @@ registry::ParameterValues find_values(const bsdf::Model& model, const std::strin
   return value_or_raise(bsdf::parse_settings(model, "", settings.empty() ? mapped : mapped + "," + settings));
 }
 
-/// Points, values and the array that is returned.
+/// The array that is returned.
 Result<void> require_room(const std::vector<std::size_t>& shape) {
-  constexpr std::uint64_t huge = std::uint64_t(1) << 56, bytes_of_point = sizeof(bsdf::Point) + 2 * sizeof(glm::dvec3);
+  constexpr std::uint64_t huge = std::uint64_t(1) << 56;
   const std::vector<std::uint64_t> lengths(shape.begin(), shape.end());
   const std::uint64_t count = product_within(huge, lengths).value_or(huge);
-  return require_memory(fmt::format("broadcasting to {} points", fmt::join(lengths, " x ")), {count, bytes_of_point});
+  return require_memory(fmt::format("broadcasting to {} points", fmt::join(lengths, " x ")),
+                        {count, sizeof(glm::dvec3)});
 }
+
+/// Numbers that nobody has written yet: the work writes each once, in the thread that computes it.
+struct Unset {
+  explicit Unset(std::size_t points) : values(new double[3 * points]) {}
+  std::span<glm::dvec3> span(std::size_t first, std::size_t count) {
+    return {reinterpret_cast<glm::dvec3*>(values.get()) + first, count};
+  }
+  std::unique_ptr<double[]> values;
+};
 
 /// Without the interpreter's lock; between two parts a signal may end it.
 Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::ParameterValues& values,
-                               bsdf::Precision precision, const bsdf::Request& request, std::span<glm::dvec3> out) {
-  const std::size_t part = request.quantity == bsdf::Quantity::albedo ? 1 << 8 : 1 << 18;  // of albedo each is an integral
+                               bsdf::Precision precision, const bsdf::Request& what, const PointReader& points,
+                               Unset& out) {
+  const bool slow = what.quantity == bsdf::Quantity::albedo;  // each is an integral
+  const std::size_t part = slow ? 1 << 8 : 1 << 20, grain = slow ? 4 : 1 << 11;
+  const auto run = precision == bsdf::Precision::f32 ? model.evaluate_f32 : model.evaluate_f64;
   const nb::gil_scoped_release released;
-  for (std::size_t first = 0; first < out.size(); first += part) {
-    const std::size_t count = std::min(part, out.size() - first);
-    CUTICLE_TRY(bsdf::evaluate(model, values, precision,
-                               {request.quantity, request.lobe, request.points.subspan(first, count)},
-                               out.subspan(first, count)));
+  for (std::size_t first = 0; first < points.count(); first += part) {
+    const std::size_t end = std::min(first + part, points.count());
+    FirstError failed;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(first, end, grain),
+        [&](const auto& range) {
+          std::vector<bsdf::Point>& read = scratch_points();
+          if (const Result<void> ok = points.read(range.begin(), range.size(), read); !ok)
+            return failed.set(ok.error());
+          run(values, {what.quantity, what.lobe, read}, out.span(range.begin(), range.size()));
+        },
+        tbb::simple_partitioner());
+    CUTICLE_TRY(failed.result());
     raise_signals();
   }
   return {};
@@ -106,17 +113,14 @@ OutputArray evaluate(const std::string& model_name, const std::string& quantity_
   const int lobe = value_or_raise(bsdf::find_lobe(*model, lobe_name));
   const bsdf::Precision precision = find_precision(precision_name);
   std::vector<std::size_t> shape = broadcast_shape(coordinates);
-  const Result<void> fits = require_room(shape);
-  if (!fits) raise(fits.error());
-  const std::vector<bsdf::Point> points = make_points(coordinates, shape);
-  std::vector<glm::dvec3> rgb(points.size());
-  const Result<void> done = evaluate_in_parts(*model, values, precision, {quantity, lobe, points}, rgb);
-  if (!done) raise(done.error());
-  std::vector<double> flat;
-  flat.reserve(rgb.size() * 3);
-  for (const glm::dvec3& value : rgb) flat.insert(flat.end(), {value.x, value.y, value.z});
+  require(require_room(shape));
+  const PointReader points(coordinates, shape);
+  Unset out(points.count());
+  require(evaluate_in_parts(*model, values, precision, {quantity, lobe, {}}, points, out));
   shape.push_back(3);
-  return take(std::move(flat), shape);
+  double* flat = out.values.release();
+  const nb::capsule owner(flat, [](void* memory) noexcept { delete[] static_cast<double*>(memory); });
+  return OutputArray(flat, shape.size(), shape.data(), owner);
 }
 
 /// (settings, words) of a hair in a model's parameters.

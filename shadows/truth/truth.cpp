@@ -6,6 +6,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task.h>
 #include <glm/geometric.hpp>
 
 #include "core/registry/members.h"
@@ -142,7 +143,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void trace_all(const Tracer& tracer, const Receivers& receivers, Transmittance& result) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.points.size()), [&](const auto& range) {
     Tracer::Scratch scratch;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    for (std::size_t i = range.begin(); i < range.end() && !tbb::is_current_task_group_canceling(); ++i) {
       const Estimate estimate = tracer.at(receivers, i, scratch);
       result.values[i] = estimate.mean;
       result.standard_error[i] = estimate.standard_error;

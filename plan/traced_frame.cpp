@@ -1,4 +1,4 @@
-#include "plan/traced_frame_gpu.h"
+#include "plan/traced_frame.h"
 
 #ifdef CUTICLE_HAS_EMBREE
 #include <fmt/core.h>
@@ -20,25 +20,15 @@ namespace {
 
 using render::reference::Surface;
 
-/// The head where the frame has it: turned, or as the device deformed it.
-Result<Surface> traced_head(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
-                            const StrandMotion& motion) {
+/// The head where the frame has it: turned, or as a character deforms it.
+Surface traced_head(const scene::Scene& scene, const StrandSet& set, const TracedPlaces& places) {
   const auto parameters = render::parameters_of<render::head::Parameters>(scene.passes);
   const glm::vec3 skin(parameters.skin), scalp(parameters.scalp);
   Surface surface;
-  surface.mesh = strands::transformed(set.head, motion.head());
+  surface.mesh = places.skin ? *places.skin : strands::transformed(set.head, places.head);
   const std::vector<float> shares =
       render::head::scalp_shares(set.head, set.scalp.triangles.empty() ? nullptr : &set.scalp);
   for (const float share : shares) surface.albedo.push_back(glm::mix(skin, scalp, share));
-  CharacterMotion* const character = motion.character();
-  if (!character) return surface;
-  const std::size_t count = set.head.positions.size();
-  CUTICLE_ASSIGN(const auto positions, gpu::read_buffer<glm::vec4>(device, character->mesh_positions(), count));
-  CUTICLE_ASSIGN(const auto normals, gpu::read_buffer<glm::vec4>(device, character->mesh_normals(), count));
-  for (std::size_t v = 0; v < count; ++v) {
-    surface.mesh.positions[v] = glm::vec3(positions[v]);
-    surface.mesh.normals[v] = glm::vec3(normals[v]);
-  }
   return surface;
 }
 
@@ -52,9 +42,9 @@ Surface traced_floor(const Floor& floor) {
   return surface;
 }
 
-Surface traced_fins(const scene::Scene& scene, const StrandSet& set, const FinMotion& fins) {
+Surface traced_fins(const scene::Scene& scene, const StrandSet& set, const strands::Mesh& fins) {
   const auto parameters = render::parameters_of<render::fins::Parameters>(scene.passes);
-  Surface surface{fins.mesh(), {}};
+  Surface surface{fins, {}};
   for (const float weight : set.fin_weights)
     surface.albedo.push_back(glm::mix(glm::vec3(parameters.root), glm::vec3(parameters.tip), weight));
   return surface;
@@ -99,21 +89,17 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
 
 }  // namespace
 
-Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, const StrandSet& set,
-                                const StrandMotion& motion, strands::Groom hair, const Camera& camera,
-                                const std::string& state, Progress& progress) {
+Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
+                                const Camera& camera, const std::string& state, Progress& progress) {
   render::reference::TracedScene traced;
-  traced.hair = std::move(hair);
+  traced.hair = std::move(places.hair);
   CUTICLE_ASSIGN(traced.model, bsdf::find_model(scene.material.model.name));
   traced.values = scene.material.model.values;
   traced.camera = camera;
   CUTICLE_TRY(add_lights(scene, traced));
-  if (!set.head.triangles.empty()) {
-    CUTICLE_ASSIGN(Surface head, traced_head(device, scene, set, motion));
-    traced.surfaces.push_back(std::move(head));
-  }
+  if (!set.head.triangles.empty()) traced.surfaces.push_back(traced_head(scene, set, places));
   if (scene.floor) traced.surfaces.push_back(traced_floor(*scene.floor));
-  if (motion.fins()) traced.surfaces.push_back(traced_fins(scene, set, *motion.fins()));
+  if (places.fins) traced.surfaces.push_back(traced_fins(scene, set, *places.fins));
   const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
   CUTICLE_ASSIGN(const render::reference::TraceOptions options, options_of(scene, camera, parameters));
   const render::reference::Quality quality{
@@ -129,8 +115,8 @@ Result<TracedFrame> trace_frame(gpu::Device& device, const scene::Scene& scene, 
                                  picture.samples, 100 * picture.error, picture.seconds)};
 }
 #else
-Result<TracedFrame> trace_frame(gpu::Device&, const scene::Scene&, const StrandSet&, const StrandMotion&,
-                                strands::Groom, const Camera&, const std::string&, Progress&) {
+Result<TracedFrame> trace_frame(const scene::Scene&, const StrandSet&, TracedPlaces, const Camera&, const std::string&,
+                                Progress&) {
   return usage_error("the method 'reference' needs Embree, and this build has none",
                      "build with CUTICLE_EMBREE=ON, or choose another method");
 }

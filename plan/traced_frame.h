@@ -1,0 +1,29 @@
+#pragma once
+// A frame of the method 'reference', drawn by paths on the CPU.
+#include <optional>
+
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "plan/strand_set.h"
+
+namespace cuticle::plan {
+
+struct TracedFrame {
+  Image color, layers;  ///< the colour over the scene's background; layers as render/reference has them
+  std::string note;     ///< samples, error and time, in words
+};
+
+/// Where things are in the frame, world.
+struct TracedPlaces {
+  strands::Groom hair = {};                ///< drawn strands
+  glm::dmat4 head{1};                      ///< from rest
+  std::optional<strands::Mesh> skin = {};  ///< a character's, as it is deformed: in place of the set's head
+  const strands::Mesh* fins = nullptr;
+};
+
+/// `state`: file of the sums; empty: none. Head, floor and fins are diffuse, by the albedos of their passes. Errors:
+/// usage, where the build has no Embree; those of render::reference::trace_picture.
+Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
+                                const Camera& camera, const std::string& state, Progress& progress);
+
+}  // namespace cuticle::plan

@@ -1,0 +1,44 @@
+"""Shadow methods on arrays of points: how much of a light reaches them through hair."""
+import numpy
+
+from . import _cuticle
+from ._errors import Error
+from ._inputs import floats, numbers, to_json, triple
+from ._registries import methods
+
+__all__ = ["footprint_radius", "methods", "transmittance", "truth"]
+
+
+def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, lamp=False, details=False, **settings):
+    """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
+
+    light: direction to the light (of any length), or with lamp=True its place in metres. points: (n, 3), metres; none: the
+    groom's vertices, where a fibre does not shadow itself. alpha: opacity of one fibre crossing, 0 .. 1, or (3) for red,
+    green and blue. Result: float32 (n), or (n, 3) of three opacities; with details a dictionary with values, clamped,
+    build_ms, lookup_ms, bytes, device and, of the truth, standard_error and occluders (metres).
+
+        cuticle.shadows.transmittance(groom, (1, 1, 0.3), points, method="deep_opacity", layers=16, resolution=512)
+    """
+    places = None if points is None else floats("points", points, 3)
+    arguments = (triple("light", light), bool(lamp), places)
+    opacity = numbers("alpha", alpha)
+    if opacity.ndim == 0:
+        result = _cuticle.transmittance(groom, method, to_json(settings), float(opacity), *arguments)
+        return result if details else result["values"]
+    if details:
+        raise Error("details: of one opacity only")
+    return _cuticle.coloured_transmittance(groom, method, to_json(settings), triple("alpha", alpha), *arguments)
+
+
+def truth(groom, light=(0, 1, 0), points=None, *, rays=1024, footprint_radius_mm=0.0, **arguments):
+    """Ray-traced transmittance and its standard error, float32 (n) each: the mean over a disc of rays to the light (Embree).
+    footprint_radius_mm 0: two strand spacings. Other arguments as of `transmittance`."""
+    if "truth" not in (method["name"] for method in methods()):
+        raise Error("truth: this build has no Embree (try: build where libembree-dev is installed)", "usage")
+    result = transmittance(groom, light, points, "truth", details=True, rays=rays, footprint_radius_mm=footprint_radius_mm, **arguments)
+    return result["values"], result.get("standard_error", numpy.zeros(0, numpy.float32))
+
+
+def footprint_radius(groom) -> float:
+    """Radius in metres of the disc that the truth averages over unless one is given."""
+    return _cuticle.footprint_radius(groom)

@@ -1,0 +1,105 @@
+// Scenes as plans, and as pictures in arrays.
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include "plan/plan.h"
+#include "python/scene_frames.h"
+
+#include "python/arrays.h"
+#include "python/groom_file.h"
+#include "python/interruptible.h"
+#include "python/mesh.h"
+#include "python/signals.h"
+
+namespace cuticle::python {
+namespace {
+
+std::string plan_json(const std::string& json, const std::string& folder) {
+  const scene::Scene scene = value_or_raise(parse_scene(json, folder));
+  return value_or_raise(interruptible([&] { return plan_of(scene); }));
+}
+
+/// Control hairs, drawn strands, the head's mesh, and where its colliders are.
+nb::tuple hair_of(const std::string& json, const std::string& folder) {
+  const scene::Scene scene = value_or_raise(parse_scene(json, folder));
+  HairAtRest hair = value_or_raise(interruptible([&] { return hair_at_rest(scene); }));
+  std::vector<double> spheres;
+  for (const Sphere& sphere : hair.spheres)
+    spheres.insert(spheres.end(), {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius});
+  return nb::make_tuple(in_file(std::move(hair.control), std::move(hair.notes)), in_file(std::move(hair.drawn)),
+                        arrays_of(hair.head), take(std::move(spheres), {hair.spheres.size(), 4}));
+}
+
+/// (height, width, channels), and the channels' names.
+nb::tuple array_of(Image image) {
+  const std::vector<std::size_t> shape = {std::size_t(image.height), std::size_t(image.width),
+                                          std::size_t(image.channels())};
+  const std::vector<std::string> names = std::move(image.channel_names);
+  return nb::make_tuple(take(std::move(image.pixels), shape), names);
+}
+
+/// Calls Python's `progress(task, done, total)`, where there is one, and lets signals end the work.
+class CalledProgress final : public Progress {
+ public:
+  explicit CalledProgress(nb::object call) : call_(std::move(call)) {}
+  void update(std::string_view task, std::size_t done, std::size_t total) override {
+    const nb::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    if (!call_.is_none()) call_(nb::str(task.data(), task.size()), done, total);
+  }
+  void message(std::string_view) override {}
+
+ private:
+  nb::object call_;
+};
+
+nb::tuple run(Frames& frames, int frame, const nb::object& call) {
+  CalledProgress progress(call);
+  auto result = [&] {
+    const nb::gil_scoped_release released;
+    return frames.run(frame, progress);
+  }();
+  PaintedFrame painted = value_or_raise(std::move(result));
+  return nb::make_tuple(array_of(std::move(painted.color)), array_of(std::move(painted.layers)), painted.notes);
+}
+
+std::unique_ptr<Frames> open(const std::string& json, const std::string& folder, const std::string& device,
+                             const nb::object& call) {
+  const scene::Scene scene = value_or_raise(parse_scene(json, folder));
+  CalledProgress progress(call);
+  auto opened = [&] {
+    const nb::gil_scoped_release released;
+    return open_frames(scene, device, progress);
+  }();
+  return value_or_raise(std::move(opened));
+}
+
+using Pixels = nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
+
+nb::object tone_mapped(const Pixels& pixels, double exposure_stops) {
+  const std::size_t channels = pixels.shape(2);
+  if (channels != 3 && channels != 4) raise(usage_error("pixels: not an array of (height, width, 3 or 4)"));
+  std::vector<std::string> names = {"R", "G", "B", "A"};
+  names.resize(channels);
+  Image image = make_image(int(pixels.shape(1)), int(pixels.shape(0)), names);
+  image.pixels.assign(pixels.data(), pixels.data() + pixels.size());
+  return array_of(tone_map(image, exposure_stops))[0];
+}
+
+}  // namespace
+
+void add_render(nb::module_& module) {
+  nb::class_<Frames>(module, "Frames")
+      .def("run", &run, nb::arg(), nb::arg().none())
+      .def("strands", [](Frames& frames) { return in_file(value_or_raise(frames.strands())); })
+      .def("plan", &Frames::plan)
+      .def("device", &Frames::device);
+  module.def("open_frames", &open, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+  module.def("plan_json", &plan_json);
+  module.def("hair_of", &hair_of);
+  module.def("scene_schema", [] { return scene::scene_schema(plan::catalogue()); });
+  module.def("tone_map", &tone_mapped);
+}
+
+}  // namespace cuticle::python

@@ -1,0 +1,44 @@
+#pragma once
+// Scenes without numpy: hair at rest, plans and frames. (Headers of strand motion and of nanobind each define
+// NAMESPACE_BEGIN, so that no source may include both.)
+#include <memory>
+
+#include "core/image/image.h"
+#include "core/progress.h"
+#include "scene/scene.h"
+#include "strands/groom.h"
+#include "strands/mesh.h"
+
+namespace cuticle::python {
+
+/// Error: those of scene::parse_scene.
+Result<scene::Scene> parse_scene(const std::string& json, const std::string& folder);
+/// Error: those of plan::build_strand_set.
+Result<std::string> plan_of(const scene::Scene& scene);
+
+struct HairAtRest {
+  strands::Groom control, drawn;
+  strands::Mesh head;           ///< empty where the scene has none
+  std::vector<Sphere> spheres;  ///< colliders in the head's rest space
+  std::vector<std::string> notes;
+};
+Result<HairAtRest> hair_at_rest(const scene::Scene& scene);
+
+struct PaintedFrame {
+  Image color, layers;
+  std::vector<std::string> notes;
+};
+/// A scene that is ready to be drawn.
+class Frames {
+ public:
+  virtual ~Frames() = default;
+  virtual Result<PaintedFrame> run(int frame, Progress& progress) = 0;
+  virtual Result<strands::Groom> strands() = 0;
+  virtual std::string plan() const = 0;  ///< JSON
+  virtual std::string device() const = 0;
+};
+/// 'reference' on the CPU where `device` names none and nothing needs one; else Vulkan. Error: no_device, where there
+/// is no Vulkan; those of the runners.
+Result<std::unique_ptr<Frames>> open_frames(const scene::Scene& scene, const std::string& device, Progress& progress);
+
+}  // namespace cuticle::python

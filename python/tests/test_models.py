@@ -1,0 +1,101 @@
+"""Sampling, densities, gradients and batches against each other."""
+import numpy
+import pytest
+
+import cuticle
+
+MODELS = [entry["name"] for entry in cuticle.models()]
+WITHOUT_JETS = {"huang"}
+SWITCHES = {("marschner", "aspect")}  # at 1, the default, a circle's formulas take over
+
+
+def angles(count=200, seed=1):
+    chance = numpy.random.default_rng(seed)
+    return dict(theta_i_deg=chance.uniform(-60, 60, count), theta_o_deg=chance.uniform(-60, 60, count), phi_deg=chance.uniform(-175, 175, count),
+                h=chance.uniform(-0.9, 0.9, count))
+
+
+def test_Sample_MeanOfWeights_IsTheAlbedo():
+    u = numpy.random.default_rng(2).random((40000, 8))
+    drawn = cuticle.sample("marschner", 20.0, u, {"sigma_a": 0.2})
+    assert drawn.weight.mean(axis=0) == pytest.approx(cuticle.albedo("marschner", 20.0, {"sigma_a": 0.2}), rel=0.02)
+    density = cuticle.pdf("marschner", {"sigma_a": 0.2}, theta_i_deg=drawn.theta_i_deg, theta_o_deg=20.0, phi_deg=drawn.phi_deg)
+    assert density == pytest.approx(drawn.pdf, rel=1e-6)
+
+
+@pytest.mark.parametrize("arguments, words", [(dict(u=numpy.zeros((3, 7))), ["u", "(3, 7)"]), (dict(u=numpy.ones((3, 8))), ["u", "1"]),
+                                              (dict(u=numpy.zeros((3, 8)), precision="f16"), ["f16"])])
+def test_Sample_BadInput_SaysWhat(arguments, words):
+    with pytest.raises(cuticle.Error) as error:
+        cuticle.sample("marschner", 0.0, **arguments)
+    assert all(word in str(error.value) for word in words)
+
+
+def differences(model, name, value, step, points):
+    """Of the fourth order."""
+    at = lambda k: cuticle.eval(model, "S", set={name: value + k * step}, **points)
+    return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step)
+
+
+@pytest.mark.parametrize("model", [name for name in MODELS if name not in WITHOUT_JETS])
+def test_Gradients_ByEveryRealParameter_AreThoseOfDifferences(model):
+    """Within 1e-6 of the largest derivative, and 1e-6 of the values' own size."""
+    points = angles()
+    entry = next(entry for entry in cuticle.models() if entry["name"] == model)
+    real = {p["name"]: p["default"] for p in entry["parameters"] if p["type"] == "real"}
+    found = cuticle.gradients(model, **points)
+    assert found.values == pytest.approx(cuticle.eval(model, "S", **points), rel=1e-12)
+    checked = 0
+    for name, default in real.items():
+        parameter = next(p for p in entry["parameters"] if p["name"] == name)
+        value, step = float(default), 1e-4 * max(abs(float(default)), 0.01)
+        reach = 3e-3 * max(abs(value), 0.01)
+        if (model, name) in SWITCHES or not parameter["range"][0] <= value - reach < value + reach <= parameter["range"][1]:
+            continue
+        expected = differences(model, name, value, step, points)
+        error = numpy.abs(found.derivatives[name] - expected)
+        assert error.max() <= 1e-6 * max(numpy.abs(expected).max(), numpy.abs(found.values).max()), name
+        checked += 1
+    assert checked > 0
+
+
+def test_Gradients_OfAModelWithout_SayWhichHave():
+    with pytest.raises(cuticle.Error, match="huang.*marschner"):
+        cuticle.gradients("huang", **angles(3))
+    with pytest.raises(cuticle.Error, match="etta"):
+        cuticle.gradients("marschner", by=["etta"], **angles(3))
+
+
+def vectors(points):
+    theta_i, theta_o, phi = (numpy.radians(points[name]) for name in ("theta_i_deg", "theta_o_deg", "phi_deg"))
+    to_light = numpy.stack([numpy.sin(theta_i), numpy.cos(theta_i), 0 * phi]).astype(numpy.float32)
+    to_viewer = numpy.stack([numpy.sin(theta_o), numpy.cos(theta_o) * numpy.cos(phi), numpy.cos(theta_o) * numpy.sin(phi)]).astype(numpy.float32)
+    return to_light, to_viewer
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_Batch_EveryModel_IsEval(model):
+    points = angles()
+    values = cuticle.eval(model, "S", precision="f32", **points)
+    batch = cuticle.Batch(model)
+    found = batch.eval(*vectors(points), points["h"].astype(numpy.float32))
+    assert found.dtype == numpy.float32 and found.shape == (3, 200)
+    assert found.T == pytest.approx(values, rel=2e-3, abs=2e-3 * values.max())
+    assert batch.pdf(*vectors(points), points["h"]) == pytest.approx(cuticle.pdf(model, **points), rel=5e-3, abs=5e-3 * values.max())
+
+
+def test_Batch_Out_IsWrittenInPlace():
+    points, out = angles(70000), numpy.zeros((3, 70000), numpy.float32)
+    arrays = vectors(points)
+    assert cuticle.Batch("chiang").eval(*arrays, points["h"].astype(numpy.float32), out) is out and out.max() > 0
+    drawn = cuticle.Batch("chiang").sample(arrays[1], numpy.random.default_rng(3).random((8, 70000)), points["h"])
+    assert numpy.linalg.norm(drawn, axis=0) == pytest.approx(numpy.ones(70000), abs=1e-5)
+    with pytest.raises(cuticle.Error, match="to_viewer.*70000"):
+        cuticle.Batch("chiang").eval(arrays[0], arrays[1][:, :5], out=out)
+
+
+def test_Eval_LargeAndBroadcastArrays_GiveTheSameBitsAsOneByOne():
+    theta_o, phi = numpy.linspace(-80, 80, 301)[:, None], numpy.linspace(-170, 170, 57)
+    all_at_once = cuticle.eval("karis", "S", theta_i_deg=10, theta_o_deg=theta_o, phi_deg=phi, h=0.3)
+    some = cuticle.eval("karis", "S", theta_i_deg=10, theta_o_deg=theta_o[200, 0], phi_deg=phi[31], h=0.3)
+    assert numpy.array_equal(all_at_once[200, 31], some)

@@ -1,0 +1,85 @@
+"""Everything that the program's registries hold is reachable from Python, under the same name."""
+import json
+import os
+import pathlib
+import subprocess
+
+import numpy
+import pytest
+
+import cuticle
+
+PROGRAM = os.environ.get("CUTICLE_PROGRAM") or pathlib.Path(__file__).resolve().parents[2] / "build/release/bin/cuticle"
+STRANDS = cuticle.make_groom(numpy.linspace(0, 0.1, 24).reshape(2, 4, 3))
+
+
+def of_the_program(command):
+    listed = json.loads(subprocess.run([PROGRAM, command, "--json"], capture_output=True, text=True, check=True).stdout)
+    return {entry["name"]: entry for entry in (listed if isinstance(listed, list) else listed["models"])}
+
+
+@pytest.mark.parametrize("command, here", [("models", cuticle.models), ("methods", cuticle.methods), ("passes", cuticle.passes),
+                                           ("effects", lambda: cuticle.solvers() + cuticle.effects())])
+def test_Registries_WhatTheProgramLists_IsHere(command, here):
+    listed = of_the_program(command)
+    assert listed and set(listed) == {entry["name"] for entry in here()}
+
+
+def refused(call):
+    """The message of an error; it may not be that the name is unknown."""
+    try:
+        call()
+    except cuticle.Error as error:
+        assert "is not one of" not in str(error) and "not known" not in str(error) and "unknown" not in str(error), error
+        return str(error)
+    return None
+
+
+@pytest.mark.parametrize("model", of_the_program("models"))
+def test_Models_EachOfThem_EvaluatesBakesAndSamples(model):
+    assert numpy.isfinite(cuticle.eval(model, "S", theta_i_deg=10, theta_o_deg=20, phi_deg=30, h=0.1)).all()
+    assert numpy.isfinite(cuticle.Batch(model).eval([[0], [1], [0]], [[0], [1], [0]], [0.1])).all()
+    refused(lambda: cuticle.sample(model, 0.0, numpy.full((2, 8), 0.5)))
+
+
+@pytest.mark.parametrize("method", of_the_program("methods"))
+def test_Methods_EachOfThem_ShadowsPoints(method):
+    assert cuticle.shadows.transmittance(STRANDS, points=[[0, -1, 0]], method=method).shape == (1,)
+
+
+@pytest.mark.parametrize("name", of_the_program("effects"))
+def test_SolversAndEffects_EachOfThem_Simulates(name):
+    solvers = [entry["name"] for entry in cuticle.solvers()]
+    if name in solvers:
+        assert cuticle.simulate(STRANDS, name).step().positions.shape == (8, 3)
+        return
+    assert any(refused(lambda: cuticle.simulate(STRANDS, solver, effects={name: {}}).step()) is None for solver in solvers) or name == "cloth"
+
+
+@pytest.mark.parametrize("name", of_the_program("passes"))
+def test_Passes_EachOfThem_IsTakenByAScene(name):
+    plan = cuticle.plan({"strand_count": 10, "lights": [], "passes": {name: {}}})
+    assert plan.why(name)
+
+
+@pytest.mark.parametrize("method", cuticle.render_methods())
+def test_RenderMethods_EachOfThem_IsPlanned(method):
+    assert cuticle.plan({"strand_count": 10, "lights": []}, method=method).passes
+
+
+@pytest.mark.parametrize("name", [entry["name"] for entry in cuticle.shapings()])
+def test_Shapings_EachOfThem_ShapesAGroom(name):
+    assert len(cuticle.shape(STRANDS, {name: {}})) == 2
+
+
+def test_Formats_OfTheProgramsHelp_AreHere():
+    help_text = subprocess.run([PROGRAM, "convert", "--help"], capture_output=True, text=True, check=True).stdout
+    endings = {ending for entry in cuticle.formats() for ending in entry["extensions"] + entry["read_only"]}
+    named = {word.strip(".,:;()") for word in help_text.split() if word.startswith(".") and word.strip(".,:;()").isalnum()}
+    assert named - endings <= {"usd", "usdc", "usdz", "abc"} and endings & named
+
+
+def test_Layouts_EachOfThem_IsTakenByBake():
+    """Its size is the only thing refused."""
+    for entry in cuticle.layouts():
+        assert "16 .. 1024" in refused(lambda: cuticle.bake("marschner", entry["name"], 4))
