@@ -10,8 +10,9 @@ import pytest
 from matplotlib import image
 
 HERE = pathlib.Path(__file__).parent
-FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar"], "02_shadow_slices": ["shadow_slices"],
-           "03_skinning": ["skinning"]}
+FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar"], "02_literal_and_corrected": ["energy", "absorption"],
+           "03_skinning": ["skinning"], "04_tables": ["tables", "error"], "05_opacity_maps": ["counts", "points"],
+           "08_head_turn": ["turn", "above"], "09_four_ways": ["pictures", "against_reference"], "11_plan": ["passes", "cost"]}
 
 
 def test_Notebooks_All_AreListedHere():
