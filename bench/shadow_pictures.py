@@ -1,7 +1,7 @@
 """The share of a light that self-shadowing leaves in a picture, by the maps of the real-time ways and by the path tracer.
 
   pip install numpy OpenEXR        (in a virtual environment of its own)
-  CUTICLE=build/release/bin/cuticle CUTICLE_TEST_DATA=.. python bench/shadow_pictures.py OUT [--methods deep_opacity,opacity_map] [--resolutions 512,2048]
+  CUTICLE=build/release/bin/cuticle CUTICLE_TEST_DATA=.. python bench/shadow_pictures.py OUT [--methods deep_opacity,opacity_map] [--resolutions 512,2048] [--settings '{"depth_offset_mm": -0.9}']
 
 For three grooms of the test data: the sum of a picture of direct light over that of the same picture without self-shadowing, drawn by brute
 force with transmittance from maps (filter of one texel), and by paths of one scattering, whose rays to the light meet opaque fibres. Both shade
@@ -68,6 +68,7 @@ def main():
     parser.add_argument("--methods", default="deep_opacity,opacity_map,exact_list,deep_shadow,moments,fourier")
     parser.add_argument("--resolutions", default="512,2048")
     parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--settings", type=json.loads, default={}, help="JSON object: further settings of every method")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
     worst = 0
@@ -81,7 +82,7 @@ def main():
         print(f"{name}: paths leave {reference:.4f}", flush=True)
         for method in options.methods.split(","):
             for resolution in options.resolutions.split(","):
-                settings = {"resolution": int(resolution), "filter_texels": 1} | LAYERS.get(method, {})
+                settings = {"resolution": int(resolution), "filter_texels": 1} | LAYERS.get(method, {}) | options.settings
                 left = share({method: settings}, "truth") / open_light
                 worst = max(worst, abs(left - reference))
                 print(f"{name}: {method} {resolution}: {left:.4f}, {left - reference:+.4f}", flush=True)

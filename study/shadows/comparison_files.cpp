@@ -36,6 +36,7 @@ Json row_json(const ComparisonRow& row) {
   json["settings"] = row.settings;
   json["choosing_error"] = row.choosing.mean;
   json.update(Json::parse(registry::to_json(row.values)).value());
+  json["bias"] = row.error.bias;  // not the parameter of that name
   if (json.contains("slices")) json["layers"] = json["slices"];
   json["build_ms"] = row.cost.build_ms;
   json["lookup_ms"] = row.cost.lookup_ms;
