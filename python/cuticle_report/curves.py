@@ -3,22 +3,25 @@ import math
 
 import plotly.graph_objects as plotly
 
-from .figures import COLORS, LOBE_COLORS
+from . import look
 
 DECADES = 5  # shown of a polar plot, below its largest value
-MOST_COLORED, OTHERS = 6, "#9a9a9a"  # curves of a plot
 PLOT_PIXELS, LABEL_PIXELS = 340, 14  # heights of the axis and of a name
-DASHES = ("solid", "dash", "dot", "dashdot")
-LOOKS = [(color, dash) for dash in DASHES for color in COLORS]  # of a plot's curves, in turn
 
 
 def looks_of(plot):
-    """Colour and dash of each curve: a lobe has its own colour, as has what is expected of it, dashed."""
+    """Colour and dash of each curve: a lobe has its own colour, as has what is expected of it, dashed. Of more than six curves six have a colour, the rest are grey."""
+    colored = dict(zip(lowest(plot) if is_crowded(plot) else range(look.MOST_CURVES), look.COLORS))
     looks = []
     for place, curve in enumerate(plot["curves"]):
         lobe, _, rest = curve["name"].partition(" ")
-        looks.append((LOBE_COLORS[lobe], "dash" if rest else "solid") if lobe in LOBE_COLORS else LOOKS[place % len(LOOKS)])
+        is_lobe = lobe in look.LOBE_COLORS and not is_crowded(plot)
+        looks.append((look.LOBE_COLORS[lobe], "dash" if rest else "solid") if is_lobe else (colored.get(place, look.OTHERS), "solid"))
     return looks
+
+
+def is_crowded(plot):
+    return len(plot["curves"]) > look.MOST_CURVES
 
 
 def radii(values, largest):
@@ -37,44 +40,58 @@ def polar_labels(largest):
 def lowest(plot):
     """Places of the six curves that end lowest: the most exact, where errors are drawn."""
     ends = [curve["y"][-1] if curve["y"] else math.inf for curve in plot["curves"]]
-    return sorted(range(len(ends)), key=ends.__getitem__)[:MOST_COLORED]
+    return sorted(range(len(ends)), key=ends.__getitem__)[:look.MOST_CURVES]
 
 
 def label_ends(figure, plot, colors):
-    """The name of each curve beside its last point, moved so far up or down that no name covers another."""
+    """The name of each curve right of the axis at the height of its last point, moved so far up or down that no name covers another."""
     scale = (lambda value: math.log10(max(value, 1e-300))) if plot.get("logarithmic") else float
-    values = [scale(value) for curve in plot["curves"] for value in curve["y"] if value > 0 or not plot.get("logarithmic")]
+    values = [scale(value) for curve in plot["curves"] for value in curve["y"] if value > 0 or not plot.get("logarithmic")] or [0.0]
     per_pixel = (max(values) - min(values) or 1) / PLOT_PIXELS
-    ends = sorted((scale(curve["y"][-1]), place) for place, curve in enumerate(plot["curves"]) if curve["y"])
+    ends = sorted((max(scale(curve["y"][-1]), min(values)), place) for place, curve in enumerate(plot["curves"]) if curve["y"])
     reached = -math.inf
     for value, place in ends:
         height = max(value / per_pixel, reached + LABEL_PIXELS)
         reached = height
         figure.add_annotation(x=1, xref="paper", y=value, text=plot["curves"][place]["name"], font={"color": colors[place], "size": 11}, showarrow=False,
                               xanchor="left", xshift=4, yshift=height - value / per_pixel)
-    figure.update_layout(showlegend=False, margin={"r": 20 + 7 * max(len(curve["name"]) for curve in plot["curves"])})
+
+
+def label_peaks(figure, plot, colors, largest):
+    """The name of each curve of a polar plot outside its farthest point; of those that stand farthest at one place side by side."""
+    taken = {}
+    for curve, color in zip(plot["curves"], colors):
+        peak = max(range(len(curve["y"])), key=curve["y"].__getitem__)
+        angle, radius = curve["x"][peak], radii(curve["y"], largest)[peak]
+        row = taken[round(angle / 30) % 12] = taken.get(round(angle / 30) % 12, 0) + 1
+        figure.add_scatterpolar(theta=[angle + 5 * (row - 1)], r=[radius + 0.25 + 0.3 * (row - 1)], mode="text", text=[curve["name"]], textfont={"color": color, "size": 13},
+                                hoverinfo="skip", cliponaxis=False)
+
+
+def polar(plot):
+    figure, largest, looks = plotly.Figure(), largest_of(plot), looks_of(plot)
+    for (color, dash), curve in zip(looks, plot["curves"]):
+        figure.add_scatterpolar(theta=curve["x"], r=radii(curve["y"], largest), name=curve["name"], mode="lines", line={"color": color, "dash": dash, "width": 2})
+    look.dress(figure, 440, 60, 45, 35)
+    label_peaks(figure, plot, [color for color, _ in looks], largest)
+    figure.add_annotation(x=0, y=1.08, xref="paper", yref="paper", xanchor="left", showarrow=False, text=f"{plot['y_label']} (logarithmic) over {plot['x_label']}")
+    figure.update_layout(polar={"bgcolor": look.CLEAR, "angularaxis": {"gridcolor": look.GRID, "linecolor": look.GRID, "ticksuffix": "°"},
+                                "radialaxis": {"range": [0, DECADES + 0.6], "tickvals": list(range(1, DECADES + 1)), "ticktext": polar_labels(largest), "gridcolor": look.GRID,
+                                               "linecolor": look.GRID, "angle": 90, "tickangle": 90, "tickfont": {"size": 10}}})
+    return figure
 
 
 def interactive(plot):
-    """The same as a plotly figure. Of more than six curves six have a colour, the rest are grey, and all have their names at their ends."""
-    figure, largest, looks = plotly.Figure(), largest_of(plot), looks_of(plot)
-    is_crowded = len(plot["curves"]) > MOST_COLORED and not plot["polar"]
-    if is_crowded:
-        colored = dict(zip(lowest(plot), COLORS))
-        looks = [(colored.get(place, OTHERS), "solid") for place in range(len(looks))]
-    for (color, dash), curve in zip(looks, plot["curves"]):
-        line = {"color": color, "dash": dash}
-        if plot["polar"]:
-            figure.add_scatterpolar(theta=curve["x"], r=radii(curve["y"], largest), name=curve["name"], mode="lines", line=line)
-        else:
-            figure.add_scatter(x=curve["x"], y=curve["y"], name=curve["name"], mode="lines", line=line)
-    figure.update_layout(template="plotly_white", height=420, title=plot["title"], margin={"l": 70, "r": 20, "t": 60, "b": 60})
-    if is_crowded:
-        label_ends(figure, plot, [color for color, _ in looks])
+    """The same as a plotly figure, every curve with its name beside it."""
     if plot["polar"]:
-        figure.update_layout(polar={"radialaxis": {"tickvals": list(range(1, DECADES + 1)), "ticktext": polar_labels(largest)}})
-    else:
-        scale = "log" if plot.get("logarithmic") else "linear"
-        figure.update_xaxes(title=plot["x_label"], type=scale)
-        figure.update_yaxes(title=plot["y_label"], type=scale)
+        return polar(plot)
+    figure, looks = plotly.Figure(), looks_of(plot)
+    for (color, dash), curve in zip(looks, plot["curves"]):
+        width = 1.2 if color == look.OTHERS else 2
+        figure.add_scatter(x=curve["x"], y=curve["y"], name=curve["name"], mode="lines", line={"color": color, "dash": dash, "width": width})
+    look.dress(figure, 420, 20 + 7 * max(len(curve["name"]) for curve in plot["curves"]))
+    label_ends(figure, plot, [color for color, _ in looks])
+    scale = "log" if plot.get("logarithmic") else "linear"
+    figure.update_xaxes(title=plot["x_label"], type=scale, dtick=look.tick_step([x for curve in plot["curves"] for x in curve["x"]]) if scale == "log" else None)
+    figure.update_yaxes(title=plot["y_label"], type=scale)
     return figure

@@ -8,7 +8,7 @@ import pathlib
 import jinja2
 import plotly.offline
 
-from . import ReportError
+from . import ReportError, look
 
 
 @dataclasses.dataclass
@@ -50,9 +50,8 @@ def parameters(cell):
     return pairs if len(pairs) > 2 and all(len(pair) == 2 for pair in pairs) else []
 
 
-def figure_html(figure):
-    """A plot as HTML; the script that draws it is embedded once in the page."""
-    return figure.to_html(full_html=False, include_plotlyjs=False, config={"responsive": True, "displaylogo": False})
+def own_script():
+    return (pathlib.Path(__file__).parent / "templates/report.js").read_text(encoding="utf-8")
 
 
 def render(title, sections):
@@ -60,7 +59,7 @@ def render(title, sections):
     environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
     script = plotly.offline.get_plotlyjs() if any(section.figures for section in sections) else ""
-    return environment.get_template("page.html.j2").render(title=title, sections=sections, script=script, figure_html=figure_html,
+    return environment.get_template("page.html.j2").render(title=title, sections=sections, script=script, figure_html=look.plot_html, own_script=own_script(),
                                                            parameters=parameters)
 
 

@@ -10,11 +10,9 @@ import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, ladder, page, pareto, results
+from . import ReportError, curves, findings, flip, ladder, look, page, pareto, results
 
 HERE = pathlib.Path(__file__).parent
-CONFIG = {"responsive": True, "displaylogo": False, "displayModeBar": "hover"}
-BAR = {"bgcolor": "rgba(0,0,0,0)", "color": "rgba(128,128,128,0.6)"}
 LEAST_SPAN = 2  # of times that an exponent is told of
 MOST_PLOTS = 4  # of curves shown at once; the rest open on demand
 
@@ -49,10 +47,6 @@ class View:
 
 def uri(kind, content):
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"
-
-
-def plot_html(figure):
-    return figure.to_html(full_html=False, include_plotlyjs=False, config=CONFIG)
 
 
 def csv_text(columns, rows):
@@ -91,17 +85,16 @@ def group_figure(study, group):
         (study.folder / f"{name}.{kind}").write_bytes(content)
     downloads = [Download(f"{name}.pdf", "PDF", uri("application/pdf", files["pdf"])), Download(f"{name}.svg", "SVG", uri("image/svg+xml", files["svg"])),
                  Download(f"{name}.csv", "data", uri("text/csv", csv_text(columns, rows).encode()))]
-    return Figure(name, group.raw["title"], f"Truth: {group.raw['truth']}. {drawer.CAPTION}", plot_html(drawer.interactive(group, study.raw["cost_label"])), downloads)
+    return Figure(name, group.raw["title"], f"Truth: {group.raw['truth']}. {drawer.CAPTION}", look.plot_html(drawer.interactive(group, study.raw["cost_label"])), downloads)
 
 
 def curve_figure(study, plot):
     if not {"name", "title", "x_label", "y_label", "polar", "curves"} <= plot.keys():
         raise ReportError(f"{study.folder}/result.json: plot {plot.get('name', '?')}: a key is missing")
     figure = curves.interactive(plot)
-    figure.update_layout(title=None, paper_bgcolor="rgba(0,0,0,0)", plot_bgcolor="rgba(0,0,0,0)", margin={"t": 20}, modebar=BAR)
     rows = [[curve["name"], x, y] for curve in plot["curves"] for x, y in zip(curve["x"], curve["y"])]
     data = csv_text(["curve", plot["x_label"], plot["y_label"]], rows)
-    return Figure(f"{study.name}-{plot['name']}", plot["title"], "", plot_html(figure), [Download(f"{plot['name']}.csv", "data", uri("text/csv", data.encode()))])
+    return Figure(f"{study.name}-{plot['name']}", plot["title"], "", look.plot_html(figure), [Download(f"{plot['name']}.csv", "data", uri("text/csv", data.encode()))])
 
 
 def grid_figure(study, grid):
@@ -111,14 +104,14 @@ def grid_figure(study, grid):
     common = {"x": grid["x"], "y": grid["y"], "colorscale": "Viridis", "colorbar": {"title": f"log10 {grid['z_label']}"}}
     figure = plotly.graph_objects.Figure([plotly.graph_objects.Heatmap(z=heights, **common), plotly.graph_objects.Surface(z=heights, visible=False, **common)])
     buttons = [{"label": label, "method": "update", "args": [{"visible": [label == "heat map", label == "3D"]}]} for label in ("heat map", "3D")]
-    figure.update_layout(height=460, margin={"l": 70, "r": 20, "t": 40, "b": 55}, paper_bgcolor="rgba(0,0,0,0)", plot_bgcolor="rgba(0,0,0,0)", modebar=BAR,
-                         updatemenus=[{"type": "buttons", "direction": "right", "x": 0, "y": 1.12, "buttons": buttons, "font": {"color": "#222"}}],
-                         scene={"xaxis_title": grid["x_label"], "yaxis_title": grid["y_label"], "zaxis_title": f"log10 {grid['z_label']}"})
+    look.dress(figure, 460, 20, 40)
+    figure.update_layout(updatemenus=[{"type": "buttons", "direction": "right", "x": 0, "y": 1.12, "buttons": buttons, "font": {"color": "#222"}}],
+                         scene={"bgcolor": look.CLEAR, "xaxis_title": grid["x_label"], "yaxis_title": grid["y_label"], "zaxis_title": f"log10 {grid['z_label']}"})
     figure.update_xaxes(title=grid["x_label"])
     figure.update_yaxes(title=grid["y_label"])
     rows = [[y, *values] for y, values in zip(grid["y"], grid["values"])]
     data = csv_text([f"{grid['y_label']} \\ {grid['x_label']}", *grid["x"]], rows)
-    return Figure(f"{study.name}-{grid['name']}", grid["title"], "", plot_html(figure), [Download(f"{grid['name']}.csv", "data", uri("text/csv", data.encode()))])
+    return Figure(f"{study.name}-{grid['name']}", grid["title"], "", look.plot_html(figure), [Download(f"{grid['name']}.csv", "data", uri("text/csv", data.encode()))])
 
 
 def views(study, means):
@@ -199,5 +192,5 @@ def make(folder):
     text = environment.get_template("report.html.j2").render(
         title=title, sections=sections, findings=findings.find(studies), machine=studies[0].times["machine"], clock=studies[0].times,
         scripts=[plotly.offline.get_plotlyjs(), (HERE / "vendor/img-comparison-slider/index.js").read_text(encoding="utf-8")],
-        own_script=(HERE / "templates/report.js").read_text(encoding="utf-8"), most_plots=MOST_PLOTS, shown=results.shown)
+        own_script=page.own_script(), most_plots=MOST_PLOTS, shown=results.shown)
     page.write(folder / "index.html", text)

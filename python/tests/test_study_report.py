@@ -81,6 +81,7 @@ def page(tmp_path_factory):
 
 # Clicks what a person would click, then writes down what came of it.
 SCRIPT = """<script>window.addEventListener("load", () => setTimeout(async () => {
+  drawAll(); await new Promise(r => setTimeout(r, 300));
   const table = document.getElementById("luts-rungs"), column = n => [...table.tBodies[0].rows].map(row => row.cells[n].textContent);
   const seen = {}, header = n => table.tHead.rows[0].cells[n].querySelector("button");
   header(1).click(); seen.up = column(1); header(1).click(); seen.down = column(1); header(0).click(); seen.words = column(0);

@@ -15,6 +15,7 @@ Result<Study> declare_lobes(const StudyRequest& request, Progress& progress) {
   if (request.quick) {
     lobes.points = 256;
     lobes.samples = 91;
+    lobes.walks = 100000;
   }
   return lobes_study(lobes, progress);
 }

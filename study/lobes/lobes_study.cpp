@@ -18,11 +18,6 @@ Result<std::vector<const bsdf::Model*>> chosen_models(const LobesRequest& reques
   return chosen;
 }
 
-/// The fibre in the model's parameters; what it has no mapping for keeps the defaults, and the note says so.
-bsdf::FibreMapping mapping_of(const bsdf::Model& model, const bsdf::Fibre& fibre) {
-  return model.from_fibre ? model.from_fibre(fibre) : bsdf::FibreMapping{"", "no mapping: the defaults"};
-}
-
 Table landmark_table(const Landmarks& landmarks) {
   Table table{"landmarks", "Places that the literature names", {"model", "what", "expected, degrees", "measured, degrees"}, {}};
   for (const Landmark& mark : landmarks.places)
@@ -36,7 +31,7 @@ void add_all(std::vector<Plot>& plots, std::vector<Plot> more) {
 }
 
 Result<void> add_model(Study& study, Plot& albedo, const bsdf::Model& model, const LobesRequest& request) {
-  const bsdf::FibreMapping mapping = mapping_of(model, request.fibre);
+  const bsdf::FibreMapping mapping = settings_of(model, request.fibre);
   study.notes.push_back(fmt::format("{}: {} ({})", model.entry.name, mapping.settings, mapping.words));
   CUTICLE_ASSIGN(std::vector<Group> groups, tier_groups(model, mapping.settings, request));
   std::ranges::move(groups, std::back_inserter(study.groups));
@@ -56,12 +51,17 @@ Result<void> add_model(Study& study, Plot& albedo, const bsdf::Model& model, con
 
 }  // namespace
 
+bsdf::FibreMapping settings_of(const bsdf::Model& model, const bsdf::Fibre& fibre) {
+  return model.from_fibre ? model.from_fibre(fibre) : bsdf::FibreMapping{"", "no mapping: the defaults"};
+}
+
 Result<Study> lobes_study(const LobesRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const std::vector<const bsdf::Model*> models, chosen_models(request));
   Study study{.name = "lobes",
               .title = fmt::format("Fibre models on {} hair", request.fibre_name),
               .question = "Which tier and precision of a fibre model is exact enough, and what does it cost?",
               .cost_label = "one evaluation of S, one thread"};
+  CUTICLE_ASSIGN(study.groups.emplace_back(), across_models(models, request));
   Plot albedo{"albedo", "albedo of all models", "theta_o, degrees", "albedo (green)"};
   for (std::size_t i = 0; i < models.size(); ++i) {
     progress.update("models", i, models.size());

@@ -16,6 +16,7 @@ struct LobesRequest {
   std::vector<std::string> models;  ///< empty: all that are registered
   std::size_t points = 4096;        ///< random directions that errors are taken over; fewer where many paths are walked
   std::size_t samples = 361;        ///< of each curve
+  std::int64_t walks = 1000000;     ///< of the Monte Carlo fibre, for each inclination of the viewer
 };
 
 /// A place that the literature names, where the model has it: in degrees.
@@ -32,6 +33,17 @@ struct Landmarks {
 /// what evaluation says.
 Result<Study> lobes_study(const LobesRequest& request, Progress& progress);
 
+/// The fibre in the model's parameters; one that has no mapping keeps its defaults, and the words say so.
+bsdf::FibreMapping settings_of(const bsdf::Model& model, const bsdf::Fibre& fibre);
+/// The registered study cases of a model, each over the settings; without any, the settings alone.
+struct LobesTier {
+  std::string name, settings;
+};
+std::vector<LobesTier> tiers_of(const bsdf::Model& model, const std::string& settings);
+
+/// One group for all models: S in float, far field, of every tier that is not too slow, against the Monte Carlo fibre
+/// (study/oracle/rough_fibre.h); errors over bins of directions, and of the albedo. Error: what evaluation says.
+Result<Group> across_models(std::span<const bsdf::Model* const> models, const LobesRequest& request);
 /// Tiers of a model whose parameters are `settings`, in float and double. The near field is another function than the
 /// far field: a group for each. Truth: the last of its tiers in double, at random directions.
 Result<std::vector<Group>> tier_groups(const bsdf::Model& model, const std::string& settings,

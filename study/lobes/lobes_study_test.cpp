@@ -19,6 +19,7 @@ LobesRequest small_request() {
   request.models = {"marschner"};
   request.points = 128;
   request.samples = 37;
+  request.walks = 20000;
   return request;
 }
 
@@ -33,14 +34,30 @@ const Study& small_study() {
 
 TEST(LobesStudy, Tiers_TheLastInDoubleIsTheTruthAndFloatIsNearIt) {
   const StudyResult result = *run_study(small_study(), silent_progress());
-  ASSERT_EQ(result.groups.size(), 1u);
-  const auto& points = result.groups[0].points;
+  ASSERT_EQ(result.groups.size(), 2u);
+  const auto& points = result.groups[1].points;
   EXPECT_EQ(points[0].metrics[0].all.maximum, 0);
   for (const PointResult& point : points) EXPECT_GT(point.time.seconds.value, 0);
   const PointResult& single = points[1];
   EXPECT_EQ(single.method, "float");
   EXPECT_EQ(single.metrics[0].all.median > 0, (std::is_same_v<Single, float>));
   EXPECT_LT(single.metrics[0].all.median, 1e-4);
+}
+
+// A model of absorbing rough fibres is nearer to the walks than one without absorption or transmission.
+TEST(LobesStudy, AcrossModels_AFibreModelIsNearerToTheWalksThanAPhenomenologicalOne) {
+  LobesRequest request = small_request();
+  const bsdf::Model* const models[] = {*bsdf::find_model("deon"), *bsdf::find_model("kajiya_kay")};
+  Study study;
+  study.timing = {.rounds = 1, .sample_seconds = 1e-5};
+  study.groups = {*across_models(models, request)};
+  const StudyResult result = *run_study(study, silent_progress());
+  const auto& points = result.groups[0].points;
+  const double deon = points.front().metrics[0].all.mean.value, kajiya_kay = points.back().metrics[0].all.mean.value;
+  EXPECT_LT(deon, 0.5);
+  EXPECT_LT(2 * deon, kajiya_kay);
+  EXPECT_LT(study.groups[0].floor, 0.1);
+  EXPECT_LT(points.front().metrics[1].all.mean.value, 0.1);
 }
 
 TEST(LobesStudy, Landmarks_AreWhereTheLiteraturePutsThem) {

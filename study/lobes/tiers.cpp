@@ -29,17 +29,6 @@ std::vector<bsdf::Point> random_points(std::size_t count) {
   return points;
 }
 
-struct Tier {
-  std::string name, settings;
-};
-std::vector<Tier> tiers_of(const bsdf::Model& model, const std::string& settings) {
-  std::vector<Tier> tiers;
-  for (const registry::StudyCase& tier : model.entry.study_cases)
-    tiers.push_back({std::string(tier.name), fmt::format("{},{}", settings, tier.settings)});
-  if (tiers.empty()) tiers.push_back({"default", settings});
-  return tiers;
-}
-
 constexpr double k_most_rounds = 3e7;  ///< loop rounds of a reference, all directions together
 constexpr std::size_t k_fewest_points = 16;
 
@@ -100,7 +89,7 @@ Work work_of(const Case& at) {
           double(count)};
 }
 
-Result<SharedReference> make_reference(const bsdf::Model& model, const Tier& tier,
+Result<SharedReference> make_reference(const bsdf::Model& model, const LobesTier& tier,
                                        const registry::ParameterValues& values, std::size_t most) {
   Reference reference{tier.name, random_points(most), {}};
   reference.points.resize(points_of(model, values, most));
@@ -119,7 +108,7 @@ Group make_group(const bsdf::Model& model, bool near, const Reference& reference
           .item = "direction"};
 }
 
-Point make_point(const Case& at, const Tier& tier) {
+Point make_point(const Case& at, const LobesTier& tier) {
   return {at.precision == Precision::f64 ? "double" : "float",
           {{"tier", tier.name}},
           [at] { return errors_of(at); },
@@ -127,6 +116,14 @@ Point make_point(const Case& at, const Tier& tier) {
 }
 
 }  // namespace
+
+std::vector<LobesTier> tiers_of(const bsdf::Model& model, const std::string& settings) {
+  std::vector<LobesTier> tiers;
+  for (const registry::StudyCase& tier : model.entry.study_cases)
+    tiers.push_back({std::string(tier.name), fmt::format("{},{}", settings, tier.settings)});
+  if (tiers.empty()) tiers.push_back({"default", settings});
+  return tiers;
+}
 
 std::string finest_settings(const bsdf::Model& model, const std::string& settings) {
   return tiers_of(model, settings).back().settings;
@@ -141,7 +138,7 @@ std::string shown_settings(const bsdf::Model& model, const std::string& settings
 
 Result<std::vector<Group>> tier_groups(const bsdf::Model& model, const std::string& settings,
                                        const LobesRequest& request) {
-  const std::vector<Tier> tiers = tiers_of(model, settings);
+  const std::vector<LobesTier> tiers = tiers_of(model, settings);
   std::map<bool, std::pair<SharedReference, Group>> fields;
   for (auto tier = tiers.rbegin(); tier != tiers.rend(); ++tier) {
     CUTICLE_ASSIGN(const registry::ParameterValues values, bsdf::parse_settings(model, "", tier->settings));

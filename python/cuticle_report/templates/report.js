@@ -48,15 +48,26 @@ for (const choice of document.querySelectorAll(".views input"))
 for (const blink of document.querySelectorAll("button.blink"))
   blink.addEventListener("click", () => { const [a, b] = blink.querySelectorAll("img"); a.hidden = !a.hidden; b.hidden = !b.hidden; });
 
-function colours() {
-  const style = getComputedStyle(document.documentElement), ink = style.getPropertyValue("--ink").trim();
-  for (const plot of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(plot, { "font.color": ink });
+function ink() { return getComputedStyle(document.documentElement).getPropertyValue("--ink").trim(); }
+
+// A plot is drawn when it comes near the window: a page has dozens of them.
+function draw(plot) {
+  if (plot.dataset.drawn) return;
+  plot.dataset.drawn = "1";
+  const figure = JSON.parse(plot.querySelector("script").textContent);
+  figure.layout.font = { ...figure.layout.font, color: ink() };
+  Plotly.newPlot(plot, figure.data, figure.layout, { responsive: true, displaylogo: false, displayModeBar: "hover" });
 }
+function drawAll() { for (const plot of document.querySelectorAll(".plot")) draw(plot); }
+const near = new IntersectionObserver(seen => { for (const each of seen) if (each.isIntersecting) { near.unobserve(each.target); draw(each.target); } }, { rootMargin: "600px" });
+for (const plot of document.querySelectorAll(".plot")) near.observe(plot);
+window.addEventListener("beforeprint", drawAll);
+
+function colours() { for (const plot of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(plot, { "font.color": ink() }); }
 const theme = document.getElementById("theme");
-theme.addEventListener("click", () => {
+theme?.addEventListener("click", () => {
   const dark = getComputedStyle(document.documentElement).getPropertyValue("--dark").trim() === "1";
   document.documentElement.dataset.theme = dark ? "light" : "dark";
   colours();
 });
-window.addEventListener("load", colours);
 for (const more of document.querySelectorAll("details")) more.addEventListener("toggle", () => { for (const plot of more.querySelectorAll(".js-plotly-plot")) Plotly.Plots.resize(plot); });

@@ -1,0 +1,38 @@
+"""What all figures look like, on every page: colours, lines, letters, sizes."""
+import json
+
+COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b"]
+MOST_CURVES = len(COLORS)  # of a figure: more than six colours are not told apart
+OTHERS = "#8c8c8c"  # of what stands behind the six
+# Of the lobes of every model, in every figure; the same as lobe_color of viz/lobe_surface.cpp.
+LOBE_COLORS = {"R": "#3378bf", "TT": "#ed9921", "TRT": "#bf3845", "residual": "#599e5c", "TTs": "#f7cc85", "TRTs": "#db8c96",
+               "specular": "#3378bf", "primary": "#3378bf", "diffuse": "#ed9921", "secondary": "#bf3845"}
+FRONT = "rgba(128,128,128,0.3)"
+GRID = "rgba(128,128,128,0.2)"
+CLEAR = "rgba(0,0,0,0)"
+FONT = "system-ui, sans-serif"
+PLOT_WIDTH = 800  # of a page's axis, about: pages are wider or narrower
+COLUMN_INCHES = 3.33
+PRINT = {"font.size": 7, "axes.labelsize": 7, "xtick.labelsize": 6, "ytick.labelsize": 6, "pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "cuticle",
+         "axes.spines.top": False, "axes.spines.right": False}
+
+
+def dress(figure, height, right, top=20, bottom=55):
+    """The layout of a page's figure; colours are clear, so that a page's theme shows."""
+    figure.update_layout(template="none", height=height, margin={"l": 75, "r": right, "t": top, "b": bottom}, paper_bgcolor=CLEAR, plot_bgcolor=CLEAR, showlegend=False,
+                         font={"family": FONT, "size": 13}, modebar={"bgcolor": CLEAR, "color": "rgba(128,128,128,0.6)"}, hoverlabel={"font": {"family": FONT}})
+    figure.update_xaxes(gridcolor=GRID, zeroline=False, exponentformat="power")
+    figure.update_yaxes(gridcolor=GRID, zeroline=False, exponentformat="power")
+
+
+def tick_step(values):
+    """Every power of ten where there are many, 1, 2 and 5 too where there are few, plotly's own within one."""
+    values = [value for value in values if value > 0]
+    span = max(values, default=1) / min(values, default=1)
+    return 1 if span > 300 else "D2" if span > 8 else None
+
+
+def plot_html(figure):
+    """A figure that the page's script draws when it comes into sight."""
+    data = json.dumps(json.loads(figure.to_json()), separators=(",", ":")).replace("<", "\\u003c")
+    return f'<div class="plot" style="min-height:{figure.layout.height or 450}px"><script type="application/json">{data}</script></div>'
