@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "plan/strand_shadows_gpu.h"
+#include "render/hair_shadows_gpu.h"
 #include "shadows/groom_gpu.h"
 #include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
@@ -139,8 +139,9 @@ void expect_agreement(const std::string& method, std::string_view more) {
   resources.edit<render::FibreMaterial>().fibre_alpha = *scene.fibre_alpha;
   resources.edit<render::Lights>().all = scene.lights;
   resources.edit<render::DrawnHair>().strands = resources.edit<render::DrawnHair>().casters = on_device->strands;
-  auto shadows = StrandShadows::make(software_device(), scene, make_plan(scene, {.lights = 2}), resources);
-  ASSERT_TRUE(shadows && *shadows);
+  auto shadows = render::HairShadows::create(software_device(), method, scene.shadow->values, resources);
+  ASSERT_TRUE(shadows) << shadows.error().message;
+  (*shadows)->publish(resources);
   gpu::Commands commands = software_device()->record();
   ASSERT_TRUE((*shadows)->record(commands, resources));
   ASSERT_TRUE(software_device()->submit(std::move(commands)));

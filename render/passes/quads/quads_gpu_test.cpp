@@ -64,7 +64,7 @@ Image draw(const Drawing& drawing, const Settings& settings = {}) {
   const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
   Resources resources;
   resources.edit<FrameView>().camera = drawing.camera();
-  resources.get<FrameView>().camera.position *= settings.far;
+  resources.edit<FrameView>().camera.position *= settings.far;
   resources.edit<DrawnHair>().strands = {&vertices,
                                          &segments,
                                          std::uint32_t(drawing.vertices.size()),

@@ -126,7 +126,7 @@ class Field {
     for (const auto& pass : passes) EXPECT_TRUE(pass->record(commands, resources));
     EXPECT_TRUE(device()->submit(std::move(commands)));
     Shaded shaded;
-    if (const gpu::Buffer* const list_buffer = resources.get<StrandColors>().shaded_vertices) {
+    if (const gpu::Buffer* const list_buffer = resources.get<shade_strands::StrandColors>().shaded_vertices) {
       const gpu::Buffer& list = *list_buffer;
       const auto words = *gpu::read_buffer<std::uint32_t>(*device(), list, list.size() / 4);
       shaded.vertices.assign(words.begin() + 1, words.begin() + 1 + words[0]);
