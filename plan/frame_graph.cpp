@@ -110,7 +110,7 @@ class Graph {
 
   /// The facts that demand a pass, else who reads what it makes.
   std::string why_needed(const PlannedPass& pass) const {
-    if (!pass.reason.empty()) return pass.reason;
+    if (!pass.entry->demands.empty() || uses_of(*pass.entry).empty()) return pass.reason;
     std::set<std::string> readers;
     for (const Use& made : uses_of(*pass.entry)) {
       if (!is_output(made)) continue;
