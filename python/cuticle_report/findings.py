@@ -1,7 +1,7 @@
 """Findings in plain words, made from the numbers of the studies: each with the figure that shows it."""
 import dataclasses
 
-from . import results
+from . import ladder as ladders, results
 
 
 @dataclasses.dataclass
@@ -29,27 +29,39 @@ def named(group, name):
     return next(point for point in group.points if point.name == name)
 
 
+def words(rung):
+    return rung.method.replace("_", " ")
+
+
 def ladder(study):
-    """Which rung adds most to the picture's error; what the whole ladder saves."""
-    noisy = []
+    """Which rung adds most on each scene, what the whole ladder saves, and which rungs are not told from noise."""
+    most, untold, rungs = [], [], 0
     for group in study.groups:
-        rungs = group.points
-        worst = max(rungs, key=lambda rung: rung.error("added")["value"])
-        total = rungs[-1].error("picture")["value"]
-        if not total:
-            continue
-        if group.raw["floor"] > 0.3 * total:
-            noisy.append((group, total))
-            continue
-        share = worst.error("added")["value"] / sum(rung.error("added")["value"] for rung in rungs)
-        saved = f", in {time(rungs[-1].seconds['value'])} a frame" if rungs[-1].seconds else ""
-        yield Finding(f"{group.raw['name'].capitalize()}: the rung that changes the picture most is {worst.method.replace('_', ' ')}, {percent(share)} of what all rungs "
-                      f"add. The real-time picture is off by a relative MSE of {results.shown(total, 2)}{saved}.", group_id(study, group), "the ladder")
-    if noisy:
-        seeds = ", ".join(f"{results.shown(group.raw['floor'], 2)} ({group.raw['name']})" for group, _ in noisy)
-        totals = ", ".join(results.shown(total, 2) for _, total in noisy)
-        yield Finding(f"The ladder: the truth is too noisy to rank its rungs: another seed changes the picture by a relative MSE of {seeds}; all rungs together by {totals}. "
-                      "More samples tell (without --quick).", group_id(study, noisy[0][0]), "the ladder", is_doubt=True)
+        told = [rung for rung in group.points if ladders.is_told(rung.error("added"))]
+        rungs += len(group.points)
+        untold += [f"{words(rung)} ({group.raw['name']})" for rung in group.points if rung not in told]
+        if told:
+            worst = max(told, key=lambda rung: rung.error("added")["value"])
+            most.append(f"{words(worst)} on {group.raw['name']} (adds {results.shown(worst.error('added')['value'], 2)} of relative MSE)")
+    if most:
+        group = study.groups[0]
+        first, last = (rung.seconds and rung.seconds["value"] for rung in (group.points[0], group.points[-1]))
+        saved = f" A real-time frame of {group.raw['name']} takes {time(last)}; the traced one took {time(first)}." if first and last else ""
+        yield Finding(f"On the way from path tracing to the real-time picture, the step that changes the picture most is {', '.join(most)}.{saved}",
+                      group_id(study, group), "the ladder")
+    if untold:
+        yield Finding(f"{rungs - len(untold)} of {rungs} steps of the ladder are told from the noise of path tracing; not told: {', '.join(untold)}.",
+                      group_id(study, study.groups[0]), "the ladder", is_doubt=True)
+
+
+def models(study):
+    """Which model comes nearest to the truth's picture, and what its tables change."""
+    group = study.groups[0]
+    told = sorted((point for point in group.points if point.error("light")["value"] > 0), key=lambda point: point.error("light")["value"])
+    if len(told) > 1:
+        best, worst = told[0], told[-1]
+        yield Finding(f"Of all models with the same fibre, {best.method} ({best.knobs['evaluate']}) comes nearest to the picture of the truth: its light is off by a relative MSE of "
+                      f"{results.shown(best.error('light')['value'], 2)}; {worst.method} ({worst.knobs['evaluate']}) is farthest, {results.shown(worst.error('light')['value'], 2)}.", group_id(study, group))
 
 
 def tables(study):
@@ -100,12 +112,12 @@ def volume(study):
                       f"{percent(points['dual_quaternion'].errors['volume']['max'])}.", group_id(study, study.groups[0]))
 
 
-MAKERS = {"picture": ladder, "luts": tables, "lobes": precision, "skinning": volume,
+MAKERS = {"picture": ladder, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
           "shadows": lambda study: choices(study, 0.03, "Shadows, {group}: the cheapest setting with a mean error of transmittance of at most {error} is {point}, {time} "
                                                         "(error on receivers that it was not chosen on: {judged})."),
           "motion": lambda study: choices(study, 0.01, "Motion, {group}: the cheapest setting within {error} of a strand's length is {point}, {time} a strand and frame."),
           "render": lambda study: choices(study, 0.01, "Drawing, {group}: the cheapest setting with a mean error of coverage of at most {error} is {point}, {time} a frame.")}
-ORDER = ("picture", "luts", "shadows", "render", "motion", "lobes", "skinning")
+ORDER = ("picture", "luts", "shadows", "render", "motion", "models", "lobes", "skinning")
 
 
 def find(studies, most=5):

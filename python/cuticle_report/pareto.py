@@ -113,14 +113,15 @@ def printed(group, cost_label):
         return files_of(figure)
 
 
-def files_of(figure):
+def files_of(figure, kinds=("pdf", "svg", "png")):
     """The bytes of a PDF with its fonts embedded, of an SVG with its letters as outlines, and of a PNG; the figure is closed."""
     figure.canvas.draw()
     figure.set_layout_engine("none")  # laid out once
+    options = {"pdf": {"metadata": {"CreationDate": None}}, "svg": {"metadata": {"Date": None}}, "png": {"dpi": 300}}
     files = {}
-    for kind, options in (("pdf", {"metadata": {"CreationDate": None}}), ("svg", {"metadata": {"Date": None}}), ("png", {"dpi": 300})):
+    for kind in kinds:
         buffer = io.BytesIO()
-        figure.savefig(buffer, format=kind, **options)
+        figure.savefig(buffer, format=kind, **options[kind])
         files[kind] = buffer.getvalue()
     pyplot.close(figure)
     return files
