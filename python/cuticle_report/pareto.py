@@ -109,6 +109,8 @@ def printed(group, cost_label):
             axes.plot(*zip(*places(group, points, factor)), "o-", color=color, linewidth=1, markersize=2.5)
         axes.set(xscale="log", yscale="log", xlabel=f"{cost_label}, {unit}", ylabel=group.raw["metrics"][0]["label"])
         axes.margins(x=0.12, y=0.1)
+        for axis in (axes.xaxis, axes.yaxis):
+            look.plain_ticks(axis)
         labels.annotate_printed(axes, named_ends(group, factor), places(group, group.drawable(), factor))
         return files_of(figure)
 

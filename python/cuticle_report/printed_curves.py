@@ -1,5 +1,8 @@
 """Curves, polar curves and heat maps at column width, as PDF and SVG; the interactive ones are in curves and report."""
+import concurrent.futures
 import math
+import multiprocessing
+import os
 
 from matplotlib import pyplot
 import numpy
@@ -7,6 +10,7 @@ import numpy
 from . import curves, look
 from .pareto import files_of
 
+MANY = 12
 DASHES = {"solid": "-", "dash": "--"}
 
 
@@ -60,10 +64,25 @@ def polar(plot):
         return files_of(figure, ("pdf", "svg"))
 
 
-def heat(grid, heights):
+def heights_of(grid):
+    """Decimal logarithms, over five decades."""
+    largest = max(max(row) for row in grid["values"]) or 1
+    return [[math.log10(max(value, 1e-5 * largest)) for value in row] for row in grid["values"]]
+
+
+def heat(grid):
+    heights = heights_of(grid)
     with pyplot.rc_context(look.PRINT):
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.4), layout="constrained")
         drawn = axes.pcolormesh(grid["x"], grid["y"], heights, cmap="viridis", shading="nearest", rasterized=True)
         axes.set(xlabel=grid["x_label"], ylabel=grid["y_label"])
         figure.colorbar(drawn, label=f"log10 {grid['z_label']}")
         return files_of(figure, ("pdf", "svg"))
+
+
+def all_of(plots, grids):
+    """The files of all of them, in their order; several processes draw where there are many."""
+    if len(plots) + len(grids) < MANY or (os.cpu_count() or 1) < 2:
+        return iter([plot_of(plot) for plot in plots] + [heat(grid) for grid in grids])
+    with concurrent.futures.ProcessPoolExecutor(min(4, os.cpu_count()), multiprocessing.get_context("fork")) as pool:
+        return iter([*pool.map(plot_of, plots, chunksize=4), *pool.map(heat, grids)])

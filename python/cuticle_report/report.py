@@ -3,7 +3,6 @@ import base64
 import csv
 import dataclasses
 import io
-import math
 import pathlib
 
 import jinja2
@@ -98,20 +97,22 @@ def group_figure(study, group):
     return Figure(name, group.raw["title"], f"Truth: {group.raw['truth']}. {drawer.CAPTION}", look.plot_html(drawer.interactive(group, study.raw["cost_label"])), downloads)
 
 
-def curve_figure(study, plot):
+def check(study, plot):
     if not {"name", "title", "x_label", "y_label", "polar", "curves"} <= plot.keys():
         raise ReportError(f"{study.folder}/result.json: plot {plot.get('name', '?')}: a key is missing")
+
+
+def curve_figure(study, plot, files):
     figure = curves.interactive(plot)
     rows = [[curve["name"], x, y] for curve in plot["curves"] for x, y in zip(curve["x"], curve["y"])]
     name = f"{study.name}-{plot['name']}"
-    downloads = downloads_of(study.folder, name, printed_curves.plot_of(plot), ["curve", plot["x_label"], plot["y_label"]], rows)
+    downloads = downloads_of(study.folder, name, files, ["curve", plot["x_label"], plot["y_label"]], rows)
     return Figure(name, plot["title"], "", look.plot_html(figure), downloads)
 
 
-def grid_figure(study, grid):
+def grid_figure(study, grid, files):
     """A function of two angles as a heat map and as a surface, chosen by buttons; its decimal logarithm, over five decades."""
-    largest = max(max(row) for row in grid["values"]) or 1
-    heights = [[math.log10(max(value, 1e-5 * largest)) for value in row] for row in grid["values"]]
+    heights = printed_curves.heights_of(grid)
     common = {"x": grid["x"], "y": grid["y"], "colorscale": "Viridis", "colorbar": {"title": f"log10 {grid['z_label']}"}}
     figure = plotly.graph_objects.Figure([plotly.graph_objects.Heatmap(z=heights, **common), plotly.graph_objects.Surface(z=heights, visible=False, **common)])
     buttons = [{"label": label, "method": "update", "args": [{"visible": [label == "heat map", label == "3D"]}]} for label in ("heat map", "3D")]
@@ -122,7 +123,7 @@ def grid_figure(study, grid):
     figure.update_yaxes(title=grid["y_label"])
     rows = [[y, *values] for y, values in zip(grid["y"], grid["values"])]
     name = f"{study.name}-{grid['name']}"
-    downloads = downloads_of(study.folder, name, printed_curves.heat(grid, heights), [f"{grid['y_label']} \\ {grid['x_label']}", *grid["x"]], rows)
+    downloads = downloads_of(study.folder, name, files, [f"{grid['y_label']} \\ {grid['x_label']}", *grid["x"]], rows)
     return Figure(name, grid["title"], "", look.plot_html(figure), downloads)
 
 
@@ -210,7 +211,11 @@ def section_of(study, everything=None):
     for group in study.groups:
         groups.append({"group": group, "figure": group_figure(study, group) if len(group.drawable()) > 1 else None, "table": group_table(study, group),
                        "conclusions": conclusions(study, group) if group.drawable() and not ladder.is_ladder(group) else None, "sentences": [] if ladder.is_ladder(group) else sentences(group), "identity": findings.group_id(study, group)})
-    plots = [curve_figure(study, plot) for plot in study.raw["plots"] if plot["curves"]] + [grid_figure(study, grid) for grid in study.raw.get("grids", [])]
+    curved, grids = [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
+    for plot in curved:
+        check(study, plot)
+    printed = printed_curves.all_of(curved, grids)
+    plots = [curve_figure(study, plot, next(printed)) for plot in curved] + [grid_figure(study, grid, next(printed)) for grid in grids]
     plots.sort(key=lambda drawn: not drawn.identity.endswith("-albedo"))
     return {"study": study, "groups": groups, "plots": plots, "views": views(study, means), "every_model": everything if study.name == "models" else None}
 

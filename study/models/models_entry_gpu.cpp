@@ -19,8 +19,8 @@ Result<Study> declare_models(const StudyRequest& request, Progress& progress) {
   ladder.truth_model = request.options.at("truth-model");
   ladder.samples = 64;
   if (request.quick) {
-    ladder.scene.camera.camera.resolution /= 4;
-    ladder.samples = 16;
+    ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 16;
+    ladder.samples = 8;
     ladder.batches = 4;
     models.table_size = 64;
   }

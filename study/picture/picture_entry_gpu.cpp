@@ -26,7 +26,7 @@ Result<LadderRequest> request_of(const StudyRequest& request, const std::string&
   for (const std::string& rung : split_commas(request.options.at("without"))) ladder.without.insert(rung);
   if (request.quick) {
     ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 8;
-    ladder.samples = 96;
+    ladder.samples = 64;
     ladder.batches = 4;
     ladder.truth_coverage = 8;
   }
