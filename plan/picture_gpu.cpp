@@ -126,7 +126,7 @@ Result<void> Picture::make_rest() {
   CUTICLE_ASSIGN(resources_.model, bsdf::find_model(scene_.material.model.name));
   resources_.model_values = &scene_.material.model.values;
   resources_.evaluates_directly = scene_.material.evaluate == "direct";
-  if (!find_pass(plan_, "cards")) return {};
+  if (!find_pass(plan_, "cards") && !find_pass(plan_, "dual_scattering")) return {};
   std::vector<glm::vec4> positions;
   for (const glm::vec3& position : set_.control.positions) positions.emplace_back(position, 1);
   CUTICLE_ASSIGN(const gpu::Buffer control, gpu::make_buffer_from<glm::vec4>(*device_, positions));
