@@ -36,7 +36,7 @@ TEST(Corrections, BetweenRows_AreLinear) {
   EXPECT_NEAR(found[0].diffuse, 200 + 5 + 1.5, 1e-9);
 }
 
-// Dense blond hair sends back several times what the paper's sums say; black hair has no light without a direction.
+// Light without a direction is most of what dense blond hair lacks; thin or dark hair has next to none.
 TEST(Corrections, OfTheToolkit_ArePositiveAndLargestForDenseBlondHair) {
   for (const double number : fitted_corrections()) {
     EXPECT_GT(number, 0);
