@@ -7,6 +7,7 @@
 #include "core/trace.h"
 #include "gpu/device.h"
 #include "lut/table_set.h"
+#include "plan/frame_plan.h"
 #include "plan/plan.h"
 #include "sim/solver.h"
 
@@ -15,6 +16,9 @@ namespace cuticle::plan {
 struct FrameOptions {
   bool render = true;       ///< false: simulate only
   bool read_state = false;  ///< control hairs' state in the result
+  /// Every pass of the plan runs, also where this frame would leave it out (FramePlan). A frame that is asked for again
+  /// is drawn anew in any case.
+  bool everything = false;
   std::string path_state = {};   ///< of the method 'reference': file of a picture's sums, gone on from where it is there
   Progress* progress = nullptr;  ///< of its samples
 };
@@ -22,7 +26,11 @@ struct FrameResult {
   Image color;           ///< linear RGBA
   Image aovs;            ///< color, then what each pixel sees, when the scene asks for it and its method can tell
   sim::State state;      ///< when asked for
-  gpu::SubmitCost cost;  ///< passes named as the plan names them
+  /// Passes named as the plan names them; of a solver on the CPU its wall time. wall_ms: of all submissions, those
+  /// that a too small buffer made necessary among them, and of the CPU's solver.
+  gpu::SubmitCost cost;
+  double clock_ms = 0;        ///< from the call to its end, with what is read back
+  std::uint32_t repeats = 0;  ///< how often passes ran again because a buffer was too small
   std::vector<std::string> notes;  ///< what was left out of the picture, one sentence each
 };
 
@@ -37,6 +45,8 @@ class FrameRunner {
   /// those of a new runner. Errors: as create, and usage for another resolution; the scene before then stands.
   Result<void> change(const scene::Scene& scene, Progress& progress);
   const Plan& plan() const;
+  /// What of it the frame last run did.
+  const FramePlan& frame_plan() const;
   Camera camera(int frame) const;
   /// Where the scene's fins were in the frame last run, world; null: it has none.
   const strands::Mesh* fins() const;

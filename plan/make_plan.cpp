@@ -74,6 +74,17 @@ bool before(const PlannedPass& a, const PlannedPass& b) {
   return a.entry->name < b.entry->name;
 }
 
+/// Whether the CPU's code moves the hair in place of the device's kernels.
+registry::Fact solved_on_cpu(const scene::Scene& scene, const DeviceTraits& device) {
+  if (!scene.simulation.solver) return {false, "the hair is not simulated"};
+  if (scene.simulation.solve_on == "cpu") return {true, "on the CPU, as the scene asks"};
+  if (scene.simulation.solve_on == "device") return {false, "on the device, as the scene asks"};
+  if (device.is_software)
+    return {true, device.name.empty() ? "on the CPU: there is no device"
+                                      : fmt::format("on the CPU: {} has no GPU, kernels take longer there", device.name)};
+  return {false, "on the device"};
+}
+
 /// Whether an entry that must run before `pass` still waits in `rest`.
 bool waits(const PlannedPass& pass, std::span<const PlannedPass> rest) {
   return std::ranges::any_of(rest, [&](const PlannedPass& other) {
@@ -95,8 +106,9 @@ void sort(std::vector<PlannedPass>& passes) {
 
 }  // namespace
 
-Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
+Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device) {
   Plan plan{facts_of(scene), shape, {}, {}};
+  const registry::Fact on_cpu = plan.facts["solved_on_cpu"] = solved_on_cpu(scene, device);
   for (const Candidate& candidate : candidates(scene)) {
     const Entry& entry = *candidate.entry;
     const registry::Verdict verdict = registry::judge(entry, plan.facts);
@@ -104,7 +116,9 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     if (!refused.empty())
       plan.left_out.push_back({&entry, refused});
     else
-      plan.passes.push_back({&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
+      plan.passes.push_back(on_cpu.holds && entry.stage == registry::Stage::simulate
+                                ? PlannedPass{&entry, verdict.reason + "; " + on_cpu.why, 0, 0, true}
+                                : PlannedPass{&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
   }
   sort(plan.passes);
   return plan;

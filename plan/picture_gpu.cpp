@@ -9,6 +9,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "lut/bake_gpu.h"
+#include "plan/frame_cost_gpu.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/bake_tables/bake_tables.h"
 #include "render/passes/lines/frame_gpu.h"
@@ -215,12 +216,20 @@ shadows::GpuStrands Picture::casters() const {
   return strands;
 }
 
-/// Strands and shadows are those of the frame's first chunk.
-Result<void> Picture::record_passes(gpu::Commands& commands) {
-  auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
+std::uint32_t Picture::casting_strands(const Camera& camera) {
+  resources_.camera = camera;
+  return casters().segment_count;
+}
+
+/// Strands and shadows are those of the frame's first chunk; of a picture that is painted again, what comes before
+/// `from` is there already.
+Result<void> Picture::record_passes(gpu::Commands& commands, registry::Stage from) {
+  const auto draws = [&](const DrawnPass& drawn) { return drawn.draws && runs(drawn.name); };
+  auto left = std::ranges::count_if(passes_, draws);
   resources_.keep_target = false;
+  if (left == 0 && frame_plan_ && frame_plan_->runs("resolve")) clear_targets(commands);
   for (DrawnPass& drawn : passes_) {
-    if (drawn.stage <= registry::Stage::shadow && !begins_frame()) continue;
+    if (drawn.stage < from || (drawn.stage <= registry::Stage::shadow && !begins_frame()) || !runs(drawn.name)) continue;
     if (drawn.draws) resources_.resolve_target = --left == 0;
     commands.begin_pass(drawn.name);
     CUTICLE_TRY(drawn.pass->record(commands, resources_));
@@ -230,16 +239,28 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
   return {};
 }
 
+/// Where nothing is drawn, the picture is empty.
+void Picture::clear_targets(gpu::Commands& commands) {
+  resources_.resolve_target = true;
+  begin_target(commands, resources_);
+  commands.end_rendering();
+}
+
 Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
-  for (;;) {
-    CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(trace));
-    CUTICLE_ASSIGN(const bool holds, settle());
-    if (holds) return cost;
+  gpu::SubmitCost spent;
+  for (registry::Stage from = registry::Stage::prepare;; ++repeats_) {
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, paint_once(trace, from));
+    add_cost(cost, spent);
+    CUTICLE_ASSIGN(const std::optional<registry::Stage> again, settle());
+    if (!again) return spent;
+    from = *again;
   }
 }
 
 Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
   resources_.frames_since_cut = input.follows ? resources_.frames_since_cut + 1 : 1;
+  frame_plan_ = input.frame_plan;
+  repeats_ = 0;
   use_frame(input);
   notes_.clear();
   if (!in_chunks()) return paint_part(trace);
@@ -251,8 +272,7 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
       resources_.part_corner = {x, y};
       CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(trace));
       CUTICLE_TRY(keep_part());
-      cost.wall_ms += more.wall_ms;
-      cost.passes.insert(cost.passes.end(), more.passes.begin(), more.passes.end());
+      add_cost(more, cost);
     }
   return cost;
 }
@@ -268,16 +288,17 @@ Result<void> Picture::keep_part() {
   return {};
 }
 
-/// Adds each note once: chunks may say the same.
-Result<bool> Picture::settle() {
-  bool holds = true;
+/// The first stage that has to run again; none: all is there. Adds each note once: chunks may say the same.
+Result<std::optional<registry::Stage>> Picture::settle() {
+  std::optional<registry::Stage> again;
   for (DrawnPass& drawn : passes_) {
+    if (!runs(drawn.name)) continue;
     CUTICLE_ASSIGN(const render::Settled settled, drawn.pass->settle());
-    holds = holds && settled.holds;
+    if (!settled.holds) again = std::min(again.value_or(drawn.stage), drawn.stage);
     for (const std::string& note : settled.notes)
       if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
-  return holds;
+  return again;
 }
 
 void Picture::use_frame(const PictureInput& input) {
@@ -299,9 +320,9 @@ void Picture::use_frame(const PictureInput& input) {
   resources_.casters = casters();
 }
 
-Result<gpu::SubmitCost> Picture::paint_once(Trace* trace) {
+Result<gpu::SubmitCost> Picture::paint_once(Trace* trace, registry::Stage from) {
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(record_passes(commands));
+  CUTICLE_TRY(record_passes(commands, from));
   return device_->submit(std::move(commands), trace);
 }
 

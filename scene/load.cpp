@@ -148,6 +148,7 @@ void read_simulation(const Reader& root, const Catalogue& catalogue, Scene& scen
   scene.simulation.solver = block_of(catalogue.solvers, reader.value["solver"]);
   scene.simulation.effects = blocks_of(catalogue.effects, reader.child("effects").value);
   reader.get("settle_time_s", scene.simulation.settle_time);
+  reader.get("solve_on", scene.simulation.solve_on);
 }
 
 Result<void> read_fins(const Reader& root, Scene& scene) {

@@ -139,10 +139,13 @@ Spec material(const Catalogue& catalogue) {
 }
 
 Spec simulation(const Catalogue& catalogue) {
+  Spec solve_on = text("solve_on", "cpu: the CPU's code; device: kernels; auto, unless given: kernels, but on a device "
+                                   "without a GPU the CPU's code, which is quicker there");
+  solve_on.choices = {"auto", "cpu", "device"};
   return object("simulation", "what moves the hair; absent: it follows the head rigidly",
                 {required(block("solver", "solver and its parameters", catalogue.solvers)),
                  blocks("effects", "effects that act, each with its parameters", catalogue.effects),
-                 real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest")});
+                 real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest"), std::move(solve_on)});
 }
 
 Spec collider_motion() {
