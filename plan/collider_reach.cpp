@@ -50,7 +50,8 @@ std::vector<ReachBall> moving_balls(const sim::FrameInput& input, std::size_t su
   std::vector<ReachBall> balls;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double step = double(k / colliders.size());
-    const ReachBall own = std::visit([](const auto& shape) { return around(shape); }, colliders[k % colliders.size()]->shape);
+    const ReachBall own =
+        std::visit([](const auto& shape) { return around(shape); }, colliders[k % colliders.size()]->shape);
     const auto in_rest = [&](const Placement& place, double at) {
       return glm::inverse(head.turn(at / double(substeps))) * place.of(own.centre);
     };
@@ -76,8 +77,7 @@ std::vector<ReachBall> reach_balls(const strands::Groom& rest, double pearl) {
       longest = std::max(longest, length_of(rest, s));
     }
     if (lower.x > upper.x) lower = upper = glm::dvec3(0);
-    balls.push_back(
-        {0.5 * (lower + upper), 0.5 * glm::distance(lower, upper) + k_reach_of_length * longest + pearl});
+    balls.push_back({0.5 * (lower + upper), 0.5 * glm::distance(lower, upper) + k_reach_of_length * longest + pearl});
   }
   return balls;
 }

@@ -27,8 +27,8 @@ struct ReachBall {
 /// One for each chunk of the control hairs. `pearl`: how thick a strand is for colliders, metres.
 std::vector<ReachBall> reach_balls(const strands::Groom& rest, double pearl);
 
-/// For each chunk whether any collider of the frame comes into its ball in any of the substeps. Distance fields count as
-/// the ball around their grid. input: that of a head, not of a skin.
+/// For each chunk whether any collider of the frame comes into its ball in any of the substeps. Distance fields count
+/// as the ball around their grid. input: that of a head, not of a skin.
 std::vector<bool> chunks_in_reach(std::span<const ReachBall> balls, const sim::FrameInput& input, std::size_t substeps);
 
 /// Whether every place (world, one per vertex) lies in its chunk's ball, which the head has carried.

@@ -9,8 +9,8 @@
 
 namespace cuticle::plan {
 
-/// FNV-1a over 64-bit words (a last word filled up with zeros), after `key`. Two contents that differ share a key with a
-/// chance of about 2^-64.
+/// FNV-1a over 64-bit words (a last word filled up with zeros), after `key`. Two contents that differ share a key with
+/// a chance of about 2^-64.
 class ContentKey {
  public:
   void add(std::span<const std::byte> bytes) {
@@ -29,7 +29,8 @@ class ContentKey {
   void add(T value) { add(std::span<const T>(&value, 1)); }
   void add(const glm::dmat4& matrix) { add(std::span<const glm::dmat4>(&matrix, 1)); }
   void add(const Camera& camera) {
-    for (const glm::dvec3& vector : {camera.position, camera.target, camera.up}) add(std::span<const glm::dvec3>(&vector, 1));
+    for (const glm::dvec3& vector : {camera.position, camera.target, camera.up})
+      add(std::span<const glm::dvec3>(&vector, 1));
     for (double number : {camera.vertical_field_of_view, camera.near_plane, camera.far_plane, camera.pixel_shift.x,
                           camera.pixel_shift.y})
       add(number);

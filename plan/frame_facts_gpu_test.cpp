@@ -23,7 +23,8 @@ FrameResult everything(FrameRunner& runner, int frame) {
   return std::move(*result);
 }
 
-/// Frames 0 to `last` with what they may leave out, beside frames in which all that is planned runs: bit for bit the same.
+/// Frames 0 to `last` with what they may leave out, beside frames in which all that is planned runs: bit for bit the
+/// same.
 void expect_same_frames(std::initializer_list<std::string_view> parts, int last) {
   const auto sparing = runner(parts), all = runner(parts);
   for (int frame = 0; frame <= last; ++frame) {
@@ -39,7 +40,8 @@ constexpr std::string_view k_bald = R"("head": {"present": false})";
 constexpr std::string_view k_turntable = R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0],
   "fov_deg": 30, "resolution_px": [64, 64], "turntable_deg_per_frame": 3})";
 /// Looks at the hair in frames 0 and 3, and away between.
-constexpr std::string_view k_looks_away = R"("frames_per_second": 10, "camera": {"fov_deg": 30, "resolution_px": [64, 64],
+constexpr std::string_view k_looks_away =
+    R"("frames_per_second": 10, "camera": {"fov_deg": 30, "resolution_px": [64, 64],
   "keys": [{"time_s": 0, "position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0]}, {"time_s": 0.05},
            {"time_s": 0.05, "target_m": [0.2, 0.15, 3]}, {"time_s": 0.25},
            {"time_s": 0.25, "target_m": [0, 0.05, 0]}]})";
@@ -112,7 +114,8 @@ TEST(FrameFacts, BallThatPasses_IsMetInItsFramesAlone) {
 }
 
 TEST(FrameFacts, HairAsleep_IsNotSimulated) {
-  constexpr std::string_view k_asleep = R"("frames_per_second": 10, "strand_count": 64, "simulation": {"solver": {"exact": {}},
+  constexpr std::string_view k_asleep =
+      R"("frames_per_second": 10, "strand_count": 64, "simulation": {"solver": {"exact": {}},
     "effects": {"gravity": {}, "sleep": {"speed": 0.05, "time": 0.1}}, "settle_time_s": 4})";
   for (std::string_view where : {R"("name": "a")"}) {
     const auto sparing = runner({k_light, k_asleep, where}), all = runner({k_light, k_asleep, where});

@@ -37,7 +37,8 @@ bool same_picture(const FrameMeasures& measures) {
 FramePass judge(const PlannedPass& pass, const FrameMeasures& measures) {
   const Stage stage = pass.entry->stage;
   if (stage != Stage::simulate && same_picture(measures))
-    return {&pass, false, fmt::format("as in the frame before: {}; {}", measures.hair_changed.why, measures.view_changed.why)};
+    return {&pass, false,
+            fmt::format("as in the frame before: {}; {}", measures.hair_changed.why, measures.view_changed.why)};
   for (const auto& [name, fact] : waits_for(*pass.entry, measures))
     if (!fact->holds) return {&pass, false, fact->why};
   return {&pass, true, pass.reason};
@@ -51,7 +52,8 @@ bool needs_hair(const registry::Entry& entry) {
 }
 
 bool FramePlan::runs(std::string_view pass) const {
-  const auto found = std::ranges::find_if(passes, [&](const FramePass& each) { return each.pass->entry->name == pass; });
+  const auto found =
+      std::ranges::find_if(passes, [&](const FramePass& each) { return each.pass->entry->name == pass; });
   return found != passes.end() && found->runs;
 }
 

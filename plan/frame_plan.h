@@ -6,12 +6,12 @@ namespace cuticle::plan {
 
 /// What was measured of a frame before it is recorded. Each is a fact of the frame, with its words.
 struct FrameMeasures {
-  registry::Fact hair_awake;         ///< some strand moves, or something acts on hair anew
-  registry::Fact colliders_in_reach; ///< some collider comes within reach of some strand
-  registry::Fact hair_changed;       ///< what is drawn of hair, and what it casts shadows with, is not what it was
-  registry::Fact surfaces_changed;   ///< head, fins, floor
-  registry::Fact view_changed;       ///< the camera, or a pass keeps something from frame to frame
-  registry::Fact hair_seen;          ///< hair or a shadow that it casts can be in the picture
+  registry::Fact hair_awake;          ///< some strand moves, or something acts on hair anew
+  registry::Fact colliders_in_reach;  ///< some collider comes within reach of some strand
+  registry::Fact hair_changed;        ///< what is drawn of hair, and what it casts shadows with, is not what it was
+  registry::Fact surfaces_changed;    ///< head, fins, floor
+  registry::Fact view_changed;        ///< the camera, or a pass keeps something from frame to frame
+  registry::Fact hair_seen;           ///< hair or a shadow that it casts can be in the picture
 };
 
 struct FramePass {

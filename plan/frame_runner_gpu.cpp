@@ -31,6 +31,7 @@ struct FrameRunner::Impl {
   Plan plan;
   std::unique_ptr<StrandMotion> motion;
   std::unique_ptr<Picture> picture;
+  std::unique_ptr<MemoryMeter> motion_memory;
   int painted = k_none;  ///< the frame last painted
   FramePlan frame_plan;
   /// What the results on the device were made of.
@@ -53,6 +54,10 @@ struct FrameRunner::Impl {
     if (set.head.triangles.empty()) scene.head.present = false;
   }
 
+  std::string_view solver_name() const {
+    return scene.simulation.solver ? std::string_view(scene.simulation.solver->name) : "control hairs";
+  }
+
   DeviceTraits traits() const { return {device->info().name, device->info().is_software}; }
 
   registry::FrameShape shape() const {
@@ -63,13 +68,18 @@ struct FrameRunner::Impl {
 
   Result<void> make(bool with_motion, bool with_picture, Progress& progress) {
     std::unique_ptr<StrandMotion> new_motion;
+    auto new_memory = std::make_unique<MemoryMeter>(*device);
     if (with_motion) {
-      CUTICLE_ASSIGN(new_motion, StrandMotion::create(device, scene, set, plan));
+      CUTICLE_ASSIGN(new_motion,
+                     new_memory->count(solver_name(), [&] { return StrandMotion::create(device, scene, set, plan); }));
     }
     if (with_picture) {
       CUTICLE_ASSIGN(picture, Picture::create(device, scene, set, plan, camera(0), progress));
     }
-    if (with_motion) motion = std::move(new_motion);
+    if (with_motion) {
+      motion = std::move(new_motion);
+      motion_memory = std::move(new_memory);
+    }
     return {};
   }
 
@@ -230,6 +240,12 @@ Camera FrameRunner::camera(int frame) const { return impl_->camera(frame); }
 
 const Plan& FrameRunner::plan() const { return impl_->plan; }
 const FramePlan& FrameRunner::frame_plan() const { return impl_->frame_plan; }
+std::map<std::string, std::size_t, std::less<>> FrameRunner::memory() const {
+  auto bytes = impl_->motion_memory->bytes();
+  if (!impl_->picture) return bytes;
+  for (const auto& [name, size] : impl_->picture->memory().bytes()) bytes[name] += size;
+  return bytes;
+}
 const strands::Mesh* FrameRunner::fins() const {
   return impl_->motion->fins() ? &impl_->motion->fins()->mesh() : nullptr;
 }
@@ -245,7 +261,9 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   if (frame < 0) return usage_error(fmt::format("frame {} is below 0", frame));
   const auto begin = std::chrono::steady_clock::now();
   FrameResult result;
-  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace, options.everything));
+  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion_memory->count(impl_->solver_name(), [&] {
+    return impl_->motion->advance_to(frame, impl_->trace, options.everything);
+  }));
   add_cost(cost, result.cost);
   impl_->plan_this(frame, options.everything);
   if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));

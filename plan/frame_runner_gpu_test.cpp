@@ -24,7 +24,8 @@ using namespace tests;
 std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> planned(const FramePlan& plan) {
   std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> counts;
   for (const FramePass& pass : plan.passes)
-    if (pass.dispatches() + pass.draws() > 0) counts[std::string(pass.pass->entry->name)] = {pass.dispatches(), pass.draws()};
+    if (pass.dispatches() + pass.draws() > 0)
+      counts[std::string(pass.pass->entry->name)] = {pass.dispatches(), pass.draws()};
   return counts;
 }
 

@@ -12,10 +12,11 @@ struct FramePlaces {
   Camera camera;
 };
 
-/// Not so where the box around the hair, wider by k_view_margin of the picture on each side, is outside the camera's view,
-/// and so is every surface that hair casts on. Layers, motion vectors and the methods that look at all of a picture on
-/// the CPU always count as seeing it.
-registry::Fact hair_in_view(const scene::Scene& scene, const StrandSet& set, const Plan& plan, const FramePlaces& places);
+/// Not so where the box around the hair, wider by k_view_margin of the picture on each side, is outside the camera's
+/// view, and so is every surface that hair casts on. Layers, motion vectors and the methods that look at all of a
+/// picture on the CPU always count as seeing it.
+registry::Fact hair_in_view(const scene::Scene& scene, const StrandSet& set, const Plan& plan,
+                            const FramePlaces& places);
 
 /// For what is drawn wider than it is, and for pixels' filters.
 inline constexpr double k_view_margin = 0.1;

@@ -80,8 +80,9 @@ registry::Fact solved_on_cpu(const scene::Scene& scene, const DeviceTraits& devi
   if (scene.simulation.solve_on == "cpu") return {true, "on the CPU, as the scene asks"};
   if (scene.simulation.solve_on == "device") return {false, "on the device, as the scene asks"};
   if (device.is_software)
-    return {true, device.name.empty() ? "on the CPU: there is no device"
-                                      : fmt::format("on the CPU: {} has no GPU, kernels take longer there", device.name)};
+    return {true, device.name.empty()
+                      ? "on the CPU: there is no device"
+                      : fmt::format("on the CPU: {} has no GPU, kernels take longer there", device.name)};
   return {false, "on the device"};
 }
 

@@ -10,6 +10,7 @@
 
 #include "lut/bake_gpu.h"
 #include "plan/frame_cost_gpu.h"
+#include "plan/picture_layers_gpu.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/bake_tables/bake_tables.h"
 #include "render/passes/lines/frame_gpu.h"
@@ -57,11 +58,14 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   picture->resources_.parameters = scene.passes;
   picture->resources_.says_seen = find_pass(plan, "aovs") != nullptr;
   CUTICLE_TRY(picture->choose_chunks());
-  CUTICLE_TRY(picture->make_strands());
+  MemoryMeter& memory = picture->memory_;
+  CUTICLE_TRY(memory.count("drawn strands", [&] { return picture->make_strands(); }));
   CUTICLE_TRY(picture->make_rest());
-  CUTICLE_ASSIGN(picture->shadows_, StrandShadows::make(picture->device_, scene, plan, picture->resources_));
-  CUTICLE_TRY(picture->make_tables(progress));
-  CUTICLE_TRY(picture->make_targets());
+  CUTICLE_ASSIGN(picture->shadows_, memory.count(scene.shadow ? scene.shadow->name : "surface_shadow", [&] {
+    return StrandShadows::make(picture->device_, scene, plan, picture->resources_);
+  }));
+  CUTICLE_TRY(memory.count("bake_tables", [&] { return picture->make_tables(progress); }));
+  CUTICLE_TRY(memory.count("targets", [&] { return picture->make_targets(); }));
   CUTICLE_TRY(picture->make_passes());
   return picture;
 }
@@ -185,7 +189,8 @@ Result<void> Picture::make_passes() {
     }
     const auto entry = std::ranges::find(render::gpu_passes(), planned.entry->name, &render::GpuPassEntry::name);
     if (entry == render::gpu_passes().end()) continue;
-    CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
+    CUTICLE_ASSIGN(auto pass,
+                   memory_.count(planned.entry->name, [&] { return (*entry)->create(device_, resources_); }));
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
     passes_.push_back({planned.entry->name, planned.entry->stage, draws, std::move(pass)});
@@ -229,10 +234,11 @@ Result<void> Picture::record_passes(gpu::Commands& commands, registry::Stage fro
   resources_.keep_target = false;
   if (left == 0 && frame_plan_ && frame_plan_->runs("resolve")) clear_targets(commands);
   for (DrawnPass& drawn : passes_) {
-    if (drawn.stage < from || (drawn.stage <= registry::Stage::shadow && !begins_frame()) || !runs(drawn.name)) continue;
+    if (drawn.stage < from || (drawn.stage <= registry::Stage::shadow && !begins_frame()) || !runs(drawn.name))
+      continue;
     if (drawn.draws) resources_.resolve_target = --left == 0;
     commands.begin_pass(drawn.name);
-    CUTICLE_TRY(drawn.pass->record(commands, resources_));
+    CUTICLE_TRY(memory_.count(drawn.name, [&] { return drawn.pass->record(commands, resources_); }));
     commands.end_pass();
     resources_.keep_target = resources_.keep_target || drawn.draws;
   }
@@ -293,7 +299,7 @@ Result<std::optional<registry::Stage>> Picture::settle() {
   std::optional<registry::Stage> again;
   for (DrawnPass& drawn : passes_) {
     if (!runs(drawn.name)) continue;
-    CUTICLE_ASSIGN(const render::Settled settled, drawn.pass->settle());
+    CUTICLE_ASSIGN(const render::Settled settled, memory_.count(drawn.name, [&] { return drawn.pass->settle(); }));
     if (!settled.holds) again = std::min(again.value_or(drawn.stage), drawn.stage);
     for (const std::string& note : settled.notes)
       if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
@@ -361,27 +367,10 @@ Result<Image> Picture::read_color() const {
 Result<Image> Picture::read_aovs(const Image& color) const {
   const bool moves = scene_.passes.contains("velocity");
   if (!resources_.aovs || !(scene_.outputs.aovs || moves)) return Image{};
-  CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
+  CUTICLE_ASSIGN(Image image, with_channels(*device_, color, *resources_.aovs, render::aovs::k_channels));
   if (!resources_.motion_vectors || !moves) return image;
-  CUTICLE_ASSIGN(image, with_channels(image, *resources_.motion_vectors, render::velocity::k_channels));
-  return with_channels(image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
-}
-
-/// A picture's channels, then floats of a buffer, as many a pixel as there are names.
-Result<Image> Picture::with_channels(const Image& image, const gpu::Buffer& buffer,
-                                     std::span<const std::string_view> more_names) const {
-  std::vector<std::string> names = image.channel_names;
-  const std::size_t own = names.size(), more = more_names.size();
-  names.insert(names.end(), more_names.begin(), more_names.end());
-  Image wider = make_image(image.width, image.height, std::move(names));
-  const std::size_t pixels = image.pixels.size() / own;
-  CUTICLE_ASSIGN(const auto values, gpu::read_buffer<float>(*device_, buffer, pixels * more));
-  for (std::size_t p = 0; p < pixels; ++p) {
-    float* const out = wider.pixels.data() + p * (own + more);
-    std::copy_n(image.pixels.data() + p * own, own, out);
-    std::copy_n(values.data() + p * more, more, out + own);
-  }
-  return wider;
+  CUTICLE_ASSIGN(image, with_channels(*device_, image, *resources_.motion_vectors, render::velocity::k_channels));
+  return with_channels(*device_, image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
 }
 
 Result<strands::Groom> Picture::read_strands() const {

@@ -9,6 +9,7 @@
 #include "plan/character_motion_gpu.h"
 #include "plan/fin_motion_gpu.h"
 #include "plan/frame_plan.h"
+#include "plan/memory_meter_gpu.h"
 #include "plan/plan.h"
 #include "plan/strand_set.h"
 #include "plan/strand_shadows_gpu.h"
@@ -27,7 +28,7 @@ struct PictureInput {
   bool records_character = false;        ///< its skin and hair are moved in the picture's submission
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
-  bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
+  bool follows = false;                   ///< the picture painted before, a frame ago, by the same camera path
   const FramePlan* frame_plan = nullptr;  ///< which passes run; the others' results are those of an earlier picture
 };
 
@@ -36,6 +37,8 @@ class Picture {
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
+  /// Device memory by pass, with "drawn strands" and "targets".
+  const MemoryMeter& memory() const { return memory_; }
   /// Runs the frame's passes after the simulation, in one submission, a large picture chunk by chunk. Where a pass's
   /// buffers were too small it runs again, with what comes after it; the cost is that of all submissions.
   Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
@@ -53,7 +56,7 @@ class Picture {
 
  private:
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
-      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
+      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan), memory_(*device_) {}
   Result<void> make_generator();
   Result<void> make_strands();
   Result<void> make_rest();
@@ -70,8 +73,6 @@ class Picture {
   Result<void> keep_part();
   Result<std::optional<registry::Stage>> settle();
   Result<Image> read_truth() const;
-  Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
-                              std::span<const std::string_view> more_names) const;
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
   Result<void> record_passes(gpu::Commands& commands, registry::Stage from);
@@ -82,8 +83,8 @@ class Picture {
   const StrandSet& set_;
   const Plan& plan_;
   std::unique_ptr<strands::DrawnStrands> generator_;  ///< of the drawn strands
-  strands::Groom rest_;  ///< empty where no pass asks for it
-  std::unique_ptr<StrandShadows> shadows_;  ///< until it is one of the passes
+  strands::Groom rest_;                               ///< empty where no pass asks for it
+  std::unique_ptr<StrandShadows> shadows_;            ///< until it is one of the passes
   lut::TableSet table_set_;
   std::vector<gpu::Texture> tables_;
   gpu::Texture color_, depth_, resolved_, output_;
@@ -97,6 +98,7 @@ class Picture {
   };
   std::vector<DrawnPass> passes_;
   std::vector<std::string> notes_;
+  MemoryMeter memory_;
   const FramePlan* frame_plan_ = nullptr;  ///< of the picture being painted
   std::uint32_t repeats_ = 0;
 };

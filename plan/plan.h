@@ -36,8 +36,9 @@ struct Plan {
 /// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands",
 /// "output_color", ...
 registry::Facts facts_of(const scene::Scene& scene);
-/// `shape` of the frame as built (strands loaded or grown). Hair is solved by the CPU's code where the scene says so or,
-/// left to choose ("auto"), where the device is software: there the kernels take 44 to 72 times as long (sim/README.md).
+/// `shape` of the frame as built (strands loaded or grown). Hair is solved by the CPU's code where the scene says so
+/// or, left to choose ("auto"), where the device is software: there the kernels take 44 to 72 times as long
+/// (sim/README.md).
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device = {});
 /// The planned pass of that name, or null.
 const PlannedPass* find_pass(const Plan& plan, std::string_view name);

@@ -76,7 +76,7 @@ struct MaterialSource {
 struct SimulationSource {
   std::optional<Block> solver;  ///< absent: nothing moves but what the head moves rigidly
   std::map<std::string, registry::ParameterValues, std::less<>> effects;
-  double settle_time = 0;  ///< seconds simulated before frame 0, the head at rest
+  double settle_time = 0;         ///< seconds simulated before frame 0, the head at rest
   std::string solve_on = "auto";  ///< or "cpu", "device"
   bool operator==(const SimulationSource&) const = default;
 };

@@ -139,8 +139,9 @@ Spec material(const Catalogue& catalogue) {
 }
 
 Spec simulation(const Catalogue& catalogue) {
-  Spec solve_on = text("solve_on", "cpu: the CPU's code; device: kernels; auto, unless given: kernels, but on a device "
-                                   "without a GPU the CPU's code, which is quicker there");
+  Spec solve_on = text("solve_on",
+                       "cpu: the CPU's code; device: kernels; auto, unless given: kernels, but on a device "
+                       "without a GPU the CPU's code, which is quicker there");
   solve_on.choices = {"auto", "cpu", "device"};
   return object("simulation", "what moves the hair; absent: it follows the head rigidly",
                 {required(block("solver", "solver and its parameters", catalogue.solvers)),

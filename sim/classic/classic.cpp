@@ -63,8 +63,8 @@ void constrain(const Particles& strand, const StepConstants& step, const Setting
   for (std::uint32_t k = 0; k < settings.iterations; ++k) sweep_lengths(strand, step, settings.sweep);
 }
 
-/// Lengths and spheres in turn, of a strand that touches one; others stay as the constraints put them. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so
-/// that leaving an overlap gives no velocity.
+/// Lengths and spheres in turn, of a strand that touches one; others stay as the constraints put them. Where a vertex
+/// began the substep inside a sphere, its begin is pushed out as well, so that leaving an overlap gives no velocity.
 void meet_spheres(const Particles& strand, const StepConstants& step, std::size_t substep, const Contacts& contacts,
                   const Settings& settings) {
   const std::size_t anchor = anchor_of(strand, step);

@@ -28,7 +28,8 @@ struct Met {
 void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
   const Met met(contact, sphere);
   for (std::size_t i = contact.anchor + 1; i < contact.places.size(); ++i)
-    contact.places[i] = pushed_out(contact.places[i], met.centre, met.radius(contact.traits[i], settings), contact.fallback);
+    contact.places[i] =
+        pushed_out(contact.places[i], met.centre, met.radius(contact.traits[i], settings), contact.fallback);
 }
 
 bool touches_one(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
