@@ -2,8 +2,14 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
+#include "cli/shared_files.h"
+#include "plan/budgets.h"
 #include "plan/calibrate_gpu.h"
 #include "plan/frame_runner_gpu.h"
+#include "plan/strand_set.h"
+#include "study/plan/accuracy_gpu.h"
 
 namespace cuticle::cli {
 
@@ -34,10 +40,39 @@ Result<plan::Plan> run_planned_frame(const scene::Scene& scene, int frame, Conte
   return runner->plan();
 }
 
-Result<std::string> calibrate_device(Context& context) {
-  constexpr double k_most_seconds = 55;
+Result<std::string> meet_budgets(scene::Scene& scene, Context& context) {
+  if (!scene.budgets) return std::string();
+  plan::PlanCosts costs = known_costs(context.device);
+  if (!costs.table) {
+    context.progress->message("the passes are timed on this device first, a minute at most");
+    CUTICLE_ASSIGN(const std::string file, calibrate_device(context));
+    CUTICLE_ASSIGN(costs.table, plan::read_cost_table(file));
+  }
+  CUTICLE_ASSIGN(const plan::AccuracyTable accuracy, plan::read_accuracy_table(share_file("scenes/accuracy.json")));
+  CUTICLE_ASSIGN(const plan::StrandSet set, plan::build_strand_set(scene));
+  plan::BudgetChoice choice = plan::choose(scene, plan::shape_of(scene, set), costs.device, accuracy, *costs.table);
+  if (!choice.refused.empty()) return choice.refused;
+  context.progress->message("budgets are kept, as expected, by\n" + plan::to_text(choice, *scene.budgets));
+  scene = std::move(choice.scene);
+  return std::string();
+}
+
+Result<std::string> measured_errors(const scene::Scene& scene, Context& context) {
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
-  CUTICLE_ASSIGN(const plan::CostTable table, plan::calibrate(device, k_most_seconds, *context.progress));
+  CUTICLE_ASSIGN(const auto rows, study::measure_scene(device, scene, *context.progress));
+  std::string text;
+  for (const plan::AccuracyRow& row : rows)
+    text += fmt::format("{:<9} {}: error {:.3g} measured on this hair\n", row.part, row.method, row.error);
+  return text;
+}
+
+Result<std::string> calibrate_device(Context& context) {
+  constexpr double k_most_seconds = 50;
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  const auto accuracy = plan::read_accuracy_table(share_file("scenes/accuracy.json"));
+  CUTICLE_ASSIGN(const plan::CostTable table,
+                 plan::calibrate(device, accuracy ? accuracy->rows : std::vector<plan::AccuracyRow>(), k_most_seconds,
+                                 *context.progress));
   const std::string path = plan::cost_table_path(table.device, table.driver);
   CUTICLE_TRY(plan::write_cost_table(path, table));
   return path;

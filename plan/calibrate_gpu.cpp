@@ -51,12 +51,13 @@ Result<scene::Scene> scene_of(const std::string& feature, const Size& size) {
 
 class Calibration {
  public:
-  Calibration(std::shared_ptr<gpu::Device> device, double seconds, Progress& progress)
-      : device_(std::move(device)), seconds_(seconds), progress_(progress) {}
+  Calibration(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
+              Progress& progress)
+      : device_(std::move(device)), settings_(settings), seconds_(seconds), progress_(progress) {}
 
   Result<void> run() {
     const std::vector<std::string> all = features();
-    const std::size_t steps = all.size() * std::size(k_sizes) + catalogue().methods.size();
+    const std::size_t steps = all.size() * std::size(k_sizes) + catalogue().methods.size() + settings_.size();
     std::size_t done = 0;
     for (const std::string& feature : all)
       for (const Size& size : k_sizes) {
@@ -81,7 +82,7 @@ class Calibration {
   bool late() const { return spent() > seconds_; }
 
   /// The least of three frames, pass by pass.
-  Result<void> time(FrameRunner& runner, const Size& size) {
+  Result<void> time(FrameRunner& runner, const Size& size, const AccuracyRow* setting = nullptr) {
     std::map<std::string, double> least;
     for (int frame = 0; frame < 4; ++frame) {
       CUTICLE_ASSIGN(const FrameResult result, runner.run(frame, {.everything = true}));
@@ -92,28 +93,34 @@ class Calibration {
     }
     const double pixels = double(size.pixels_each_way) * size.pixels_each_way;
     for (const auto& [name, ms] : least)
-      if (const PlannedPass* pass = find_pass(runner.plan(), name))
-        measured_[name].push_back({pixels, units_of(*pass->entry, runner.plan().shape), ms});
+      if (const PlannedPass* pass = find_pass(runner.plan(), name); pass && (!setting || name == setting->method))
+        measured_[setting ? cost_name(*setting) : name].push_back(
+            {pixels, units_of(*pass->entry, runner.plan().shape), ms});
     return {};
   }
 
-  /// Each shadow method with its defaults, over the same hair.
+  /// Each shadow method with its defaults and with the settings that budgets choose from, over hair of two sizes.
   Result<void> time_methods(std::size_t done, std::size_t steps) {
-    const Size size = k_sizes[0];
-    CUTICLE_ASSIGN(scene::Scene scene, scene_of(R"("render": {"method": "lines"})", size));
-    CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
-    for (const registry::Entry* method : catalogue().methods) {
-      progress_.update("scenes timed", ++done, steps);
-      if (measured_.contains(std::string(method->name))) continue;
-      if (late()) return {};
-      scene.shadow = {std::string(method->name), registry::default_values(method->parameters)};
-      if (!runner->change(scene, silent_progress())) continue;  // truth has no kernel
-      CUTICLE_TRY(time(*runner, size));
+    std::vector<AccuracyRow> rows;
+    for (const registry::Entry* method : catalogue().methods) rows.push_back({"shadow", std::string(method->name), ""});
+    for (const AccuracyRow& row : settings_)
+      if (row.part == "shadow" && !row.settings.empty()) rows.push_back(row);
+    for (const Size& size : {k_sizes[0], k_sizes[1]}) {
+      CUTICLE_ASSIGN(const scene::Scene scene, scene_of(R"("render": {"method": "lines"})", size));
+      CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
+      for (const AccuracyRow& row : rows) {
+        progress_.update("scenes timed", std::min(++done, steps), steps);
+        if (late()) return {};
+        const auto changed = with_setting(scene, row);
+        if (!changed || !runner->change(*changed, silent_progress())) continue;  // truth has no kernel
+        CUTICLE_TRY(time(*runner, size, &row));
+      }
     }
     return {};
   }
 
   std::shared_ptr<gpu::Device> device_;
+  std::span<const AccuracyRow> settings_;
   double seconds_;
   Progress& progress_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -122,8 +129,9 @@ class Calibration {
 
 }  // namespace
 
-Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, double seconds, Progress& progress) {
-  Calibration calibration(std::move(device), seconds, progress);
+Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
+                            Progress& progress) {
+  Calibration calibration(std::move(device), settings, seconds, progress);
   CUTICLE_TRY(calibration.run());
   return calibration.table();
 }

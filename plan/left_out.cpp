@@ -1,6 +1,9 @@
 // What a plan leaves out: grouped, with what would bring it in and what that would cost.
 #include <algorithm>
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include "plan/plan_report.h"
 
 namespace cuticle::plan {
@@ -75,6 +78,22 @@ std::vector<GroupSaving> savings(std::span<const LeftOutEntry> left_out) {
       ++group.not_measured;
   }
   return groups;
+}
+
+std::string words_of_way(const LeftOutEntry& entry) {
+  return entry.way ? fmt::format("{}", fmt::join(entry.way->changes, " and ")) : "no change of up to four keys does";
+}
+
+std::string words_of_cost(const LeftOutEntry& entry) {
+  return entry.more_ms ? fmt::format("{:+.2f} ms", *entry.more_ms) : "not measured";
+}
+
+std::string words_of_saving(const GroupSaving& group) {
+  std::string text = fmt::format("{}: {} left out", group.group, group.entries);
+  if (group.not_measured < group.entries - group.alternatives) text += fmt::format(", {:.2f} ms saved", group.ms);
+  if (group.alternatives > 0) text += fmt::format(", {} of them other ways of what runs", group.alternatives);
+  if (group.not_measured > 0) text += fmt::format(", {} not measured", group.not_measured);
+  return text;
 }
 
 }  // namespace cuticle::plan

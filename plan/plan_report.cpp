@@ -12,8 +12,6 @@ namespace cuticle::plan {
 
 namespace {
 
-constexpr std::string_view k_unknown = "not measured";
-
 template <class Map>
 auto find_in(const Map& map, std::string_view name) {
   const auto found = map.find(name);
@@ -84,29 +82,15 @@ std::string passes_text(std::span<const Line> lines, const PlanCosts& costs) {
   return text;
 }
 
-std::string ms_words(const LeftOutEntry& entry) {
-  return entry.more_ms ? fmt::format("{:+.2f} ms", *entry.more_ms) : std::string(k_unknown);
-}
-
-std::string saving_text(const GroupSaving& group) {
-  std::string text = fmt::format("\n{}: {} left out", group.group, group.entries);
-  if (group.not_measured < group.entries - group.alternatives) text += fmt::format(", {:.2f} ms saved", group.ms);
-  if (group.alternatives > 0) text += fmt::format(", {} of them other ways of what runs", group.alternatives);
-  if (group.not_measured > 0) text += fmt::format(", {} not measured", group.not_measured);
-  return text + "\n";
-}
-
 std::string left_out_text(std::span<const LeftOutEntry> entries) {
   std::string text;
   for (const GroupSaving& group : savings(entries)) {
     if (group.entries == 0) continue;
-    text += saving_text(group);
+    text += "\n" + words_of_saving(group) + "\n";
     for (const LeftOutEntry& entry : entries)
       if (group_of(*entry.left->entry) == group.group)
-        text += fmt::format("  {:<20} {:>13}  {}; to bring it in: {}\n", entry.left->entry->name, ms_words(entry),
-                            entry.left->reason,
-                            entry.way ? fmt::format("{}", fmt::join(entry.way->changes, " and "))
-                                      : "no change of up to four keys does");
+        text += fmt::format("  {:<22} {:>13}  {}; to bring it in: {}\n", entry.left->entry->name, words_of_cost(entry),
+                            entry.left->reason, words_of_way(entry));
   }
   return text;
 }
@@ -228,10 +212,8 @@ Result<std::string> report_why(const scene::Scene& scene, const Plan& plan, cons
       text += fmt::format("{}: {}\n", line.runs ? "runs" : "in the plan, not in this frame", line.reason);
   for (const LeftOutEntry& left : explain_left_out(scene, plan, costs))
     if (left.left->entry == entry)
-      text += fmt::format(
-          "left out: {}\nto bring it in: {}\nwould take: {}\n", left.left->reason,
-          left.way ? fmt::format("{}", fmt::join(left.way->changes, " and ")) : "no change of up to four keys does",
-          ms_words(left));
+      text += fmt::format("left out: {}\nto bring it in: {}\nwould take: {}\n", left.left->reason, words_of_way(left),
+                          words_of_cost(left));
   return text + "demands\n" + demands_text(*entry, all_facts(plan, costs));
 }
 

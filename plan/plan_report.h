@@ -40,6 +40,11 @@ struct GroupSaving {
 };
 std::vector<GroupSaving> savings(std::span<const LeftOutEntry> left_out);
 
+/// "floor": {...}; +1.20 ms or "not measured"; "shadows: 9 left out, ...".
+std::string words_of_way(const LeftOutEntry& entry);
+std::string words_of_cost(const LeftOutEntry& entry);
+std::string words_of_saving(const GroupSaving& group);
+
 std::string report_text(const scene::Scene& scene, const Plan& plan, const PlanCosts& costs);
 std::string report_json(const scene::Scene& scene, const Plan& plan, const PlanCosts& costs);
 /// Everything about one pass. Error: usage naming the nearest, where there is none of the name.

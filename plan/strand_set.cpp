@@ -11,8 +11,8 @@
 #include "sim/colliders/distance_field.h"
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
-#include "strands/growing/grow.h"
 #include "strands/growing/bust.h"
+#include "strands/growing/grow.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {

@@ -273,6 +273,17 @@ Spec outputs() {
                  real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 
+Spec budgets() {
+  Spec error = object("error", "the most that each part of a frame may be off, on hair like that of the study",
+                      {real("shadow", 1e-6, 1, "mean error of the light's transmittance"),
+                       real("shading", 1e-6, 1, "of scattering, root mean square over its own"),
+                       real("coverage", 1e-6, 1, "mean error of a pixel's coverage"),
+                       real("motion", 1e-6, 1, "mean distance of the hair from where it should be, over its length")});
+  return object("budgets", "the plan chooses methods and settings that keep these, or refuses",
+                {real("frame_ms", 1e-3, 1e6, "time of a frame on this device"),
+                 real("memory_mb", 1e-3, 1e6, "device memory, 10^6 bytes"), std::move(error)});
+}
+
 Spec render() {
   Spec method = text("method", "how strands become pixels; 'lines' unless given");
   method.choices.assign(std::begin(k_render_methods), std::end(k_render_methods));
@@ -312,6 +323,7 @@ Spec specification(const Catalogue& catalogue) {
        real("frames_per_second", 1, 1000, "frame rate"),
        outputs(),
        render(),
+       budgets(),
        blocks("passes", "parameters of render passes", catalogue.passes)});
 }
 

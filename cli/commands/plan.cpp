@@ -14,7 +14,7 @@ namespace {
 struct PlanOptions {
   std::string scene, why;
   int frame = -1;
-  bool dot = false, schema = false, calibrate = false;
+  bool dot = false, schema = false, calibrate = false, measure = false;
 };
 
 /// A scene's plan, and what is known of its cost here.
@@ -22,12 +22,15 @@ struct Planned {
   scene::Scene scene;
   plan::Plan plan;
   plan::PlanCosts costs;
+  std::string refused = {};  ///< why no settings keep the scene's budgets
 };
 
 Result<Planned> make(const PlanOptions& options, Context& context) {
   Planned planned;
   CUTICLE_ASSIGN(planned.scene, scene::load_scene(options.scene, plan::catalogue()));
 #ifdef CUTICLE_HAS_GPU
+  CUTICLE_ASSIGN(planned.refused, meet_budgets(planned.scene, context));
+  if (!planned.refused.empty()) return planned;
   planned.costs = known_costs(context.device);
   if (options.frame >= 0) {
     CUTICLE_ASSIGN(planned.plan, run_planned_frame(planned.scene, options.frame, context, planned.costs));
@@ -46,6 +49,10 @@ Result<Planned> make(const PlanOptions& options, Context& context) {
 int print_plan(const PlanOptions& options, Context& context) {
   const auto made = make(options, context);
   if (!made) return report(made.error());
+  if (!made->refused.empty()) {
+    fmt::print(stderr, "{}\n", made->refused);
+    return Exit::check_failed;
+  }
   if (options.dot) {
     fmt::print("{}", plan::report_dot(made->plan));
     return Exit::ok;
@@ -58,6 +65,13 @@ int print_plan(const PlanOptions& options, Context& context) {
   }
   fmt::print("{}\n", context.json ? plan::report_json(made->scene, made->plan, made->costs)
                                   : plan::report_text(made->scene, made->plan, made->costs));
+#ifdef CUTICLE_HAS_GPU
+  if (options.measure) {
+    const auto errors = measured_errors(made->scene, context);
+    if (!errors) return report(errors.error());
+    fmt::print("{}", *errors);
+  }
+#endif
   return Exit::ok;
 }
 
@@ -98,6 +112,8 @@ void add_plan(CLI::App& app, Context& context) {
       ->check(CLI::Range(0, 1000000));
   command->add_option("--why", options->why, "everything about one pass, effect, solver or shadow method");
   command->add_flag("--dot", options->dot, "print a Graphviz graph of facts and passes");
+  command->add_flag("--measure", options->measure,
+                    "also measure shadow and coverage of this hair against ray-traced truth and brute force");
   command->add_flag("--calibrate", options->calibrate,
                     "first time every pass on this device, a minute at most; the times are stored for it");
   command->callback([&context, options] {
