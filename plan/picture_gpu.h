@@ -12,7 +12,6 @@
 #include "plan/memory_meter_gpu.h"
 #include "plan/plan.h"
 #include "plan/strand_set.h"
-#include "plan/strand_shadows_gpu.h"
 #include "render/pass_gpu.h"
 #include "strands/spline/drawn_gpu.h"
 
@@ -28,7 +27,7 @@ struct PictureInput {
   bool records_character = false;        ///< its skin and hair are moved in the picture's submission
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
-  bool follows = false;                   ///< the picture painted before, a frame ago, by the same camera path
+  bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
   const FramePlan* frame_plan = nullptr;  ///< which passes run; the others' results are those of an earlier picture
 };
 
@@ -52,27 +51,31 @@ class Picture {
   /// The channels of the color with those of the passes 'aovs' and 'velocity'; empty where the first is not planned.
   Result<Image> read_aovs(const Image& color) const;
   Result<strands::Groom> read_strands() const;
-  const lut::TableSet& tables() const { return table_set_; }
+  /// Null: none are baked.
+  const lut::TableSet* tables() const;
 
  private:
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan), memory_(*device_) {}
   Result<void> make_generator();
   Result<void> make_strands();
+  Result<void> make_material();
   Result<void> make_rest();
-  Result<void> make_tables(Progress& progress);
   Result<void> choose_chunks();
   Result<void> make_targets();
+  Result<std::unique_ptr<render::GpuPass>> make_pass(const registry::Entry& entry);
   Result<void> make_passes();
-  bool in_chunks() const { return resources_.part_size != glm::ivec2(0); }
-  bool begins_frame() const { return !in_chunks() || resources_.part_corner == glm::ivec2(0); }
+  Result<void> check_uses() const;
+  template <class Property>
+  Property planned(Property render::Pass::*property) const;
+  bool in_chunks() const { return resources_.get<render::FrameView>().part_size != glm::ivec2(0); }
+  bool begins_frame() const { return !in_chunks() || resources_.get<render::FrameView>().part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
   Result<gpu::SubmitCost> paint_part(Trace* trace);
   Result<gpu::SubmitCost> paint_once(Trace* trace, registry::Stage from);
   bool runs(std::string_view pass) const { return !frame_plan_ || frame_plan_->runs(pass); }
   Result<void> keep_part();
   Result<std::optional<registry::Stage>> settle();
-  Result<Image> read_truth() const;
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
   Result<void> record_passes(gpu::Commands& commands, registry::Stage from);
@@ -84,16 +87,14 @@ class Picture {
   const Plan& plan_;
   std::unique_ptr<strands::DrawnStrands> generator_;  ///< of the drawn strands
   strands::Groom rest_;                               ///< empty where no pass asks for it
-  std::unique_ptr<StrandShadows> shadows_;            ///< until it is one of the passes
-  lut::TableSet table_set_;
-  std::vector<gpu::Texture> tables_;
   gpu::Texture color_, depth_, resolved_, output_;
   Image chunks_;  ///< the picture, of one that is drawn in chunks
-  render::FrameResources resources_;
+  render::Resources resources_;
   struct DrawnPass {
     std::string_view name;
     registry::Stage stage;
     bool draws;  ///< into the targets
+    std::span<const render::Use> uses;
     std::unique_ptr<render::GpuPass> pass;
   };
   std::vector<DrawnPass> passes_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/registry/entry.h"
+#include "render/resource.h"
 #include "scene/scene.h"
 
 namespace cuticle::plan {
@@ -16,6 +17,12 @@ struct PlannedPass {
   std::string reason;
   std::uint32_t dispatches = 0, draws = 0;  ///< per frame
   bool on_cpu = false;                      ///< runs on the CPU, and dispatches nothing
+};
+/// A resource that some pass of the plan, or the scene, asks for.
+struct PlannedResource {
+  std::string_view name;
+  std::vector<const registry::Entry*> writers,
+      readers;  ///< in the order in which they run; no writer: the scene gives it
 };
 struct LeftOut {
   const registry::Entry* entry = nullptr;
@@ -31,6 +38,8 @@ struct Plan {
   registry::FrameShape shape;
   std::vector<PlannedPass> passes;  ///< in the order in which they run
   std::vector<LeftOut> left_out;
+  std::vector<std::string_view> outputs = {};   ///< resources that the scene asks for, as files have them
+  std::vector<PlannedResource> resources = {};  ///< by name
 };
 
 /// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands",
@@ -40,6 +49,8 @@ registry::Facts facts_of(const scene::Scene& scene);
 /// or, left to choose ("auto"), where the device is software: there the kernels take 44 to 72 times as long
 /// (sim/README.md).
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device = {});
+/// What an entry reads and writes of a frame; empty: it is no pass of the picture, as solvers and effects.
+std::span<const render::Use> uses_of(const registry::Entry& entry);
 /// The planned pass of that name, or null.
 const PlannedPass* find_pass(const Plan& plan, std::string_view name);
 std::string to_text(const Plan& plan);

@@ -221,14 +221,16 @@ std::string report_dot(const Plan& plan) {
   std::string text = "digraph plan {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
   for (const auto& [name, fact] : plan.facts)
     if (fact.holds) text += fmt::format("  \"fact {}\" [label=\"{}\", shape=box, style=rounded];\n", name, name);
-  const PlannedPass* before = nullptr;
   for (const PlannedPass& pass : plan.passes) {
     text += fmt::format("  \"{}\" [shape=box];\n", pass.entry->name);
     for (std::string_view demand : pass.entry->demands)
       text += fmt::format("  \"fact {}\" -> \"{}\" [style=dashed];\n", demand, pass.entry->name);
-    if (before) text += fmt::format("  \"{}\" -> \"{}\" [weight=10];\n", before->entry->name, pass.entry->name);
-    before = &pass;
   }
+  for (const PlannedResource& resource : plan.resources)
+    for (const registry::Entry* writer : resource.writers)
+      for (const registry::Entry* reader : resource.readers)
+        if (writer != reader)
+          text += fmt::format("  \"{}\" -> \"{}\" [label=\"{}\"];\n", writer->name, reader->name, resource.name);
   return text + "}\n";
 }
 

@@ -50,7 +50,7 @@ std::string report_json(const scene::Scene& scene, const Plan& plan, const PlanC
 /// Everything about one pass. Error: usage naming the nearest, where there is none of the name.
 Result<std::string> report_why(const scene::Scene& scene, const Plan& plan, const PlanCosts& costs,
                                std::string_view pass);
-/// A Graphviz graph: facts, the passes that they demand, the order of these.
+/// A Graphviz graph: facts, the passes that they demand, and what these hand to each other.
 std::string report_dot(const Plan& plan);
 
 }  // namespace cuticle::plan
