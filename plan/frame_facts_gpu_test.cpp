@@ -177,7 +177,9 @@ TEST(FrameFacts, CostOfAFrame_IsWhatTheClockSays) {
   std::printf("passes %.1f ms, submissions %.1f ms, clock %.1f ms\n", passes, submissions, clock);
   EXPECT_LE(passes, submissions);
   EXPECT_LE(submissions, clock);
-  EXPECT_GT(passes, 0.8 * clock);  // the rest: recording, what is read back, other programs
+  // A frame that is drawn twice and counted once has .5. The rest: recording, what is read back, other programs.
+  // Measured: .88 of the clock in passes, .75 with thirty programs beside.
+  EXPECT_GT(passes, 0.6 * clock);
 }
 
 }  // namespace
