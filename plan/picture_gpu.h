@@ -6,6 +6,7 @@
 
 #include "core/image/image.h"
 #include "core/progress.h"
+#include "lut/table_set.h"
 #include "plan/character_motion_gpu.h"
 #include "plan/fin_motion_gpu.h"
 #include "plan/frame_plan.h"
