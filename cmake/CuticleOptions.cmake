@@ -67,7 +67,7 @@ endif()
 cuticle_part(EMBREE ${embree_found} "Ray-traced truth by Embree")
 
 find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2 RenderingAnnotation
-  RenderingFreeType RenderingContext2D RenderingContextOpenGL2 RenderingVolume InteractionStyle IOImage IOOggTheora
+  RenderingFreeType RenderingContext2D RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 InteractionStyle IOImage IOOggTheora
   FiltersCore FiltersSources ImagingCore)
 set(vtk_found OFF)
 if(VTK_FOUND)

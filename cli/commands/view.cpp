@@ -7,6 +7,11 @@ void add_view(CLI::App& app, Context& context) {
   command->require_subcommand(1);
   command->fallthrough();
   add_view_lobes(*command, context);
+  add_view_paths(*command, context);
+  add_view_lut(*command, context);
+  add_view_strands(*command, context);
+  add_view_shadow(*command, context);
+  add_view_plan(*command, context);
 }
 
 }  // namespace cuticle::cli

@@ -22,6 +22,12 @@ void add_target_options(CLI::App& command, ViewOptions& options, bool has_frames
                      "write what is shown into a folder, as VTK XML files and CSV (needs no VTK)");
 }
 
+Result<glm::dvec3> parse_vector(const std::string& name, const std::string& text) {
+  CUTICLE_ASSIGN(const std::vector<double> numbers, parse_numbers(name, text));
+  if (numbers.size() != 3) return usage_error(name + ": '" + text + "' is not x,y,z", name + " 0.5,1,0.6");
+  return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+}
+
 Result<void> show_or_write(const ViewOptions& options, const std::function<Result<void>(const std::string&)>& write,
                            const std::function<Result<void>(const viz::Views&, const viz::ViewTarget&)>& show) {
   viz::ViewTarget target = options.target;

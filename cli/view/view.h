@@ -16,6 +16,9 @@ struct ViewOptions {
 };
 void add_target_options(CLI::App& command, ViewOptions& options, bool has_frames = false);
 
+/// "x,y,z". Error: usage, naming the option.
+Result<glm::dvec3> parse_vector(const std::string& name, const std::string& text);
+
 /// Writes the files where they were asked for, and shows the view where that was, or where neither was.
 Result<void> show_or_write(const ViewOptions& options, const std::function<Result<void>(const std::string&)>& write,
                            const std::function<Result<void>(const viz::Views&, const viz::ViewTarget&)>& show);
@@ -33,5 +36,10 @@ void set_view_action(CLI::App& command, Context& context, const std::shared_ptr<
 }
 
 void add_view_lobes(CLI::App& view, Context& context);
+void add_view_lut(CLI::App& view, Context& context);
+void add_view_paths(CLI::App& view, Context& context);
+void add_view_plan(CLI::App& view, Context& context);
+void add_view_shadow(CLI::App& view, Context& context);
+void add_view_strands(CLI::App& view, Context& context);
 
 }  // namespace cuticle::cli

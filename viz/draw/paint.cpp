@@ -74,7 +74,8 @@ void draw_upright_bar(vtkContext2D& painter, const ColorScale& colors, const Rec
     painter.DrawLine(float(place.right), float(y), float(place.right + 5 * scale), float(y));
     draw_text(painter, {place.right + 8 * scale, y}, tick_text(tick), {13 * scale, -1, 0});
   }
-  draw_text(painter, {place.right + 54 * scale, place.top + 10 * scale}, colors.title, {13 * scale, 1, -1});
+  draw_text(painter, {place.right + 50 * scale, (place.bottom + place.top) / 2}, colors.title,
+            {14 * scale, 0, 1, false, true});
 }
 
 }  // namespace cuticle::viz

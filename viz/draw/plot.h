@@ -36,6 +36,7 @@ struct Mark {
 struct PlotImage {
   int width = 0, height = 0;
   std::vector<float> values;
+  std::vector<glm::dvec3> beneath = {};  ///< colours of cells whose value is 0, or empty
 };
 struct PlotContent {
   std::string title;
@@ -45,6 +46,7 @@ struct PlotContent {
   std::optional<PlotImage> image = {};
   ColorScale colors = {};     ///< of the image; its bar is drawn where its title is not empty
   bool equal_scales = false;  ///< one unit is as long along x as along y
+  bool lists_names = false;   ///< curves' names one below the other at the upper left, not beside the curves
 };
 
 /// Something drawn flat in a renderer's viewport.

@@ -18,8 +18,10 @@ vtkSmartPointer<vtkImageData> colored(const PlotImage& image, const ColorScale& 
   pixels->SetDimensions(image.width, image.height, 1);
   pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* at = static_cast<unsigned char*>(pixels->GetScalarPointer());
-  for (const float value : image.values) {
-    const glm::dvec3 color = colors.color(double(value));
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    const float value = image.values[i];
+    const bool is_beneath = value == 0 && !image.beneath.empty();
+    const glm::dvec3 color = is_beneath ? image.beneath[i] : colors.color(double(value));
     for (int c = 0; c < 3; ++c) *at++ = static_cast<unsigned char>(255 * color[c] + 0.5);
     *at++ = 255;
   }
@@ -76,7 +78,7 @@ std::optional<glm::dvec2> PlotItem::place_of(const glm::dvec2& pixel) const {
 }
 
 void PlotItem::lay_out() {
-  const double bar = content_.colors.title.empty() ? 0 : 92 * scale;
+  const double bar = content_.colors.title.empty() ? 0 : 88 * scale;
   area_ = {78 * scale, 56 * scale, GetScene()->GetSceneWidth() - 26 * scale - bar,
            GetScene()->GetSceneHeight() - (content_.title.empty() ? 18 : 44) * scale};
   if (!content_.equal_scales) return;
@@ -95,9 +97,7 @@ void PlotItem::paint_frame(vtkContext2D& painter) {
   set_pen(painter, {.25, .25, .25}, 1 * scale);
   painter.GetBrush()->SetOpacityF(0);
   painter.DrawRect(float(area_.left), float(area_.bottom), float(area_.width()), float(area_.height()));
-  const double middle = content_.image ? (area_.left + area_.right) / 2 : area_.left;
-  draw_text(painter, {content_.image ? middle : area_.left, area_.top + 12 * scale}, content_.title,
-            {16 * scale, content_.image ? 0 : -1, -1, true});
+  draw_text(painter, {area_.left, area_.top + 12 * scale}, content_.title, {16 * scale, -1, -1, true});
 }
 
 void PlotItem::paint_x_axis(vtkContext2D& painter) {
@@ -150,8 +150,20 @@ void PlotItem::paint_curve(vtkContext2D& painter, const Curve& curve) {
   paint_piece(painter, curve, piece);
 }
 
+void PlotItem::list_names(vtkContext2D& painter) {
+  double y = area_.top - 8 * scale;
+  for (const Curve& curve : content_.curves) {
+    set_pen(painter, curve.color, curve.width * scale);
+    painter.DrawLine(float(area_.left + 12 * scale), float(y - 8 * scale), float(area_.left + 40 * scale),
+                     float(y - 8 * scale));
+    draw_text(painter, {area_.left + 48 * scale, y}, curve.name, {15 * scale, -1, 1, true, false, 0.85 * curve.color});
+    y -= 21 * scale;
+  }
+}
+
 /// Names stand at the curves' highest points, lower where another is in the way.
 void PlotItem::paint_names(vtkContext2D& painter) {
+  if (content_.lists_names) return list_names(painter);
   std::vector<Rectangle> taken;
   for (const Curve& curve : content_.curves) {
     const glm::dvec2* top = curve.name.empty() ? nullptr : highest(curve, content_);

@@ -37,6 +37,7 @@ class PlotItem : public vtkContextItem {
   void paint_curve(vtkContext2D& painter, const Curve& curve);
   void paint_piece(vtkContext2D& painter, const Curve& curve, std::vector<float>& points);
   void paint_names(vtkContext2D& painter);
+  void list_names(vtkContext2D& painter);
   void paint_marks(vtkContext2D& painter);
   void paint_bar(vtkContext2D& painter);
   double x_fraction(double x) const;
@@ -59,7 +60,7 @@ void set_pen(vtkContext2D& painter, const glm::dvec3& color, double width, bool 
 void set_brush(vtkContext2D& painter, const glm::dvec3& color);
 /// Horizontal bar, its ticks below and its title above.
 void draw_color_bar(vtkContext2D& painter, const ColorScale& colors, const Rectangle& place, double scale);
-/// Upright, its ticks to the right and its title above.
+/// Upright, its ticks to the right, and its title beside them.
 void draw_upright_bar(vtkContext2D& painter, const ColorScale& colors, const Rectangle& place, double scale);
 /// Ticks of an axis of this kind.
 std::vector<double> ticks_of(const PlotAxis& axis, int count);

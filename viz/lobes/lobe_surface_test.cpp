@@ -1,19 +1,28 @@
-// The numbers behind a view of lobes and of strands.
+// The numbers behind a view of lobes.
 #include <cmath>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "viz/lobe_surface.h"
-#include "viz/strand_lines.h"
+#include "viz/color/ramp.h"
+#include "viz/lobes/surface.h"
 
 namespace cuticle::viz::lobe_surface_test {
 namespace {
 
-LobesView view_of(int lobe, bool logarithmic) {
-  const bsdf::Model* model = bsdf::find_model("marschner").value();
-  return {model, registry::default_values(model->entry.parameters), 0.5, lobe, logarithmic};
+ShownModel shown_model(const char* name, const char* settings = "") {
+  const bsdf::Model* model = bsdf::find_model(name).value();
+  return {model, bsdf::parse_settings(*model, "", settings).value()};
+}
+
+double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+
+double value_of(const ShownModel& shown, bsdf::Quantity quantity, int lobe, const bsdf::Point& point) {
+  glm::dvec3 value;
+  EXPECT_TRUE(bsdf::evaluate(*shown.model, shown.values, bsdf::Precision::f64, {quantity, lobe, std::span(&point, 1)},
+                             std::span(&value, 1))
+                  .ok());
+  return mean(value);
 }
 
 TEST(SurfaceRadius, Decades_AreEvenSteps) {
@@ -27,60 +36,57 @@ TEST(SurfaceRadius, Decades_AreEvenSteps) {
 TEST(SurfaceRadius, Linear_IsTheShareOfThePeak) { EXPECT_DOUBLE_EQ(surface_radius(2.5, 10, false), 0.25); }
 
 TEST(MakeSurfaces, SingleLobe_ReachesAsFarAsTheModelSays) {
-  const LobesView view = view_of(1, false);
-  const LobeSurfaces set = make_surfaces(view).value();
-  ASSERT_EQ(set.surfaces.size(), 1u);
-  EXPECT_EQ(set.surfaces[0].name, "TT");
+  const ShownModel shown = shown_model("marschner");
+  const LobeSettings settings{0.5, "TT", false};
+  const LobeValues values = lobe_values(shown, settings, {}, true).value();
+  const double peak = peak_of(values, "TT");
+  const auto surfaces = make_surfaces(values, settings, peak).value();
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces[0].name, "TT");
   const int row = 47, column = 350;
-  const bsdf::Point point{.theta_i = 0.5, .theta_o = set.grid.theta_o(row), .phi = set.grid.phi(column)};
-  glm::dvec3 value;
-  ASSERT_TRUE(bsdf::evaluate(*view.model, view.values, bsdf::Precision::f64,
-                             {bsdf::Quantity::S, 1, std::span(&point, 1)}, std::span(&value, 1))
-                  .ok());
-  const glm::dvec3 position = set.surfaces[0].positions[std::size_t(row) * set.grid.columns + column];
+  const bsdf::Point point{.theta_i = 0.5, .theta_o = values.grid.theta_o(row), .phi = values.grid.phi(column)};
+  const double value = value_of(shown, bsdf::Quantity::S, 1, point);
+  const glm::dvec3 position = surfaces[0].positions[std::size_t(row) * 361 + column];
   const double radius = std::sqrt(position.x * position.x + position.y * position.y + position.z * position.z);
-  EXPECT_NEAR(radius * set.peak, (value.x + value.y + value.z) / 3, 1e-3 * set.peak);
+  EXPECT_NEAR(radius * peak, value, 1e-3 * peak);
   EXPECT_NEAR(std::atan2(position.y, position.x), point.phi, 1e-9);
   EXPECT_NEAR(std::asin(position.z / radius), point.theta_o, 1e-9);
 }
 
 TEST(MakeSurfaces, AllLobes_AreOneSurfaceEachInItsColour) {
-  const LobeSurfaces set = make_surfaces(view_of(LobesView::k_all_lobes, true)).value();
-  ASSERT_EQ(set.surfaces.size(), 3u);
+  const LobeValues values = lobe_values(shown_model("marschner"), {0.5}, k_moving_grid, false).value();
+  const auto surfaces = make_surfaces(values, {0.5}, 1).value();
+  ASSERT_EQ(surfaces.size(), 3u);
   const char* const names[] = {"R", "TT", "TRT"};
-  for (std::size_t lobe = 0; lobe < 3; ++lobe) EXPECT_EQ(set.surfaces[lobe].colors.front(), lobe_color(names[lobe]));
+  for (std::size_t lobe = 0; lobe < 3; ++lobe) EXPECT_EQ(surfaces[lobe].colors.front(), lobe_color(names[lobe]));
 }
 
-TEST(ArcLengths, EachStrand_StartsAtItsRoot) {
-  strands::Groom groom;
-  groom.offsets = {0, 3, 5};
-  groom.positions = {{0, 0, 0}, {0, 3, 4}, {0, 3, 5}, {1, 0, 0}, {3, 0, 0}};
-  groom.radii.assign(5, 1e-5F);
-  EXPECT_THAT(arc_lengths(groom), testing::ElementsAre(0, 5, 6, 0, 2));
+TEST(MakeSurfaces, UnknownLobe_IsRefusedByName) {
+  const LobeValues values = lobe_values(shown_model("marschner"), {0.5}, k_moving_grid, false).value();
+  const auto surfaces = make_surfaces(values, {0.5, "TTT"}, 1);
+  ASSERT_FALSE(surfaces.ok());
+  EXPECT_THAT(surfaces.error().message, testing::HasSubstr("R, TT, TRT"));
 }
 
-TEST(Show, NoDisplay_IsAnErrorThatNamesXvfbRun) {
-  unsetenv("DISPLAY");
-  const auto result = show(view_of(0, true), {"/nonexistent/never.png", {100, 100}});
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().kind, ErrorKind::no_device);
-  EXPECT_THAT(result.error().hint, testing::HasSubstr("xvfb-run"));
+/// Without tilt, S is the same with light and eye exchanged, so that what leaves is the albedo of what comes in.
+void expect_albedo(const char* model, const char* settings, double theta_i, double bound) {
+  const ShownModel shown = shown_model(model, settings);
+  const LobeValues values = lobe_values(shown, {theta_i}, {}, true).value();
+  const double albedo = value_of(shown, bsdf::Quantity::albedo, -1, {.theta_o = theta_i});
+  EXPECT_NEAR(scattered(values.grid, values.sum()), albedo, bound) << model << " at " << theta_i;
 }
 
-TEST(Show, DisplayThatDoesNotAnswer_IsAnErrorToo) {
-  setenv("DISPLAY", ":7654", 1);
-  const auto result = show(view_of(0, true), {"/nonexistent/never.png", {100, 100}});
-  ASSERT_FALSE(result.ok());
-  EXPECT_THAT(result.error().message, testing::HasSubstr(":7654"));
-}
-
-TEST(LoadStrands, MissingState_NamesTheFile) {
-  for (const char* path : {"/nonexistent/state.vtp", "/nonexistent/groom.hair"}) {
-    const auto result = load_strands(path, 0);
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().kind, ErrorKind::bad_input);
-    EXPECT_THAT(result.error().message, testing::HasSubstr(path));
+TEST(Scattered, OfAnUntiltedFibre_IsTheAlbedo) {
+  for (const double theta_i : {0.0, 0.5, 0.9}) {
+    expect_albedo("marschner", "alpha=0", theta_i, 2e-3);
+    expect_albedo("chiang", "alpha=0", theta_i, 2e-3);
   }
+}
+
+TEST(DifferenceSurface, ModelWithItself_IsTheMiddleColour) {
+  const LobeValues values = lobe_values(shown_model("marschner"), {0.5}, k_moving_grid, false).value();
+  const LobeSurface surface = difference_surface(values, values, {0.5}, 1);
+  EXPECT_EQ(surface.colors[1234], ramp_color(Ramp::diverging, 0.5));
 }
 
 }  // namespace

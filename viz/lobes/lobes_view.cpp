@@ -97,7 +97,7 @@ Result<void> LobesPicture::update_surfaces(const std::vector<LobeValues>& values
     const auto &first = view_.models[0].model->entry.name, &second = view_.models[1].model->entry.name;
     bar_->set({Ramp::diverging, -100, 100, false, fmt::format("({1} - {0}) / ({1} + {0}) [%]", first, second)});
     scenes_[0]->set_words(fmt::format("{} and {}: the larger S, coloured by their difference", first, second),
-                          words_of(values[0]));
+                          "");
     return {};
   }
   for (std::size_t k = 0; k < values.size(); ++k) {

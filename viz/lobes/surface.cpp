@@ -60,8 +60,8 @@ Result<std::vector<double>> averaged_values(const ShownModel& shown, const LobeS
   CUTICLE_ASSIGN(const lut::PhiAverages averages, lut::average_over_phi(source, channel, columns_of(grid)));
   std::vector<double> values;
   std::transform(averages.values.begin(), averages.values.end(), std::back_inserter(values), mean);
-  for (int row = 0; row < grid.rows; ++row)
-    blend(std::span(values).subspan(std::size_t(row) * std::size_t(grid.columns), std::size_t(grid.columns)));
+  for (int row = 0; row < 2 * grid.rows; ++row)
+    blend(std::span(values).subspan(std::size_t(row % grid.rows) * std::size_t(grid.columns), std::size_t(grid.columns)));
   return values;
 }
 

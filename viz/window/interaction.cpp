@@ -27,6 +27,7 @@ struct Interaction::State {
   void press_key(char key);
   void next_frame();
   void set_moving(bool moving);
+  void print_control() const;
   void pick(const glm::ivec2& at);
   glm::ivec2 mouse() const;
   void redraw() { area.window->Render(); }
@@ -134,7 +135,7 @@ bool Interaction::State::move(const glm::ivec2& at) {
 
 bool Interaction::State::release(const glm::ivec2& at) {
   const bool was_click = pressed_at && *pressed_at == at, taken = row >= 0 || holds;
-  if (row >= 0) keep(panel->set_by_mouse(row, at, false, true));
+  if (row >= 0) keep(panel->set_by_mouse(row, at, false, true)), print_control();
   if (holds) keep(view.drag(at, true));
   if (taken) panel->set(view.controls()), redraw();
   row = -1;
@@ -142,6 +143,13 @@ bool Interaction::State::release(const glm::ivec2& at) {
   pressed_at.reset();
   if (!taken && was_click) pick(at);
   return taken;
+}
+
+void Interaction::State::print_control() const {
+  const Control& control = panel->controls()[std::size_t(row)];
+  const bool is_choice = !control.choices.empty();
+  fmt::print("{},{}\n", control.name, is_choice ? value_text(control) : fmt::format("{:.9g}", control.value));
+  std::fflush(stdout);
 }
 
 void Interaction::State::pick(const glm::ivec2& at) {

@@ -3,8 +3,8 @@
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 
-#include "viz/window/display.h"
 #include "viz/window/interaction.h"
+#include "viz/window/open_window.h"
 #include "viz/window/picture.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
@@ -42,15 +42,21 @@ vtkSmartPointer<vtkRenderer> WindowArea::add_renderer(double x0, double y0, doub
   return renderer;
 }
 
+Result<OpenWindow> open_window(View& view, const ViewTarget& target, bool for_test) {
+  OpenWindow opened;
+  CUTICLE_ASSIGN(opened.display, open_display(target.is_window() && !for_test));
+  opened.window = make_window(view, target);
+  opened.area = area_of(*opened.window, target, target.is_window());
+  CUTICLE_TRY(view.fill(opened.area));
+  return opened;
+}
+
 Result<void> present(View& view, const ViewTarget& target) {
-  CUTICLE_ASSIGN(const OpenDisplay display, open_display(target.is_window()));
-  const vtkSmartPointer<vtkRenderWindow> window = make_window(view, target);
-  const WindowArea area = area_of(*window, target, target.is_window());
-  CUTICLE_TRY(view.fill(area));
-  if (target.is_window()) return interact(view, area, target);
-  window->Render();
-  if (!target.screenshot.empty()) CUTICLE_TRY(write_picture(*window, target.screenshot));
-  if (!target.movie.empty()) CUTICLE_TRY(write_movie(view, *window, target));
+  CUTICLE_ASSIGN(const OpenWindow opened, open_window(view, target));
+  if (target.is_window()) return interact(view, opened.area, target);
+  opened.window->Render();
+  if (!target.screenshot.empty()) CUTICLE_TRY(write_picture(*opened.window, target.screenshot));
+  if (!target.movie.empty()) CUTICLE_TRY(write_movie(view, *opened.window, target));
   return {};
 }
 
