@@ -6,7 +6,7 @@
 
 #include "viz/shadow/shadow.h"
 
-namespace cuticle::viz::shadow_test {
+namespace cuticle::viz::shadow_view_test {
 namespace {
 
 /// A mat of 400 parallel hairs, 2 cm wide and 1 cm deep, lit from above.
@@ -60,4 +60,4 @@ TEST(DepthCurves, EveryMethod_EndsNearTheTruth) {
 }
 
 }  // namespace
-}  // namespace cuticle::viz::shadow_test
+}  // namespace cuticle::viz::shadow_view_test

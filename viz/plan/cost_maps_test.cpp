@@ -5,7 +5,7 @@
 #include "tests/support/temporary_folder.h"
 #include "viz/plan/plan.h"
 
-namespace cuticle::viz::plan_test {
+namespace cuticle::viz::cost_maps_test {
 namespace {
 
 using Plan = tests::TemporaryFolder;
@@ -43,4 +43,4 @@ TEST_F(Plan, PictureWithoutLayers_SaysHowToGetThem) {
 }
 
 }  // namespace
-}  // namespace cuticle::viz::plan_test
+}  // namespace cuticle::viz::cost_maps_test
