@@ -29,16 +29,29 @@ def _pyvista():
     return pyvista
 
 
+def _averaged(model, lobe, set, theta, phi, **arguments):
+    """S as the mean over each column's azimuths, blended with its neighbours' by 1:2:1 twice."""
+    parts = 6
+    width = phi[0, 1] - phi[0, 0]
+    shifts = ((numpy.arange(parts) + 0.5) / parts - 0.5) * width
+    values = _models.eval(model, "S", lobe, set, theta_o_deg=theta[..., None], phi_deg=phi[..., None] + shifts,
+                          **arguments).mean(axis=(-2, -1))
+    for _ in range(2):
+        ring = values[:, :-1]
+        blended = (numpy.roll(ring, 1, axis=1) + 2 * ring + numpy.roll(ring, -1, axis=1)) / 4
+        values = numpy.concatenate([blended, blended[:, :1]], axis=1)
+    return values
+
+
 def lobe_surface(model: str, lobe="sum", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, decades=3.0, log=True,
-                 rows=91, columns=181):
+                 rows=91, columns=181, peak=None):
     """S of a lobe as a polar surface, for light from theta_i_deg: positions (rows, columns, 3), S (rows, columns) in 1/sr, the mean of
-    r, g and b, and the S at radius 1. z is the fibre, x the light's side; the radius is log10 S over `decades` below the 99.9th
-    percentile, or S over it. No PyVista needed."""
+    r, g and b and over the column's azimuths and its neighbours' (a caustic is infinite), and the S at radius 1: `peak`, or the 99.9th
+    percentile. z is the fibre, x the light's side; the radius is log10 S over `decades` below the peak, or S over it. No PyVista needed."""
     theta = numpy.linspace(-90, 90, rows)[:, None] * numpy.ones(columns)
     phi = numpy.linspace(-180, 180, columns)[None, :] * numpy.ones((rows, 1))
-    values = _models.eval(model, "S", lobe, set, preset=preset, hair=hair, theta_i_deg=theta_i_deg, theta_o_deg=theta, phi_deg=phi,
-                          h=h).mean(axis=-1)
-    peak = float(numpy.quantile(values, 0.999)) or 1.0
+    values = _averaged(model, lobe, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+    peak = peak or float(numpy.quantile(values, 0.999)) or 1.0
     with numpy.errstate(divide="ignore"):
         radius = 1 + numpy.log10(values / peak) / decades if log else values / peak
     radius = numpy.clip(radius, 0, 1)
@@ -62,10 +75,12 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
     pyvista = _pyvista()
     names = [model] if isinstance(model, str) else list(model)
     plotter = plotter or pyvista.Plotter(shape=(1, len(names)), window_size=(700 * len(names), 700))
+    given = dict(theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h, log=log)
+    peak = max(lobe_surface(name, "sum" if lobe == "all" else lobe, set, **given)[2] for name in names)
     for place, name in enumerate(names):
         plotter.subplot(0, place)
         for shown in _models.lobes(name) if lobe == "all" else [lobe]:
-            points, values, peak = lobe_surface(name, shown, set, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h, log=log)
+            points, values, _ = lobe_surface(name, shown, set, peak=peak, **given)
             plotter.add_mesh(_grid(pyvista, points, {"S [1/sr]": values}), label=shown,
                              color=_COLORS.get(shown, (0.5, 0.5, 0.5)), smooth_shading=True)
         angle = numpy.radians(theta_i_deg)
@@ -112,6 +127,7 @@ def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2):
                      clim=None if middle is None else (middle - reach, middle + reach), lighting=False,
                      scalar_bar_args={"title": _TITLES.get(color, color)})
     plotter.add_text(files[frame].name, font_size=10)
+    plotter.camera_position = "xy"
     return plotter
 
 
@@ -127,7 +143,8 @@ def lut(values, *, title="", height=0.5, plotter=None):
     plotter = plotter or pyvista.Plotter()
     plotter.add_mesh(_grid(pyvista, points, {title or "value": values}), scalars=title or "value",
                      cmap="viridis")
-    plotter.show_bounds(xtitle="u", ytitle="v", ztitle="value / peak / 2")
+    plotter.show_bounds(xtitle="u", ytitle="v", ztitle=f"{height:g} value / peak", location="outer")
+    plotter.camera_position = [(1.9, -2.2, 1.6), (0.5, 0.5, 0.15), (0, 0, 1)]
     return plotter
 
 
@@ -144,4 +161,5 @@ def shadow(groom, light=(0.5, 1, 0.6), *, method="deep_opacity", cells=40, alpha
     plotter = plotter or pyvista.Plotter()
     plotter.add_volume(grid, scalars="transmittance", cmap="viridis", opacity=[0.6, 0.3, 0.1, 0.0],
                        scalar_bar_args={"title": f"transmittance ({method})"})
+    plotter.camera_position = "xy"
     return plotter

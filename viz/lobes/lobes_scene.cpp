@@ -65,7 +65,9 @@ void look_at_lobes(vtkRenderer& renderer) {
   camera.SetViewUp(0, 0, 1);
   camera.SetFocalPoint(0, 0, -0.05);
   camera.SetPosition(2.4, -4.6, 2.0);
-  camera.SetViewAngle(30);
+  const int* size = renderer.GetSize();
+  const double narrowness = std::max(1.0, 0.95 * size[1] / std::max(1, size[0]));
+  camera.SetViewAngle(2 * std::atan(std::tan(15 * std::numbers::pi / 180) * narrowness) * 180 / std::numbers::pi);
   renderer.ResetCameraClippingRange();
 }
 

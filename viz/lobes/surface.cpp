@@ -66,14 +66,14 @@ Result<std::vector<double>> averaged_values(const ShownModel& shown, const LobeS
 }
 
 Result<std::vector<double>> point_values(const ShownModel& shown, const LobeSettings& settings,
-                                         const DirectionGrid& grid, int lobe) {
+                                         const DirectionGrid& grid, int lobe, bsdf::Precision precision) {
   std::vector<bsdf::Point> points;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       points.push_back(
           {.theta_i = settings.theta_i, .theta_o = grid.theta_o(row), .phi = grid.phi(column), .h = settings.h});
   std::vector<glm::dvec3> colors(points.size());
-  CUTICLE_TRY(bsdf::evaluate(*shown.model, shown.values, bsdf::Precision::f64, {bsdf::Quantity::S, lobe, points}, colors));
+  CUTICLE_TRY(bsdf::evaluate(*shown.model, shown.values, precision, {bsdf::Quantity::S, lobe, points}, colors));
   std::vector<double> values;
   std::transform(colors.begin(), colors.end(), std::back_inserter(values), mean);
   return values;
@@ -126,11 +126,12 @@ std::vector<double> LobeValues::sum() const {
 
 Result<LobeValues> lobe_values(const ShownModel& shown, const LobeSettings& settings, const DirectionGrid& grid,
                                bool averaged) {
+  const bsdf::Precision precision = averaged ? bsdf::Precision::f64 : bsdf::Precision::f32;
   averaged = averaged && shown.model->azimuthal_means;  // of the others, none has an infinite peak
   LobeValues found{grid, {}, {}};
   for (int lobe = 0; lobe < int(shown.model->lobes.size()); ++lobe) {
     CUTICLE_ASSIGN(found.values.emplace_back(), averaged ? averaged_values(shown, settings, grid, lobe)
-                                                         : point_values(shown, settings, grid, lobe));
+                                                         : point_values(shown, settings, grid, lobe, precision));
     found.lobes.emplace_back(shown.model->lobes[std::size_t(lobe)]);
   }
   return found;

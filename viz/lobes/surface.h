@@ -16,7 +16,7 @@ struct DirectionGrid {
   double theta_o(int row) const;
   double phi(int column) const;
 };
-inline constexpr DirectionGrid k_moving_grid{61, 121};  ///< while a slider moves
+inline constexpr DirectionGrid k_moving_grid{46, 91};  ///< while a slider moves
 
 /// S of every lobe of a model on a grid: the mean of r, g and b.
 struct LobeValues {
@@ -25,8 +25,8 @@ struct LobeValues {
   std::vector<std::vector<double>> values;  ///< one vector a lobe
   std::vector<double> sum() const;
 };
-/// `averaged`: over about three degrees of phi, because of a caustic, which is an infinite peak, only a mean can be
-/// drawn; otherwise at the grid's directions. Errors: the model's.
+/// `averaged`: over about four degrees of phi, because of a caustic, which is an infinite peak, only a mean can be
+/// drawn; otherwise at the grid's directions, in float. Errors: the model's.
 Result<LobeValues> lobe_values(const ShownModel& shown, const LobeSettings& settings, const DirectionGrid& grid,
                                bool averaged);
 /// The integral of a lobe's S over the outgoing sphere: the share of the light that it scatters.

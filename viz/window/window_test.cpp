@@ -115,6 +115,8 @@ TEST_F(StrandsWindow, StrandPicked_ReportsTheNumbersOfTheFile) {
   send(interaction.interactor(), vtkCommand::LeftButtonPressEvent, at);
   send(interaction.interactor(), vtkCommand::LeftButtonReleaseEvent, at);
   const std::string words = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(interaction.result().ok());
+  EXPECT_TRUE(renderer.IsInViewport(at.x, at.y)) << at.x << " " << at.y;
   EXPECT_THAT(words, testing::AllOf(testing::HasSubstr("strand,1\n"), testing::HasSubstr("stretch,1.125\n"),
                                     testing::HasSubstr("y_m,-0.200000003\n"), testing::HasSubstr("velocity,0.25,0,0\n")));
 }
