@@ -21,8 +21,11 @@ Result<void> show(const Shown& shown, const ViewTarget& target) {
 
 extern "C" const cuticle::viz::Views* cuticle_views() {
   using namespace cuticle::viz;
-  static const Views views{
-      .lobes = show<LobesPicture>, .paths = show<PathsPicture>, .tables = show<TablesPicture>, .strands = show<StrandsPicture>,
-      .shadow = show<ShadowPicture>, .plan = show<PlanPicture>};
+  static const Views views{.lobes = show<LobesPicture>,
+                           .paths = show<PathsPicture>,
+                           .tables = show<TablesPicture>,
+                           .strands = show<StrandsPicture>,
+                           .shadow = show<ShadowPicture>,
+                           .plan = show<PlanPicture>};
   return &views;
 }

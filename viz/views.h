@@ -1,6 +1,6 @@
 #pragma once
-// The views that VTK draws, as a table: they are a module of their own, which is loaded when a view is asked for, so that
-// all else runs where VTK is missing.
+// The views that VTK draws, as a table: they are a module of their own, which is loaded when a view is asked for, so
+// that all else runs where VTK is missing.
 #include <string>
 
 #include "viz/lobes/lobes.h"

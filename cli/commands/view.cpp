@@ -3,7 +3,8 @@
 namespace cuticle::cli {
 
 void add_view(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("view", "lobes, tables, strands and shadows in a window, a picture or a movie");
+  CLI::App* command =
+      app.add_subcommand("view", "lobes, tables, strands and shadows in a window, a picture or a movie");
   command->require_subcommand(1);
   command->fallthrough();
   add_view_lobes(*command, context);

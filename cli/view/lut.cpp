@@ -37,7 +37,9 @@ void add_view_lut(CLI::App& view, Context& context) {
   command->add_option("--model", options->model, "the model to bake (cuticle models)")->capture_default_str();
   add_parameter_options(*command, options->parameters);
   command->add_option("--layout", options->layout, "layout to bake")->capture_default_str();
-  command->add_option("--texels", options->size_texels, "size to bake")->check(CLI::Range(16, 1024))->capture_default_str();
+  command->add_option("--texels", options->size_texels, "size to bake")
+      ->check(CLI::Range(16, 1024))
+      ->capture_default_str();
   command->add_option("--table", options->table, "which table; without: the first");
   add_target_options(*command, *options);
   set_view_action(*command, context, options, view_tables);

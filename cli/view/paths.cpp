@@ -25,7 +25,9 @@ void add_view_paths(CLI::App& view, Context& context) {
   auto options = std::make_shared<PathsOptions>();
   CLI::App* command =
       view.add_subcommand("paths", "rays of R, TT and TRT through the cross-section of a fibre, with the caustic");
-  command->add_option("--eta", options->shown.eta, "refractive index")->check(CLI::Range(1.05, 3.0))->capture_default_str();
+  command->add_option("--eta", options->shown.eta, "refractive index")
+      ->check(CLI::Range(1.05, 3.0))
+      ->capture_default_str();
   command->add_option("--theta-i-deg,--theta-i", options->theta_i_deg, "inclination of the light, degrees")
       ->check(CLI::Range(-85.0, 85.0));
   command->add_option("--aspect", options->shown.aspect, "axis across the light over the axis along it, before turning")

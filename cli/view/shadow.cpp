@@ -18,7 +18,8 @@ struct ShadowOptions : ViewOptions {
 Result<strands::Groom> groom_of(const ShadowOptions& options, Progress& progress) {
   if (!options.groom.empty())
     return load_groom(options.groom, {.metres_per_unit = options.metres_per_unit, .radius = options.radius}, progress);
-  CUTICLE_ASSIGN(strands::GroomingSpecification wavy, strands::load_specification(share_file("scenes/presets/wavy.json")));
+  CUTICLE_ASSIGN(strands::GroomingSpecification wavy,
+                 strands::load_specification(share_file("scenes/presets/wavy.json")));
   wavy.strands.share = 0.2;
   CUTICLE_ASSIGN(strands::Grown grown, strands::grow(wavy));
   return std::move(grown.drawn);
@@ -49,14 +50,17 @@ void add_view_shadow(CLI::App& view, Context& context) {
   add_groom_options(*command, options->metres_per_unit, options->radius);
   command->add_option("--light", options->light, "direction to the light, x,y,z")->capture_default_str();
   command->add_option("--methods", options->methods, "methods drawn beside truth along the ray (cuticle methods)");
-  command->add_option("--layers", options->shown.layers, "slices and layers")->check(CLI::Range(1, 16))->capture_default_str();
+  command->add_option("--layers", options->shown.layers, "slices and layers")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
   command->add_option("--resolution", options->shown.resolution, "of the maps")
       ->check(CLI::Range(16, 4096))
       ->capture_default_str();
   command->add_option("--alpha", options->shown.alpha, "opacity of one fibre crossing")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command->add_option("--through", options->through, "a place that the ray passes, x,y,z in metres; without: the middle");
+  command->add_option("--through", options->through,
+                      "a place that the ray passes, x,y,z in metres; without: the middle");
   add_target_options(*command, *options);
   set_view_action(*command, context, options, view_shadow);
 }

@@ -43,7 +43,8 @@ Result<viz::StrandsView> view_of(const StrandsOptions& options) {
   if (options.strand >= 0) view.strand = std::size_t(options.strand);
   CUTICLE_ASSIGN(view.coloring, coloring_of(options));
   if (options.mesh.empty()) return view;
-  CUTICLE_ASSIGN(view.mesh, strands::read_obj(options.mesh, options.metres_per_unit == 0 ? 1 : options.metres_per_unit));
+  CUTICLE_ASSIGN(view.mesh,
+                 strands::read_obj(options.mesh, options.metres_per_unit == 0 ? 1 : options.metres_per_unit));
   return view;
 }
 
@@ -58,16 +59,19 @@ Result<void> view_strands(const StrandsOptions& options, Context&) {
 
 void add_view_strands(CLI::App& view, Context& context) {
   auto options = std::make_shared<StrandsOptions>();
-  CLI::App* command = view.add_subcommand("strands", "a run of `simulate`, or a groom, coloured by a number per vertex");
+  CLI::App* command =
+      view.add_subcommand("strands", "a run of `simulate`, or a groom, coloured by a number per vertex");
   command->add_option("runs", options->runs, "a folder with states.pvd, a state or a groom; two are shown side by side")
       ->required()
       ->expected(1, 2);
   command->add_option("--frame", options->frame, "number of the state, 60 for state_0060.vtp; without: the last");
-  command->add_option("--color", options->color,
-                      "stretch, tension, curvature, velocity or another array of the file; arc_length, twist, strand, level, "
-                      "asleep, contact, transmittance, error:METHOD");
+  command->add_option(
+      "--color", options->color,
+      "stretch, tension, curvature, velocity or another array of the file; arc_length, twist, strand, level, "
+      "asleep, contact, transmittance, error:METHOD");
   command->add_option("--strand", options->strand, "whose curves are drawn; without: that of the largest value");
-  command->add_option("--light", options->light, "direction to the light of transmittance and error")->capture_default_str();
+  command->add_option("--light", options->light, "direction to the light of transmittance and error")
+      ->capture_default_str();
   command->add_option("--alpha", options->alpha, "opacity of one fibre crossing of transmittance and error")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();

@@ -31,7 +31,7 @@ def _pyvista():
 
 def _averaged(model, lobe, set, theta, phi, **arguments):
     """S as the mean over each column's azimuths, blended with its neighbours' by 1:2:1 twice."""
-    parts = 6
+    parts = 4
     width = phi[0, 1] - phi[0, 0]
     shifts = ((numpy.arange(parts) + 0.5) / parts - 0.5) * width
     values = _models.eval(model, "S", lobe, set, theta_o_deg=theta[..., None], phi_deg=phi[..., None] + shifts,
@@ -43,21 +43,33 @@ def _averaged(model, lobe, set, theta, phi, **arguments):
     return values
 
 
-def lobe_surface(model: str, lobe="sum", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, decades=3.0, log=True,
-                 rows=91, columns=181, peak=None):
-    """S of a lobe as a polar surface, for light from theta_i_deg: positions (rows, columns, 3), S (rows, columns) in 1/sr, the mean of
-    r, g and b and over the column's azimuths and its neighbours' (a caustic is infinite), and the S at radius 1: `peak`, or the 99.9th
-    percentile. z is the fibre, x the light's side; the radius is log10 S over `decades` below the peak, or S over it. No PyVista needed."""
+def _directions(rows, columns):
+    """theta_o and phi in degrees, (rows, columns) each."""
     theta = numpy.linspace(-90, 90, rows)[:, None] * numpy.ones(columns)
-    phi = numpy.linspace(-180, 180, columns)[None, :] * numpy.ones((rows, 1))
-    values = _averaged(model, lobe, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
-    peak = peak or float(numpy.quantile(values, 0.999)) or 1.0
+    return theta, numpy.linspace(-180, 180, columns)[None, :] * numpy.ones((rows, 1))
+
+
+def _surface(values, theta, phi, peak, log, decades=3.0):
     with numpy.errstate(divide="ignore"):
         radius = 1 + numpy.log10(values / peak) / decades if log else values / peak
     radius = numpy.clip(radius, 0, 1)
     theta, phi = numpy.radians(theta), numpy.radians(phi)
     direction = numpy.stack([numpy.cos(theta) * numpy.cos(phi), numpy.cos(theta) * numpy.sin(phi), numpy.sin(theta)], axis=-1)
-    return radius[..., None] * direction, values, peak
+    return radius[..., None] * direction
+
+
+def _peak(values) -> float:
+    return float(numpy.quantile(values, 0.999)) or 1.0
+
+
+def lobe_surface(model: str, lobe="sum", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, decades=3.0, log=True,
+                 rows=61, columns=121):
+    """S of a lobe as a polar surface, for light from theta_i_deg: positions (rows, columns, 3), S (rows, columns) in 1/sr, the mean of
+    r, g and b and over the column's azimuths and its neighbours' (a caustic is infinite), and the S at radius 1, the 99.9th
+    percentile. z is the fibre, x the light's side; the radius is log10 S over `decades` below that, or S over it. No PyVista needed."""
+    theta, phi = _directions(rows, columns)
+    values = _averaged(model, lobe, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+    return _surface(values, theta, phi, _peak(values), log, decades), values, _peak(values)
 
 
 def _grid(pyvista, points, arrays):
@@ -75,13 +87,14 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
     pyvista = _pyvista()
     names = [model] if isinstance(model, str) else list(model)
     plotter = plotter or pyvista.Plotter(shape=(1, len(names)), window_size=(700 * len(names), 700))
-    given = dict(theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h, log=log)
-    peak = max(lobe_surface(name, "sum" if lobe == "all" else lobe, set, **given)[2] for name in names)
+    theta, phi = _directions(61, 121)
+    values = {name: {one: _averaged(name, one, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+                     for one in (_models.lobes(name) if lobe == "all" else [lobe])} for name in names}
+    peak = max(_peak(sum(of_model.values())) for of_model in values.values())
     for place, name in enumerate(names):
         plotter.subplot(0, place)
-        for shown in _models.lobes(name) if lobe == "all" else [lobe]:
-            points, values, _ = lobe_surface(name, shown, set, peak=peak, **given)
-            plotter.add_mesh(_grid(pyvista, points, {"S [1/sr]": values}), label=shown,
+        for shown, s in values[name].items():
+            plotter.add_mesh(_grid(pyvista, _surface(s, theta, phi, peak, log), {"S [1/sr]": s}), label=shown,
                              color=_COLORS.get(shown, (0.5, 0.5, 0.5)), smooth_shading=True)
         angle = numpy.radians(theta_i_deg)
         plotter.add_mesh(pyvista.Line((0, 0, -1.2), (0, 0, 1.2)), color=(0.45, 0.36, 0.28), line_width=6)

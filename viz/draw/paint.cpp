@@ -5,7 +5,7 @@
 #include <vtkPen.h>
 #include <vtkTextProperty.h>
 
-#include "viz/draw/plot_item.h"
+#include "viz/draw/detail/plot_item.h"
 #include "viz/draw/ticks.h"
 
 namespace cuticle::viz {

@@ -1,4 +1,4 @@
-#include "viz/draw/parts.h"
+#include "viz/draw/detail/parts.h"
 
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCellArray.h>
@@ -12,7 +12,7 @@
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
 
-#include "viz/draw/plot_item.h"
+#include "viz/draw/detail/plot_item.h"
 
 namespace cuticle::viz {
 

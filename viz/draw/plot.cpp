@@ -1,4 +1,4 @@
-#include "viz/draw/plot.h"
+#include "viz/draw/detail/plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 
-#include "viz/draw/plot_item.h"
+#include "viz/draw/detail/plot_item.h"
 
 namespace cuticle::viz {
 

@@ -1,4 +1,4 @@
-#include "viz/draw/plot_item.h"
+#include "viz/draw/detail/plot_item.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +108,7 @@ void PlotItem::paint_x_axis(vtkContext2D& painter) {
     painter.DrawLine(float(x), float(area_.bottom), float(x), float(area_.bottom - 5 * scale));
     draw_text(painter, {x, area_.bottom - 8 * scale}, tick_text(tick), {14 * scale, 0, 1});
   }
-  draw_text(painter, {(area_.left + area_.right) / 2, area_.bottom - 29 * scale}, content_.x.title,
-            {15 * scale, 0, 1});
+  draw_text(painter, {(area_.left + area_.right) / 2, area_.bottom - 29 * scale}, content_.x.title, {15 * scale, 0, 1});
 }
 
 void PlotItem::paint_y_axis(vtkContext2D& painter) {

@@ -10,7 +10,8 @@ namespace {
 std::vector<double> multiples(double step, double lower, double upper) {
   std::vector<double> found;
   const double slack = 1e-9 * (upper - lower);
-  for (double k = std::ceil((lower - slack) / step); k * step <= upper + slack; ++k) found.push_back(k == 0 ? 0 : k * step);
+  for (double k = std::ceil((lower - slack) / step); k * step <= upper + slack; ++k)
+    found.push_back(k == 0 ? 0 : k * step);
   return found;
 }
 

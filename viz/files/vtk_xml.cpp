@@ -46,9 +46,7 @@ void begin(Text& text, std::string_view type) {
                  "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"0.1\" byte_order=\"LittleEndian\">\n", type);
 }
 
-std::string extent(const glm::ivec3& size) {
-  return fmt::format("0 {} 0 {} 0 {}", size.x - 1, size.y - 1, size.z - 1);
-}
+std::string extent(const glm::ivec3& size) { return fmt::format("0 {} 0 {} 0 {}", size.x - 1, size.y - 1, size.z - 1); }
 
 }  // namespace
 

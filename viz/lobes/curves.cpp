@@ -77,9 +77,8 @@ Result<std::vector<LobeCurve>> azimuthal_curves(const ShownModel& shown, const L
     points.push_back({.theta_d = -settings.theta_i, .phi = phi * k_degree, .h = settings.h});
   std::vector<LobeCurve> curves;
   for (int lobe = 0; lobe < int(shown.model->lobes.size()); ++lobe) {
-    CUTICLE_ASSIGN(const auto values, shown.model->azimuthal_means
-                                          ? averaged_n(shown, lobe, -settings.theta_i, degrees)
-                                          : values_of(shown, bsdf::Quantity::N, lobe, points));
+    CUTICLE_ASSIGN(const auto values, shown.model->azimuthal_means ? averaged_n(shown, lobe, -settings.theta_i, degrees)
+                                                                   : values_of(shown, bsdf::Quantity::N, lobe, points));
     curves.push_back(curve_of(std::string(shown.model->lobes[std::size_t(lobe)]), degrees, values));
   }
   return curves;

@@ -64,11 +64,12 @@ void LobesPicture::add_parameter(std::vector<Control>& list, std::size_t model, 
   const bool is_color = parameter.type == registry::ParameterType::rgb;
   for (int component = 0; component < (is_color ? 3 : 1); ++component) {
     const double unit = unit_of(parameter);
-    Control control{fmt::format("{}{}{}", view_.models.size() == 2 ? view_.models[model].model->entry.name.substr(0, 4) : "",
-                                view_.models.size() == 2 ? " " : "", parameter.name) +
-                        (is_color ? k_components[component] : ""),
-                    is_angle(parameter) ? "deg" : std::string(parameter.unit), parameter.minimum / unit,
-                    slider_end(parameter) / unit};
+    Control control{
+        fmt::format("{}{}{}", view_.models.size() == 2 ? view_.models[model].model->entry.name.substr(0, 4) : "",
+                    view_.models.size() == 2 ? " " : "", parameter.name) +
+            (is_color ? k_components[component] : ""),
+        is_angle(parameter) ? "deg" : std::string(parameter.unit), parameter.minimum / unit,
+        slider_end(parameter) / unit};
     control.choices = choices_of(parameter);
     control.is_integer = parameter.type == registry::ParameterType::integer;
     control.value = shown_value(now, control.choices, component) / unit;
@@ -81,12 +82,18 @@ void LobesPicture::add_parameter(std::vector<Control>& list, std::size_t model, 
 
 std::vector<Control> LobesPicture::controls() {
   std::vector<Control> list;
-  list.push_back({"theta_i", "deg", -89, 89, view_.settings.theta_i / k_degree, {}, false,
-                  [this](double value, bool resting) {
-                    view_.settings.theta_i = value * k_degree;
-                    return update(resting);
-                  }});
-  list.push_back({"radius", "", 0, 1, view_.settings.logarithmic ? 0.0 : 1.0, {"log", "linear"}, false,
+  list.push_back(
+      {"theta_i", "deg", -89, 89, view_.settings.theta_i / k_degree, {}, false, [this](double value, bool resting) {
+         view_.settings.theta_i = value * k_degree;
+         return update(resting);
+       }});
+  list.push_back({"radius",
+                  "",
+                  0,
+                  1,
+                  view_.settings.logarithmic ? 0.0 : 1.0,
+                  {"log", "linear"},
+                  false,
                   [this](double value, bool resting) {
                     view_.settings.logarithmic = value < 0.5;
                     return update(resting);

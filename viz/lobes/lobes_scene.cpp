@@ -1,4 +1,4 @@
-#include "viz/lobes/lobes_scene.h"
+#include "viz/lobes/detail/lobes_scene.h"
 
 #include <cmath>
 #include <numbers>

@@ -62,8 +62,8 @@ void LobesPicture::lay_out(const WindowArea& area) {
     return area.add_renderer(x0, y0, x1, y1);
   };
   for (std::size_t k = 0; k < (two ? 2u : 1u); ++k) {
-    const auto renderer = two ? area.add_renderer(0.5 * double(k), 0.4, 0.5 * double(k + 1), 1)
-                              : area.add_renderer(0, 0, 0.62, 1);
+    const auto renderer =
+        two ? area.add_renderer(0.5 * double(k), 0.4, 0.5 * double(k + 1), 1) : area.add_renderer(0, 0, 0.62, 1);
     scenes_.push_back(std::make_unique<LobesScene>(*renderer, area.scale));
   }
   longitudinal_.emplace(two ? *plots_below(0, 0.5, 0, 0.4) : *plots_below(0.62, 1, 0.5, 1), area.scale);
@@ -96,8 +96,7 @@ Result<void> LobesPicture::update_surfaces(const std::vector<LobeValues>& values
     scenes_[0]->set_surfaces({difference_surface(values[0], values[1], view_.settings, peak_)}, values[0].grid);
     const auto &first = view_.models[0].model->entry.name, &second = view_.models[1].model->entry.name;
     bar_->set({Ramp::diverging, -100, 100, false, fmt::format("({1} - {0}) / ({1} + {0}) [%]", first, second)});
-    scenes_[0]->set_words(fmt::format("{} and {}: the larger S, coloured by their difference", first, second),
-                          "");
+    scenes_[0]->set_words(fmt::format("{} and {}: the larger S, coloured by their difference", first, second), "");
     return {};
   }
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -131,7 +130,8 @@ Result<void> LobesPicture::update_plots() {
     }
   }
   if (view_.models.size() == 2)
-    m.title += fmt::format(" (solid {}, dashed {})", view_.models[0].model->entry.name, view_.models[1].model->entry.name);
+    m.title +=
+        fmt::format(" (solid {}, dashed {})", view_.models[0].model->entry.name, view_.models[1].model->entry.name);
   fit_y(m);
   fit_y(n);
   longitudinal_->set(std::move(m));
@@ -142,7 +142,8 @@ Result<void> LobesPicture::update_plots() {
 Result<void> LobesPicture::update(bool resting) {
   std::vector<LobeValues> values;
   for (const ShownModel& shown : view_.models) {
-    CUTICLE_ASSIGN(values.emplace_back(), lobe_values(shown, view_.settings, resting ? DirectionGrid{} : k_moving_grid, resting));
+    CUTICLE_ASSIGN(values.emplace_back(),
+                   lobe_values(shown, view_.settings, resting ? DirectionGrid{} : k_moving_grid, resting));
   }
   CUTICLE_TRY(update_surfaces(values));
   for (const auto& scene : scenes_) scene->set_rings(view_.settings.logarithmic, peak_);

@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "viz/draw/plot.h"
-#include "viz/lobes/lobes_scene.h"
-#include "viz/window/view.h"
+#include "viz/draw/detail/plot.h"
+#include "viz/lobes/detail/lobes_scene.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

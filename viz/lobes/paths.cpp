@@ -104,7 +104,8 @@ double caustic_offset(const PathsView& view) {
   const double first = trace_section(view, 0).phi[2];
   double best = -1, farthest = 0;
   for (int k = 1; k < steps; ++k) {
-    const double h = double(k) / steps, away = std::abs(std::remainder(trace_section(view, h).phi[2] - first, 2 * std::numbers::pi));
+    const double h = double(k) / steps,
+                 away = std::abs(std::remainder(trace_section(view, h).phi[2] - first, 2 * std::numbers::pi));
     if (away <= farthest) return best > 1.5 / steps ? best : -1;
     farthest = away;
     best = h;

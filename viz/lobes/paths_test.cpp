@@ -21,9 +21,9 @@ TEST(TraceSection, Circle_LeavesWhereTheClosedFormSays) {
     for (const double h : {-0.95, -0.4, 0.1, 0.8}) {
       const SectionPath path = trace_section({.theta = theta}, h);
       for (int p = 0; p < 3; ++p)
-        EXPECT_NEAR(std::abs(std::remainder(std::abs(path.phi[std::size_t(p)]) -
-                                                std::abs(circle_azimuth(p, h, bravais_index(1.55, theta))),
-                                            2 * std::numbers::pi)),
+        EXPECT_NEAR(std::abs(std::remainder(
+                        std::abs(path.phi[std::size_t(p)]) - std::abs(circle_azimuth(p, h, bravais_index(1.55, theta))),
+                        2 * std::numbers::pi)),
                     0, 1e-9)
             << p << " " << h;
     }

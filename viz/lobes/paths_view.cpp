@@ -36,7 +36,8 @@ std::vector<glm::dvec2> outline(const PathsView& view) {
 /// Rays come from the right, as phi = 0 is back to the light.
 PlotContent PathsPicture::section() const {
   PlotContent plot{fmt::format("cross-section, index {:.3f} in it", bravais_index(view_.eta, view_.theta)),
-                   {"x [half the wider axis]", -2.6, 2.6}, {"y [half the wider axis]", -2.6, 2.6}};
+                   {"x [half the wider axis]", -2.6, 2.6},
+                   {"y [half the wider axis]", -2.6, 2.6}};
   std::vector<glm::dvec2> incoming, inside, leaving[3];
   for (int k = 0; k < view_.rays; ++k) {
     const double h = view_.rays == 1 ? 0.5 : 0.98 * (2.0 * k / (view_.rays - 1) - 1);
@@ -53,8 +54,11 @@ PlotContent PathsPicture::section() const {
   if (const double h = caustic_offset(view_); h > 0)
     for (const double side : {h, -h}) {
       const SectionPath path = trace_section(view_, side);
-      plot.curves.push_back({"", {{2.6, path.meets[0].y}, path.meets[0], path.meets[1], path.meets[2],
-                                  path.meets[2] + 1.6 * path.leaves[2]}, {.55, .05, .12}, 3});
+      plot.curves.push_back(
+          {"",
+           {{2.6, path.meets[0].y}, path.meets[0], path.meets[1], path.meets[2], path.meets[2] + 1.6 * path.leaves[2]},
+           {.55, .05, .12},
+           3});
     }
   plot.equal_scales = true;
   return plot;

@@ -2,9 +2,9 @@
 // The view of rays through a cross-section. Private to viz.
 #include <optional>
 
-#include "viz/draw/plot.h"
+#include "viz/draw/detail/plot.h"
 #include "viz/lobes/paths.h"
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

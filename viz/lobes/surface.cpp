@@ -61,7 +61,8 @@ Result<std::vector<double>> averaged_values(const ShownModel& shown, const LobeS
   std::vector<double> values;
   std::transform(averages.values.begin(), averages.values.end(), std::back_inserter(values), mean);
   for (int row = 0; row < 2 * grid.rows; ++row)
-    blend(std::span(values).subspan(std::size_t(row % grid.rows) * std::size_t(grid.columns), std::size_t(grid.columns)));
+    blend(
+        std::span(values).subspan(std::size_t(row % grid.rows) * std::size_t(grid.columns), std::size_t(grid.columns)));
   return values;
 }
 
@@ -164,9 +165,9 @@ double surface_radius(double value, double peak, bool logarithmic) {
 glm::dvec3 lobe_color(std::string_view lobe) {
   // The same as LOBE_COLORS of python/cuticle_report/figures.py.
   static const std::map<std::string_view, glm::dvec3> colors = {
-      {"R", {0.20, 0.47, 0.75}},         {"TT", {0.93, 0.60, 0.13}},      {"TRT", {0.75, 0.22, 0.27}},
-      {"residual", {0.35, 0.62, 0.36}},  {"TTs", {0.97, 0.80, 0.52}},     {"TRTs", {0.86, 0.55, 0.59}},
-      {"specular", {0.20, 0.47, 0.75}},  {"primary", {0.20, 0.47, 0.75}}, {"diffuse", {0.93, 0.60, 0.13}},
+      {"R", {0.20, 0.47, 0.75}},        {"TT", {0.93, 0.60, 0.13}},      {"TRT", {0.75, 0.22, 0.27}},
+      {"residual", {0.35, 0.62, 0.36}}, {"TTs", {0.97, 0.80, 0.52}},     {"TRTs", {0.86, 0.55, 0.59}},
+      {"specular", {0.20, 0.47, 0.75}}, {"primary", {0.20, 0.47, 0.75}}, {"diffuse", {0.93, 0.60, 0.13}},
       {"secondary", {0.75, 0.22, 0.27}}};
   const auto found = colors.find(lobe);
   return found == colors.end() ? glm::dvec3(0.5) : found->second;
@@ -180,8 +181,7 @@ Result<std::vector<LobeSurface>> make_surfaces(const LobeValues& values, const L
   }
   for (std::size_t lobe = 0; lobe < values.lobes.size(); ++lobe) {
     if (settings.lobe != "all" && settings.lobe != values.lobes[lobe]) continue;
-    surfaces.push_back(
-        make_surface(values.grid, values.lobes[lobe], values.values[lobe], peak, settings.logarithmic));
+    surfaces.push_back(make_surface(values.grid, values.lobes[lobe], values.values[lobe], peak, settings.logarithmic));
     surfaces.back().colors.assign(values.grid.size(), lobe_color(values.lobes[lobe]));
   }
   if (surfaces.empty())

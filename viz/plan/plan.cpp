@@ -86,7 +86,8 @@ Result<PlanMaps> read_plan(const PlanView& view) {
   Image colors = make_image(image.width, image.height, {"R", "G", "B"});
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c) colors.at(x, y, c) = image.at(x, y, find_channel(image, colors.channel_names[std::size_t(c)]));
+      for (int c = 0; c < 3; ++c)
+        colors.at(x, y, c) = image.at(x, y, find_channel(image, colors.channel_names[std::size_t(c)]));
   maps.picture = tone_map(colors);
   return maps;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// A view of what a picture cost: layers of an EXR that `render --aovs` wrote, as colours over the picture. Needs no VTK.
+// A view of what a picture cost: layers of an EXR that `render --aovs` wrote, as colours over the picture. Needs no
+// VTK.
 #include <string>
 
 #include "core/image/image.h"
@@ -18,10 +19,10 @@ struct CostMap {
   std::vector<float> values;
 };
 struct PlanMaps {
-  Image picture;           ///< R, G, B as the file has them, row 0 on top; empty: it has none
-  CostMap cost, samples;   ///< of pixels: segments looked at (or strands shaded), and of those in the colour
-  CostMap tile_cost;       ///< the mean over a tile
-  CostMap strand_cost;     ///< of pixels: the mean cost of the pixels where the same strand is seen
+  Image picture;          ///< R, G, B as the file has them, row 0 on top; empty: it has none
+  CostMap cost, samples;  ///< of pixels: segments looked at (or strands shaded), and of those in the colour
+  CostMap tile_cost;      ///< the mean over a tile
+  CostMap strand_cost;    ///< of pixels: the mean cost of the pixels where the same strand is seen
   /// Shares of the pixels: hair that was shaded; looked at and found empty (culled); nothing looked at (skipped).
   double shaded = 0, culled = 0, skipped = 0;
 };

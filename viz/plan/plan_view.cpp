@@ -32,7 +32,8 @@ Result<void> PlanPicture::fill(const WindowArea& area) {
 }
 
 /// Numbers over the picture: x and y in pixels.
-void PlanPicture::show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map, double pixels) {
+void PlanPicture::show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map,
+                       double pixels) {
   PlotContent content{title, {"x [pixel]", 0, map.width * pixels}, {"y [pixel]", 0, map.height * pixels}};
   content.image = PlotImage{map.width, map.height, map.values};
   if (map.width == maps_.picture.width) content.image->beneath = greys(maps_.picture);

@@ -2,9 +2,9 @@
 // The view of what a picture cost. Private to viz.
 #include <memory>
 
-#include "viz/draw/plot.h"
+#include "viz/draw/detail/plot.h"
 #include "viz/plan/plan.h"
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

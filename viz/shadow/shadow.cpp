@@ -14,9 +14,7 @@
 namespace cuticle::viz {
 namespace {
 
-shadows::Casters casters_of(const ShadowView& view) {
-  return {&view.groom, view.alpha, glm::normalize(view.to_light)};
-}
+shadows::Casters casters_of(const ShadowView& view) { return {&view.groom, view.alpha, glm::normalize(view.to_light)}; }
 
 std::string settings_of(const ShadowView& view, const shadows::Method& method) {
   const std::string_view name = method.entry.name;
@@ -24,8 +22,9 @@ std::string settings_of(const ShadowView& view, const shadows::Method& method) {
   std::string text;
   const auto set = [&](std::string_view parameter, int value) {
     const auto found = registry::find_parameter(method.entry.parameters, parameter);
-    if (found) text += fmt::format("{}{}={}", text.empty() ? "" : ",", parameter,
-                                   std::clamp(double(value), (*found)->minimum, (*found)->maximum));
+    if (found)
+      text += fmt::format("{}{}={}", text.empty() ? "" : ",", parameter,
+                          std::clamp(double(value), (*found)->minimum, (*found)->maximum));
   };
   set("layers", view.layers);
   set("slices", view.layers);

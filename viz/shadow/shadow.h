@@ -16,7 +16,7 @@ struct ShadowView {
   strands::Groom groom;
   glm::dvec3 to_light{0.5, 1, 0.6};
   double alpha = 0.4;
-  int layers = 8;       ///< slices of the opacity map, layers of the deep opacity map
+  int layers = 8;        ///< slices of the opacity map, layers of the deep opacity map
   int resolution = 128;  ///< of both maps
   /// Methods whose optical depth is drawn along the ray beside truth.
   std::vector<std::string> methods = {"opacity_map", "deep_opacity", "voxel", "moments"};
@@ -28,8 +28,8 @@ struct ShadowView {
 struct Sheet {
   int columns = 0, rows = 0;
   std::vector<glm::vec3> positions;
-  std::vector<float> depths;             ///< optical depth that a point of the sheet has before it
-  std::vector<std::uint8_t> is_hair;     ///< whether the texel has hair
+  std::vector<float> depths;          ///< optical depth that a point of the sheet has before it
+  std::vector<std::uint8_t> is_hair;  ///< whether the texel has hair
 };
 /// The planes of an opacity map, or the ends of the layers of a deep opacity map, from the light on; of at most
 /// `most_columns` columns. Errors: the methods'.

@@ -162,7 +162,8 @@ void ShadowPicture::draw_volume(Part& part, const TransmittanceVolume& volume) {
 
 Result<void> ShadowPicture::update_curves() {
   CUTICLE_ASSIGN(const auto curves, depth_curves(view_));
-  PlotContent plot{"optical depth -ln T along the marked ray", {"distance from where the ray enters the hair [mm]"},
+  PlotContent plot{"optical depth -ln T along the marked ray",
+                   {"distance from where the ray enters the hair [mm]"},
                    {"optical depth"}};
   const glm::dvec3 colors[] = {{0, 0, 0}, {.16, .42, .68}, {.80, .40, .10}, {.30, .55, .25}, {.55, .30, .60}};
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -211,8 +212,14 @@ std::vector<Control> ShadowPicture::controls() {
   const strands::Bounds box = strands::bounds(view_.groom);
   for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec3 now = view_.through.value_or((glm::dvec3(box.lower) + glm::dvec3(box.upper)) / 2.0);
-    list.push_back({fmt::format("ray through {}", "xyz"[axis]), "m", double(box.lower[axis]), double(box.upper[axis]),
-                    now[axis], {}, false, [this, axis, now](double value, bool resting) {
+    list.push_back({fmt::format("ray through {}", "xyz"[axis]),
+                    "m",
+                    double(box.lower[axis]),
+                    double(box.upper[axis]),
+                    now[axis],
+                    {},
+                    false,
+                    [this, axis, now](double value, bool resting) {
                       if (!view_.through) view_.through = now;
                       (*view_.through)[axis] = value;
                       return resting ? update() : Result<void>();

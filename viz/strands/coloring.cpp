@@ -25,12 +25,11 @@ struct KnownArray {
   double neutral = 0;
 };
 const std::map<std::string_view, KnownArray>& known_arrays() {
-  static const std::map<std::string_view, KnownArray> known = {
-      {"stretch", {"stretch [length / rest length]", true, 1}},
-      {"tension", {"tension over mass per length [m^2/s^2]"}},
-      {"curvature", {"curvature [1/m]"}},
-      {"velocity", {"speed [m/s]"}},
-      {"radius", {"radius [m]"}}};
+  static const std::map<std::string_view, KnownArray> known = {{"stretch", {"stretch [length / rest length]", true, 1}},
+                                                               {"tension", {"tension over mass per length [m^2/s^2]"}},
+                                                               {"curvature", {"curvature [1/m]"}},
+                                                               {"velocity", {"speed [m/s]"}},
+                                                               {"radius", {"radius [m]"}}};
   return known;
 }
 
@@ -128,7 +127,7 @@ Result<ColoredStrands> shadow_error(const Groom& groom, const StrandColoring& co
 }
 
 Error unknown_color(const Groom& groom, const std::string& name) {
-  std::vector<std::string> known = {"arc_length", "curvature", "twist", "strand", "level",
+  std::vector<std::string> known = {"arc_length", "curvature", "twist",         "strand",      "level",
                                     "asleep",     "contact",   "transmittance", "error:METHOD"};
   for (const auto& [attribute, values] : groom.attributes) known.push_back(attribute);
   return usage_error(fmt::format("--color {}: not known; here: {}", name, fmt::join(known, ", ")),
@@ -166,8 +165,10 @@ Result<ColoredStrands> color_strands(const Groom& groom, const StrandColoring& c
   if (name == "twist") return ColoredStrands{twists(groom), "twist: torsion of the curve [rad/m]", true, 0};
   if (name == "strand")
     return ColoredStrands{per_strand(groom, [](std::size_t s) { return float(s); }), "strand, from 0"};
-  if (name == "level") return ColoredStrands{levels(groom), "level of detail: share of strands from which on it is drawn"};
-  if (name == "asleep") return ColoredStrands{sleeping(groom, before), "asleep: 1 where nothing moved since the frame before"};
+  if (name == "level")
+    return ColoredStrands{levels(groom), "level of detail: share of strands from which on it is drawn"};
+  if (name == "asleep")
+    return ColoredStrands{sleeping(groom, before), "asleep: 1 where nothing moved since the frame before"};
   if (name == "contact" && !coloring.colliders.empty())
     return ColoredStrands{contacts(groom, coloring.colliders), "distance to the nearest collider [mm]", true, 0};
   if (name == "transmittance") {

@@ -14,7 +14,8 @@ namespace {
 
 /// The colours' numbers first, then the file's own arrays.
 std::vector<NamedArray> arrays_of(const strands::Groom& groom, const ColoredStrands& colored, const std::string& name) {
-  std::vector<NamedArray> arrays = {{name, colored.title, 1, colored.values}, {"arc_length", "m", 1, arc_lengths(groom)}};
+  std::vector<NamedArray> arrays = {{name, colored.title, 1, colored.values},
+                                    {"arc_length", "m", 1, arc_lengths(groom)}};
   for (const auto& [attribute, values] : groom.attributes)
     if (values.domain == strands::Attribute::Domain::vertex && attribute != name)
       arrays.push_back({attribute, "", values.components, values.values});

@@ -30,11 +30,11 @@ Result<strands::Groom> read_frame(const Run& run, int frame, double metres_per_u
 
 /// What strands are coloured by, and what that needs to know.
 struct StrandColoring {
-  /// arc_length, curvature, twist, speed, strand, level, asleep, contact, transmittance, error:METHOD, or an array of the
-  /// file (stretch, tension, ..: "velocity" is its length); empty: stretch, or arc_length where the file has none.
+  /// arc_length, curvature, twist, speed, strand, level, asleep, contact, transmittance, error:METHOD, or an array of
+  /// the file (stretch, tension, ..: "velocity" is its length); empty: stretch, or arc_length where the file has none.
   std::string name;
-  glm::dvec3 to_light{0.5, 1, 0.6};  ///< of transmittance and error
-  double alpha = 0.4;                ///< opacity of a fibre crossing, of the same
+  glm::dvec3 to_light{0.5, 1, 0.6};    ///< of transmittance and error
+  double alpha = 0.4;                  ///< opacity of a fibre crossing, of the same
   std::vector<Sphere> colliders = {};  ///< of contact, world space, metres
 };
 struct ColoredStrands {
@@ -43,8 +43,8 @@ struct ColoredStrands {
   bool diverging = false;
   double neutral = 0;  ///< of diverging colours
 };
-/// `before`: the state a frame earlier, for asleep (strands that stand bit by bit where they stood). Error: usage, listing
-/// what the file has, for an unknown name; those of the shadow methods.
+/// `before`: the state a frame earlier, for asleep (strands that stand bit by bit where they stood). Error: usage,
+/// listing what the file has, for an unknown name; those of the shadow methods.
 Result<ColoredStrands> color_strands(const strands::Groom& groom, const StrandColoring& coloring,
                                      const strands::Groom* before = nullptr);
 ColorScale scale_of(const ColoredStrands& colored);
@@ -54,12 +54,12 @@ struct StrandsView {
   int frame = 0;          ///< its place in the run
   double metres_per_unit = 0;
   StrandColoring coloring;
-  std::optional<std::size_t> strand;  ///< whose curves are drawn; none: that of the largest value
+  std::optional<std::size_t> strand;       ///< whose curves are drawn; none: that of the largest value
   std::optional<strands::Mesh> mesh = {};  ///< the growth mesh, metres
 };
 
-/// Writes the shown frame of every run as strands_NAME.vtp with the colours' numbers, a .pvd over the files of its whole
-/// run, and a state for ParaView that opens it coloured (paraview_NAME.py). Error: bad_input naming the file.
+/// Writes the shown frame of every run as strands_NAME.vtp with the colours' numbers, a .pvd over the files of its
+/// whole run, and a state for ParaView that opens it coloured (paraview_NAME.py). Error: bad_input naming the file.
 Result<void> write_strands(const StrandsView& view, const std::string& folder);
 
 /// Length along the strand from its root, metres, one per vertex.

@@ -23,7 +23,9 @@ strands::Groom small_groom() {
 
 std::vector<float> colored(const char* name) { return color_strands(small_groom(), {name}).value().values; }
 
-TEST(ArcLengths, EachStrand_StartsAtItsRoot) { EXPECT_THAT(colored("arc_length"), testing::ElementsAre(0, 5, 6, 0, 2)); }
+TEST(ArcLengths, EachStrand_StartsAtItsRoot) {
+  EXPECT_THAT(colored("arc_length"), testing::ElementsAre(0, 5, 6, 0, 2));
+}
 
 TEST(ColorStrands, Vectors_ShowTheirLength) {
   EXPECT_THAT(colored("velocity"), testing::ElementsAre(5, 1, 0, 0, 2));

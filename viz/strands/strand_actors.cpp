@@ -22,7 +22,8 @@ vtkSmartPointer<vtkPolyData> lines_of(const strands::Groom& groom, const std::ve
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(vtkIdType(groom.vertex_count()));
   for (std::size_t v = 0; v < groom.vertex_count(); ++v)
-    points->SetPoint(vtkIdType(v), double(groom.positions[v].x), double(groom.positions[v].y), double(groom.positions[v].z));
+    points->SetPoint(vtkIdType(v), double(groom.positions[v].x), double(groom.positions[v].y),
+                     double(groom.positions[v].z));
   vtkNew<vtkCellArray> lines;
   for (const std::uint32_t s : strands) {
     lines->InsertNextCell(int(groom.strand_size(s)));
@@ -75,7 +76,8 @@ void StrandsPicture::draw_colliders(Part& part) {
   vtkNew<vtkPoints> points;
   for (const glm::vec3& p : view_.mesh->positions) points->InsertNextPoint(double(p.x), double(p.y), double(p.z));
   vtkNew<vtkCellArray> triangles;
-  for (const auto& t : view_.mesh->triangles) triangles->InsertNextCell({vtkIdType(t[0]), vtkIdType(t[1]), vtkIdType(t[2])});
+  for (const auto& t : view_.mesh->triangles)
+    triangles->InsertNextCell({vtkIdType(t[0]), vtkIdType(t[1]), vtkIdType(t[2])});
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetPolys(triangles);
@@ -121,7 +123,8 @@ Result<std::string> StrandsPicture::pick(const glm::ivec2& pixel) {
     vertex_ = *vertex;
     CUTICLE_TRY(update_curves());
     const glm::vec3& p = part.groom.positions[vertex_];
-    std::string words = fmt::format("strand,{}\nvertex,{}\nx_m,{:.9g}\ny_m,{:.9g}\nz_m,{:.9g}\n", strand_, vertex_, p.x, p.y, p.z);
+    std::string words =
+        fmt::format("strand,{}\nvertex,{}\nx_m,{:.9g}\ny_m,{:.9g}\nz_m,{:.9g}\n", strand_, vertex_, p.x, p.y, p.z);
     for (const auto& [name, attribute] : part.groom.attributes) {
       const std::size_t item = attribute.domain == strands::Attribute::Domain::vertex ? vertex_ : strand_;
       words += name;

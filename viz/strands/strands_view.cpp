@@ -31,7 +31,8 @@ void add_length_bar(vtkRenderer& renderer, const strands::Bounds& box, double sc
   const glm::dvec3 from(double(box.lower.x), double(box.lower.y) - 0.03 * double(box.upper.y - box.lower.y),
                         double(box.upper.z));
   renderer.AddActor(make_polyline({from, from + glm::dvec3(length, 0, 0)}, {.2, .2, .2}, 3 * scale));
-  const std::string text = length >= 0.01 ? fmt::format("{:.3g} cm", 100 * length) : fmt::format("{:.3g} mm", 1000 * length);
+  const std::string text =
+      length >= 0.01 ? fmt::format("{:.3g} cm", 100 * length) : fmt::format("{:.3g} mm", 1000 * length);
   add_label(renderer, text, from + glm::dvec3(length * 1.05, 0, 0), 15 * scale);
 }
 
@@ -94,7 +95,9 @@ Result<void> StrandsPicture::fill(const WindowArea& area) {
   along_.emplace(*area.add_renderer(x0, 0.5, 1, 1), size_);
   over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
   std::tie(strand_, vertex_) = largest();
-  if (view_.strand) strand_ = std::min(*view_.strand, parts_[0].groom.strand_count() - 1), vertex_ = parts_[0].groom.offsets[strand_ + 1] - 1;
+  if (view_.strand)
+    strand_ = std::min(*view_.strand, parts_[0].groom.strand_count() - 1),
+    vertex_ = parts_[0].groom.offsets[strand_ + 1] - 1;
   look();
   return update_curves();
 }
@@ -201,8 +204,10 @@ Result<void> StrandsPicture::set_color(std::size_t choice) {
 std::vector<Control> StrandsPicture::controls() {
   std::vector<Control> list;
   if (frame_count() > 1)
-    list.push_back({"frame", "", 0, double(frame_count() - 1), double(view_.frame), {}, true,
-                    [this](double value, bool) { return show_frame(int(value)); }});
+    list.push_back(
+        {"frame", "", 0, double(frame_count() - 1), double(view_.frame), {}, true, [this](double value, bool) {
+           return show_frame(int(value));
+         }});
   Control color{"color", "", 0, double(color_names_.size() - 1)};
   color.choices = color_names_;
   const auto shown = std::find(color_names_.begin(), color_names_.end(), view_.coloring.name);

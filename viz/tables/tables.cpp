@@ -63,8 +63,8 @@ Result<std::vector<glm::dvec3>> exact_values(const lut::Source& source, const lu
       if (channel.texel == lut::Texel::cell_average)
         cells.push_back(lut::phi_interval(layout, width, u - half, u + half, v));
       else
-        points.push_back(lut::make_point(layout, value_along(layout.u, width, u), value_along(layout.v, height, v), width,
-                                         table.caustic_index));
+        points.push_back(lut::make_point(layout, value_along(layout.u, width, u), value_along(layout.v, height, v),
+                                         width, table.caustic_index));
     }
   if (cells.empty()) return lut::held_values(source, layout, channel, points);
   CUTICLE_ASSIGN(lut::PhiAverages averages, lut::average_over_phi(source, channel, cells));
@@ -73,14 +73,16 @@ Result<std::vector<glm::dvec3>> exact_values(const lut::Source& source, const lu
 
 Result<void> add_errors(const lut::Source& source, const lut::Table& table, int index, TableChannel& shown) {
   const lut::Channel& channel = table.layout->channels[std::size_t(index)];
-  const bool is_known = channel.source == lut::ChannelSource::model || channel.source == lut::ChannelSource::cos_theta_d;
+  const bool is_known =
+      channel.source == lut::ChannelSource::model || channel.source == lut::ChannelSource::cos_theta_d;
   if (!is_known || table.image.height < 2) return {};
   CUTICLE_ASSIGN(const std::vector<glm::dvec3> exact, exact_values(source, table, channel));
   shown.error_width = table.image.width - 1;
   shown.error_height = table.image.height - 1;
   for (int y = 0; y < shown.error_height; ++y)
     for (int x = 0; x < shown.error_width; ++x) {
-      const double read = lut::sample(table, index, double(x + 1) / table.image.width, double(y + 1) / table.image.height);
+      const double read =
+          lut::sample(table, index, double(x + 1) / table.image.width, double(y + 1) / table.image.height);
       const std::size_t at = std::size_t(y) * std::size_t(shown.error_width) + std::size_t(x);
       shown.errors.push_back(float(read - exact[at][channel.component]));
     }

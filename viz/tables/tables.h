@@ -12,8 +12,8 @@ struct TablesView {
   std::string table;  ///< its name; empty: the first
 };
 
-/// The set in a folder that `bake` wrote, with the model and parameters that its manifest names. Error: bad_input naming
-/// the file.
+/// The set in a folder that `bake` wrote, with the model and parameters that its manifest names. Error: bad_input
+/// naming the file.
 Result<lut::TableSet> read_tables(const std::string& folder);
 
 /// One channel's numbers as a shader reads them, row 0 at the lower end of v.

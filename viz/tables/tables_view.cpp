@@ -106,7 +106,8 @@ void TablesPicture::show(Row& row) {
                     axis_of(channel.u_title, channel.u_lower, channel.u_upper),
                     axis_of(channel.v_title, channel.v_lower, channel.v_upper)};
   image.image = PlotImage{channel.width, channel.height, channel.values};
-  image.colors = sequential_scale(channel.values, channel.name + (channel.unit == "1" ? "" : " [" + channel.unit + "]"));
+  image.colors =
+      sequential_scale(channel.values, channel.name + (channel.unit == "1" ? "" : " [" + channel.unit + "]"));
   row.field->RemoveAllViewProps();
   if (channel.height > 1) {
     row.surface = field_actor(field_data(channel, image.colors));
@@ -151,7 +152,13 @@ std::vector<Control> TablesPicture::controls() {
   table.set = [this](double value, bool) { return change_table(std::size_t(value)); };
   list.push_back(std::move(table));
   if (channels_.size() <= rows_.size()) return list;
-  list.push_back({"first channel", "", 0, double(channels_.size() - rows_.size()), double(first_), {}, true,
+  list.push_back({"first channel",
+                  "",
+                  0,
+                  double(channels_.size() - rows_.size()),
+                  double(first_),
+                  {},
+                  true,
                   [this](double value, bool) -> Result<void> {
                     first_ = std::size_t(value);
                     show_rows();

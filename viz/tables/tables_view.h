@@ -2,10 +2,10 @@
 // The view of tables. Private to viz.
 #include <memory>
 
-#include "viz/draw/parts.h"
-#include "viz/draw/plot.h"
+#include "viz/draw/detail/parts.h"
+#include "viz/draw/detail/plot.h"
 #include "viz/tables/tables.h"
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

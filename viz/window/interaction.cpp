@@ -1,4 +1,4 @@
-#include "viz/window/interaction.h"
+#include "viz/window/detail/interaction.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include <vtkNew.h>
 
 #include "core/file.h"
-#include "viz/window/panel.h"
+#include "viz/window/detail/panel.h"
 #include "viz/window/picture.h"
 
 namespace cuticle::viz {
@@ -70,10 +70,9 @@ void Interaction::State::listen() {
     auto& self = *static_cast<State*>(state);
     self.handle(event, *self.command);
   });
-  for (const unsigned long event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::CharEvent,
-        vtkCommand::TimerEvent})
+  for (const unsigned long event : {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent,
+                                    vtkCommand::LeftButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
+                                    vtkCommand::MouseWheelBackwardEvent, vtkCommand::CharEvent, vtkCommand::TimerEvent})
     interactor->AddObserver(event, command, 1.0F);
   vtkObject& style = *interactor->GetInteractorStyle();
   style.AddObserver(vtkCommand::StartInteractionEvent, command);
@@ -95,13 +94,27 @@ void Interaction::State::handle(unsigned long event, vtkCallbackCommand& caller)
   bool taken = false;
   const bool on_panel = mouse().x < area.left * area.window->GetSize()[0];
   switch (event) {
-    case vtkCommand::LeftButtonPressEvent: taken = press(mouse()); break;
-    case vtkCommand::MouseMoveEvent: taken = move(mouse()); break;
-    case vtkCommand::LeftButtonReleaseEvent: taken = release(mouse()); break;
-    case vtkCommand::StartInteractionEvent: set_moving(true); break;
-    case vtkCommand::EndInteractionEvent: set_moving(false); break;
-    case vtkCommand::CharEvent: press_key(interactor->GetKeyCode()), taken = true; break;
-    case vtkCommand::TimerEvent: next_frame(); break;
+    case vtkCommand::LeftButtonPressEvent:
+      taken = press(mouse());
+      break;
+    case vtkCommand::MouseMoveEvent:
+      taken = move(mouse());
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      taken = release(mouse());
+      break;
+    case vtkCommand::StartInteractionEvent:
+      set_moving(true);
+      break;
+    case vtkCommand::EndInteractionEvent:
+      set_moving(false);
+      break;
+    case vtkCommand::CharEvent:
+      press_key(interactor->GetKeyCode()), taken = true;
+      break;
+    case vtkCommand::TimerEvent:
+      next_frame();
+      break;
     default:
       taken = on_panel;
       if (on_panel) panel->scroll(event == vtkCommand::MouseWheelForwardEvent ? -1 : 1), redraw();

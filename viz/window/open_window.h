@@ -1,7 +1,7 @@
 #pragma once
 // A window that a view has filled. Private to viz/window and its tests.
+#include "viz/window/detail/view.h"
 #include "viz/window/display.h"
-#include "viz/window/view.h"
 
 namespace cuticle::viz {
 

@@ -1,4 +1,4 @@
-#include "viz/window/panel.h"
+#include "viz/window/detail/panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <vtkContextScene.h>
 #include <vtkObjectFactory.h>
 
-#include "viz/draw/plot_item.h"
+#include "viz/draw/detail/plot_item.h"
 
 namespace cuticle::viz {
 namespace {
@@ -51,9 +51,7 @@ void Panel::say(std::string words) {
 }
 
 double Panel::right() { return GetScene()->GetSceneWidth() - 16 * scale; }
-double Panel::row_top(int row) {
-  return GetScene()->GetSceneHeight() - (16 + k_row * (row - first_)) * scale;
-}
+double Panel::row_top(int row) { return GetScene()->GetSceneHeight() - (16 + k_row * (row - first_)) * scale; }
 
 int Panel::row_at(const glm::dvec2& pixel) {
   for (int row = first_; row < int(controls_.size()); ++row)

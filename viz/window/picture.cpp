@@ -67,9 +67,8 @@ Result<void> write_picture(vtkRenderWindow& window, const std::string& path) {
 
 Result<void> write_movie(View& view, vtkRenderWindow& window, const ViewTarget& target) {
   if (target.movie.ends_with(".ogv"))
-    return write_through_temporary(target.movie, [&](const std::string& temporary) {
-      return write_theora(view, window, target, temporary);
-    });
+    return write_through_temporary(
+        target.movie, [&](const std::string& temporary) { return write_theora(view, window, target, temporary); });
   CUTICLE_TRY(make_folder(target.movie));
   return run_through(view, window, target, [&](int frame) {
     return write_picture(window, fmt::format("{}/frame_{:04d}.png", target.movie, frame));

@@ -1,6 +1,6 @@
 #pragma once
 // Pictures and movies of a window that nobody sees. Private to viz/window.
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

@@ -3,7 +3,7 @@
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 
-#include "viz/window/interaction.h"
+#include "viz/window/detail/interaction.h"
 #include "viz/window/open_window.h"
 #include "viz/window/picture.h"
 

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "viz/lobes/lobes_view.h"
 #include "viz/strands/strands_view.h"
-#include "viz/window/interaction.h"
+#include "viz/window/detail/interaction.h"
 #include "viz/window/open_window.h"
 
 namespace cuticle::viz::window_test {
@@ -117,8 +117,9 @@ TEST_F(StrandsWindow, StrandPicked_ReportsTheNumbersOfTheFile) {
   const std::string words = testing::internal::GetCapturedStdout();
   EXPECT_TRUE(interaction.result().ok());
   EXPECT_TRUE(renderer.IsInViewport(at.x, at.y)) << at.x << " " << at.y;
-  EXPECT_THAT(words, testing::AllOf(testing::HasSubstr("strand,1\n"), testing::HasSubstr("stretch,1.125\n"),
-                                    testing::HasSubstr("y_m,-0.200000003\n"), testing::HasSubstr("velocity,0.25,0,0\n")));
+  EXPECT_THAT(words,
+              testing::AllOf(testing::HasSubstr("strand,1\n"), testing::HasSubstr("stretch,1.125\n"),
+                             testing::HasSubstr("y_m,-0.200000003\n"), testing::HasSubstr("velocity,0.25,0,0\n")));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <glm/vec2.hpp>
 
 #include "viz/color/ramp.h"
 
@@ -19,7 +19,7 @@ struct PlotAxis {
   enum class Kind { number, logarithmic, degrees } kind = Kind::number;
 };
 struct Curve {
-  std::string name;  ///< written beside its end; empty: not at all
+  std::string name;                ///< written beside its end; empty: not at all
   std::vector<glm::dvec2> points;  ///< a point that is not finite parts the curve
   glm::dvec3 color{0};
   double width = 2;

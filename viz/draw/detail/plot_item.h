@@ -4,7 +4,7 @@
 #include <vtkContextItem.h>
 #include <vtkImageData.h>
 
-#include "viz/draw/plot.h"
+#include "viz/draw/detail/plot.h"
 
 namespace cuticle::viz {
 

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
 #include <vtkActor.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkUnsignedCharArray.h>
+#include <glm/vec3.hpp>
 
 #include "viz/color/ramp.h"
 

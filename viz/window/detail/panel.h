@@ -2,7 +2,7 @@
 // The panel at the left of a window: a row with a slider for every number, buttons for choices. Private to viz/window.
 #include <vtkContextItem.h>
 
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 

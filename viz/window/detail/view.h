@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <glm/vec2.hpp>
 
-#include "viz/target.h"
 #include "core/result.h"
+#include "viz/target.h"
 
 namespace cuticle::viz {
 

@@ -4,12 +4,12 @@
 
 #include <vtkRenderWindowInteractor.h>
 
-#include "viz/window/view.h"
+#include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
 
-/// A view in a window with a panel. The mouse sets sliders, takes hold of what the view lets it, else turns the camera; a
-/// click picks, and prints what it found. Keys: space runs through the frames, x writes files, s a picture, q leaves.
+/// A view in a window with a panel. The mouse sets sliders, takes hold of what the view lets it, else turns the camera;
+/// a click picks, and prints what it found. Keys: space runs through the frames, x writes files, s a picture, q leaves.
 class Interaction {
  public:
   Interaction(View& view, const WindowArea& area, const ViewTarget& target);

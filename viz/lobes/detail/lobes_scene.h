@@ -3,7 +3,7 @@
 #include <vtkActor.h>
 #include <vtkTextActor.h>
 
-#include "viz/draw/parts.h"
+#include "viz/draw/detail/parts.h"
 #include "viz/lobes/curves.h"
 #include "viz/lobes/surface.h"
 
