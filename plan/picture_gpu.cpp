@@ -8,8 +8,9 @@
 
 #include "render/hair_shadows_gpu.h"
 #include "render/passes/bake_tables/bake_tables_gpu.h"
-#include "render/passes/lines/frame_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 #include "strands/spline/place_gpu.h"
 #include "strands/spline/smooth_gpu.h"
 
@@ -191,7 +192,7 @@ Result<void> Picture::check_uses() const {
 
 /// How many strands the frame's level of detail draws.
 std::uint32_t Picture::strands_of_level() const {
-  return render::lines::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
+  return render::visibility::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
 /// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.

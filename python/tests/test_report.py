@@ -130,13 +130,13 @@ def test_DemoPage_Sections_AreShownWithPicturesInside(tmp_path):
     assert "data:image/png;base64," + base64.b64encode(PIXEL).decode() in html
 
 
-def test_DemoPage_NumbersThatMissWhatIsWanted_AreNamedFirst(tmp_path):
+def test_DemoPage_ErrorsAboveTheirLimits_AreNamedFirst(tmp_path):
     rows = [["S", "0.004", "0.01", "tables"], ["coverage", "0.03", "0.02", "tiles"], ["light", "not measured", "0.03", "no light"]]
     (tmp_path / "demo.json").write_text(json.dumps({"title": "Demo", "sections": [
-        {"title": "Frames"}, {"title": "How exact", "table": {"columns": ["what", "measured", "wanted", "how"], "rows": rows}}]}))
+        {"title": "Frames"}, {"title": "How exact", "table": {"columns": ["what", "error", "limit", "how"], "rows": rows}}]}))
     assert report("--demo", tmp_path).returncode == 0
     html = (tmp_path / "index.html").read_text()
-    assert "1 of 3 numbers of these frames are within what is wanted; not: coverage; light." in html.split('id="section-2"')[0]
+    assert "1 of 3 errors of these frames are within the limits; above them: coverage; light." in html.split('id="section-2"')[0]
 
 
 def test_DemoPage_WithAStudy_ShowsItsPlots(study, tmp_path):

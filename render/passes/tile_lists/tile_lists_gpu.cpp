@@ -6,10 +6,11 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 
 #include <tile_count_comp.spv.h>
 #include <tile_scan_comp.spv.h>
@@ -157,7 +158,7 @@ TilePush push_of(const Resources& resources, const TileLists& lists) {
   push.resolution = glm::uvec2(camera.resolution);
   push.part = glm::uvec2(drawn_size(resources));
   push.corner = std::uint32_t(view.part_corner.x) / k_tile | std::uint32_t(view.part_corner.y) / k_tile << 16;
-  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
+  const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
   push.segment_count = hair.strands.segment_count;
   if (part.width > 1) push.segment_count = part.strands * (hair.vertices_per_strand - 1);
   push.vertices_per_strand = hair.vertices_per_strand;

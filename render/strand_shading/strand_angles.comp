@@ -4,8 +4,8 @@
 // invocation per vertex.
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
-#include "render/passes/lines/lines_frame.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/strand_shading/frame.glsl"
+#include "render/randomness/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };

@@ -2,9 +2,9 @@
 // L and E across the fibre; arc functions only where the layout is over angles.
 // Radiance = sum over lights of S irradiance transmittance: the projection of the light onto the fibre is part of M
 // (docs/conventions.md). Before this stands what tables.glsl asks for.
-#include "render/passes/lines/ambient.glsl"
-#include "render/passes/lines/angles.glsl"
-#include "render/passes/lines/tables.glsl"
+#include "render/strand_shading/ambient.glsl"
+#include "render/strand_shading/angles.glsl"
+#include "render/strand_shading/tables.glsl"
 
 // Of mip levels: what is added to the tangent one pixel to the right and one below. Set outside of loops, in which
 // llvmpipe leaves zeros beside a line.

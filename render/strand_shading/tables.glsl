@@ -1,5 +1,5 @@
 // S of any layout's tables. Which quantity addresses an axis and which products make S are constants of the pipeline
-// (tables_gpu.h), so that nothing is computed that the layout does not ask for. Before this stand lines_frame.glsl,
+// (tables_gpu.h), so that nothing is computed that the layout does not ask for. Before this stand frame.glsl,
 // LAYOUT_CONSTANT, and the samplers table_first, table_second and table_rest, which holds the third table and, below it,
 // the fourth.
 #include "lut/caustic.glslh"

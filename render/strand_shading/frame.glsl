@@ -16,4 +16,4 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   LightRow lights[k_most_lights];
 };
 
-#include "render/passes/lines/segment_ends.glsl"
+#include "render/visibility/segment_ends.glsl"

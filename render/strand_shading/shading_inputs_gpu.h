@@ -3,11 +3,11 @@
 // tables or what stands in place of them.
 #include <optional>
 
-#include "render/gathered_transmittance_gpu.h"
-#include "render/passes/lines/direct_gpu.h"
-#include "render/passes/lines/frame_gpu.h"
+#include "render/strand_shading/direct_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/strand_shading/gathered_transmittance_gpu.h"
 
-namespace cuticle::render::lines {
+namespace cuticle::render::strand_shading {
 
 class ShadingInputs {
  public:
@@ -37,4 +37,4 @@ class ShadingInputs {
   std::optional<DirectScattering> direct_;
 };
 
-}  // namespace cuticle::render::lines
+}  // namespace cuticle::render::strand_shading

@@ -1,4 +1,4 @@
-#include "render/gathered_transmittance_gpu.h"
+#include "render/strand_shading/gathered_transmittance_gpu.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The transmittance of all lights in one buffer, as render/passes/lines/transmittance.glsl reads it.
+// The transmittance of all lights in one buffer, as render/strand_shading/transmittance.glsl reads it.
 #include "render/pass_gpu.h"
 
 namespace cuticle::render {

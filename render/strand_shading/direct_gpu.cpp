@@ -1,4 +1,4 @@
-#include "render/passes/lines/direct_gpu.h"
+#include "render/strand_shading/direct_gpu.h"
 
 #include <algorithm>
 #include <span>
@@ -9,7 +9,7 @@
 
 #include <strand_angles_comp.spv.h>
 
-namespace cuticle::render::lines {
+namespace cuticle::render::strand_shading {
 
 namespace {
 
@@ -68,4 +68,4 @@ Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& comman
   return {};
 }
 
-}  // namespace cuticle::render::lines
+}  // namespace cuticle::render::strand_shading

@@ -3,14 +3,14 @@
 #include "bsdf/model_gpu.h"
 #include "render/pass_gpu.h"
 
-namespace cuticle::render::lines {
+namespace cuticle::render::strand_shading {
 
 class DirectScattering {
  public:
   /// Errors: bad_input where the model, with these parameters, is a function of h, which a vertex does not know, or has
   /// no kernel; what the device says.
   static Result<DirectScattering> make(gpu::Device& device, const Resources& resources);
-  /// S of every light at every vertex; `frame` is that of lines_frame.glsl. Error: what the device says.
+  /// S of every light at every vertex; `frame` is that of frame.glsl. Error: what the device says.
   Result<void> record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
                       const gpu::Buffer& frame);
   /// rgb per light and vertex.
@@ -25,4 +25,4 @@ class DirectScattering {
   gpu::Buffer parameters_, points_, of_light_, scattered_;
 };
 
-}  // namespace cuticle::render::lines
+}  // namespace cuticle::render::strand_shading

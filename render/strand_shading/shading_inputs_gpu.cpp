@@ -1,9 +1,9 @@
-#include "render/passes/lines/shading_inputs_gpu.h"
+#include "render/strand_shading/shading_inputs_gpu.h"
 
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 
-namespace cuticle::render::lines {
+namespace cuticle::render::strand_shading {
 
 namespace {
 
@@ -55,4 +55,4 @@ const gpu::Texture* ShadingInputs::table(const Resources& resources, std::size_t
   return tables && index < tables->textures.size() ? tables->textures[index] : &no_table_;
 }
 
-}  // namespace cuticle::render::lines
+}  // namespace cuticle::render::strand_shading

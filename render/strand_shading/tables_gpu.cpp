@@ -1,4 +1,4 @@
-#include "render/passes/lines/tables_gpu.h"
+#include "render/strand_shading/tables_gpu.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 #include "lut/bake_gpu.h"
 
-namespace cuticle::render::lines {
+namespace cuticle::render::strand_shading {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::vector<std::uint32_t> with_layout(std::vector<std::uint32_t> before, const 
   return before;
 }
 
-}  // namespace cuticle::render::lines
+}  // namespace cuticle::render::strand_shading
