@@ -117,10 +117,10 @@ def test_Shadow_AGroom_IsDrawn(tmp_path):
 
 
 def test_Movie_OfATurn_IsTheoraOrPictures(tmp_path):
-    done = view("paths", "--movie", tmp_path / "turn.ogv", "--turntable", "--turn-frames", 4, "--size", 320, 240)
+    done = view("paths", "--aspect", 0.6, "--movie", tmp_path / "turn.ogv", "--turntable", "--turn-frames", 4, "--size", 320, 240)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "turn.ogv").read_bytes()[:4] == b"OggS"
-    done = view("paths", "--movie", tmp_path / "turn", "--turn-frames", 3, "--size", 320, 240)
+    done = view("paths", "--aspect", 0.6, "--movie", tmp_path / "turn", "--turn-frames", 3, "--size", 320, 240)
     frames = [image.imread(tmp_path / "turn" / f"frame_{k:04d}.png") for k in range(3)]
     assert done.returncode == 0 and numpy.abs(frames[0] - frames[1]).max() > 0.2
 

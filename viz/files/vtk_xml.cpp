@@ -17,12 +17,14 @@ void append_array(Text& text, const NamedArray& array) {
   fmt::format_to(std::back_inserter(text),
                  "<DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", array.name,
                  array.components);
+  for (std::size_t i = 0; i < array.values.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{:.9g}{}", array.values[i], i % 12 == 11 ? '\n' : ' ');
+  append(text, "\n");
+  // After the numbers: VTK reads those up to the first element.
   if (!array.unit.empty())
     fmt::format_to(std::back_inserter(text),
                    "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>\n", array.unit);
-  for (std::size_t i = 0; i < array.values.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{:.9g}{}", array.values[i], i % 12 == 11 ? '\n' : ' ');
-  append(text, "\n</DataArray>\n");
+  append(text, "</DataArray>\n");
 }
 
 void append_point_data(Text& text, std::span<const NamedArray> arrays) {

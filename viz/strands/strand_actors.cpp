@@ -10,6 +10,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
+#include <glm/geometric.hpp>
 
 #include "strands/lod/lod.h"
 #include "viz/strands/strands_view.h"
@@ -87,11 +88,14 @@ void StrandsPicture::draw_colliders(Part& part) {
   part.renderer->AddActor(actor);
 }
 
+/// A black mark at the picked vertex, as long as a hundredth of the hair.
 void StrandsPicture::show_strand(Part& part) {
   if (part.picked) part.renderer->RemoveActor(part.picked);
-  if (strand_ >= part.groom.strand_count()) return;
-  std::vector<glm::dvec3> points(part.groom.strand(strand_).begin(), part.groom.strand(strand_).end());
-  part.picked = make_polyline(points, {0, 0, 0}, 4 * size_);
+  if (strand_ >= part.groom.strand_count() || vertex_ >= part.groom.vertex_count()) return;
+  const strands::Bounds box = strands::bounds(part.groom);
+  const double reach = 0.005 * double(glm::distance(box.lower, box.upper));
+  const glm::dvec3 at(part.groom.positions[vertex_]);
+  part.picked = make_polyline({at - glm::dvec3(0, reach, 0), at + glm::dvec3(0, reach, 0)}, {0, 0, 0}, 9 * size_);
   part.renderer->AddActor(part.picked);
 }
 

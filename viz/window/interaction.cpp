@@ -147,14 +147,13 @@ bool Interaction::State::move(const glm::ivec2& at) {
 }
 
 bool Interaction::State::release(const glm::ivec2& at) {
-  const bool was_click = pressed_at && *pressed_at == at, taken = row >= 0 || holds;
+  const bool taken = row >= 0 || holds;
   if (row >= 0) keep(panel->set_by_mouse(row, at, false, true)), print_control();
   if (holds) keep(view.drag(at, true));
   if (taken) panel->set(view.controls()), redraw();
   row = -1;
   holds = false;
   pressed_at.reset();
-  if (!taken && was_click) pick(at);
   return taken;
 }
 
@@ -192,9 +191,14 @@ void Interaction::State::next_frame() {
   redraw();
 }
 
+/// While the camera turns, its style alone hears of the mouse: a turn that ends where it began was a click.
 void Interaction::State::set_moving(bool moving) {
   view.set_moving(moving);
-  if (!moving) redraw();
+  if (moving) return;
+  const bool was_click = pressed_at && *pressed_at == mouse();
+  pressed_at.reset();
+  if (was_click) pick(mouse());
+  redraw();
 }
 
 Interaction::Interaction(View& view, const WindowArea& area, const ViewTarget& target)
