@@ -14,7 +14,9 @@ ShadowView mat() {
   ShadowView view;
   view.name = "mat";
   for (int k = 0; k < 400; ++k) {
-    const float x = 1e-3F * float(k % 20), y = 0.5e-3F * float(k / 20);
+    // Rows are shifted against each other, so that no ray finds a gap through all.
+    const float y = 0.5e-3F * float(k / 20), shift = std::fmod(0.618F * float(k / 20), 1.0F);
+    const float x = 1e-3F * (float(k % 20) + shift);
     for (int v = 0; v < 5; ++v) view.groom.positions.emplace_back(x, y, 5e-3F * float(v));
     view.groom.offsets.push_back(std::uint32_t(view.groom.positions.size()));
   }
