@@ -104,7 +104,7 @@ def test_Strands_State_IsColouredByStretch(tmp_path):
     state.write_text(STATE)
     pixels = picture(tmp_path / "state.png", "strands", state)[:780, :900]
     assert share_of_hue(pixels, (0.71, 0.02, 0.15)) > 0.0002, "longer than at rest is red"
-    assert share_of_hue(pixels, (0.55, 0.69, 1.0), 0.15) > 0.0002, "shorter is blue"
+    assert share_of_hue(pixels, (0.55, 0.69, 1.0), 0.15) > 0.00005, "shorter is blue"
 
 
 def test_Shadow_AGroom_IsDrawn(tmp_path):
