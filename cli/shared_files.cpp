@@ -61,17 +61,29 @@ std::string share_file(const std::string& name) {
   return (folders.front() / name).string();
 }
 
+namespace {
+
+/// The package as this program's build made it, with the compiled half, and empty; else what travels with the program.
+std::pair<fs::path, bool> package_folder() {
+  const fs::path own = (program_folder() / "../python").lexically_normal();
+  if (fs::exists(own / "cuticle")) return {own, true};
+  return {fs::absolute(share_file("python")), false};
+}
+
+}  // namespace
+
 int run_python(const std::string& module, const std::vector<std::string>& arguments) {
-  // -I: nothing is imported from the current folder, from PYTHONPATH or from beside the data. The package's own folder
-  // comes last, the user's own packages (pip install --user) before it.
+  // -I: nothing is imported from the current folder, from PYTHONPATH or from beside the data. The build's own package
+  // comes first, so that another build's is not taken; sources that travel with the program come last.
   constexpr const char* start =
       "import runpy, site, sys\n"
       "if sys.prefix == sys.base_prefix: site.addsitedir(site.getusersitepackages())\n"
-      "folder, module = sys.argv[1:3]\n"
-      "del sys.argv[1:3]\n"
-      "sys.path.append(folder)\n"
+      "folder, place, module = sys.argv[1:4]\n"
+      "del sys.argv[1:4]\n"
+      "sys.path.insert(0 if place == 'first' else len(sys.path), folder)\n"
       "runpy.run_module(module, run_name='__main__', alter_sys=True)";
-  std::vector<std::string> all = {python_program(), "-I", "-c", start, fs::absolute(share_file("python")).string(), module};
+  const auto [folder, is_built] = package_folder();
+  std::vector<std::string> all = {python_program(), "-I", "-c", start, folder.string(), is_built ? "first" : "last", module};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
 }

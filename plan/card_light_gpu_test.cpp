@@ -95,7 +95,8 @@ double left_over_the_forehead(std::string_view way) {
 TEST(CardLight, BehindTheHead_IsTakenAwayAsByTiles) {
   const double tiles = left_over_the_forehead(k_tiles), cards = left_over_the_forehead(k_cards);
   std::printf("the head's shadow leaves %.4f by tiles, %.4f by cards\n", tiles, cards);
-  EXPECT_NEAR(cards, tiles, 0.07);  // measured: .521 by cards, .463 by tiles (.520 before strands stopped to shadow themselves; the cause is not known)
+  EXPECT_NEAR(cards, tiles, 0.07);  // measured: .521 by cards, .463 by tiles (.520 before strands stopped to shadow
+                                    // themselves; the cause is not known)
 }
 
 }  // namespace

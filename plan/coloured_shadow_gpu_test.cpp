@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "plan/strand_shadows_gpu.h"
+#include "render/hair_shadows_gpu.h"
 #include "shadows/groom_gpu.h"
 #include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
@@ -135,16 +135,17 @@ void expect_agreement(const std::string& method, std::string_view more) {
   const strands::Groom hair = coat(1500, 8, 0.03, 1e-4f, 5);
   const scene::Scene scene = scene_of({k_two_lights, shadow_of(method, "[0.1, 0.3, 0.8]", more)});
   const auto on_device = *shadows::upload_groom(*software_device(), hair);
-  render::FrameResources resources;
-  resources.fibre_alpha = *scene.fibre_alpha;
-  resources.lights = scene.lights;
-  resources.strands = resources.casters = on_device->strands;
-  auto shadows = StrandShadows::make(software_device(), scene, make_plan(scene, {.lights = 2}), resources);
-  ASSERT_TRUE(shadows && *shadows);
+  render::Resources resources;
+  resources.edit<render::FibreMaterial>().fibre_alpha = *scene.fibre_alpha;
+  resources.edit<render::Lights>().all = scene.lights;
+  resources.edit<render::DrawnHair>().strands = resources.edit<render::DrawnHair>().casters = on_device->strands;
+  auto shadows = render::HairShadows::create(software_device(), method, scene.shadow->values, resources);
+  ASSERT_TRUE(shadows) << shadows.error().message;
+  (*shadows)->publish(resources);
   gpu::Commands commands = software_device()->record();
   ASSERT_TRUE((*shadows)->record(commands, resources));
   ASSERT_TRUE(software_device()->submit(std::move(commands)));
-  ASSERT_EQ(resources.transmittance.size(), 6u);
+  ASSERT_EQ(render::transmittance_of(resources).reached.size(), 6u);
   const tests::VertexReceivers receivers = tests::vertex_receivers(hair);
   double worst = 0;
   for (std::size_t light = 0; light < 2; ++light) {
@@ -153,8 +154,8 @@ void expect_agreement(const std::string& method, std::string_view more) {
                                    *scene.fibre_alpha, receivers.of(hair), scene.shadow->values);
     ASSERT_TRUE(cpu) << cpu.error().message;
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto reached =
-          *gpu::read_buffer<float>(*software_device(), *resources.transmittance[3 * light + c], hair.vertex_count());
+      const auto reached = *gpu::read_buffer<float>(
+          *software_device(), *render::transmittance_of(resources).reached[3 * light + c], hair.vertex_count());
       for (std::size_t v = 0; v < reached.size(); ++v)
         worst = std::max(worst, std::abs(double(reached[v]) - double(cpu->values[v][int(c)])));
     }

@@ -25,7 +25,8 @@ double luminance(std::string_view way, std::string_view passes) {
   const Image image = frame_of(**made, 0).color;
   double sum = 0;
   for (std::size_t p = 0; p < image.pixels.size(); p += 4)
-    sum += 0.2126 * double(image.pixels[p]) + 0.7152 * double(image.pixels[p + 1]) + 0.0722 * double(image.pixels[p + 2]);
+    sum +=
+        0.2126 * double(image.pixels[p]) + 0.7152 * double(image.pixels[p + 1]) + 0.0722 * double(image.pixels[p + 2]);
   return sum / double(image.pixels.size() / 4);
 }
 

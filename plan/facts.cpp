@@ -87,13 +87,6 @@ registry::Fact character_fact(const scene::Scene& scene) {
                                               : fmt::format("'{}' moves the skin of {}", scene.character->clip, file)};
 }
 
-/// What the skin's and the carried hair's passes ask for.
-registry::Fact moving_skin_fact(const scene::Scene& scene) {
-  if (scene.character && !scene.outputs.color && !scene.simulation.solver)
-    return {false, "no picture is wanted, and nothing is simulated"};
-  return character_fact(scene);
-}
-
 registry::Fact asked(bool asks, std::string_view name) {
   return {asks, fmt::format("the scene {} '{}'", asks ? "asks for" : "does not ask for", name)};
 }
@@ -111,14 +104,11 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   const std::string why = fmt::format("strands are drawn by '{}'", scene.render_method);
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
-  const bool traced = scene.render_method == "reference";
-  const bool on_device = scene.render_method != "truth" && !traced;
-  facts["strand_colors"] = {scene.render_method == "tiles" || scene.render_method == "truth", why};
-  facts["seen_segments"] = {scene.render_method != "cards" && on_device, why};
+  const bool on_device = scene.render_method != "truth" && scene.render_method != "reference";
   facts["drawn_on_device"] = {on_device, why};
   const bool direct = scene.material.evaluate == "direct";
-  facts["shaded_from_tables"] = {scene.render_method != "cards" && !traced && !direct,
-                                 direct ? "the material is evaluated by its formulas" : why};
+  facts["shaded_from_tables"] = {
+      !direct, direct ? "the material is evaluated by its formulas" : "the material is evaluated by lookup tables"};
 }
 
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
@@ -138,39 +128,6 @@ registry::Fact movement_fact(const scene::Scene& scene) {
   if (scene.simulation.solver) return {true, "the hair is simulated"};
   const bool turns = scene.camera.turntable_degrees_per_frame != 0;
   return {turns, turns ? "the camera moves" : "nothing moves: neither head, hair nor camera"};
-}
-
-/// Whether a pass runs with these facts, all that it demands among them.
-bool runs(std::string_view name, const registry::Facts& facts) {
-  const auto pass = std::ranges::find(catalogue().passes, name, &registry::Entry::name);
-  return pass != catalogue().passes.end() && registry::judge(**pass, facts).demanded;
-}
-
-/// Passes over the finished picture read how far away each pixel is.
-void add_picture_filters(registry::Facts& facts) {
-  registry::Fact depth{false, "no pass reads the depth of the pixels"};
-  for (const registry::Entry* pass : catalogue().passes) {
-    if (pass->stage != registry::Stage::output) continue;
-    if (runs(pass->name, facts)) depth = {true, fmt::format("'{}' reads the depth of the pixels", pass->name)};
-  }
-  facts["pixel_depth"] = depth;
-}
-
-void add_layers(const scene::Scene& scene, registry::Facts& facts) {
-  // Tiles leave the depth of hair in the layers alone.
-  const bool hair_depth = facts["pixel_depth"].holds && scene.render_method == "tiles";
-  const bool blurs = runs("motion_blur", facts) || runs("temporal_antialiasing", facts);
-  const bool moves = scene.passes.contains("velocity") || blurs;
-  const bool layers = scene.outputs.aovs || moves || hair_depth;
-  facts["output_aovs"] = {layers, layers ? "layers are wanted" : "no layers are wanted"};
-  facts["output_velocity"] = {moves, moves ? "motion vectors are wanted" : "no motion vectors are wanted"};
-}
-
-/// Paths find light, shadow and surfaces by themselves, and write layers of their own.
-void leave_to_paths(registry::Facts& facts) {
-  for (const char* fact : {"shadow_method", "coloured_shadow", "head", "floor", "surfaces", "fins_drawn",
-                           "dual_scattering", "surface_shadow", "depth_of_field", "output_aovs", "output_velocity"})
-    if (facts[fact].holds) facts[fact] = {false, "the reference traces paths"};
 }
 
 }  // namespace
@@ -198,13 +155,10 @@ registry::Facts facts_of(const scene::Scene& scene) {
   facts["head"] = head_fact(scene);
   facts["floor"] = {scene.floor.has_value(), scene.floor ? "the scene has a floor" : "the scene has no floor"};
   facts["surfaces"] = facts[facts["floor"].holds ? "floor" : "head"];
-  facts["moving_skin"] = moving_skin_fact(scene);
+  facts["character"] = character_fact(scene);
   facts["output_color"] = {scene.outputs.color, scene.outputs.color ? "a picture is wanted" : "no picture is wanted"};
   facts["movement"] = movement_fact(scene);
-  add_picture_filters(facts);
-  add_layers(scene, facts);
   facts["fins_drawn"] = facts["fins"];
-  if (scene.render_method == "reference") leave_to_paths(facts);
   return facts;
 }
 

@@ -187,7 +187,8 @@ const std::vector<std::string>& FrameRunner::notes() const { return impl_->set.n
 
 const lut::TableSet& FrameRunner::tables() const {
   static const lut::TableSet none;
-  return impl_->picture ? impl_->picture->tables() : none;
+  const lut::TableSet* const baked = impl_->picture ? impl_->picture->tables() : nullptr;
+  return baked ? *baked : none;
 }
 
 Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {

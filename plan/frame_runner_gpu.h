@@ -13,9 +13,9 @@
 namespace cuticle::plan {
 
 struct FrameOptions {
-  bool render = true;       ///< false: simulate only
-  bool read_state = false;  ///< control hairs' state in the result
-  std::string path_state = {};   ///< of the method 'reference': file of a picture's sums, gone on from where it is there
+  bool render = true;           ///< false: simulate only
+  bool read_state = false;      ///< control hairs' state in the result
+  std::string path_state = {};  ///< of the method 'reference': file of a picture's sums, gone on from where it is there
   Progress* progress = nullptr;  ///< of its samples
 };
 struct FrameResult {

@@ -42,7 +42,9 @@ TEST(HeadPath, NoMotion_IsRestAlways) {
 }
 
 // The clip turns the head 42 degrees to the left at 0.55 s, as scenes/motion/make_head_turn.py says.
-TEST(HeadPath, HeadTurn_ReachesTheAngleOfTheClip) { EXPECT_NEAR(yaw(place(1, 18)), 42 * std::numbers::pi / 180, 5e-3) << "the nod turns the axis a little"; }
+TEST(HeadPath, HeadTurn_ReachesTheAngleOfTheClip) {
+  EXPECT_NEAR(yaw(place(1, 18)), 42 * std::numbers::pi / 180, 5e-3) << "the nod turns the axis a little";
+}
 
 TEST(HeadPath, Amplitude_ScalesTheAngle) {
   EXPECT_LT(largest_difference(place(0, 18), glm::dmat4(1)), 1e-12);

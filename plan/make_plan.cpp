@@ -2,7 +2,11 @@
 
 #include <fmt/core.h>
 
+#include "plan/frame_graph.h"
 #include "plan/plan.h"
+#include "render/frame.h"
+#include "render/passes/aovs/aovs.h"
+#include "render/passes/velocity/velocity.h"
 #include "shadows/channels.h"
 #include "sim/solver.h"
 
@@ -69,28 +73,18 @@ std::uint32_t dispatches_of(const Candidate& candidate, const registry::FrameSha
                                    : 0;
 }
 
-bool before(const PlannedPass& a, const PlannedPass& b) {
-  if (a.entry->stage != b.entry->stage) return a.entry->stage < b.entry->stage;
-  return a.entry->name < b.entry->name;
-}
-
-/// Whether an entry that must run before `pass` still waits in `rest`.
-bool waits(const PlannedPass& pass, std::span<const PlannedPass> rest) {
-  return std::ranges::any_of(rest, [&](const PlannedPass& other) {
-    return other.entry->stage == pass.entry->stage &&
-           std::ranges::find(pass.entry->after, other.entry->name) != pass.entry->after.end();
-  });
-}
-
-/// By stage, then by name, but after what each entry names in `after`.
-void sort(std::vector<PlannedPass>& passes) {
-  std::ranges::sort(passes, before);
-  for (auto place = passes.begin(); place != passes.end(); ++place) {
-    const auto next = std::find_if(place, passes.end(), [&](const PlannedPass& pass) {
-      return !waits(pass, {place, passes.end()});
-    });
-    if (next != passes.end()) std::rotate(place, next, next + 1);
-  }
+/// What the scene asks for of a frame.
+std::vector<std::string_view> outputs_of(const scene::Scene& scene) {
+  using namespace render;
+  std::vector<std::string_view> outputs;
+  if (scene.simulation.solver) outputs.push_back(name_of<ControlHairs>());
+  if (!scene.outputs.color) return outputs;
+  outputs.push_back(name_of<Output>());
+  if (scene.render_method == "reference") return outputs;
+  const bool moves = scene.passes.contains("velocity");
+  if (scene.outputs.aovs || moves) outputs.push_back(name_of<aovs::Layers>());
+  if (moves) outputs.insert(outputs.end(), {name_of<velocity::MotionVectors>(), name_of<SeenVelocities>()});
+  return outputs;
 }
 
 }  // namespace
@@ -106,7 +100,8 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     else
       plan.passes.push_back({&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
   }
-  sort(plan.passes);
+  plan.outputs = outputs_of(scene);
+  compile(plan);
   return plan;
 }
 

@@ -2,27 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <type_traits>
 
 #include <fmt/core.h>
-#include <glm/gtc/packing.hpp>
+#include <fmt/ranges.h>
 
-#include "lut/bake_gpu.h"
-#include "render/passes/aovs/aovs.h"
-#include "render/passes/bake_tables/bake_tables.h"
+#include "render/hair_shadows_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/frame_gpu.h"
-#include "render/passes/lines/lines.h"
-#include "render/passes/lines/tables_gpu.h"
-#include "render/passes/quads/quads.h"
-#include "render/passes/resolve/resolve.h"
-#include "render/passes/temporal_antialiasing/pixel_shift_gpu.h"
-#include "render/passes/tile_lists/tile_lists.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
-#include "render/passes/tiles/tiles.h"
-#include "render/passes/truth/rasterise.h"
-#include "render/passes/truth/truth.h"
-#include "render/passes/velocity/velocity.h"
 #include "strands/spline/place_gpu.h"
 #include "strands/spline/smooth_gpu.h"
 
@@ -30,18 +17,9 @@ namespace cuticle::plan {
 
 namespace {
 
-/// Texels across a pixel. Quads have multisampling alone; the truth's own scene has none, and is not the place to save.
-int supersampling(const Plan& plan) {
-  if (find_pass(plan, "quads")) return 1;
-  return find_pass(plan, "truth") ? 4 : 2;
-}
-
-/// The multisampling to draw with: what quads ask for; else 4 where the device offers it and only the strands' own
-/// draws read the depth.
-int sample_count(const gpu::DeviceInfo& info, const Plan& plan, const render::FrameResources& resources) {
-  if (find_pass(plan, "quads")) return render::parameters_of<render::quads::Parameters>(resources).samples;
-  if (!find_pass(plan, "lines")) return 1;
-  return std::ranges::find(info.sample_counts, 4) != info.sample_counts.end() ? 4 : 1;
+const render::Pass* pass_of(const registry::Entry& entry) {
+  const auto found = std::ranges::find(render::passes(), &entry, [](const render::Pass* pass) { return &pass->entry; });
+  return found == render::passes().end() ? nullptr : *found;
 }
 
 constexpr int k_most_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
@@ -52,41 +30,50 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress) {
   std::unique_ptr<Picture> picture(new Picture(std::move(device), scene, set, plan));
-  picture->resources_.camera = first_camera;
+  picture->resources_.edit<render::FrameView>().camera = first_camera;
   picture->resources_.parameters = scene.passes;
-  picture->resources_.says_seen = find_pass(plan, "aovs") != nullptr;
+  picture->resources_.progress = &progress;
+  for (const PlannedResource& resource : plan.resources) picture->resources_.want(resource.name);
   CUTICLE_TRY(picture->choose_chunks());
   CUTICLE_TRY(picture->make_strands());
+  CUTICLE_TRY(picture->make_material());
   CUTICLE_TRY(picture->make_rest());
-  CUTICLE_ASSIGN(picture->shadows_, StrandShadows::make(picture->device_, scene, plan, picture->resources_));
-  CUTICLE_TRY(picture->make_tables(progress));
   CUTICLE_TRY(picture->make_targets());
   CUTICLE_TRY(picture->make_passes());
   return picture;
 }
 
+/// The property that a planned pass of the render module has, of the one that has it; null: none has.
+template <class Property>
+Property Picture::planned(Property render::Pass::*property) const {
+  for (const PlannedPass& planned : plan_.passes)
+    if (const render::Pass* const pass = pass_of(*planned.entry); pass && pass->*property) return pass->*property;
+  return {};
+}
+
 Result<void> Picture::choose_chunks() {
-  const glm::ivec2 all = resources_.camera.resolution;
+  const glm::ivec2 all = resources_.get<render::FrameView>().camera.resolution;
   const bool is_large = std::max(all.x, all.y) > k_most_at_once;
-  int chunk = parameters_of<render::tiles::Parameters>(resources_).chunk_px;
+  const auto chunk_px = planned(&render::Pass::chunk_px);
+  int chunk = chunk_px ? chunk_px(resources_.parameters) : 0;
   if (chunk == 0 && is_large) chunk = k_usual_chunk;
-  if (chunk == 0 || !(is_large || find_pass(plan_, "tiles"))) return {};
-  for (const render::Pass* pass : render::passes())
-    if (pass->whole_pictures && find_pass(plan_, pass->entry.name))
+  if (chunk == 0) return {};
+  for (const PlannedPass& planned : plan_.passes)
+    if (const render::Pass* const pass = pass_of(*planned.entry); pass && pass->whole_pictures)
       return bad_input(
           fmt::format("camera.resolution_px: {} x {} in chunks of {}: '{}' draws whole pictures only, of at "
                       "most {} pixels each way",
                       all.x, all.y, chunk, pass->entry.name, k_most_at_once),
           "the method 'tiles' draws in chunks, without passes over the whole picture");
   constexpr int k_tile = int(render::tile_lists::k_tile);
-  resources_.part_size = glm::min(glm::ivec2((chunk + k_tile - 1) / k_tile * k_tile), all);
+  resources_.edit<render::FrameView>().part_size = glm::min(glm::ivec2((chunk + k_tile - 1) / k_tile * k_tile), all);
   return {};
 }
 
 Result<void> Picture::make_generator() {
   if (scene::draws_as_given(scene_)) {
     CUTICLE_ASSIGN(generator_, strands::StrandPlacer::create(device_, set_.control, set_.placed,
-                                                             find_pass(plan_, "place_velocities") != nullptr));
+                                                             resources_.wants<render::DrawnVelocities>()));
     return {};
   }
   const strands::StrandGeneratorInput input{.control = &set_.control,
@@ -95,38 +82,49 @@ Result<void> Picture::make_generator() {
                                             .weights = set_.weights,
                                             .radius = set_.radius,
                                             .taper = set_.taper,
-                                            .moves = find_pass(plan_, "interpolate_velocities") != nullptr};
+                                            .moves = resources_.wants<render::DrawnVelocities>()};
   CUTICLE_ASSIGN(auto generator, strands::StrandGenerator::create(device_, input));
-  resources_.generator = generator.get();
+  resources_.edit<render::StrandMaker>().generator = generator.get();
   generator_ = std::move(generator);
   return {};
 }
 
 Result<void> Picture::make_strands() {
   CUTICLE_TRY(make_generator());
-  resources_.drawn_strands = generator_.get();
-  resources_.strands = {
-      &generator_->vertices(), &generator_->segments(), generator_->vertex_count(), generator_->segment_count(), {}};
-  resources_.tangents = &generator_->tangents();
-  if (generator_->velocities()) resources_.velocities = &generator_->velocities();
-  resources_.frame_duration = 1 / scene_.frames_per_second;
-  resources_.vertices_per_strand = generator_->vertices_per_strand();
-  resources_.strand_radius = double(set_.radius);
-  resources_.head = set_.head.triangles.empty() ? nullptr : &set_.head;
-  resources_.scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp;
-  resources_.floor = scene_.floor;
-  resources_.fins = set_.fins.triangles.empty() ? nullptr : &set_.fins;
-  resources_.lights = scene_.lights;
-  resources_.fibre_alpha = scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity));
+  resources_.edit<render::StrandMaker>().strands = generator_.get();
+  resources_.put(render::DrawnHair{.strands = {&generator_->vertices(),
+                                               &generator_->segments(),
+                                               generator_->vertex_count(),
+                                               generator_->segment_count(),
+                                               {}},
+                                   .tangents = &generator_->tangents(),
+                                   .vertices_per_strand = generator_->vertices_per_strand(),
+                                   .radius = double(set_.radius)});
+  if (generator_->velocities()) resources_.put(render::DrawnVelocities{&generator_->velocities()});
+  resources_.edit<render::FrameView>().frame_duration = 1 / scene_.frames_per_second;
+  resources_.put(render::Surfaces{.head = set_.head.triangles.empty() ? nullptr : &set_.head,
+                                  .scalp = set_.scalp.triangles.empty() ? nullptr : &set_.scalp,
+                                  .floor = scene_.floor,
+                                  .fins = set_.fins.triangles.empty() ? nullptr : &set_.fins});
+  resources_.edit<render::Lights>().all = scene_.lights;
+  if (const auto strand_draw = planned(&render::Pass::strand_draw)) resources_.put(strand_draw(resources_.parameters));
+  return {};
+}
+
+Result<void> Picture::make_material() {
+  CUTICLE_ASSIGN(const bsdf::Model* const model, bsdf::find_model(scene_.material.model.name));
+  resources_.put(render::FibreMaterial{.model = model,
+                                       .values = &scene_.material.model.values,
+                                       .layout = scene_.material.layout,
+                                       .lut_size = scene_.material.lut_size,
+                                       .evaluates_directly = scene_.material.evaluate == "direct",
+                                       .fibre_alpha = scene_.fibre_alpha.value_or(glm::dvec3(set_.opacity))});
   return {};
 }
 
 /// The strands that will be drawn, as the control hairs rest.
 Result<void> Picture::make_rest() {
-  CUTICLE_ASSIGN(resources_.model, bsdf::find_model(scene_.material.model.name));
-  resources_.model_values = &scene_.material.model.values;
-  resources_.evaluates_directly = scene_.material.evaluate == "direct";
-  if (!find_pass(plan_, "cards")) return {};
+  if (!resources_.wants<render::RestStrands>()) return {};
   std::vector<glm::vec4> positions;
   for (const glm::vec3& position : set_.control.positions) positions.emplace_back(position, 1);
   CUTICLE_ASSIGN(const gpu::Buffer control, gpu::make_buffer_from<glm::vec4>(*device_, positions));
@@ -134,80 +132,73 @@ Result<void> Picture::make_rest() {
   CUTICLE_TRY(generator_->record(commands, control, glm::mat3(1)));
   CUTICLE_TRY(device_->submit(std::move(commands)));
   CUTICLE_ASSIGN(rest_, read_strands());
-  resources_.rest = &rest_;
-  return {};
-}
-
-Result<void> Picture::make_tables(Progress& progress) {
-  if (!find_pass(plan_, "bake_tables")) return {};
-  progress.message("baking lookup tables");
-  const registry::ParameterValues& values = scene_.material.model.values;
-  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene_.material.layout, *resources_.model, values));
-  // A software device runs on the same cores and has a kernel to compile first.
-  CUTICLE_ASSIGN(table_set_,
-                 device_->info().is_software
-                     ? lut::bake(*resources_.model, values, *layout, scene_.material.lut_size, progress)
-                     : lut::bake_gpu(*device_, *resources_.model, values, *layout, scene_.material.lut_size));
-  const bool mip_levels = parameters_of<render::bake_tables::Parameters>(resources_).mip_levels;
-  CUTICLE_ASSIGN(tables_, render::lines::upload_drawn(*device_, table_set_, mip_levels));
-  for (const gpu::Texture& table : tables_) resources_.tables.push_back(&table);
-  resources_.table_set = &table_set_;
+  resources_.put(render::RestStrands{&rest_});
   return {};
 }
 
 Result<void> Picture::make_targets() {
   const glm::ivec2 resolution = drawn_size(resources_);
   using gpu::Filter, gpu::TextureFormat;
-  const int samples = sample_count(device_->info(), plan_, resources_);
-  resources_.supersampling = supersampling(plan_);
-  const glm::ivec2 size = resolution * resources_.supersampling;
+  const auto targets = planned(&render::Pass::targets);
+  const render::TargetShape shape =
+      targets ? targets(resources_.parameters, device_->info().sample_counts) : render::TargetShape{};
+  const int samples = shape.samples;
+  const glm::ivec2 size = resolution * shape.supersampling;
   CUTICLE_ASSIGN(color_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, samples, true}));
-  const bool read = samples > 1 && (find_pass(plan_, "pixel_depth") || find_pass(plan_, "cull_strands"));
+  const bool read = samples > 1 && resources_.wants<render::TargetDepth>();
   CUTICLE_ASSIGN(depth_, device_->make_texture({size, TextureFormat::depth32f, Filter::nearest, samples, true, read}));
   CUTICLE_ASSIGN(output_, device_->make_texture({resolution, TextureFormat::rgba32f, Filter::nearest, 1, true}));
   if (samples > 1) {
     CUTICLE_ASSIGN(resolved_, device_->make_texture({size, TextureFormat::rgba16f, Filter::nearest, 1, true}));
   }
-  resources_.color = &color_;
-  resources_.depth = &depth_;
-  resources_.resolved = samples > 1 ? &resolved_ : &color_;
-  resources_.output = &output_;
+  resources_.put(render::Targets{.color = &color_,
+                                 .depth = &depth_,
+                                 .resolved = samples > 1 ? &resolved_ : &color_,
+                                 .supersampling = shape.supersampling});
+  resources_.put(render::Output{&output_});
   return {};
+}
+
+/// Null: the entry has no work on the device.
+Result<std::unique_ptr<render::GpuPass>> Picture::make_pass(const registry::Entry& entry) {
+  const bool casts = entry.kind == registry::EntryKind::method && resources_.wants<render::HairTransmittance>();
+  if (casts && !uses_of(entry).empty())
+    return render::HairShadows::create(device_, entry.name, scene_.shadow->values, resources_);
+  const auto found = std::ranges::find(render::gpu_passes(), entry.name, &render::GpuPassEntry::name);
+  if (found == render::gpu_passes().end() || entry.kind != registry::EntryKind::pass)
+    return std::unique_ptr<render::GpuPass>();
+  return (*found)->create(device_, resources_);
 }
 
 Result<void> Picture::make_passes() {
   for (const PlannedPass& planned : plan_.passes) {
-    if (shadows_ && planned.entry->stage >= registry::Stage::shadow) {
-      const std::string_view method =
-          resources_.of_surfaces_alone ? "surface_shadow" : std::string_view(scene_.shadow->name);
-      passes_.push_back({find_pass(plan_, method)->entry->name, registry::Stage::shadow, false, std::move(shadows_)});
-    }
-    const auto entry = std::ranges::find(render::gpu_passes(), planned.entry->name, &render::GpuPassEntry::name);
-    if (entry == render::gpu_passes().end()) continue;
-    CUTICLE_ASSIGN(auto pass, (*entry)->create(device_, resources_));
+    resources_.begin_uses(planned.entry->name, uses_of(*planned.entry));
+    CUTICLE_ASSIGN(auto pass, make_pass(*planned.entry));
+    if (!pass) continue;
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
-    passes_.push_back({planned.entry->name, planned.entry->stage, draws, std::move(pass)});
+    passes_.push_back({planned.entry->name, planned.entry->stage, draws, uses_of(*planned.entry), std::move(pass)});
   }
-  return {};
+  resources_.end_uses();
+  return check_uses();
 }
 
-/// How many strands the frame's level of detail draws, by whichever pass does.
+/// A pass that reads what it does not declare would run before it is there, or without it.
+Result<void> Picture::check_uses() const {
+  if (resources_.undeclared().empty()) return {};
+  return internal_error(fmt::format("{}", fmt::join(resources_.undeclared(), "; ")));
+}
+
+/// How many strands the frame's level of detail draws.
 std::uint32_t Picture::strands_of_level() const {
-  const auto drawn = [&]<class Parameters>(std::type_identity<Parameters>) -> std::optional<std::uint32_t> {
-    if (!find_pass(plan_, Parameters::name)) return std::nullopt;
-    return render::lines::drawn_part(resources_, parameters_of<Parameters>(resources_).full_px).strands;
-  };
-  if (const auto strands = drawn(std::type_identity<render::lines::Parameters>())) return *strands;
-  if (const auto strands = drawn(std::type_identity<render::quads::Parameters>())) return *strands;
-  if (const auto strands = drawn(std::type_identity<render::tile_lists::Parameters>())) return *strands;
-  return resources_.strands.segment_count / (resources_.vertices_per_strand - 1);
+  return render::lines::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
 /// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.
 shadows::GpuStrands Picture::casters() const {
-  shadows::GpuStrands strands = resources_.strands;
-  const std::uint32_t segments = resources_.vertices_per_strand - 1, all = strands.segment_count / segments;
+  shadows::GpuStrands strands = resources_.get<render::DrawnHair>().strands;
+  const std::uint32_t segments = resources_.get<render::DrawnHair>().vertices_per_strand - 1,
+                      all = strands.segment_count / segments;
   const auto wanted = std::uint32_t(std::lround(scene_.caster_share * strands_of_level()));
   const std::uint32_t casting = std::clamp(wanted, std::min(1u, all), all);
   strands.segment_count = casting * segments;
@@ -219,16 +210,18 @@ shadows::GpuStrands Picture::casters() const {
 /// Strands and shadows are those of the frame's first chunk.
 Result<void> Picture::record_passes(gpu::Commands& commands) {
   auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
-  resources_.keep_target = false;
+  resources_.edit<render::Targets>().keep = false;
   for (DrawnPass& drawn : passes_) {
     if (drawn.stage <= registry::Stage::shadow && !begins_frame()) continue;
-    if (drawn.draws) resources_.resolve_target = --left == 0;
+    if (drawn.draws) resources_.edit<render::Targets>().resolves = --left == 0;
     commands.begin_pass(drawn.name);
+    resources_.begin_uses(drawn.name, drawn.uses);
     CUTICLE_TRY(drawn.pass->record(commands, resources_));
+    resources_.end_uses();
     commands.end_pass();
-    resources_.keep_target = resources_.keep_target || drawn.draws;
+    resources_.edit<render::Targets>().keep = resources_.get<render::Targets>().keep || drawn.draws;
   }
-  return {};
+  return check_uses();
 }
 
 Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
@@ -240,16 +233,17 @@ Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
 }
 
 Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
-  resources_.frames_since_cut = input.follows ? resources_.frames_since_cut + 1 : 1;
+  resources_.edit<render::FrameView>().frames_since_cut =
+      input.follows ? resources_.get<render::FrameView>().frames_since_cut + 1 : 1;
   use_frame(input);
   notes_.clear();
   if (!in_chunks()) return paint_part(trace);
-  const glm::ivec2 all = input.camera.resolution, size = resources_.part_size;
+  const glm::ivec2 all = input.camera.resolution, size = resources_.get<render::FrameView>().part_size;
   chunks_ = make_image(all.x, all.y, {"R", "G", "B", "A"});
   gpu::SubmitCost cost;
   for (int y = 0; y < all.y; y += size.y)
     for (int x = 0; x < all.x; x += size.x) {
-      resources_.part_corner = {x, y};
+      resources_.edit<render::FrameView>().part_corner = {x, y};
       CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(trace));
       CUTICLE_TRY(keep_part());
       cost.wall_ms += more.wall_ms;
@@ -261,7 +255,8 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
 /// What lies in the picture of the chunk last drawn.
 Result<void> Picture::keep_part() {
   CUTICLE_ASSIGN(const std::vector<float> pixels, device_->download(output_));
-  const glm::ivec2 corner = resources_.part_corner, size = resources_.part_size;
+  const glm::ivec2 corner = resources_.get<render::FrameView>().part_corner,
+                   size = resources_.get<render::FrameView>().part_size;
   const int rows = std::min(size.y, chunks_.height - corner.y), columns = std::min(size.x, chunks_.width - corner.x);
   for (int y = 0; y < rows; ++y)
     std::copy_n(pixels.begin() + std::ptrdiff_t(4) * y * size.x, std::ptrdiff_t(4) * columns,
@@ -282,22 +277,20 @@ Result<bool> Picture::settle() {
 }
 
 void Picture::use_frame(const PictureInput& input) {
-  resources_.strands.bounds = input.bounds;
-  resources_.head_transform = input.head;
-  resources_.camera = input.camera;
-  if (find_pass(plan_, "temporal_antialiasing"))
-    resources_.camera.pixel_shift = render::temporal_antialiasing::pixel_shift(resources_);
-  resources_.camera_before = input.camera_before;
-  resources_.control_positions = input.control_positions;
-  resources_.control_motion = input.control_motion;
-  resources_.control_vertices = std::uint32_t(set_.control.vertex_count());
-  resources_.head_positions = input.character ? &input.character->mesh_positions() : nullptr;
-  resources_.head_normals = input.character ? &input.character->mesh_normals() : nullptr;
-  resources_.fin_positions = input.fins ? &input.fins->positions() : nullptr;
-  resources_.fin_normals = input.fins ? &input.fins->normals() : nullptr;
-  resources_.character.reset();
-  if (input.records_character) resources_.character = input.character->posed();
-  resources_.casters = casters();
+  resources_.edit<render::DrawnHair>().strands.bounds = input.bounds;
+  resources_.edit<render::Surfaces>().head_transform = input.head;
+  render::FrameView& view = resources_.edit<render::FrameView>();
+  view.camera = input.camera;
+  view.camera_before = input.camera_before;
+  for (DrawnPass& drawn : passes_) drawn.pass->change_view(view, resources_.parameters);
+  resources_.put(
+      render::ControlHairs{input.control_positions, input.control_motion, std::uint32_t(set_.control.vertex_count())});
+  if (input.character)
+    resources_.put(render::HeadVertices{{&input.character->mesh_positions(), &input.character->mesh_normals()}});
+  if (input.fins) resources_.put(render::FinVertices{{&input.fins->positions(), &input.fins->normals()}});
+  resources_.take_out<render::PosedCharacter>();
+  if (input.records_character) resources_.put(input.character->posed());
+  resources_.edit<render::DrawnHair>().casters = casters();
 }
 
 Result<gpu::SubmitCost> Picture::paint_once(Trace* trace) {
@@ -306,31 +299,12 @@ Result<gpu::SubmitCost> Picture::paint_once(Trace* trace) {
   return device_->submit(std::move(commands), trace);
 }
 
-/// The strands as the device generated and shaded them, and the scene as it drew it, composited on the CPU.
-Result<Image> Picture::read_truth() const {
-  const std::size_t count = generator_->vertex_count();
-  CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, generator_->vertices(), count));
-  CUTICLE_ASSIGN(const auto halves, gpu::read_buffer<std::uint64_t>(*device_, *resources_.strand_colors, count));
-  CUTICLE_ASSIGN(const auto segments,
-                 gpu::read_buffer<std::uint32_t>(*device_, generator_->segments(), generator_->segment_count()));
-  std::vector<glm::vec4> colors(count);
-  std::ranges::transform(halves, colors.begin(), [](std::uint64_t packed) { return glm::unpackHalf4x16(packed); });
-  std::vector<float> scene_color, scene_depth;
-  if (resources_.keep_target) {
-    CUTICLE_ASSIGN(scene_color, device_->download(color_));
-    CUTICLE_ASSIGN(scene_depth, device_->download(depth_));
-  }
-  const render::truth::Sampling sampling{int(parameters_of<render::truth::Parameters>(resources_).samples),
-                                         parameters_of<render::tiles::Parameters>(resources_).opacity};
-  return rasterise(resources_.camera, {vertices, colors, segments},
-                   {scene_color, scene_depth, resources_.supersampling}, sampling);
-}
+const lut::TableSet* Picture::tables() const { return render::bake_tables::table_set_of(resources_); }
 
 Result<Image> Picture::read_color() const {
-  if (find_pass(plan_, "truth")) {
-    CUTICLE_ASSIGN(Image image, read_truth());
-    render::resolve::add_background(image, parameters_of<render::resolve::Parameters>(resources_).background);
-    return image;
+  for (const DrawnPass& drawn : passes_) {
+    CUTICLE_ASSIGN(std::optional<Image> finished, drawn.pass->finish(resources_));
+    if (finished) return std::move(*finished);
   }
   if (in_chunks()) return chunks_;
   Image image = make_image(output_.size().x, output_.size().y, {"R", "G", "B", "A"});
@@ -339,12 +313,14 @@ Result<Image> Picture::read_color() const {
 }
 
 Result<Image> Picture::read_aovs(const Image& color) const {
-  const bool moves = scene_.passes.contains("velocity");
-  if (!resources_.aovs || !(scene_.outputs.aovs || moves)) return Image{};
-  CUTICLE_ASSIGN(Image image, with_channels(color, *resources_.aovs, render::aovs::k_channels));
-  if (!resources_.motion_vectors || !moves) return image;
-  CUTICLE_ASSIGN(image, with_channels(image, *resources_.motion_vectors, render::velocity::k_channels));
-  return with_channels(image, *resources_.seen_velocities, render::aovs::k_velocity_channels);
+  Image image;
+  for (const std::string_view wanted : plan_.outputs)
+    for (const DrawnPass& drawn : passes_) {
+      const std::optional<render::FileLayer> layer = drawn.pass->layer(wanted, resources_);
+      if (!layer) continue;
+      CUTICLE_ASSIGN(image, with_channels(image.pixels.empty() ? color : image, *layer->values, layer->channels));
+    }
+  return image;
 }
 
 /// A picture's channels, then floats of a buffer, as many a pixel as there are names.

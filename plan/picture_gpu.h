@@ -9,7 +9,6 @@
 #include "plan/fin_motion_gpu.h"
 #include "plan/plan.h"
 #include "plan/strand_set.h"
-#include "plan/strand_shadows_gpu.h"
 #include "render/pass_gpu.h"
 #include "strands/spline/drawn_gpu.h"
 
@@ -42,26 +41,30 @@ class Picture {
   /// The channels of the color with those of the passes 'aovs' and 'velocity'; empty where the first is not planned.
   Result<Image> read_aovs(const Image& color) const;
   Result<strands::Groom> read_strands() const;
-  const lut::TableSet& tables() const { return table_set_; }
+  /// Null: none are baked.
+  const lut::TableSet* tables() const;
 
  private:
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
       : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
   Result<void> make_generator();
   Result<void> make_strands();
+  Result<void> make_material();
   Result<void> make_rest();
-  Result<void> make_tables(Progress& progress);
   Result<void> choose_chunks();
   Result<void> make_targets();
+  Result<std::unique_ptr<render::GpuPass>> make_pass(const registry::Entry& entry);
   Result<void> make_passes();
-  bool in_chunks() const { return resources_.part_size != glm::ivec2(0); }
-  bool begins_frame() const { return !in_chunks() || resources_.part_corner == glm::ivec2(0); }
+  Result<void> check_uses() const;
+  template <class Property>
+  Property planned(Property render::Pass::*property) const;
+  bool in_chunks() const { return resources_.get<render::FrameView>().part_size != glm::ivec2(0); }
+  bool begins_frame() const { return !in_chunks() || resources_.get<render::FrameView>().part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
   Result<gpu::SubmitCost> paint_part(Trace* trace);
   Result<gpu::SubmitCost> paint_once(Trace* trace);
   Result<void> keep_part();
   Result<bool> settle();
-  Result<Image> read_truth() const;
   Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
                               std::span<const std::string_view> more_names) const;
   std::uint32_t strands_of_level() const;
@@ -73,17 +76,15 @@ class Picture {
   const StrandSet& set_;
   const Plan& plan_;
   std::unique_ptr<strands::DrawnStrands> generator_;  ///< of the drawn strands
-  strands::Groom rest_;  ///< empty where no pass asks for it
-  std::unique_ptr<StrandShadows> shadows_;  ///< until it is one of the passes
-  lut::TableSet table_set_;
-  std::vector<gpu::Texture> tables_;
+  strands::Groom rest_;                               ///< empty where no pass asks for it
   gpu::Texture color_, depth_, resolved_, output_;
   Image chunks_;  ///< the picture, of one that is drawn in chunks
-  render::FrameResources resources_;
+  render::Resources resources_;
   struct DrawnPass {
     std::string_view name;
     registry::Stage stage;
     bool draws;  ///< into the targets
+    std::span<const render::Use> uses;
     std::unique_ptr<render::GpuPass> pass;
   };
   std::vector<DrawnPass> passes_;

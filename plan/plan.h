@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/registry/entry.h"
+#include "render/resource.h"
 #include "scene/scene.h"
 
 namespace cuticle::plan {
@@ -16,6 +17,12 @@ struct PlannedPass {
   std::string reason;
   std::uint32_t dispatches = 0, draws = 0;  ///< per frame
 };
+/// A resource that some pass of the plan, or the scene, asks for.
+struct PlannedResource {
+  std::string_view name;
+  std::vector<const registry::Entry*> writers,
+      readers;  ///< in the order in which they run; no writer: the scene gives it
+};
 struct LeftOut {
   const registry::Entry* entry = nullptr;
   std::string reason;
@@ -25,6 +32,8 @@ struct Plan {
   registry::FrameShape shape;
   std::vector<PlannedPass> passes;  ///< in the order in which they run
   std::vector<LeftOut> left_out;
+  std::vector<std::string_view> outputs = {};   ///< resources that the scene asks for, as files have them
+  std::vector<PlannedResource> resources = {};  ///< by name
 };
 
 /// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands",
@@ -32,6 +41,8 @@ struct Plan {
 registry::Facts facts_of(const scene::Scene& scene);
 /// `shape` of the frame as built (strands loaded or grown).
 Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape);
+/// What an entry reads and writes of a frame; empty: it is no pass of the picture, as solvers and effects.
+std::span<const render::Use> uses_of(const registry::Entry& entry);
 /// The planned pass of that name, or null.
 const PlannedPass* find_pass(const Plan& plan, std::string_view name);
 std::string to_text(const Plan& plan);

@@ -1,9 +1,13 @@
 // A plan holds what the scene's facts demand, and says why; the rest is left out, with the reason.
 #include "plan/plan.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "render/resource.h"
 
 namespace cuticle::plan::plan_test {
 namespace {
@@ -181,6 +185,66 @@ TEST(Plan, ProportionalChannels_AreShadowedOnceAndRaisedToPowers) {
   };
   EXPECT_EQ(dispatches("[0.2, 0.4, 0.6]"), dispatches("0.4") + 2);
   EXPECT_EQ(dispatches("[0.001, 0.4, 0.6]"), 3 * dispatches("0.4"));
+}
+
+/// Scenes that together run every pass of the catalogue but those of characters.
+std::vector<Plan> many_plans() {
+  std::vector<Plan> plans;
+  for (const char* method : {"lines", "quads", "tiles", "cards", "truth", "reference"})
+    for (const char* evaluate : {"tables", "direct"})
+      plans.push_back(planned(fmt::format(
+          R"({}, "render": {{"method": "{}"}}, "material": {{"model": {{"chiang": {{}}}}, "evaluate": "{}"}},
+             "floor": {{"height_m": -0.2}}, "passes": {{"ambient_occlusion": {{}}, "temporal_antialiasing": {{}},
+             "depth_of_field": {{}}, "motion_blur": {{}}, "velocity": {{}}, "surface_shadow": {{}}, "dual_scattering": {{}}}})",
+          k_full, method, evaluate)));
+  return plans;
+}
+
+std::size_t place(const Plan& plan, const registry::Entry* entry) {
+  return std::size_t(std::ranges::find(plan.passes, entry, &PlannedPass::entry) - plan.passes.begin());
+}
+
+TEST(Plan, Resource_IsMadeBeforeItIsRead) {
+  for (const Plan& plan : many_plans())
+    for (const PlannedResource& resource : plan.resources)
+      for (const registry::Entry* writer : resource.writers)
+        for (const registry::Entry* reader : resource.readers)
+          EXPECT_LT(place(plan, writer), place(plan, reader))
+              << resource.name << ": " << writer->name << ", " << reader->name;
+}
+
+TEST(Plan, PassOfThePicture_MakesWhatIsReadOrWanted) {
+  for (const Plan& plan : many_plans())
+    for (const PlannedPass& pass : plan.passes) {
+      const auto uses = uses_of(*pass.entry);
+      EXPECT_TRUE(uses.empty() || std::ranges::any_of(plan.resources,
+                                                      [&](const PlannedResource& resource) {
+                                                        const bool wanted =
+                                                            std::ranges::find(plan.outputs, resource.name) !=
+                                                            plan.outputs.end();
+                                                        return (wanted || !resource.readers.empty()) &&
+                                                               std::ranges::find(resource.writers, pass.entry) !=
+                                                                   resource.writers.end();
+                                                      }))
+          << pass.entry->name;
+    }
+}
+
+TEST(Plan, PathsTraced_LeaveOutWhatRasteringReads) {
+  const Plan plan =
+      planned(fmt::format(R"({}, "render": {{"method": "reference"}}, "passes": {{"surface_shadow": {{}}}})", k_full));
+  EXPECT_EQ(why_left_out(plan, "head"), "no pass of this scene reads 'drawn_surfaces'");
+  EXPECT_EQ(why_left_out(plan, "bake_tables"), "no pass of this scene reads 'tables'");
+  EXPECT_EQ(find_pass(plan, "opacity_map"), nullptr);
+}
+
+TEST(Plan, MotionVectors_BringWhatTheyAreMadeOf) {
+  const Plan plan = planned(R"("render": {"method": "quads"}, "passes": {"temporal_antialiasing": {}})");
+  EXPECT_EQ(find_pass(plan, "aovs")->reason, "'pixel_depth' reads 'layers'; 'velocity' reads 'layers'");
+  EXPECT_EQ(find_pass(plan, "interpolate_velocities"), nullptr) << "velocities are in no file";
+  EXPECT_NE(
+      find_pass(planned(R"("render": {"method": "quads"}, "passes": {"velocity": {}})"), "interpolate_velocities"),
+      nullptr);
 }
 
 TEST(Plan, EveryEntry_IsPlannedOrLeftOutOnce) {

@@ -32,6 +32,21 @@ Json left_out_json(const Plan& plan) {
   return list;
 }
 
+Json names_json(const std::vector<const registry::Entry*>& entries) {
+  Json list = Json::list();
+  for (const registry::Entry* entry : entries) list.push_back(entry->name);
+  return list;
+}
+
+Json resources_json(const Plan& plan) {
+  Json list = Json::list();
+  for (const PlannedResource& resource : plan.resources)
+    list.push_back({{"name", resource.name},
+                    {"made_by", names_json(resource.writers)},
+                    {"read_by", names_json(resource.readers)}});
+  return list;
+}
+
 }  // namespace
 
 std::string to_text(const Plan& plan) {
@@ -53,6 +68,7 @@ std::string to_json(const Plan& plan) {
   const Json json = {{"shape", shape_json(plan.shape)},
                      {"facts", facts},
                      {"passes", passes_json(plan)},
+                     {"resources", resources_json(plan)},
                      {"left_out", left_out_json(plan)}};
   return json.dump(2);
 }

@@ -11,8 +11,9 @@
 #include "sim/colliders/distance_field.h"
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
-#include "strands/growing/grow.h"
 #include "strands/growing/bust.h"
+#include "strands/growing/grow.h"
+#include "strands/growing/mesh_head.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {
@@ -24,12 +25,18 @@ constexpr std::uint64_t k_root_seed = 20050401;
 void take_head(const scene::Scene& scene, strands::Head head, StrandSet& set) {
   if (!set.character) set.scalp = std::move(head.scalp);
   if (scene.head.present) set.head = set.character ? set.character->mesh : std::move(head.mesh);
-  if (scene.head.present && scene.head.bust && !set.character) strands::add_bust(set.head);
+  if (scene.head.present && scene.head.bust && scene.head.mesh.empty() && !set.character) strands::add_bust(set.head);
   if (scene.head_colliders) set.colliders = std::move(head.colliders);
+}
+
+Result<strands::Head> head_of_file(const scene::Scene& scene, int scalp_vertices = 300) {
+  CUTICLE_ASSIGN(strands::Mesh mesh, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
+  return strands::head_of_mesh(std::move(mesh), scalp_vertices);
 }
 
 /// What hair grows on: the procedural head, or all of a character's skin.
 Result<strands::Head> growth_mesh(const scene::Scene& scene, StrandSet& set) {
+  if (!scene.character && !scene.head.mesh.empty()) return head_of_file(scene);
   if (!scene.character) return strands::make_head();
   CUTICLE_ASSIGN(strands::Character character,
                  strands::read_character(scene.character->file, scene.character->convention));
@@ -56,6 +63,9 @@ Result<void> grow_specified(const scene::Scene& scene, StrandSet& set) {
   if (scene.character) {
     CUTICLE_ASSIGN(const strands::Head body, growth_mesh(scene, set));
     CUTICLE_ASSIGN(grown, strands::grow(specification, hairy(body)));
+  } else if (!scene.head.mesh.empty()) {
+    CUTICLE_ASSIGN(strands::Head head, head_of_file(scene, specification.strands.control_hairs));
+    CUTICLE_ASSIGN(grown, strands::grow(specification, std::move(head)));
   } else {
     CUTICLE_ASSIGN(grown, strands::grow(specification));
   }
@@ -79,8 +89,6 @@ Result<void> bind_to_character(StrandSet& set) {
 }
 
 Result<void> grow(const scene::Scene& scene, StrandSet& set) {
-  if (!scene.head.mesh.empty())
-    return bad_input("head.mesh: hair is grown on the procedural head only", "give groom.file, or leave head.mesh out");
   if (scene.groom.specification) return grow_specified(scene, set);
   CUTICLE_ASSIGN(strands::Head head, growth_mesh(scene, set));
   if (set.character) head = hairy(head);
@@ -166,7 +174,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
     CUTICLE_TRY(stand_file_on(scene, set));
   }
   if (set.character) CUTICLE_TRY(bind_to_character(set));
-  if (scene.head.present && !scene.head.mesh.empty()) {
+  if (scene.head.present && !scene.head.mesh.empty() && !scene.groom.file.empty()) {
     CUTICLE_ASSIGN(set.head, strands::read_obj(scene.head.mesh, scene.head.metres_per_unit));
   }
   if (scene.fins) CUTICLE_TRY(read_fins(*scene.fins, set));

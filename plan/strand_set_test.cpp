@@ -161,9 +161,9 @@ TEST(StrandSet, HeadOfAFlatGroom_NamesTheKey) {
   EXPECT_THAT(set.error().message, HasSubstr("colliders.head"));
 }
 
-TEST(StrandSet, GrowingOnAMesh_IsRefusedByKey) {
+TEST(StrandSet, GrowingOnAMeshThatIsNoHead_IsRefusedByKey) {
   scene::Scene scene = grown(10);
-  scene.head.mesh = "head.obj";
+  scene.head.mesh = CUTICLE_SOURCE_DIR "/scenes/fins/ear_fins.obj";
   const auto set = build_strand_set(scene);
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("head.mesh"));

@@ -79,6 +79,7 @@ std::vector<Item> rows_of(const Array& array, const char* name) {
 void add_batch(nb::module_& module);
 void add_check(nb::module_& module);
 void add_evaluate(nb::module_& module);
+void add_fitting(nb::module_& module);
 void add_gradients(nb::module_& module);
 void add_groom(nb::module_& module);
 void add_grooming(nb::module_& module);
@@ -87,6 +88,7 @@ void add_render(nb::module_& module);
 void add_sampling(nb::module_& module);
 void add_shadows(nb::module_& module);
 void add_simulation(nb::module_& module);
+void add_studies(nb::module_& module);
 void add_tables(nb::module_& module);
 
 }  // namespace cuticle::python

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nanobind/stl/array.h>
@@ -9,6 +10,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "bsdf/batch/batch.h"
 #include "bsdf/fibre/fibres.h"
 #include "bsdf/listing/listing.h"
 #include "bsdf/model.h"
@@ -18,6 +20,7 @@
 #include "python/arrays.h"
 #include "python/points.h"
 #include "python/signals.h"
+#include "python/unit_vectors.h"
 
 namespace cuticle::python {
 namespace {
@@ -64,13 +67,54 @@ struct Unset {
   std::unique_ptr<double[]> values;
 };
 
+/// What a block of points is computed by: the batch where it does this (S and pdf in float), else the formulas one by one.
+class BlockEvaluator {
+ public:
+  BlockEvaluator(const bsdf::Model& model, const registry::ParameterValues& values, bsdf::Precision precision,
+                 const bsdf::Request& what)
+      : values_(values), what_(what), run_(precision == bsdf::Precision::f32 ? model.evaluate_f32 : model.evaluate_f64) {
+    const bool in_batch = what.quantity == bsdf::Quantity::S || what.quantity == bsdf::Quantity::pdf;
+    if (precision != bsdf::Precision::f32 || !in_batch || what.lobe != -1) return;
+    auto batch = bsdf::BatchEvaluator::make(model, values);
+    if (batch && batch->is_vectorised()) batch_ = std::move(batch).value();
+  }
+  Result<void> operator()(std::span<const bsdf::Point> points, std::span<glm::dvec3> out) const {
+    if (batch_) return in_batch(points, out);
+    run_(values_, {what_.quantity, what_.lobe, points}, out);
+    return {};
+  }
+
+ private:
+  Result<void> in_batch(std::span<const bsdf::Point> points, std::span<glm::dvec3> out) const {
+    thread_local UnitVectors vectors;
+    thread_local std::vector<float> results;
+    const std::size_t count = points.size();
+    vectors.set(points);
+    results.resize(3 * count);
+    const std::span<float> x(results.data(), count), y(results.data() + count, count), z(results.data() + 2 * count, count);
+    if (what_.quantity == bsdf::Quantity::pdf) {
+      CUTICLE_TRY(batch_->pdf(vectors.points(), x));
+      for (std::size_t i = 0; i < count; ++i) out[i] = glm::dvec3(x[i]);
+      return {};
+    }
+    CUTICLE_TRY(batch_->evaluate(vectors.points(), {x, y, z}));
+    for (std::size_t i = 0; i < count; ++i) out[i] = {x[i], y[i], z[i]};
+    return {};
+  }
+
+  const registry::ParameterValues& values_;
+  const bsdf::Request& what_;
+  void (*run_)(const registry::ParameterValues&, const bsdf::Request&, std::span<glm::dvec3>);
+  std::optional<bsdf::BatchEvaluator> batch_;
+};
+
 /// Without the interpreter's lock; between two parts a signal may end it.
 Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::ParameterValues& values,
                                bsdf::Precision precision, const bsdf::Request& what, const PointReader& points,
                                Unset& out) {
   const bool slow = what.quantity == bsdf::Quantity::albedo;  // each is an integral
   const std::size_t part = slow ? 1 << 8 : 1 << 20, grain = slow ? 4 : 1 << 11;
-  const auto run = precision == bsdf::Precision::f32 ? model.evaluate_f32 : model.evaluate_f64;
+  const BlockEvaluator evaluate(model, values, precision, what);
   const nb::gil_scoped_release released;
   for (std::size_t first = 0; first < points.count(); first += part) {
     const std::size_t end = std::min(first + part, points.count());
@@ -79,9 +123,9 @@ Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::Paramet
         tbb::blocked_range<std::size_t>(first, end, grain),
         [&](const auto& range) {
           std::vector<bsdf::Point>& read = scratch_points();
-          if (const Result<void> ok = points.read(range.begin(), range.size(), read); !ok)
-            return failed.set(ok.error());
-          run(values, {what.quantity, what.lobe, read}, out.span(range.begin(), range.size()));
+          Result<void> done = points.read(range.begin(), range.size(), read);
+          if (done) done = evaluate(read, out.span(range.begin(), range.size()));
+          if (!done) failed.set(done.error());
         },
         tbb::simple_partitioner());
     CUTICLE_TRY(failed.result());

@@ -1,4 +1,19 @@
+#include <optional>
+
+#include <tbb/global_control.h>
+
 #include "python/arrays.h"
+
+namespace {
+
+/// Threads that parallel work may take from now on; 0: all.
+void set_threads(int count) {
+  static std::optional<tbb::global_control> limit;
+  limit.reset();
+  if (count > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(count));
+}
+
+}  // namespace
 
 NB_MODULE(_cuticle, module) {
   module.doc() = "The compiled half of the package cuticle.";
@@ -6,7 +21,10 @@ NB_MODULE(_cuticle, module) {
   add_errors(module);
   add_batch(module);
   add_check(module);
+  module.def("version", [] { return CUTICLE_VERSION; });
+  module.def("set_threads", &set_threads);
   add_evaluate(module);
+  add_fitting(module);
   add_gradients(module);
   add_groom(module);
   add_grooming(module);
@@ -15,5 +33,6 @@ NB_MODULE(_cuticle, module) {
   add_sampling(module);
   add_shadows(module);
   add_simulation(module);
+  add_studies(module);
   add_tables(module);
 }

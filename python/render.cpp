@@ -39,21 +39,6 @@ nb::tuple array_of(Image image) {
   return nb::make_tuple(take(std::move(image.pixels), shape), names);
 }
 
-/// Calls Python's `progress(task, done, total)`, where there is one, and lets signals end the work.
-class CalledProgress final : public Progress {
- public:
-  explicit CalledProgress(nb::object call) : call_(std::move(call)) {}
-  void update(std::string_view task, std::size_t done, std::size_t total) override {
-    const nb::gil_scoped_acquire held;
-    if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    if (!call_.is_none()) call_(nb::str(task.data(), task.size()), done, total);
-  }
-  void message(std::string_view) override {}
-
- private:
-  nb::object call_;
-};
-
 nb::tuple run(Frames& frames, int frame, const nb::object& call) {
   CalledProgress progress(call);
   auto result = [&] {

@@ -19,4 +19,19 @@ class SignalProgress final : public Progress {
   void message(std::string_view) override {}
 };
 
+/// Calls Python's `progress(task, done, total)`, where there is one, and lets signals end the work.
+class CalledProgress final : public Progress {
+ public:
+  explicit CalledProgress(nanobind::object call) : call_(std::move(call)) {}
+  void update(std::string_view task, std::size_t done, std::size_t total) override {
+    const nanobind::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
+    if (!call_.is_none()) call_(nanobind::str(task.data(), task.size()), done, total);
+  }
+  void message(std::string_view) override {}
+
+ private:
+  nanobind::object call_;
+};
+
 }  // namespace cuticle::python

@@ -6,10 +6,10 @@ namespace cuticle::render {
 
 class GatheredTransmittance {
  public:
-  /// Room for each light and each of `resources.channels`: a float per drawn vertex.
-  static Result<GatheredTransmittance> make(gpu::Device& device, const FrameResources& resources);
+  /// Room for each light and each of `transmittance_of(resources).channels`: a float per drawn vertex.
+  static Result<GatheredTransmittance> make(gpu::Device& device, const Resources& resources);
   /// Copies what the shadow methods found, light by light; 1 everywhere where nothing shadows.
-  void record(gpu::Commands& commands, const FrameResources& resources) const;
+  void record(gpu::Commands& commands, const Resources& resources) const;
 
   const gpu::Buffer& buffer() const { return buffer_; }
 

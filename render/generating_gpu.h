@@ -7,14 +7,14 @@ namespace cuticle::render {
 template <auto record_work>
 class RecordedBy : public GpuPass {
  public:
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     return record_work(commands, resources);
   }
 };
 
 /// GpuPassEntry::create of a pass that keeps nothing of its own.
 template <auto record_work>
-Result<std::unique_ptr<GpuPass>> recorded_by(std::shared_ptr<gpu::Device>, const FrameResources&) {
+Result<std::unique_ptr<GpuPass>> recorded_by(std::shared_ptr<gpu::Device>, const Resources&) {
   return std::unique_ptr<GpuPass>(std::make_unique<RecordedBy<record_work>>());
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gpu/groups.h"
+#include "render/passes/pixel_depth/pixel_depth_gpu.h"
 
 namespace cuticle::render {
 
@@ -20,13 +21,13 @@ Result<PictureFilter> PictureFilter::create(gpu::Device& device, std::span<const
   return filter;
 }
 
-void PictureFilter::record(gpu::Commands& commands, const FrameResources& resources,
+void PictureFilter::record(gpu::Commands& commands, const Resources& resources,
                            std::span<const std::byte> push_constants,
                            std::span<const gpu::Buffer* const> own_buffers) const {
-  std::vector<const gpu::Buffer*> buffers{resources.pixel_depth, &picture_};
+  std::vector<const gpu::Buffer*> buffers{resources.get<pixel_depth::PixelDepth>().values, &picture_};
   buffers.insert(buffers.end(), own_buffers.begin(), own_buffers.end());
   const gpu::Groups groups = gpu::groups_for(picture_.size() / sizeof(glm::vec4));
-  const gpu::Texture* const output = resources.output;
+  const gpu::Texture* const output = resources.get<Output>().picture;
   commands.dispatch(kernel_, buffers, std::span(&output, 1), push_constants, groups.x, groups.y);
   commands.copy(picture_, *output);
 }

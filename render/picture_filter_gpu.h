@@ -12,7 +12,7 @@ class PictureFilter {
   /// `own_buffers`: how many the pass adds. Errors: as Device::make_kernel and make_buffer.
   static Result<PictureFilter> create(gpu::Device& device, std::span<const std::uint32_t> spirv, glm::ivec2 resolution,
                                       std::uint32_t push_constant_bytes, std::uint32_t own_buffers = 0);
-  void record(gpu::Commands& commands, const FrameResources& resources, std::span<const std::byte> push_constants,
+  void record(gpu::Commands& commands, const Resources& resources, std::span<const std::byte> push_constants,
               std::span<const gpu::Buffer* const> own_buffers = {}) const;
 
   /// The new picture, vec4 a pixel, until the next frame.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/passes/pixel_depth/pixel_depth_gpu.h"
 #include "render/picture_filter_gpu.h"
 #include "tests/support/drawn_strands.h"
 
@@ -40,10 +41,10 @@ std::vector<float> filtered(std::string_view pass_name, const char* settings, co
   const gpu::Buffer depth = upload(inverse);
   const gpu::Texture output = tests::target({k_size, k_size}, gpu::TextureFormat::rgba32f);
   EXPECT_TRUE(device()->upload(output, scene.colors));
-  FrameResources resources;
-  resources.camera = scene.camera;
-  resources.pixel_depth = &depth;
-  resources.output = &output;
+  Resources resources;
+  resources.edit<FrameView>().camera = scene.camera;
+  resources.put(pixel_depth::PixelDepth{&depth});
+  resources.edit<Output>().picture = &output;
   for (const Pass* pass : passes())
     if (pass->entry.name == pass_name)
       resources.parameters.emplace(pass_name, *registry::parse_assignments(pass->entry.parameters, settings));

@@ -26,10 +26,10 @@ Result<TiledFilter> TiledFilter::create(gpu::Device& device, const Shaders& shad
   return filter;
 }
 
-void TiledFilter::record(gpu::Commands& commands, const FrameResources& resources, const gpu::Buffer& source,
+void TiledFilter::record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& source,
                          std::span<const std::byte> push_constants,
                          std::span<const gpu::Buffer* const> own_buffers) const {
-  const glm::uvec2 tiles = filter_tiles(resources.camera.resolution);
+  const glm::uvec2 tiles = filter_tiles(resources.get<FrameView>().camera.resolution);
   const gpu::Groups groups = gpu::groups_for(std::size_t(tiles.x) * tiles.y);
   commands.dispatch(reach_kernel_, {&source, &reach_}, {}, push_constants, groups.x, groups.y);
   commands.dispatch(spread_kernel_, {&reach_, &spread_}, {}, push_constants, groups.x, groups.y);

@@ -22,7 +22,7 @@ class TiledFilter {
   /// Errors: as Device::make_kernel and make_buffer.
   static Result<TiledFilter> create(gpu::Device& device, const Shaders& shaders, glm::ivec2 resolution);
   /// `source`: what `reach` reads.
-  void record(gpu::Commands& commands, const FrameResources& resources, const gpu::Buffer& source,
+  void record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& source,
               std::span<const std::byte> push_constants, std::span<const gpu::Buffer* const> own_buffers = {}) const;
 
  private:

@@ -75,7 +75,14 @@ Result<void> read_head(const Reader& root, Scene& scene) {
   reader.get("fit", scene.head.fit);
   reader.get("bust", scene.head.bust);
   reader.get("metres_per_unit", scene.head.metres_per_unit);
-  CUTICLE_ASSIGN(scene.head.mesh, reader.file("mesh", "head.mesh"));
+  bool or_procedural = false;
+  reader.get("or_procedural", or_procedural);
+  auto mesh = reader.file("mesh", "head.mesh");
+  if (!mesh && or_procedural) {
+    scene.notes.push_back(mesh.error().message + "; the procedural head is used");
+    return {};
+  }
+  CUTICLE_ASSIGN(scene.head.mesh, std::move(mesh));
   return {};
 }
 

@@ -359,5 +359,18 @@ TEST(Scene, GroomFile_HasNoHeadUnlessAsked) {
   EXPECT_TRUE(load(R"(, "head": {})")->head.present);
 }
 
+TEST(Scene, HeadMeshThatIsNotThere_IsTheProceduralHeadOnlyWhereAsked) {
+  const auto load = [](const std::string& more) {
+    return parse_scene(fmt::format(R"({{"schema_version": 1, "head": {{"mesh": "no_such.obj"{}}}}})", more), ".",
+                       "s.json", catalogue());
+  };
+  ASSERT_FALSE(load(""));
+  EXPECT_THAT(load("").error().message, testing::HasSubstr("no_such.obj"));
+  const auto scene = load(R"(, "or_procedural": true)");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_TRUE(scene->head.mesh.empty());
+  EXPECT_THAT(scene->notes, testing::Contains(testing::HasSubstr("the procedural head is used")));
+}
+
 }  // namespace
 }  // namespace cuticle::scene::scene_test

@@ -100,11 +100,16 @@ Spec groom() {
 }
 
 Spec head() {
-  return object("head", "what the hair grows on; with a groom file there is no head unless this is given",
-                {boolean("present", "false: bare strands"), file("mesh", "OBJ; absent: the procedural head"),
-                 boolean("bust", "shoulders are drawn below the procedural head"),
-                 boolean("fit", "the procedural head is scaled and moved to the roots of a groom file"),
-                 real("metres_per_unit", 1e-6, 1000, "scale of the mesh")});
+  return object(
+      "head", "what the hair grows on; with a groom file there is no head unless this is given",
+      {boolean("present", "false: bare strands"),
+       file("mesh",
+            "OBJ, y up, facing +z; where hair is grown on it, it is scaled and moved until its skull lies on the "
+            "procedural head's; absent: the procedural head"),
+       boolean("or_procedural", "the procedural head where the file of the mesh is not there; false unless given"),
+       boolean("bust", "shoulders are drawn below the procedural head"),
+       boolean("fit", "the procedural head is scaled and moved to the roots of a groom file"),
+       real("metres_per_unit", 1e-6, 1000, "scale of the mesh")});
 }
 
 Spec motion() {

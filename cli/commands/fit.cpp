@@ -129,22 +129,6 @@ Result<std::vector<lut::ModelFit>> fit_all(const FitOptions& options) {
   return fits;
 }
 
-Json to_json(const lut::ModelFit& fit) {
-  Json json{{"model", fit.model->entry.name}, {"numbers", fit.numbers}, {"converged", fit.converged},
-            {"residual", fit.residual},       {"aic", fit.aic},         {"inseparable", fit.inseparable},
-            {"parameters", Json::list()}};
-  if (!fit.inseparable.empty()) return json;
-  for (const lut::FittedParameter& p : fit.parameters)
-    json["parameters"].push_back({{"name", p.name},
-                                  {"value", p.value},
-                                  {"sigma", p.sigma},
-                                  {"interval_95", {p.value - fit.interval * p.sigma, p.value + fit.interval * p.sigma}},
-                                  {"at_bound", p.at_bound}});
-  json["correlations"] = fit.correlations;
-  json["settings"] = Json::parse(registry::to_json(fit.values)).value();
-  return json;
-}
-
 void print(const lut::ModelFit& fit) {
   fmt::print("{}: {} numbers, rms residual {:.4g}, AIC {:.2f}{}\n", fit.model->entry.name, fit.numbers, fit.residual,
              fit.aic, fit.converged ? "" : ", not converged");
@@ -176,7 +160,7 @@ int fit(const FitOptions& options, const Context& context) {
   bool refused = false;
   const lut::ModelFit* best = nullptr;
   for (const lut::ModelFit& one : *fits) {
-    json.push_back(to_json(one));
+    json.push_back(lut::to_json(one));
     if (!one.inseparable.empty()) print_refusal(one);
     if (one.inseparable.empty() && !context.json) print(one);
     if (one.inseparable.empty() && (!best || one.aic < best->aic)) best = &one;

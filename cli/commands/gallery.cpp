@@ -79,10 +79,22 @@ Result<void> run_commands(const GalleryPicture& picture, const std::string& work
   return {};
 }
 
+/// Each pixel the mean of `side` x `side` of a picture's.
+Image averaged(const Image& image, int side) {
+  if (side == 1) return image;
+  Image small = make_image(image.width / side, image.height / side, image.channel_names);
+  for (int y = 0; y < small.height * side; ++y)
+    for (int x = 0; x < small.width * side; ++x)
+      for (int c = 0; c < image.channels(); ++c)
+        small.at(x / side, y / side, c) += image.at(x, y, c) / float(side * side);
+  return small;
+}
+
 Result<void> compose(const GalleryPicture& picture, const std::string& work, const std::string& file) {
   std::vector<Image> parts;
   for (const std::string_view part : picture.parts) {
-    CUTICLE_ASSIGN(parts.emplace_back(), read_image(fmt::format("{}/{}", work, part)));
+    CUTICLE_ASSIGN(const Image large, read_image(fmt::format("{}/{}", work, part)));
+    parts.push_back(averaged(large, picture.samples));
   }
   return write_png(file, contact_sheet(parts, picture.columns));
 }

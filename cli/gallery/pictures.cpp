@@ -6,54 +6,63 @@ namespace {
 
 /// Hair as it is rendered.
 std::vector<GalleryPicture> hair() {
-  return {{.name = "straight_blond",
-           .title = "Straight blond hair by the window light",
-           .commands = {"render {scenes}/straight.json --size {440} {484} --out {work}"},
-           .parts = {"frame_0000.png"}},
-          {.name = "black_curls",
-           .title = "Black curls",
-           .commands = {"render {scenes}/curls.json --hair black --size {440} {484} --out {work}"},
-           .parts = {"frame_0000.png"}},
-          {.name = "colours",
-           .title = "Blond, brown, black and red hair",
-           .commands = {"render {scenes}/straight.json --hair blond --size {200} {220} --out {work}/blond",
-                        "render {scenes}/straight.json --hair brown --size {200} {220} --out {work}/brown",
-                        "render {scenes}/straight.json --hair black --size {200} {220} --out {work}/black",
-                        "render {scenes}/straight.json --hair red --size {200} {220} --out {work}/red"},
-           .parts = {"blond/frame_0000.png", "brown/frame_0000.png", "black/frame_0000.png", "red/frame_0000.png"},
-           .columns = 4},
-          {.name = "fox_fur",
-           .title = "Fur on a running fox",
-           .commands = {"render {scenes}/fox.json --frames 0 --size {300} {225} --out {work}",
-                        "render {scenes}/fox.json --frames 12 --size {300} {225} --out {work}",
-                        "render {scenes}/fox.json --frames 24 --size {300} {225} --out {work}"},
-           .parts = {"frame_0000.png", "frame_0012.png", "frame_0024.png"},
-           .columns = 3,
-           .needs_data = true},
-          {.name = "mermaid",
-           .title = "Hair and fins under water, moved by a current",
-           .commands = {"render {scenes}/nalu.json --frames 40 --size {480} {480} --out {work}"},
-           .parts = {"frame_0040.png"}},
-          {.name = "cards_beside_strands",
-           .title = "Hair cards beside the strands that they are made of",
-           .commands = {"render {scenes}/waves.json --method cards --size {360} {396} --out {work}/cards",
-                        "render {scenes}/waves.json --size {360} {396} --out {work}/strands"},
-           .parts = {"cards/frame_0000.png", "strands/frame_0000.png"},
-           .columns = 2},
-          {.name = "hard_case",
-           .title = "The caustic of TRT: infinite, and smoothed",
-           .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
-                        "--size {760} {520} --screenshot {work}/before.png",
-                        "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
-                        "--size {760} {520} --screenshot {work}/after.png"},
-           .parts = {"before.png", "after.png"},
-
-           .needs_display = true}};
+  return {
+      {.name = "straight_blond",
+       .title = "Straight blond hair by the window light",
+       .commands = {"render {scenes}/straight.json --size {1040} {1144} --out {work}"},
+       .parts = {"frame_0000.png"},
+       .samples = 2},
+      {.name = "black_curls",
+       .title = "Black curls",
+       .commands = {"render {scenes}/curls.json --hair black --size {1040} {1144} --out {work}"},
+       .parts = {"frame_0000.png"},
+       .samples = 2},
+      {.name = "colours",
+       .title = "Blond, brown, black and red hair",
+       .commands =
+           {"render {scenes}/straight.json --set sigma_a=0.02/0.062/0.17,beta=0.15 --size {440} {484} --out "
+            "{work}/blond",
+            "render {scenes}/straight.json --set sigma_a=0.4/0.68/1.35,beta=0.15 --size {440} {484} --out {work}/brown",
+            "render {scenes}/straight.json --set sigma_a=1.6/2.5/4.6,beta=0.15 --size {440} {484} --out {work}/black",
+            "render {scenes}/straight.json --set sigma_a=0.07/0.3/1.2,beta=0.15 --size {440} {484} --out {work}/red"},
+       .parts = {"blond/frame_0000.png", "brown/frame_0000.png", "black/frame_0000.png", "red/frame_0000.png"},
+       .columns = 4,
+       .samples = 2},
+      {.name = "fox_fur",
+       .title = "Fur on a running fox",
+       .commands = {"render {scenes}/fox_running.json --frames 0 --size {680} {480} --out {work}",
+                    "render {scenes}/fox_running.json --frames 12 --size {680} {480} --out {work}",
+                    "render {scenes}/fox_running.json --frames 24 --size {680} {480} --out {work}"},
+       .parts = {"frame_0000.png", "frame_0012.png", "frame_0024.png"},
+       .columns = 3,
+       .samples = 2,
+       .needs_data = true},
+      {.name = "mermaid",
+       .title = "Hair and fins under water, moved by a current",
+       .commands = {"render {scenes}/mermaid.json --frames 40 --size {960} {960} --out {work}"},
+       .parts = {"frame_0040.png"},
+       .samples = 2},
+      {.name = "cards_beside_strands",
+       .title = "Hair cards beside the strands that they are made of",
+       .commands = {"render {scenes}/waves.json --method cards --size {760} {836} --out {work}/cards",
+                    "render {scenes}/waves.json --size {760} {836} --out {work}/strands"},
+       .parts = {"cards/frame_0000.png", "strands/frame_0000.png"},
+       .columns = 2,
+       .samples = 2}};
 }
 
 /// What the functions, tables and shadows look like.
 std::vector<GalleryPicture> diagrams() {
   return {
+      {.name = "hard_case",
+       .title = "The caustic of TRT: infinite, and smoothed",
+       .commands = {"view lobes --preset blond --set caustic=exact --lobe TRT --theta-i 20 --radius linear "
+                    "--size {760} {520} --screenshot {work}/before.png",
+                    "view lobes --preset blond --set caustic=smoothed --lobe TRT --theta-i 20 --radius linear "
+                    "--size {760} {520} --screenshot {work}/after.png"},
+       .parts = {"before.png", "after.png"},
+
+       .needs_display = true},
       {.name = "lobes",
        .title = "The lobes R, TT and TRT of blond hair, light from 30 degrees",
        .commands = {"view lobes --preset blond --theta-i 30 --size {800} {600} --screenshot {work}/lobes.png"},
@@ -64,7 +73,7 @@ std::vector<GalleryPicture> diagrams() {
        .commands = {"bake --preset blond --size 128 --out {work}"},
        .parts = {"preview.png"}},
       {.name = "shadow_slices",
-       .title = "Light in a cut through the hair: truth, 16 opacity slices, 8 deep opacity layers",
+       .title = "Light in a cut through the hair: truth, 16 slices of an opacity map, 16 layers of a deep opacity map",
        .commands =
            {"grow {scenes}/presets/wavy.json --share 0.6 --out {work}/hair.hair",
             "shadows {work}/hair.hair --methods truth,opacity_map,deep_opacity --layers 16 --resolution 256 --alpha 1 "

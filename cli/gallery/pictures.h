@@ -13,6 +13,7 @@ struct GalleryPicture {
   std::vector<std::string_view> commands;
   std::vector<std::string_view> parts;  ///< pictures in {work}, side by side
   int columns = 1;                      ///< parts in a row
+  int samples = 1;                      ///< pixels of a part along each side of one of the picture
   bool needs_data = false;              ///< the test data's, CUTICLE_TEST_DATA
   bool needs_display = false;           ///< VTK and a display, or xvfb-run
 };

@@ -220,4 +220,20 @@ Result<ModelFit> fit_model(const FitRequest& request, const Measurements& measur
   return fit;
 }
 
+Json to_json(const ModelFit& fit) {
+  Json json{{"model", fit.model->entry.name}, {"numbers", fit.numbers}, {"converged", fit.converged},
+            {"residual", fit.residual},       {"aic", fit.aic},         {"inseparable", fit.inseparable},
+            {"parameters", Json::list()}};
+  if (!fit.inseparable.empty()) return json;
+  for (const FittedParameter& p : fit.parameters)
+    json["parameters"].push_back({{"name", p.name},
+                                  {"value", p.value},
+                                  {"sigma", p.sigma},
+                                  {"interval_95", {p.value - fit.interval * p.sigma, p.value + fit.interval * p.sigma}},
+                                  {"at_bound", p.at_bound}});
+  json["correlations"] = fit.correlations;
+  json["settings"] = Json::parse(registry::to_json(fit.values)).value();
+  return json;
+}
+
 }  // namespace cuticle::lut

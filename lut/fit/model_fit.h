@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bsdf/model.h"
+#include "core/json/json.h"
 
 namespace cuticle::lut {
 
@@ -59,5 +60,8 @@ struct ModelFit {
 /// that is no real or rgb parameter, a model without derivatives (huang) or fewer numbers than parameters; bad_input
 /// for a point out of range or a sigma that is not positive.
 Result<ModelFit> fit_model(const FitRequest& request, const Measurements& measurements);
+
+/// Names, values, sigma, 95 % intervals and correlations; of a fit that cannot tell parameters apart, which they are.
+Json to_json(const ModelFit& fit);
 
 }  // namespace cuticle::lut

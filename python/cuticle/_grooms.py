@@ -1,4 +1,5 @@
 """Hair as arrays: made, read, written, grown, shaped, bound to a mesh, checked."""
+import copyreg
 import typing
 
 import numpy
@@ -6,7 +7,7 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom
 from ._errors import Error
-from ._inputs import blocks, document, floats, indices, path
+from ._inputs import as_array, blocks, document, floats, indices, path, single
 
 DEFAULT_RADIUS = 35e-6
 
@@ -55,7 +56,7 @@ def make_groom(points, counts=None, radii=DEFAULT_RADIUS, root_uv=None, strand_a
     for each strand or vertex. The groom is a copy; Groom.positions and its others are views of it. Takes arrays of PyTorch
     and JAX as well (DLPack).
     """
-    points = numpy.asarray(points)
+    points = as_array(points)
     if counts is None:
         if points.ndim != 3:
             raise Error(f"points: an array of shape {points.shape} needs counts; without them it is (strands, vertices, 3)", "bad_input")
@@ -63,7 +64,7 @@ def make_groom(points, counts=None, radii=DEFAULT_RADIUS, root_uv=None, strand_a
         points = points.reshape(-1, 3)
     points = floats("points", points, 3)
     radii = numpy.full(len(points), radii, numpy.float32) if numpy.ndim(radii) == 0 else floats("radii", radii)
-    named = [(name, domain, numpy.ascontiguousarray(values, numpy.float32))
+    named = [(name, domain, single(values))
              for domain, given in (("strand", strand_attributes), ("vertex", vertex_attributes)) for name, values in (given or {}).items()]
     return _cuticle.groom_from_arrays(points, indices("counts", counts), radii, None if root_uv is None else floats("root_uv", root_uv, 2), named)
 
@@ -123,3 +124,14 @@ def carry(groom: Groom, mesh, binding: Binding, moved) -> Groom:
 def check_groom(groom: Groom) -> list:
     """What a groom should hold before it is used: dictionaries with check, passed, measured, mistake and remedy."""
     return [dict(zip(("check", "passed", "measured", "mistake", "remedy"), verdict)) for verdict in groom._check()]
+
+
+def _pickled(groom):
+    strand, vertex = {}, {}
+    for name, values in groom.attributes.items():
+        (strand if len(values) == len(groom) else vertex)[name] = numpy.array(values)
+    root_uv = numpy.array(groom.root_uv) if len(groom.root_uv) else None
+    return make_groom, (numpy.array(groom.positions), numpy.diff(groom.offsets), numpy.array(groom.radii), root_uv, strand, vertex)
+
+
+copyreg.pickle(Groom, _pickled)  # for processes of a cluster

@@ -23,7 +23,8 @@ def settings(values):
     return ",".join(f"{name}={text_of(value)}" for name, value in values.items())
 
 
-def _plain(value):
+def plain(value):
+    """What JSON has no form for, in one that it has."""
     if isinstance(value, (numpy.generic, numpy.ndarray)):
         return value.tolist()
     if isinstance(value, os.PathLike):
@@ -32,7 +33,7 @@ def _plain(value):
 
 
 def to_json(value):
-    return json.dumps(value, default=_plain)
+    return json.dumps(value, default=plain)
 
 
 def blocks(value):
@@ -44,16 +45,28 @@ def blocks(value):
     return to_json(value)
 
 
+def as_array(value):
+    """Of numpy, or of another library by DLPack (PyTorch, JAX), without a copy where it lies in the CPU's memory."""
+    if not isinstance(value, numpy.ndarray) and hasattr(value, "__dlpack__"):
+        return numpy.from_dlpack(value)
+    return numpy.asarray(value)
+
+
+def single(value):
+    """float32, contiguous; no copy where it is that already."""
+    return numpy.ascontiguousarray(as_array(value), numpy.float32)
+
+
 def numbers(name, value):
     """An array of numbers; what merely converts to one (None, texts, dates, truth values) is refused."""
-    array = numpy.asarray(value)
+    array = as_array(value)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{name}: {value!r:.60} is no number and no array of numbers")
     return numpy.ascontiguousarray(array, dtype=numpy.float64).reshape(array.shape)
 
 
 def _array(name, value, kind, columns):
-    array = numpy.asarray(value)
+    array = as_array(value)
     if array.size == 0:
         return numpy.zeros((0, columns) if columns else (0,), kind)
     if array.dtype.kind not in "iuf":
@@ -74,7 +87,7 @@ def doubles(name, value, columns=0):
 
 
 def indices(name, value, columns=0):
-    array = numpy.asarray(value)
+    array = as_array(value)
     if array.size and (array.dtype.kind not in "iu" or array.min() < 0 or array.max() > 0xFFFFFFFF):
         raise Error(f"{name}: whole numbers from 0 to 4294967295 are needed", "bad_input")
     return _array(name, array, numpy.uint32, columns)

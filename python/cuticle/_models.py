@@ -1,13 +1,12 @@
 """Fibre scattering models: values, directions, densities, derivatives."""
 import json
-import numbers
 import typing
 
 import numpy
 
 from . import _cuticle
 from ._errors import Error
-from ._inputs import floats, numbers as numbers_of, settings
+from ._inputs import floats, numbers as numbers_of, settings, single
 
 # What eval takes; angles in degrees.
 _COORDINATES = ("theta_i_deg", "theta_o_deg", "theta_d_deg", "phi_deg", "h", "phi_o_deg")
@@ -93,8 +92,8 @@ def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta
     The angles (numbers or arrays; h in [-1, 1]) are broadcast together; the result has their shape with an axis of r, g, b added.
     S, pdf and error need theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o. Near-field models need h
     too; fibres of elliptical cross-section use phi_o, the viewer's azimuth from the major axis (0 unless given).
-    `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset, the named hair or the defaults; `precision` is "f32" or
-    "f64". `Batch` is faster, in float.
+    `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset, the named hair or the defaults; `precision` is "f64", or
+    "f32": S and pdf of all lobes then go through the vectorised batch. `Batch` takes and gives float32 without a copy.
     """
     _check(model=(model, str), quantity=(quantity, str), lobe=(lobe, str), preset=(preset or "", str), hair=(hair or "", str),
            precision=(precision, str))
@@ -152,7 +151,7 @@ class Batch:
 
     @staticmethod
     def _arrays(to_light, to_viewer, h):
-        return (*(numpy.ascontiguousarray(array, numpy.float32) for array in (to_light, to_viewer)), None if h is None else floats("h", h))
+        return (single(to_light), single(to_viewer), None if h is None else floats("h", h))
 
     def eval(self, to_light, to_viewer, h=None, out=None) -> numpy.ndarray:
         """S, (3, n): r, g, b, without the cosine of the incident angle."""
@@ -170,9 +169,9 @@ class Batch:
 
     def sample(self, to_viewer, u, h=None, out=None) -> numpy.ndarray:
         """Unit vectors toward the light, (3, n), drawn by u, (8, n) numbers in [0, 1)."""
-        to_viewer = numpy.ascontiguousarray(to_viewer, numpy.float32)
+        to_viewer = single(to_viewer)
         out = numpy.empty_like(to_viewer) if out is None else out
-        self._batch.sample(to_viewer, None if h is None else floats("h", h), numpy.ascontiguousarray(u, numpy.float32), out)
+        self._batch.sample(to_viewer, None if h is None else floats("h", h), single(u), out)
         return out
 
 
@@ -190,10 +189,3 @@ def check_model(model, *, pdf=None, sample=None, albedo=None, near_field=False, 
     else:
         text = _cuticle.check_functions(model, pdf, sample, albedo, near_field, white, complete, quick)
     return json.loads(text)[0]
-
-
-def bake(model: str, layout="auto", size=128, set=None, preset=None) -> dict:
-    """Lookup tables as half-float values in float arrays [v, u, channel], by name, and under "manifest" what they are."""
-    _check(model=(model, str), layout=(layout, str), size=(size, numbers.Integral), preset=(preset or "", str))
-    tables, manifest = _cuticle.bake(model, layout, int(size), preset or "", settings(set))
-    return {**tables, "manifest": json.loads(manifest)}

@@ -9,7 +9,8 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom
 from ._errors import Error
-from ._inputs import document
+from ._inputs import document, single
+from ._progress import progress_of
 
 
 class Pass(typing.NamedTuple):
@@ -89,23 +90,6 @@ def _paths(samples):
     return change
 
 
-def _progress(wanted):
-    """A function of task, done, total: the caller's own, or tqdm's bar."""
-    if wanted is None or wanted is False:
-        return None
-    if callable(wanted):
-        return wanted
-    import tqdm
-    bar = tqdm.tqdm()
-
-    def call(task, done, total):
-        bar.set_description(task)
-        bar.total, bar.n = total, done
-        bar.refresh()
-
-    return call
-
-
 def _layers(pixels, names):
     """Channels by layer: "velocity.X" and "velocity.Y" are the two of "velocity"."""
     groups = {}
@@ -119,7 +103,7 @@ class Renderer:
     """A scene that is ready to be drawn, frame by frame; see `render`."""
 
     def __init__(self, scene, method=None, *, size=None, layers=False, samples=None, device="", folder=None, progress=None):
-        self._progress = _progress(progress)
+        self._progress = progress_of(progress)
         changes = [_within("render", method=method), _within("camera", resolution_px=None if size is None else list(size)),
                    _within("outputs", aovs=True if layers else None), _paths(samples)]
         with _Written(scene, folder, changes) as (text, of_paths):
@@ -162,7 +146,7 @@ def plan(scene, method=None, folder=None) -> Plan:
 
 def tone_map(picture, exposure_stops: float = 0.0) -> numpy.ndarray:
     """Linear radiance (height, width, 3 or 4) as sRGB values 0 .. 1 to show."""
-    return _cuticle.tone_map(numpy.ascontiguousarray(picture, numpy.float32), float(exposure_stops))
+    return _cuticle.tone_map(single(picture), float(exposure_stops))
 
 
 def scene_schema() -> dict:

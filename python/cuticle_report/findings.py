@@ -1,7 +1,8 @@
 """Findings in plain words, made from the numbers of the studies: each with the figure that shows it."""
 import dataclasses
+import math
 
-from . import results
+from . import ladder as ladders, results
 
 
 @dataclasses.dataclass
@@ -22,6 +23,8 @@ def time(seconds):
 
 
 def percent(value):
+    if 0 < value < 1e-4:
+        return "less than .01 %"
     return f"{results.shown(100 * value, 2)} %"
 
 
@@ -29,27 +32,39 @@ def named(group, name):
     return next(point for point in group.points if point.name == name)
 
 
+def words(rung):
+    return rung.method.replace("_", " ")
+
+
 def ladder(study):
-    """Which rung adds most to the picture's error; what the whole ladder saves."""
-    noisy = []
+    """Which rung adds most on each scene, what the whole ladder saves, and which rungs are not told from noise."""
+    most, untold, rungs = [], [], 0
     for group in study.groups:
-        rungs = group.points
-        worst = max(rungs, key=lambda rung: rung.error("added")["value"])
-        total = rungs[-1].error("picture")["value"]
-        if not total:
-            continue
-        if group.raw["floor"] > 0.3 * total:
-            noisy.append((group, total))
-            continue
-        share = worst.error("added")["value"] / sum(rung.error("added")["value"] for rung in rungs)
-        saved = f", in {time(rungs[-1].seconds['value'])} a frame" if rungs[-1].seconds else ""
-        yield Finding(f"{group.raw['name'].capitalize()}: the rung that changes the picture most is {worst.method.replace('_', ' ')}, {percent(share)} of what all rungs "
-                      f"add. The real-time picture is off by a relative MSE of {results.shown(total, 2)}{saved}.", group_id(study, group), "the ladder")
-    if noisy:
-        seeds = ", ".join(f"{results.shown(group.raw['floor'], 2)} ({group.raw['name']})" for group, _ in noisy)
-        totals = ", ".join(results.shown(total, 2) for _, total in noisy)
-        yield Finding(f"The ladder: the truth is too noisy to rank its rungs: another seed changes the picture by a relative MSE of {seeds}; all rungs together by {totals}. "
-                      "More samples tell (without --quick).", group_id(study, noisy[0][0]), "the ladder", is_doubt=True)
+        told = [rung for rung in group.points if any(ladders.is_told(rung.error(metric)) for metric in ("added", "light") if metric in rung.errors)]
+        rungs += len(group.points)
+        untold += [f"{words(rung)} ({group.raw['name']})" for rung in group.points if rung not in told]
+        if told:
+            worst = max(told, key=lambda rung: rung.error("added")["value"])
+            most.append(f"{words(worst)} on {group.raw['name']} (adds {results.shown(worst.error('added')['value'], 2)} of relative MSE)")
+    if most:
+        group = study.groups[0]
+        first, last = (rung.seconds and rung.seconds["value"] for rung in (group.points[0], group.points[-1]))
+        saved = f" A real-time frame of {group.raw['name']} takes {time(last)}; the traced one took {time(first)}." if first and last else ""
+        yield Finding(f"On the way from path tracing to the real-time picture, the step that changes the picture most is {', '.join(most)}.{saved}",
+                      group_id(study, group), "the ladder")
+    if untold:
+        yield Finding(f"{rungs - len(untold)} of {rungs} steps of the ladder are told from the noise of path tracing; not told: {', '.join(untold)}.",
+                      group_id(study, study.groups[0]), "the ladder", is_doubt=True)
+
+
+def models(study):
+    """Which model comes nearest to the truth's picture, and what its tables change."""
+    group = study.groups[0]
+    told = sorted((point for point in group.points if point.error("light")["value"] > 0), key=lambda point: point.error("light")["value"])
+    if len(told) > 1:
+        best, worst = told[0], told[-1]
+        yield Finding(f"Of all models with the same fibre, {best.method} ({best.knobs['evaluate']}) comes nearest to the picture of the truth: its light is off by a relative MSE of "
+                      f"{results.shown(best.error('light')['value'], 2)}; {worst.method} ({worst.knobs['evaluate']}) is farthest, {results.shown(worst.error('light')['value'], 2)}.", group_id(study, group))
 
 
 def tables(study):
@@ -61,9 +76,9 @@ def tables(study):
             continue
         faster = [p for p in sets if p.seconds["high"] is not None and arrays.seconds["low"] is not None and p.seconds["high"] < arrays.seconds["low"]]
         best = min(faster or sets, key=lambda p: p.error(group.metric)["value"])
-        words = f"the best set that is faster for certain, {best.name}, is off by {percent(best.error(group.metric)['value'])}" if faster else \
-            f"no set of tables is faster for certain; the most exact, {best.name}, is off by {percent(best.error(group.metric)['value'])}"
-        yield Finding(f"Tables on a CPU: {group.raw['name']} itself, in arrays, takes {time(arrays.seconds['value'])} for one S with an error of "
+        words = f"the most exact set of tables that is faster for certain, {best.name}, is off by {percent(best.error(group.metric)['value'])}" if faster else \
+            f"no set of tables is faster for certain, and the most exact, {best.name}, is off by {percent(best.error(group.metric)['value'])}"
+        yield Finding(f"On a CPU, evaluating {group.raw['name']} itself in arrays takes {time(arrays.seconds['value'])} for one direction and is exact to "
                       f"{percent(arrays.error(group.metric)['value'])}; {words}.", group_id(study, group))
 
 
@@ -80,17 +95,29 @@ def precision(study):
                 gain = pair["double"].seconds["value"] / pair["float"].seconds["value"]
                 best = max(best or (0,), (worst, gain, group, study), key=lambda item: item[0])
     if best and best[0]:
-        yield Finding(f"Single precision is never worse than {percent(best[0])} in the 99th percentile of S, over all models and tiers; there, in "
+        yield Finding(f"Single precision is enough for every model: it changes S by at most {results.shown(best[0], 2)} of itself for 99 of 100 directions; in that model, "
                       f"{best[2].raw['name']}, it is {results.shown(best[1], 2)} times as fast as double.", group_id(best[3], best[2]))
 
 
-def choices(study, wanted, words):
-    """The cheapest setting for an error in each group of a study."""
-    for group in study.groups:
-        for step in group.conclusions["cheapest_for"]:
-            if step["choice"] and step["error_at_most"] <= wanted * 1.0001 and step["error_at_most"] >= wanted * 0.9999:
-                yield Finding(words.format(group=group.raw["name"], error=results.shown(wanted, 2), point=step["choice"]["point"], time=time(step["choice"]["seconds"]),
-                                           judged=results.shown(step["choice"]["judging_error"], 2)), group_id(study, group))
+def cheapest(group, wanted):
+    """The choice for an error of at most so much; None: none meets it, or the group is not measured so finely."""
+    return next((step["choice"] for step in group.conclusions["cheapest_for"] if math.isclose(step["error_at_most"], wanted, rel_tol=1e-4)), None)
+
+
+def setting(text):
+    """"exact substeps=8" in words: "exact with substeps 8"."""
+    method, *knobs = text.split(" ")
+    return method + (" with " + ", ".join(knob.replace("=", " ") for knob in knobs) if knobs else "")
+
+
+def choices(study, wanted, head, unit):
+    """The cheapest setting for an error in each group of a study, in one sentence."""
+    found = [(group, cheapest(group, wanted)) for group in study.groups if group.drawable()]
+    parts = [f"{setting(choice['point'])} for {group.raw['name']} ({time(choice['seconds'])} {unit})" for group, choice in found if choice]
+    none = [group.raw["name"] for group, choice in found if not choice]
+    if parts:
+        group = next(group for group, choice in found if choice)
+        yield Finding(f"{head} {', '.join(parts)}{'; none for ' + ', '.join(none) if none else ''}.", group_id(study, group))
 
 
 def volume(study):
@@ -100,12 +127,11 @@ def volume(study):
                       f"{percent(points['dual_quaternion'].errors['volume']['max'])}.", group_id(study, study.groups[0]))
 
 
-MAKERS = {"picture": ladder, "luts": tables, "lobes": precision, "skinning": volume,
-          "shadows": lambda study: choices(study, 0.03, "Shadows, {group}: the cheapest setting with a mean error of transmittance of at most {error} is {point}, {time} "
-                                                        "(error on receivers that it was not chosen on: {judged})."),
-          "motion": lambda study: choices(study, 0.01, "Motion, {group}: the cheapest setting within {error} of a strand's length is {point}, {time} a strand and frame."),
-          "render": lambda study: choices(study, 0.01, "Drawing, {group}: the cheapest setting with a mean error of coverage of at most {error} is {point}, {time} a frame.")}
-ORDER = ("picture", "luts", "shadows", "render", "motion", "lobes", "skinning")
+MAKERS = {"picture": ladder, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
+          "shadows": lambda study: choices(study, 0.03, "Shadows: the cheapest setting whose mean error of transmittance is at most 3 % is", "for all vertices"),
+          "motion": lambda study: choices(study, 0.03, "Motion: the cheapest solver that stays within 3 % of a strand's length for half a second is", "a strand and frame"),
+          "render": lambda study: choices(study, 0.03, "Drawing: the cheapest way whose mean error of coverage is at most 3 % is", "a frame")}
+ORDER = ("picture", "luts", "shadows", "render", "motion", "models", "lobes", "skinning")
 
 
 def find(studies, most=5):

@@ -2,6 +2,7 @@
 import math
 
 LETTER_PIXELS, LINE_PIXELS = 6.6, 14
+EDGE = 6  # pixels that letters of a file may be wider than those measured here
 # Right of the end, above, below, left of it, then farther away: across, up and how the text is anchored.
 PLACES = [(9, 0, "left"), (7, 13, "left"), (7, -13, "left"), (0, 15, "center"), (0, -15, "center"), (-9, 0, "right"), (-7, 13, "right"), (-7, -13, "right"),
           (10, 26, "left"), (10, -26, "left"), (-9, 26, "right"), (-9, -26, "right"), (12, 40, "left"), (12, -40, "left")]
@@ -74,7 +75,7 @@ def annotate_printed(axes, ends, points, size=6):
             note = axes.annotate(text, (x, y), xytext=(0.5 * across, 0.5 * up), textcoords="offset points", color=color, fontsize=size, ha=anchor, va="center", annotation_clip=False)
             note.set_in_layout(False)
             extent = note.get_window_extent()
-            cost = 20 * sum(extent.overlaps(other) for other in taken) + 10 * (extent.x1 > inside.x1 or extent.x0 < axes.bbox.x0) \
+            cost = 20 * sum(extent.overlaps(other) for other in taken) + 10 * (extent.x1 > inside.x1 - EDGE or extent.x0 < axes.bbox.x0) \
                 + 10 * (extent.y0 < axes.bbox.y0 or extent.y1 > inside.y1) + sum(extent.padded(1).contains(*dot) for dot in dots) + 0.01 * number
             if best is None or cost < best[0]:
                 if best:

@@ -1,4 +1,4 @@
-"""The ladder of a scene: what each rung adds, and how far the picture is from the truth after it."""
+"""The ladder of a scene: what each rung adds to the picture and to its light, and how far the picture is from the truth after it."""
 import math
 
 from matplotlib import pyplot
@@ -7,76 +7,115 @@ import plotly.graph_objects as plotly
 from . import look, results
 from .pareto import files_of
 
-CAPTION = "Bars: what a rung adds (against the rung before). Points: the picture against the truth. Dotted: noise of the truth. Above: time of the frame."
-ADDED, BAR_NAME, AGAINST, SLOW = "#9db8d6", "#4f7cab", "#a8324a", "#777777"
+CAPTION = ("Relative MSE, without what the noise of path tracing adds; bars are 95 % intervals over tiles of 8 x 8 pixels. An arrow: not told from zero, it stands at the end of the "
+           "interval. Light: the same of the tiles' means, so of where how much light is, whatever single pixels show. Above: time of one frame.")
+SHOWN = {"added": ("a rung adds to pixels", "#1f5fa8", "circle", "o", 0.0), "light": ("a rung adds to light", "#d9730d", "diamond", "D", 0.18), "picture": ("against the truth", "#a8324a", "line-ew", "s", 0.0)}
+LEAST = 1e-5  # of the axis: what is below is nothing
 
 
 def is_ladder(group):
     return any(metric["name"] == "added" for metric in group.raw["metrics"])
 
 
-def values(group):
-    """Names of the rungs, what they add with its interval, and the error against the truth."""
-    names = [point.method.replace("_", " ") for point in group.points]
-    return names, [point.error("added") for point in group.points], [point.error("picture") for point in group.points]
+def metrics(group):
+    return [name for name in SHOWN if any(metric["name"] == name for metric in group.raw["metrics"])]
+
+
+def names(group):
+    return [point.method.replace("_", " ") for point in group.points]
+
+
+def is_told(error):
+    """Whether the interval leaves out zero."""
+    return error["value"] is not None and error["value"] > LEAST and (error["low"] or 0) > 0
+
+
+def places(group, metric):
+    """Of each rung the height, the lengths of the interval up and down, and whether it is told from zero."""
+    found = []
+    for point in group.points:
+        error = point.error(metric)
+        high = error["high"] or error["value"] or 0
+        if is_told(error):
+            found.append((error["value"], high - error["value"], error["value"] - max(error["low"], 0.2 * error["value"]), True))
+        else:
+            found.append((max(high, LEAST), 0, 0, False))
+    return found
 
 
 def times(group):
     found = []
     for point in group.points:
-        factor, unit = results.unit_of([point.seconds["value"]]) if point.seconds else (1, "")
-        found.append(f"{results.shown(point.seconds['value'] * factor, 2)} {unit}" if point.seconds else "")
+        seconds = point.seconds["value"] if point.seconds else None
+        factor, unit = (1, "s") if seconds is None or seconds >= 1 else results.unit_of([seconds])
+        found.append(f"{results.shown(seconds * factor, 2)} {unit}" if seconds else "")
     return found
 
 
-def whiskers(errors):
-    return [(error["high"] or error["value"]) - error["value"] for error in errors], [error["value"] - error["low"] for error in errors]
+def hover(group, metric, point):
+    error = point.error(metric)
+    return (f"<b>{point.method.replace('_', ' ')}</b><br>{SHOWN[metric][0]}: {results.shown(error['value'])} ({results.shown(error['low'])} .. {results.shown(error['high'])})")
 
 
-def interactive(group, _cost_label):
-    names, added, against = values(group)
-    figure = plotly.Figure()
-    up, down = whiskers(added)
-    figure.add_bar(x=names, y=[error["value"] for error in added], name="adds", marker={"color": ADDED}, error_y={"array": up, "arrayminus": down, "thickness": 1, "width": 3})
-    up, down = whiskers(against)
-    figure.add_scatter(x=names, y=[error["value"] for error in against], name="against the truth", mode="lines+markers", line={"color": AGAINST, "width": 2}, marker={"size": 8},
-                       error_y={"array": up, "arrayminus": down, "thickness": 1, "width": 3})
-    figure.add_scatter(x=names, y=[group.raw["floor"]] * len(names), name="noise of the truth", mode="lines", line={"color": SLOW, "dash": "dot", "width": 1}, hoverinfo="skip")
-    look.dress(figure, 440, 150, 40, 90)
-    for name, text in zip(names, times(group)):
-        figure.add_annotation(x=name, y=1.04, yref="paper", text=text, showarrow=False, font={"size": 11})
-    for height, text, color in named_ends(group, 40):
-        figure.add_annotation(x=1, xref="paper", y=math.log10(height), text=text, showarrow=False, xanchor="left", xshift=4, font={"color": color, "size": 12})
-    figure.update_yaxes(title="relative MSE of the picture", type="log", dtick=look.tick_step([error["value"] for error in added + against if error["value"]]))
-    return figure
+def bounds(group):
+    heights = [height for metric in metrics(group) for height, _, _, _ in places(group, metric)]
+    return max(LEAST, 0.5 * min(heights)), 2 * max(heights)
 
 
 def named_ends(group, lines):
-    """Heights, names and colours of what stands at the right end, at least one line of so many apart."""
-    _, added, against = values(group)
-    every = [error["value"] for error in added + against if error["value"] > 0] + [group.raw["floor"]]
-    step = (max(every) / min(every)) ** (1 / lines) * 1.35
-    ends = sorted((height, text, color) for height, text, color in ((added[-1]["value"], "adds", BAR_NAME), (against[-1]["value"], "against the truth", AGAINST),
-                                                                    (group.raw["floor"], "noise of the truth", SLOW)) if height > 0)
+    """Heights, names and colours of the curves where they end, at least one of so many lines apart."""
+    low, high = bounds(group)
+    step = (high / low) ** (1 / lines)
     apart = []
-    for height, text, color in ends:
-        apart.append((max(height, apart[-1][0] * step) if apart else height, text, color))
+    for height, metric in sorted((places(group, metric)[-1][0], metric) for metric in metrics(group)):
+        apart.append((max(height, apart[-1][0] * step) if apart else height, SHOWN[metric][0], SHOWN[metric][1]))
     return apart
+
+
+def interactive(group, _cost_label):
+    figure = plotly.Figure()
+    labels = names(group)
+    for metric in metrics(group):
+        text, color, symbol, _, shift = SHOWN[metric]
+        spots = places(group, metric)
+        symbols = [("circle" if metric == "picture" else symbol) if told else "triangle-down-open" for _, _, _, told in spots]
+        figure.add_scatter(x=[k + shift for k in range(len(labels))], y=[spot[0] for spot in spots], name=text, mode="lines+markers" if metric == "picture" else "markers",
+                           line={"color": color, "width": 1.5}, marker={"size": 9 if metric != "picture" else 6, "symbol": symbols, "color": color},
+                           error_y={"array": [spot[1] for spot in spots], "arrayminus": [spot[2] for spot in spots], "thickness": 1.2, "width": 3},
+                           hovertext=[hover(group, metric, point) for point in group.points], hoverinfo="text")
+    look.dress(figure, 460, 160, 40, 95)
+    for place, text in enumerate(times(group)):
+        figure.add_annotation(x=place, y=1.05, yref="paper", text=text, showarrow=False, font={"size": 11})
+    for height, text, color in named_ends(group, 22):
+        figure.add_annotation(x=1, xref="paper", y=math.log10(height), text=text, showarrow=False, xanchor="left", xshift=4, font={"color": color, "size": 12})
+    low, high = bounds(group)
+    figure.update_xaxes(tickvals=list(range(len(labels))), ticktext=labels, tickangle=-35, range=[-0.6, len(labels) - 0.4])
+    figure.update_yaxes(title="relative MSE", type="log", range=[math.log10(low), math.log10(high)], dtick=1)
+    return figure
 
 
 def printed(group, _cost_label):
     """The same at column width."""
-    names, added, against = values(group)
+    labels = names(group)
     with pyplot.rc_context(look.PRINT):
-        figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.5), layout="constrained")
-        places = range(len(names))
-        axes.bar(places, [error["value"] for error in added], color=ADDED)
-        axes.plot(places, [error["value"] for error in against], "o-", color=AGAINST, linewidth=1, markersize=3)
-        axes.axhline(group.raw["floor"], color=SLOW, linestyle=":", linewidth=0.8)
-        for place, text in zip(places, times(group)):
-            axes.annotate(text, (place, 1), xycoords=("data", "axes fraction"), xytext=(0, 2), textcoords="offset points", ha="center", fontsize=5)
-        axes.set(yscale="log", ylabel="relative MSE of the picture")
-        for height, text, color in named_ends(group, 20):
-            axes.annotate(text, (1, height), xycoords=("axes fraction", "data"), xytext=(2, 0), textcoords="offset points", fontsize=6, color=color, va="center")
-        axes.set_xticks(places, names, rotation=35, ha="right")
+        figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.6), layout="constrained")
+        for metric in metrics(group):
+            _, color, _, marker, shift = SHOWN[metric]
+            spots = places(group, metric)
+            across = [k + shift for k in range(len(labels))]
+            if metric == "picture":
+                axes.plot(across, [spot[0] for spot in spots], "-", color=color, linewidth=0.8)
+            for told in (True, False):
+                some = [(x, *spot[:3]) for x, spot in zip(across, spots) if spot[3] == told]
+                if not some:
+                    continue
+                x, y, up, down = zip(*some)
+                axes.errorbar(x, y, yerr=(down, up) if told else None, fmt=marker if told else "v", color=color, markersize=3 if metric != "picture" else 2, markerfacecolor=color if told else "white",
+                              linewidth=0.7, markeredgewidth=0.7)
+        for place, text in enumerate(times(group)):
+            axes.annotate(text, (place, 1), xycoords=("data", "axes fraction"), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=4.5)
+        axes.set(yscale="log", ylabel="relative MSE", ylim=bounds(group), xlim=(-0.6, len(labels) - 0.4))
+        for height, text, color in named_ends(group, 11):
+            axes.annotate(text.replace(" adds to", "\nadds to").replace("against", "against\n"), (1, height), xycoords=("axes fraction", "data"), xytext=(2, 0), textcoords="offset points", fontsize=5.5, color=color, va="center")
+        axes.set_xticks(range(len(labels)), labels, rotation=35, ha="right")
         return files_of(figure)

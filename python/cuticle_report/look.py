@@ -1,5 +1,8 @@
 """What all figures look like, on every page: colours, lines, letters, sizes."""
 import json
+import math
+
+from matplotlib import ticker
 
 COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b"]
 MOST_CURVES = len(COLORS)  # of a figure: more than six colours are not told apart
@@ -30,6 +33,14 @@ def tick_step(values):
     values = [value for value in values if value > 0]
     span = max(values, default=1) / min(values, default=1)
     return 1 if span > 300 else "D2" if span > 8 else None
+
+
+def plain_ticks(axis):
+    """Of a printed logarithmic axis: 0.02, 0.1, 20 and not powers of ten; between decades 2 and 5 alone, and nothing where there are many decades."""
+    low, high = axis.get_view_interval()
+    decades = math.log10(high / low)
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}" if decades <= 4 and 1e-3 <= value < 1e4 else f"$10^{{{round(math.log10(value))}}}$"))
+    axis.set_minor_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}" if decades < 1.8 and f"{value:e}"[0] in "25" else ""))
 
 
 def plot_html(figure):

@@ -109,18 +109,21 @@ def printed(group, cost_label):
             axes.plot(*zip(*places(group, points, factor)), "o-", color=color, linewidth=1, markersize=2.5)
         axes.set(xscale="log", yscale="log", xlabel=f"{cost_label}, {unit}", ylabel=group.raw["metrics"][0]["label"])
         axes.margins(x=0.12, y=0.1)
+        for axis in (axes.xaxis, axes.yaxis):
+            look.plain_ticks(axis)
         labels.annotate_printed(axes, named_ends(group, factor), places(group, group.drawable(), factor))
         return files_of(figure)
 
 
-def files_of(figure):
+def files_of(figure, kinds=("pdf", "svg", "png")):
     """The bytes of a PDF with its fonts embedded, of an SVG with its letters as outlines, and of a PNG; the figure is closed."""
     figure.canvas.draw()
     figure.set_layout_engine("none")  # laid out once
+    options = {"pdf": {"metadata": {"CreationDate": None}}, "svg": {"metadata": {"Date": None}}, "png": {"dpi": 300}}
     files = {}
-    for kind, options in (("pdf", {"metadata": {"CreationDate": None}}), ("svg", {"metadata": {"Date": None}}), ("png", {"dpi": 300})):
+    for kind in kinds:
         buffer = io.BytesIO()
-        figure.savefig(buffer, format=kind, **options)
+        figure.savefig(buffer, format=kind, **options[kind])
         files[kind] = buffer.getvalue()
     pyplot.close(figure)
     return files

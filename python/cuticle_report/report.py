@@ -3,14 +3,13 @@ import base64
 import csv
 import dataclasses
 import io
-import math
 import pathlib
 
 import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, ladder, look, page, pareto, results
+from . import ReportError, curves, findings, flip, ladder, look, page, pareto, printed_curves, results
 
 HERE = pathlib.Path(__file__).parent
 LEAST_SPAN = 2  # of times that an exponent is told of
@@ -32,6 +31,11 @@ class Figure:
     caption: str
     html: str
     downloads: list
+
+    @property
+    def thumbnail(self):
+        """The printed figure, as a data URI."""
+        return next(file.uri for file in self.downloads if file.label == "SVG")
 
 
 @dataclasses.dataclass
@@ -76,31 +80,39 @@ def group_table(study, group):
     return columns, rows
 
 
+def downloads_of(folder, name, files, columns, rows):
+    """A figure's PDF and SVG, also written beside the page, and its data."""
+    for kind, content in files.items():
+        (folder / f"{name}.{kind}").write_bytes(content)
+    kinds = {"pdf": ("PDF", "application/pdf"), "svg": ("SVG", "image/svg+xml")}
+    downloads = [Download(f"{name}.{kind}", label, uri(mime, files[kind])) for kind, (label, mime) in kinds.items()]
+    return downloads + [Download(f"{name}.csv", "data", uri("text/csv", csv_text(columns, rows).encode()))]
+
+
 def group_figure(study, group):
     columns, rows = group_table(study, group)
     name = findings.group_id(study, group)
     drawer = ladder if ladder.is_ladder(group) else pareto
-    files = drawer.printed(group, study.raw["cost_label"])
-    for kind, content in files.items():
-        (study.folder / f"{name}.{kind}").write_bytes(content)
-    downloads = [Download(f"{name}.pdf", "PDF", uri("application/pdf", files["pdf"])), Download(f"{name}.svg", "SVG", uri("image/svg+xml", files["svg"])),
-                 Download(f"{name}.csv", "data", uri("text/csv", csv_text(columns, rows).encode()))]
+    downloads = downloads_of(study.folder, name, drawer.printed(group, study.raw["cost_label"]), columns, rows)
     return Figure(name, group.raw["title"], f"Truth: {group.raw['truth']}. {drawer.CAPTION}", look.plot_html(drawer.interactive(group, study.raw["cost_label"])), downloads)
 
 
-def curve_figure(study, plot):
+def check(study, plot):
     if not {"name", "title", "x_label", "y_label", "polar", "curves"} <= plot.keys():
         raise ReportError(f"{study.folder}/result.json: plot {plot.get('name', '?')}: a key is missing")
+
+
+def curve_figure(study, plot, files):
     figure = curves.interactive(plot)
     rows = [[curve["name"], x, y] for curve in plot["curves"] for x, y in zip(curve["x"], curve["y"])]
-    data = csv_text(["curve", plot["x_label"], plot["y_label"]], rows)
-    return Figure(f"{study.name}-{plot['name']}", plot["title"], "", look.plot_html(figure), [Download(f"{plot['name']}.csv", "data", uri("text/csv", data.encode()))])
+    name = f"{study.name}-{plot['name']}"
+    downloads = downloads_of(study.folder, name, files, ["curve", plot["x_label"], plot["y_label"]], rows)
+    return Figure(name, plot["title"], "", look.plot_html(figure), downloads)
 
 
-def grid_figure(study, grid):
+def grid_figure(study, grid, files):
     """A function of two angles as a heat map and as a surface, chosen by buttons; its decimal logarithm, over five decades."""
-    largest = max(max(row) for row in grid["values"]) or 1
-    heights = [[math.log10(max(value, 1e-5 * largest)) for value in row] for row in grid["values"]]
+    heights = printed_curves.heights_of(grid)
     common = {"x": grid["x"], "y": grid["y"], "colorscale": "Viridis", "colorbar": {"title": f"log10 {grid['z_label']}"}}
     figure = plotly.graph_objects.Figure([plotly.graph_objects.Heatmap(z=heights, **common), plotly.graph_objects.Surface(z=heights, visible=False, **common)])
     buttons = [{"label": label, "method": "update", "args": [{"visible": [label == "heat map", label == "3D"]}]} for label in ("heat map", "3D")]
@@ -110,8 +122,9 @@ def grid_figure(study, grid):
     figure.update_xaxes(title=grid["x_label"])
     figure.update_yaxes(title=grid["y_label"])
     rows = [[y, *values] for y, values in zip(grid["y"], grid["values"])]
-    data = csv_text([f"{grid['y_label']} \\ {grid['x_label']}", *grid["x"]], rows)
-    return Figure(f"{study.name}-{grid['name']}", grid["title"], "", look.plot_html(figure), [Download(f"{grid['name']}.csv", "data", uri("text/csv", data.encode()))])
+    name = f"{study.name}-{grid['name']}"
+    downloads = downloads_of(study.folder, name, files, [f"{grid['y_label']} \\ {grid['x_label']}", *grid["x"]], rows)
+    return Figure(name, grid["title"], "", look.plot_html(figure), downloads)
 
 
 def views(study, means):
@@ -170,15 +183,41 @@ def sentences(group):
     return found
 
 
-def section_of(study):
+def every_model(studies):
+    """One row for each model: its lobes beside walked light and their time, its picture beside the truth's by direct evaluation and by tables. None: a study is missing."""
+    by_name = {study.name: study for study in studies}
+    if not {"lobes", "models"} <= by_name.keys():
+        return None
+    lobes = next((group for group in by_name["lobes"].groups if group.raw["name"] == "all models"), None)
+    if lobes is None:
+        return None
+    factor, unit = results.unit_of([point.seconds["value"] for point in lobes.points if point.seconds])
+    picture = {(point.method, point.knobs["evaluate"]): point for point in by_name["models"].groups[0].points}
+    rows = []
+    for name in dict.fromkeys([point.method for point in lobes.points] + [method for method, _ in picture]):
+        best = min((point for point in lobes.points if point.method == name), key=lambda point: point.errors["S"]["mean"]["value"], default=None)
+        row = [name] + ([results.shown(best.errors["S"]["mean"]["value"]), results.shown(best.errors["albedo"]["mean"]["value"]),
+                         results.shown(best.seconds["value"] * factor) if best.seconds else ""] if best else ["", "", ""])
+        for how in ("direct", "tables"):
+            point = picture.get((name, how))
+            row += [results.shown(point.error("light")["value"]), results.shown(point.seconds["value"]) if point.seconds else ""] if point else ["", ""]
+        rows.append(row)
+    return ["model", "S, rms error over its rms", "albedo, error", f"one S, {unit}", "picture's light, direct", "path tracing, s", "picture's light, tables", "path tracing, s"], rows
+
+
+def section_of(study, everything=None):
     means = flip.measure(study)
     groups = []
     for group in study.groups:
         groups.append({"group": group, "figure": group_figure(study, group) if len(group.drawable()) > 1 else None, "table": group_table(study, group),
-                       "conclusions": conclusions(study, group) if group.drawable() else None, "sentences": sentences(group), "identity": findings.group_id(study, group)})
-    plots = [curve_figure(study, plot) for plot in study.raw["plots"] if plot["curves"]] + [grid_figure(study, grid) for grid in study.raw.get("grids", [])]
+                       "conclusions": conclusions(study, group) if group.drawable() and not ladder.is_ladder(group) else None, "sentences": [] if ladder.is_ladder(group) else sentences(group), "identity": findings.group_id(study, group)})
+    curved, grids = [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
+    for plot in curved:
+        check(study, plot)
+    printed = printed_curves.all_of(curved, grids)
+    plots = [curve_figure(study, plot, next(printed)) for plot in curved] + [grid_figure(study, grid, next(printed)) for grid in grids]
     plots.sort(key=lambda drawn: not drawn.identity.endswith("-albedo"))
-    return {"study": study, "groups": groups, "plots": plots, "views": views(study, means)}
+    return {"study": study, "groups": groups, "plots": plots, "views": views(study, means), "every_model": everything if study.name == "models" else None}
 
 
 def make(folder):
@@ -186,11 +225,13 @@ def make(folder):
     studies = results.load_all(folder)
     if not studies:
         raise ReportError(f"{folder}: holds no result.json, nor does a folder in it")
-    sections = [section_of(study) for study in sorted(studies, key=lambda study: (findings.ORDER.index(study.name) if study.name in findings.ORDER else 99, study.name))]
+    everything = every_model(studies)
+    sections = [section_of(study, everything) for study in sorted(studies, key=lambda study: (findings.ORDER.index(study.name) if study.name in findings.ORDER else 99, study.name))]
+    thumbnails = {figure.identity: figure.thumbnail for section in sections for figure in [*(part["figure"] for part in section["groups"] if part["figure"]), *section["plots"]]}
     environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     title = studies[0].raw["title"] if len(studies) == 1 else "What accuracy costs in time: hair, from its fibres to the final picture"
     text = environment.get_template("report.html.j2").render(
         title=title, sections=sections, findings=findings.find(studies), machine=studies[0].times["machine"], clock=studies[0].times,
         scripts=[plotly.offline.get_plotlyjs(), (HERE / "vendor/img-comparison-slider/index.js").read_text(encoding="utf-8")],
-        own_script=page.own_script(), most_plots=MOST_PLOTS, shown=results.shown)
+        own_script=page.own_script(), thumbnails=thumbnails, most_plots=MOST_PLOTS, shown=results.shown)
     page.write(folder / "index.html", text)

@@ -1,5 +1,6 @@
 """Hair as arrays: made, written in every format, grown, shaped, bound, checked."""
 import pathlib
+import pickle
 
 import numpy
 import pytest
@@ -116,3 +117,12 @@ def test_HairOf_AScene_HasControlHairsStrandsAndHead():
     hair = cuticle.hair_of(ROOT / "scenes/still.json")
     assert len(hair.drawn) == 600 and len(hair.control) < 600 and hair.head.triangles.shape[1] == 3
     assert cuticle.make_head().spheres.shape[1] == 4
+
+
+def test_Groom_Pickled_IsTheSame():
+    groom = cuticle.make_groom(numpy.random.default_rng(4).random((3, 5, 3)), root_uv=numpy.ones((3, 2)), strand_attributes={"shade": [1, 2, 3]},
+                               vertex_attributes={"width": numpy.arange(15)})
+    again = pickle.loads(pickle.dumps(groom))
+    for name in ("positions", "offsets", "radii", "root_uv"):
+        assert numpy.array_equal(getattr(again, name), getattr(groom, name))
+    assert {name: values.tolist() for name, values in again.attributes.items()} == {name: values.tolist() for name, values in groom.attributes.items()}

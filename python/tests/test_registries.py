@@ -83,3 +83,40 @@ def test_Layouts_EachOfThem_IsTakenByBake():
     """Its size is the only thing refused."""
     for entry in cuticle.layouts():
         assert "16 .. 1024" in refused(lambda: cuticle.bake("marschner", entry["name"], 4))
+
+
+# What reaches each subcommand's work from here: names of the package, with dots. A view of VTK is its own program part.
+REACHED = {"absorption": ["absorption_of_fibre", "absorption_of_assembly", "absorption_of_pigments"], "bake": ["bake", "fit_analytic"], "bind": ["bind", "carry"],
+           "cards": [], "check": ["check_model", "check_tables", "check_groom"], "convert": ["load_groom", "write"], "demo": ["sweep", "render", "study"],
+           "effects": ["effects", "solvers"], "eval": ["eval", "Batch", "sample", "gradients"], "fit": ["fit"], "gallery": ["render"], "grow": ["grow", "shape"],
+           "info": ["load_groom", "check_groom"], "methods": ["methods"], "models": ["models"], "passes": ["passes"], "plan": ["plan"], "play": ["Renderer"],
+           "render": ["render", "Renderer"], "shadows": ["shadows.transmittance", "shadows.truth"], "simulate": ["simulate"], "study": ["study", "studies"],
+           "sweep": ["sweep"], "view": []}
+
+
+def subcommands(*words):
+    """Names below a command, from its help."""
+    text = subprocess.run([PROGRAM, *words, "--help"], capture_output=True, text=True, check=True).stdout
+    lines = text.split("Subcommands:")[1].splitlines() if "Subcommands:" in text else []
+    return [line.split()[0] for line in lines if line.startswith("  ") and not line.startswith("   ")]
+
+
+def test_Subcommands_OfTheProgram_AreReachableFromHere():
+    assert set(subcommands()) == set(REACHED) & set(subcommands()), "a new subcommand needs its entry in REACHED"
+    for names in REACHED.values():
+        for name in names:
+            value = cuticle
+            for part in name.split("."):
+                value = getattr(value, part)
+            assert callable(value) and value.__doc__, name
+
+
+def test_Studies_OfTheProgram_AreHere():
+    beside = {"all", "compare"}  # all of them at once; two results side by side
+    assert set(subcommands("study")) - beside == {entry["name"] for entry in cuticle.studies()}
+
+
+def test_Bake_ItsFormatsAndTargets_AreHere():
+    text = subprocess.run([PROGRAM, "bake", "--help"], capture_output=True, text=True, check=True).stdout
+    choices = cuticle.table_choices()
+    assert all(name in text for name in choices["formats"] + choices["targets"]) and {"glsl", "hlsl", "wgsl"} == set(choices["dialects"])

@@ -64,7 +64,7 @@ def browse(page, *flags):
     assert program, "chromium is in scripts/packages.txt"
     profile = page.parent / "profile"
     command = [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", f"--user-data-dir={profile}",
-               "--host-resolver-rules=MAP * ~NOTFOUND", "--window-size=1200,1800", "--virtual-time-budget=8000", *flags, page.as_uri()]
+               "--host-resolver-rules=MAP * ~NOTFOUND", "--window-size=1200,1800", "--virtual-time-budget=30000", *flags, page.as_uri()]
     return subprocess.run(command, capture_output=True, text=True, timeout=120).stdout
 
 

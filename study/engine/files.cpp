@@ -12,6 +12,11 @@
 namespace cuticle::study {
 namespace {
 
+std::string_view name_of(Mean mean) {
+  constexpr std::string_view k_names[] = {"arithmetic", "root mean square", "squares", "root of squares"};
+  return k_names[std::size_t(mean)];
+}
+
 Json interval_json(const Interval& interval) {
   return {{"value", interval.value}, {"low", interval.low}, {"high", interval.high}};  // infinite: null
 }
@@ -36,7 +41,8 @@ Json metric_json(const Metric& metric, const MetricResult& result) {
 
 Json point_json(const Group& group, const PointResult& point) {
   Json metrics = Json::list();
-  for (std::size_t m = 0; m < group.metrics.size(); ++m) metrics.push_back(metric_json(group.metrics[m], point.metrics[m]));
+  for (std::size_t m = 0; m < group.metrics.size(); ++m)
+    metrics.push_back(metric_json(group.metrics[m], point.metrics[m]));
   return {{"point", point_name(point.method, point.knobs)},
           {"method", point.method},
           {"knobs", knobs_json(point.knobs)},
@@ -47,21 +53,18 @@ Json point_json(const Group& group, const PointResult& point) {
 Json group_json(const Group& group, const GroupResult& result) {
   Json metrics = Json::list(), points = Json::list();
   for (const Metric& metric : group.metrics)
-    metrics.push_back({{"name", metric.name},
-                       {"label", metric.label},
-                       {"unit", metric.unit},
-                       {"mean", metric.mean == Mean::arithmetic ? "arithmetic" : "root mean square"}});
+    metrics.push_back(
+        {{"name", metric.name}, {"label", metric.label}, {"unit", metric.unit}, {"mean", name_of(metric.mean)}});
   for (const PointResult& point : result.points) points.push_back(point_json(group, point));
-  return {{"name", group.name},   {"title", group.title},     {"truth", group.truth},
-          {"item", group.item},   {"floor", group.floor},     {"metrics", metrics},
-          {"points", points}};
+  return {{"name", group.name},   {"title", group.title}, {"truth", group.truth}, {"item", group.item},
+          {"floor", group.floor}, {"metrics", metrics},   {"points", points}};
 }
 
 Json plot_json(const Plot& plot) {
   Json curves = Json::list();
   for (const Curve& curve : plot.curves) curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}});
-  return {{"name", plot.name},       {"title", plot.title},   {"x_label", plot.x_label},
-          {"y_label", plot.y_label}, {"polar", plot.polar},   {"logarithmic", plot.logarithmic},
+  return {{"name", plot.name},       {"title", plot.title}, {"x_label", plot.x_label},
+          {"y_label", plot.y_label}, {"polar", plot.polar}, {"logarithmic", plot.logarithmic},
           {"curves", curves}};
 }
 
@@ -73,8 +76,14 @@ Json grid_json(const Grid& grid) {
     for (double value : row) numbers.push_back(std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr));
     values.push_back(std::move(numbers));
   }
-  return {{"name", grid.name},       {"title", grid.title},     {"x_label", grid.x_label}, {"y_label", grid.y_label},
-          {"z_label", grid.z_label}, {"x", grid.x},             {"y", grid.y},             {"values", values}};
+  return {{"name", grid.name},
+          {"title", grid.title},
+          {"x_label", grid.x_label},
+          {"y_label", grid.y_label},
+          {"z_label", grid.z_label},
+          {"x", grid.x},
+          {"y", grid.y},
+          {"values", values}};
 }
 
 Json table_json(const Table& table) {
@@ -104,7 +113,8 @@ std::string number(double value) { return std::isfinite(value) ? fmt::format("{:
 }  // namespace
 
 Json result_json(const Study& study, const StudyResult& result, const std::string& command) {
-  Json groups = Json::list(), plots = Json::list(), grids = Json::list(), tables = Json::list(), pictures = Json::list();
+  Json groups = Json::list(), plots = Json::list(), grids = Json::list(), tables = Json::list(),
+       pictures = Json::list();
   for (std::size_t g = 0; g < study.groups.size(); ++g) groups.push_back(group_json(study.groups[g], result.groups[g]));
   for (const Plot& plot : study.plots) plots.push_back(plot_json(plot));
   for (const Grid& grid : study.grids) grids.push_back(grid_json(grid));
@@ -170,7 +180,8 @@ std::string result_csv(const Study& study, const StudyResult& result) {
 Result<void> write_study(const Study& study, const StudyResult& result, const std::string& command,
                          const std::string& folder) {
   CUTICLE_TRY(make_folder(folder));
-  for (const StudyPicture& picture : study.pictures) CUTICLE_TRY(write_png(fmt::format("{}/{}", folder, picture.file), picture.image));
+  for (const StudyPicture& picture : study.pictures)
+    CUTICLE_TRY(write_png(fmt::format("{}/{}", folder, picture.file), picture.image));
   CUTICLE_TRY(write_text_file(folder + "/times.json", times_json(study, result).dump(1) + "\n"));
   CUTICLE_TRY(write_text_file(folder + "/conclusions.json", conclusions_json(study, result).dump(1) + "\n"));
   CUTICLE_TRY(write_text_file(folder + "/study.csv", result_csv(study, result)));

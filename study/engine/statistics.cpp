@@ -14,7 +14,7 @@ bool is_taken(Items items, std::size_t place) {
   return items == Items::all || (items == Items::choosing) == (place % 2 == 0);
 }
 
-/// The mean of values and its normal interval.
+/// The mean of values and its normal interval, which may reach below 0 where they may.
 Interval mean_of(std::span<const double> values) {
   double sum = 0, squares = 0;
   for (double value : values) sum += value;
@@ -22,8 +22,11 @@ Interval mean_of(std::span<const double> values) {
   if (values.size() < 2) return {mean, 0, k_infinity};
   for (double value : values) squares += (value - mean) * (value - mean);
   const double half = k_normal_95 * std::sqrt(squares / (count - 1) / count);
-  return {mean, std::max(0.0, mean - half), mean + half};
+  return {mean, mean - half, mean + half};
 }
+
+bool are_squares(Mean mean) { return mean == Mean::squares || mean == Mean::root_of_squares; }
+bool is_root(Mean mean) { return mean == Mean::root_mean_square || mean == Mean::root_of_squares; }
 
 double quantile(std::span<const double> sorted, double share) {
   return sorted[std::size_t(share * double(sorted.size() - 1))];
@@ -56,7 +59,8 @@ std::vector<std::size_t> front_order(std::span<const CostAndError> points) {
 ErrorSummary summarise(std::span<const double> errors, Mean mean, Items items) {
   std::vector<double> taken;
   for (std::size_t i = 0; i < errors.size(); ++i)
-    if (is_taken(items, i) && std::isfinite(errors[i])) taken.push_back(std::abs(errors[i]));
+    if (is_taken(items, i) && std::isfinite(errors[i]))
+      taken.push_back(are_squares(mean) ? errors[i] : std::abs(errors[i]));
   ErrorSummary summary;
   summary.items = taken.size();
   if (taken.empty()) return summary;
@@ -68,8 +72,10 @@ ErrorSummary summarise(std::span<const double> errors, Mean mean, Items items) {
   if (mean == Mean::root_mean_square)
     for (double& value : taken) value *= value;
   summary.mean = mean_of(taken);
-  if (mean == Mean::root_mean_square)
-    for (double* value : {&summary.mean.value, &summary.mean.low, &summary.mean.high}) *value = std::sqrt(*value);
+  if (mean != Mean::squares) summary.mean.low = std::max(0.0, summary.mean.low);
+  if (is_root(mean))
+    for (double* value : {&summary.mean.value, &summary.mean.low, &summary.mean.high})
+      *value = std::sqrt(std::max(0.0, *value));
   return summary;
 }
 

@@ -13,8 +13,9 @@
 
 namespace cuticle::study {
 
-/// How the errors of the items become one number.
-enum class Mean { arithmetic, root_mean_square };
+/// How the errors of the items become one number: the mean of their magnitudes; its root of the mean square; of items
+/// that estimate squares without bias, so that noise may make some of them negative, the mean as it is, or its root.
+enum class Mean { arithmetic, root_mean_square, squares, root_of_squares };
 /// An error: file-like name ("S"), what it is ("relative error of S"), its unit ("1", "m") and mean. Less is better.
 struct Metric {
   std::string name, label = {}, unit = "1";

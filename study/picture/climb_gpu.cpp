@@ -1,25 +1,13 @@
 // Draws the rungs.
 #include <chrono>
+#include <ctime>
 
 #include <fmt/core.h>
 
-#include "render/passes/reference/reference_entry.h"
 #include "study/picture/picture_study.h"
 
 namespace cuticle::study {
 namespace {
-
-/// The hair alone, at rest, on nothing, without what is only drawn in real time (tints, ambient light).
-scene::Scene hair_of(const scene::Scene& scene) {
-  scene::Scene hair = scene;
-  hair.head.present = false;
-  hair.floor.reset();
-  hair.motion.reset();
-  hair.simulation = {};
-  hair.passes.erase("resolve");
-  hair.passes.erase("surface_shadow");
-  return hair;
-}
 
 /// Channels of a layered picture by name; -1: none.
 int channel(const Image& image, std::string_view name) {
@@ -37,43 +25,80 @@ std::vector<int> first_strands(const Image& layers) {
   return strands;
 }
 
-struct Drawn {
-  std::shared_ptr<plan::FrameRunner> runner;
-  plan::FrameResult frame;
-  double seconds = 0, bytes = 0;
-};
+}  // namespace
 
-/// Paths that do not read the tables have small ones made: those of a near field take longer than the picture.
-scene::Scene with_tables_in_use(scene::Scene scene) {
-  const bool reads = render::parameters_of<render::reference::Parameters>(scene.passes).tables;
-  if (scene.render_method == "reference" && !reads) scene.material.lut_size = 16;
-  return scene;
+scene::Scene hair_of(const scene::Scene& scene) {
+  scene::Scene hair = scene;
+  hair.head.present = false;
+  hair.floor.reset();
+  hair.passes.erase("resolve");
+  hair.passes.erase("surface_shadow");
+  return hair;
 }
 
-Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, Progress& progress) {
-  const std::size_t before = device->allocated_bytes();
-  CUTICLE_ASSIGN(auto runner, plan::FrameRunner::create(device, with_tables_in_use(scene), progress));
-  Drawn drawn{std::move(runner), {}};
-  const auto start = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(drawn.frame, drawn.runner->run(0));
-  drawn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  drawn.bytes = double(device->allocated_bytes() - before);
-  return drawn;
+Result<RungPicture> Stage::draw(const Rung& rung, const scene::Scene& scene) {
+  RungPicture picture{.rung = rung, .scene = scene};
+  CUTICLE_TRY(take_pose(scene));
+  picture.pose = pose_;
+  const double start = now();
+  CUTICLE_TRY(scene.render_method == "reference" ? trace(scene, picture) : run(scene, picture));
+  if (picture.seconds == 0) picture.seconds = now() - start;
+  return picture;
 }
 
-Result<void> add_truth(Ladder& ladder, const std::shared_ptr<gpu::Device>& device, scene::Scene scene,
-                       Progress& progress) {
+Result<void> Stage::add_truth(Ladder& ladder, scene::Scene scene) {
   scene.outputs.aovs = true;
-  CUTICLE_ASSIGN(const Drawn layered, draw(device, scene, progress));
-  ladder.strands = first_strands(layered.frame.aovs);
+  CUTICLE_ASSIGN(const plan::TracedFrame layered, trace_batch(scene, 0));
+  ladder.strands = first_strands(layered.layers);
   scene.outputs.aovs = false;
-  scene.passes.at("reference").set("seed", std::int64_t(1));
-  CUTICLE_ASSIGN(Drawn again, draw(device, scene, progress));
-  ladder.again = std::move(again.frame.color);
+  NoisyPicture again;
+  for (int k = 0; k < request_.batches; ++k) {
+    CUTICLE_ASSIGN(plan::TracedFrame frame, trace_batch(scene, request_.batches + k));
+    again.batches.push_back(std::move(frame.color));
+  }
+  ladder.again = mean_of(again);
   return {};
 }
 
-}  // namespace
+Result<void> Stage::take_pose(const scene::Scene& scene) {
+  if (pose_ && simulation_ == scene.simulation) return {};
+  CUTICLE_ASSIGN(pose_, Pose::make(device_, scene, request_.frame, progress_));
+  simulation_ = scene.simulation;
+  return {};
+}
+
+Result<plan::TracedFrame> Stage::trace_batch(scene::Scene scene, int seed) {
+  auto& reference = scene.passes.at("reference");
+  reference.set("samples", std::int64_t(std::max(1, request_.samples / request_.batches)));
+  reference.set("seed", std::int64_t(seed));
+  return plan::trace_frame(pose_->at_rest(scene), {}, {.hair = pose_->drawn()}, pose_->camera(), "", progress_);
+}
+
+Result<void> Stage::trace(const scene::Scene& scene, RungPicture& picture) {
+  for (int k = 0; k < request_.batches; ++k) {
+    CUTICLE_ASSIGN(plan::TracedFrame frame, trace_batch(scene, k));
+    picture.picture.batches.push_back(std::move(frame.color));
+  }
+  return {};
+}
+
+Result<void> Stage::run(const scene::Scene& scene, RungPicture& picture) {
+  const std::size_t before = device_->allocated_bytes();
+  CUTICLE_ASSIGN(auto runner, plan::FrameRunner::create(device_, pose_->at_rest(scene), progress_));
+  const double start = now();
+  CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
+  picture.seconds = now() - start;
+  picture.picture.batches.push_back(std::move(frame.color));
+  picture.bytes = double(device_->allocated_bytes() - before);
+  if (scene.render_method != "truth") picture.runner = std::move(runner);
+  return {};
+}
+
+/// Seconds of the clock that the study's times are of.
+double Stage::now() const {
+  if (device_->info().is_software) return double(std::clock()) / CLOCKS_PER_SEC;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const LadderRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const std::vector<Rung> rungs, rungs_of(request));
@@ -83,16 +108,14 @@ Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const LadderRequest& r
 Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung>& rungs, const LadderRequest& request,
                      Progress& progress) {
   Ladder ladder;
+  Stage stage(std::move(device), request, progress);
   scene::Scene scene = hair_of(request.scene);
   std::size_t done = 0;
   for (const Rung& rung : rungs) {
     progress.update(fmt::format("rungs of {}", request.name), done++, rungs.size());
     if (!request.without.contains(rung.name)) CUTICLE_TRY(rung.apply(scene));
-    CUTICLE_ASSIGN(Drawn drawn, draw(device, scene, progress));
-    if (ladder.rungs.empty() && rungs.size() > 3) CUTICLE_TRY(add_truth(ladder, device, scene, progress));
-    const bool on_device = scene.render_method != "reference" && scene.render_method != "truth";
-    ladder.rungs.push_back(
-        {rung, scene, std::move(drawn.frame.color), on_device ? drawn.runner : nullptr, drawn.seconds, drawn.bytes});
+    CUTICLE_ASSIGN(ladder.rungs.emplace_back(), stage.draw(rung, scene));
+    if (ladder.rungs.size() == 1 && rungs.size() > 3) CUTICLE_TRY(stage.add_truth(ladder, scene));
   }
   progress.update(fmt::format("rungs of {}", request.name), done, rungs.size());
   return ladder;

@@ -23,6 +23,7 @@ LadderRequest small_request(const std::string& hair) {
   request.scene.passes.emplace("dual_scattering", registry::default_values((*dual)->parameters));
   request.hair = hair;
   request.samples = 4;
+  request.batches = 2;
   request.truth_coverage = 4;
   return request;
 }
@@ -48,8 +49,9 @@ TEST(Ladder, Steps_AddUpToTheTotalWithTheirProducts) {
 }
 
 TEST(Ladder, Rungs_EachChangesThePicture) {
-  const LadderSum sum = sum_of(small_ladder());
-  for (std::size_t k = 0; k < sum.added.size(); ++k) EXPECT_GT(sum.added[k], 0) << small_ladder().rungs[k + 1].rung.name;
+  const auto& rungs = small_ladder().rungs;
+  for (std::size_t k = 1; k < rungs.size(); ++k)
+    EXPECT_NE(mean_of(rungs[k].picture).pixels, mean_of(rungs[k - 1].picture).pixels) << rungs[k].rung.name;
 }
 
 Rung named(const std::vector<Rung>& rungs, std::string_view name) {
@@ -64,12 +66,12 @@ TEST(Ladder, ARungSwitchedOff_ReturnsTheFormerPicture) {
     const std::vector<Rung> rungs = {all[0], named(all, second), named(all, third)};
     request.without = {second};
     const Ladder ladder = *climb(device(), rungs, request, silent_progress());
-    EXPECT_EQ(ladder.rungs[1].color.pixels, ladder.rungs[0].color.pixels) << second;
-    EXPECT_NE(ladder.rungs[2].color.pixels, ladder.rungs[1].color.pixels) << third;
+    EXPECT_EQ(ladder.rungs[1].picture.batches[0].pixels, ladder.rungs[0].picture.batches[0].pixels) << second;
+    EXPECT_NE(ladder.rungs[2].picture.batches[0].pixels, ladder.rungs[1].picture.batches[0].pixels) << third;
     request.without = {third};
     const Ladder other = *climb(device(), rungs, request, silent_progress());
-    EXPECT_EQ(other.rungs[2].color.pixels, other.rungs[1].color.pixels) << third;
-    EXPECT_NE(other.rungs[1].color.pixels, other.rungs[0].color.pixels) << second;
+    EXPECT_EQ(other.rungs[2].picture.batches[0].pixels, other.rungs[1].picture.batches[0].pixels) << third;
+    EXPECT_NE(other.rungs[1].picture.batches[0].pixels, other.rungs[0].picture.batches[0].pixels) << second;
   }
 }
 
@@ -79,17 +81,27 @@ TEST(Ladder, AnUnknownRung_IsRefusedByName) {
   EXPECT_NE(rungs_of(request).error().message.find("tabels"), std::string::npos);
 }
 
-TEST(StrandErrors, AStrandTwiceAsBright_IsOffByItsShareOfTheMean) {
-  Image truth = make_image(8, 1, {"R", "G", "B", "A"}), picture = truth;
-  for (std::size_t k = 0; k < truth.pixels.size(); ++k) {
-    truth.pixels[k] = 1;
-    picture.pixels[k] = k < 16 && k % 4 < 3 ? 2.0f : 1.0f;
-  }
-  const std::vector<double> errors = strand_errors(picture, truth, {0, 0, 0, 0, 1, 1, 1, -1});
-  ASSERT_EQ(errors.size(), 1u);  // three pixels are too few
-  EXPECT_NEAR(errors[0], 1, 1e-6);
-  EXPECT_NEAR(squared_errors(truth, picture, truth)[0], 0.5, 1e-6);
-  EXPECT_EQ(squared_errors(truth, picture, truth)[7], 0);
+// A head that turns: the last rung alone has the scene's own steps.
+TEST(Ladder, HairThatMoves_HasARungOfItsSteps) {
+  LadderRequest request = small_request("");
+  const scene::Scene turn = *scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/head_turn.json", plan::catalogue());
+  request.scene.motion = turn.motion;
+  request.scene.simulation = turn.simulation;
+  request.scene.simulation.settle_time = 0;
+  request.scene.strand_count = 200;
+  request.frame = 8;
+  request.reference_steps = 8;
+  const std::vector<Rung> all = *rungs_of(request);
+  ASSERT_EQ(all.back().name, "simulation_steps");
+  const std::vector<Rung> rungs = {all[0], named(all, "coverage"), all.back()};
+  const Ladder ladder = *climb(device(), rungs, request, silent_progress());
+  EXPECT_NE(ladder.rungs[2].picture.batches[0].pixels, ladder.rungs[1].picture.batches[0].pixels);
+  EXPECT_EQ(ladder.rungs[0].pose, ladder.rungs[1].pose);
+  EXPECT_TRUE(ladder.rungs[2].pose->simulate_further());
+  request.without = {"simulation_steps"};
+  const Ladder other = *climb(device(), rungs, request, silent_progress());
+  EXPECT_EQ(other.rungs[2].picture.batches[0].pixels, other.rungs[1].picture.batches[0].pixels);
+  EXPECT_EQ(other.rungs[1].picture.batches[0].pixels, ladder.rungs[1].picture.batches[0].pixels);
 }
 
 }  // namespace

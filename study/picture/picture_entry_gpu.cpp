@@ -16,7 +16,8 @@ struct LadderScene {
 };
 constexpr LadderScene k_scenes[] = {{"blond", "blond"}, {"curls", "black"}, {"fur", "fur_brown"}};
 
-Result<LadderRequest> request_of(const StudyRequest& request, const std::string& file, const std::string& name, std::string hair) {
+Result<LadderRequest> request_of(const StudyRequest& request, const std::string& file, const std::string& name,
+                                 std::string hair) {
   LadderRequest ladder;
   ladder.name = name;
   CUTICLE_ASSIGN(ladder.scene, scene::load_scene(file, plan::catalogue()));
@@ -24,8 +25,9 @@ Result<LadderRequest> request_of(const StudyRequest& request, const std::string&
   ladder.truth_model = request.options.at("truth-model");
   for (const std::string& rung : split_commas(request.options.at("without"))) ladder.without.insert(rung);
   if (request.quick) {
-    ladder.scene.camera.camera.resolution /= 2;
-    ladder.samples = 32;
+    ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 8;
+    ladder.samples = 64;
+    ladder.batches = 4;
     ladder.truth_coverage = 8;
   }
   return ladder;
@@ -36,7 +38,9 @@ Result<std::vector<LadderRequest>> requests_of(const StudyRequest& request) {
   std::vector<LadderRequest> requests;
   for (const LadderScene& known : k_scenes) {
     if (scene != "all" && scene != known.name) continue;
-    CUTICLE_ASSIGN(requests.emplace_back(), request_of(request, fmt::format("{}/scenes/ladder/{}.json", request.share, known.name), known.name, known.hair));
+    CUTICLE_ASSIGN(requests.emplace_back(),
+                   request_of(request, fmt::format("{}/scenes/ladder/{}.json", request.share, known.name), known.name,
+                              known.hair));
   }
   if (!requests.empty()) return requests;
   CUTICLE_ASSIGN(requests.emplace_back(), request_of(request, scene, std::filesystem::path(scene).stem().string(), ""));
@@ -54,8 +58,11 @@ Result<Study> declare_picture(const StudyRequest& request, Progress& progress) {
               .device = device->info().name,
               .driver = device->info().driver};
   study.timing.rounds = 5;
-  study.notes = {"Errors are of premultiplied linear radiance, over the pixels that hair covers in any rung. Times of traced rungs and of brute-force "
-                 "coverage are of one frame, by wall clock; of the others medians. Every rung keeps what the rungs before it changed."};
+  study.notes = {
+      "Errors are of premultiplied linear radiance, over the pixels that hair covers in any rung. Times of traced "
+      "rungs and of brute-force "
+      "coverage are of one frame, by wall clock; of the others medians. Every rung keeps what the rungs before it "
+      "changed."};
   for (const LadderRequest& each : requests) {
     CUTICLE_ASSIGN(const Ladder ladder, climb(device, each, progress));
     add_ladder(study, each.name, ladder);
@@ -70,7 +77,8 @@ const StudyEntry& picture_entry() {
       .name = "picture",
       .summary = "the ladder: what each approximation between path tracing and the real-time picture adds and saves",
       .options = {{"scene", "all", "scene file, or one of our own: blond, curls, fur; all: these three", true},
-                  {"hair", "", "physical fibre of both models; without it that of our scene, or a scene file's own material"},
+                  {"hair", "",
+                   "physical fibre of both models; without it that of our scene, or a scene file's own material"},
                   {"truth-model", "chiang", "model of the path-traced truth"},
                   {"without", "", "rungs that are switched off, a,b,c"}},
       .declare = declare_picture,

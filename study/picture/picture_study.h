@@ -7,27 +7,33 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
 #include "core/progress.h"
 #include "gpu/device.h"
 #include "plan/frame_runner_gpu.h"
+#include "plan/traced_frame.h"
 #include "scene/scene.h"
 #include "study/engine/study.h"
+#include "study/picture/noisy_pictures.h"
+#include "study/picture/pose.h"
 
 namespace cuticle::study {
 
 struct LadderRequest {
-  std::string name = {};        ///< of the group ("blond")
-  scene::Scene scene = {};      ///< its shadow method, tables and passes are those of the last rungs; hair alone is drawn
-  std::string hair = {};        ///< physical fibre of both models; empty: the scene's material, and no rung `model`
+  std::string name = {};    ///< of the group ("blond")
+  scene::Scene scene = {};  ///< its shadow method, tables and passes are those of the last rungs; hair alone is drawn
+  std::string hair = {};    ///< physical fibre of both models; empty: the scene's material, and no rung `model`
   std::string truth_model = "chiang", model = "marschner";
-  int samples = 256;            ///< paths of a pixel of the truth and of every traced rung
-  int truth_coverage = 32;      ///< samples a side of brute-force coverage
+  int samples = 256;                   ///< paths of a pixel of the truth and of every traced rung
+  int batches = 8;                     ///< that the paths come in, each with a seed of its own; two at least
+  int frame = 16;                      ///< of hair that is simulated: where it is drawn
+  int reference_steps = 64;            ///< of a frame: how finely it is simulated up to the rung simulation_steps
+  int truth_coverage = 32;             ///< samples a side of brute-force coverage
   std::set<std::string> without = {};  ///< rungs that are switched off
 };
 
 /// A rung: what it changes of the scene of the rung before. Rungs are, in their order: path_tracing, far_field, model,
-/// tables, single_scattering, shadow_method, strand_space, dual_scattering, coverage, level_of_detail.
+/// tables, single_scattering, shadow_method, strand_space, dual_scattering, coverage, level_of_detail,
+/// simulation_steps.
 struct Rung {
   std::string name = {}, words = {};
   std::function<Result<void>(scene::Scene&)> apply = {};
@@ -35,36 +41,58 @@ struct Rung {
 /// Those that the scene and this build have. Error: usage, for a name in `without` that is no rung; unknown models.
 Result<std::vector<Rung>> rungs_of(const LadderRequest& request);
 
-/// One rung's picture: linear, premultiplied; and what it took.
+/// One rung's picture, and what it took.
 struct RungPicture {
   Rung rung = {};
   scene::Scene scene = {};
-  Image color = {};
+  NoisyPicture picture = {};
+  std::shared_ptr<Pose> pose = {};                 ///< of the hair
   std::shared_ptr<plan::FrameRunner> runner = {};  ///< of rungs that a device draws in full: to be timed again
-  double seconds = 0, bytes = 0;              ///< of the frame, wall clock; of device memory
+  double seconds = 0, bytes = 0;  ///< of the frame: processor time, or by wall clock on a device; of device memory
 };
 struct Ladder {
   std::vector<RungPicture> rungs;
-  Image again;                   ///< path tracing with another seed: what noise alone changes
-  std::vector<int> strands;      ///< of each pixel of the truth: the first strand seen, -1 none
+  Image again;               ///< path tracing with other seeds: what noise alone changes
+  std::vector<int> strands;  ///< of each pixel of the truth: the first strand seen, -1 none
 };
+/// The hair alone, on nothing, without what is only drawn in real time (tints, ambient light).
+scene::Scene hair_of(const scene::Scene& scene);
+
+/// Draws scenes of the same hair, each in its pose.
+class Stage {
+ public:
+  Stage(std::shared_ptr<gpu::Device> device, const LadderRequest& request, Progress& progress)
+      : device_(std::move(device)), request_(request), progress_(progress) {}
+  /// By the scene's own way of drawing; path tracing comes in the request's batches. Errors: what drawing says.
+  Result<RungPicture> draw(const Rung& rung, const scene::Scene& scene);
+  /// The first strand that each pixel of the truth sees, and the truth with other seeds.
+  Result<void> add_truth(Ladder& ladder, scene::Scene scene);
+
+ private:
+  Result<void> take_pose(const scene::Scene& scene);
+  Result<plan::TracedFrame> trace_batch(scene::Scene scene, int seed);
+  Result<void> trace(const scene::Scene& scene, RungPicture& picture);
+  Result<void> run(const scene::Scene& scene, RungPicture& picture);
+  double now() const;
+
+  std::shared_ptr<gpu::Device> device_;
+  const LadderRequest& request_;
+  Progress& progress_;
+  std::shared_ptr<Pose> pose_;
+  scene::SimulationSource simulation_;  ///< that the pose is of
+};
+
 /// Draws every rung. Error: what drawing says.
 Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const LadderRequest& request, Progress& progress);
 /// The same of some of the rungs, the first of which is path tracing.
 Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung>& rungs, const LadderRequest& request,
                      Progress& progress);
 
-/// Relative squared errors of each pixel that either picture covers: |a - b|^2 over (truth^2 + (mean of the truth)^2),
-/// mean of the colours. Their mean over the pixels is the relative MSE.
-std::vector<double> squared_errors(const Image& a, const Image& b, const Image& truth);
-/// |mean radiance over a strand's pixels - that of the truth| over the mean of the truth, of every strand that is first
-/// in four pixels or more; luminance.
-std::vector<double> strand_errors(const Image& picture, const Image& truth, const std::vector<int>& strands);
-
-/// Errors that rungs add (against the rung before), that they have (against the truth), and the part of the total that
-/// the sum of what they add leaves: twice the products of their steps, which is exact for squared errors.
+/// Relative squared errors (RelativeSquares) that rungs add, against the rung before; that they have, against the
+/// truth; and the part of the total that the sum of what they add leaves: twice the products of their steps, which is
+/// exact for squares. All without what noise adds; `noise` is what it would add to the truth's own.
 struct LadderSum {
-  std::vector<double> added, against_truth;  ///< relative MSE, one for each rung after the first
+  std::vector<double> added, against_truth;  ///< one for each rung after the first
   double sum = 0, total = 0, remainder = 0, products = 0, noise = 0;
 };
 LadderSum sum_of(const Ladder& ladder);

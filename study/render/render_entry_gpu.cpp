@@ -1,6 +1,9 @@
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "plan/plan.h"
+#include "study/engine/split.h"
 #include "study/registry/entries.h"
 #include "study/render/render_study.h"
 
@@ -10,7 +13,14 @@ namespace {
 Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
   const std::string& scene = request.options.at("scene");
   RenderRequest render;
-  CUTICLE_ASSIGN(render.scene, scene::load_scene(scene.empty() ? request.share + "/scenes/demo.json" : scene, plan::catalogue()));
+  CUTICLE_ASSIGN(render.scene,
+                 scene::load_scene(scene.empty() ? request.share + "/scenes/demo.json" : scene, plan::catalogue()));
+  for (const std::string& name : split_commas(request.options.at("grooms"))) {
+    if (request.quick) break;
+    CUTICLE_ASSIGN(scene::Scene groom,
+                   scene::load_scene(fmt::format("{}/scenes/ladder/{}.json", request.share, name), plan::catalogue()));
+    render.grooms.push_back({name, std::move(groom)});
+  }
   if (request.quick) {
     render.grows = false;
     render.truth_samples = 16;
@@ -24,12 +34,15 @@ Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
 }  // namespace
 
 const StudyEntry& render_entry() {
-  static const StudyEntry entry{.name = "render",
-                                .summary = "ways to draw a scene's hair against brute force: error against time",
-                                .options = {{"scene", "", "scene file (JSON); without it that of the demo", true}},
-                                .declare = declare_render,
-                                .quick_seconds = 30,
-                                .seconds = 600};
+  static const StudyEntry entry{
+      .name = "render",
+      .summary = "ways to draw a scene's hair against brute force: error against time",
+      .options = {{"scene", "", "scene file (JSON); without it that of the demo", true},
+                  {"grooms", "blond,curls,fur",
+                   "further grooms of the ladder, still and moving, a,b,c; not with --quick"}},
+      .declare = declare_render,
+      .quick_seconds = 30,
+      .seconds = 1800};
   return entry;
 }
 

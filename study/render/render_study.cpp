@@ -8,10 +8,13 @@
 
 #include "core/expect.h"
 #include "plan/frame_runner_gpu.h"
+#include "study/picture/pose.h"
 
 namespace cuticle::study {
 
 namespace {
+
+constexpr int k_moving_frame = 16;
 
 /// What one pass is told beside the scene's own.
 struct Setting {
@@ -30,7 +33,7 @@ Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(sa
 
 /// Tiles: samples that coverage is kept by.
 void add_coverage(std::vector<Variant>& list) {
-  for (int rows : {0, 2, 4, 16}) list.push_back({"tiles", {{"tiles", "coverage_rows", std::int64_t(rows)}}});
+  for (int rows : {0, 2, 4, 8, 16}) list.push_back({"tiles", {{"tiles", "coverage_rows", std::int64_t(rows)}}});
 }
 
 /// Tiles: order of transparency x shading points x level of detail.
@@ -105,7 +108,8 @@ Image difference(const Image& picture, const Image& truth) {
 
 std::vector<Knob> knobs_of(const Variant& variant) {
   std::vector<Knob> knobs;
-  for (const Setting& setting : variant.settings) knobs.push_back({setting.parameter, registry::to_text(setting.value)});
+  for (const Setting& setting : variant.settings)
+    knobs.push_back({setting.parameter, registry::to_text(setting.value)});
   return knobs;
 }
 
@@ -130,7 +134,8 @@ struct View {
 };
 using SharedView = std::shared_ptr<View>;
 
-Result<SharedView> make_view(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, int samples, Progress& progress) {
+Result<SharedView> make_view(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, int samples,
+                             Progress& progress) {
   const auto view = std::make_shared<View>(View{nullptr, device, scene, device->allocated_bytes(), {}});
   const Variant truth{.method = "truth", .settings = {truth_samples(samples)}};
   scene::Scene first = scene;
@@ -145,7 +150,8 @@ Point point_of(const SharedView& view, const Variant& variant) {
   const auto measure = [=]() -> Result<Measured> {
     CUTICLE_ASSIGN(const Image picture, view->draw(variant));
     PictureErrors errors = compare(picture, view->truth);
-    return Measured{{std::move(errors.coverage), std::move(errors.color)}, double(view->device->allocated_bytes() - view->bytes_before)};
+    return Measured{{std::move(errors.coverage), std::move(errors.color)},
+                    double(view->device->allocated_bytes() - view->bytes_before)};
   };
   const auto before = [=] { return view->change(variant); };
   const auto run = [=]() -> Result<void> {
@@ -164,19 +170,23 @@ Result<void> add_pictures(Study& study, const std::string& name, View& view, con
     if (!variant.shown) continue;
     CUTICLE_ASSIGN(const Image picture, view.draw(variant));
     const std::string stem = fmt::format("{}_{}", name, variant.method);
-    study.pictures.push_back({stem + ".png", fmt::format("{}: {}", name, variant.method), truth, tone_map(picture, exposure)});
-    study.pictures.push_back({stem + "_error.png", "coverage: missing red, too much green, four times", "", difference(picture, view.truth)});
+    study.pictures.push_back(
+        {stem + ".png", fmt::format("{}: {}", name, variant.method), truth, tone_map(picture, exposure)});
+    study.pictures.push_back({stem + "_error.png", "coverage: missing red, too much green, four times", "",
+                              difference(picture, view.truth)});
   }
   return {};
 }
 
 Result<void> add_view(Study& study, const std::string& name, const SharedView& view, const RenderRequest& request) {
   const std::vector<Variant> list = variants(request.truth_samples, request.grows);
-  Group group{.name = name,
-              .title = fmt::format("Ways to draw hair, {}", name),
-              .truth = fmt::format("every sample of {0} x {0} in a pixel with all strands that cover it, sorted exactly", request.truth_samples),
-              .metrics = {{"coverage", "mean error of coverage"}, {"color", "mean error of luminance / mean luminance"}},
-              .item = "tile of 16 x 16 pixels"};
+  Group group{
+      .name = name,
+      .title = fmt::format("Ways to draw hair, {}", name),
+      .truth = fmt::format("every sample of {0} x {0} in a pixel with all strands that cover it, sorted exactly",
+                           request.truth_samples),
+      .metrics = {{"coverage", "mean error of coverage"}, {"color", "mean error of luminance / mean luminance"}},
+      .item = "tile of 16 x 16 pixels"};
   for (const Variant& variant : list) group.points.push_back(point_of(view, variant));
   study.groups.push_back(std::move(group));
   return add_pictures(study, name, *view, list);
@@ -205,7 +215,8 @@ Result<double> frame_seconds(const std::shared_ptr<gpu::Device>& device, const s
 }
 
 /// What a frame costs as one size grows and the others stand; the widest strands overlap most.
-Result<void> add_growth(Study& study, const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, Progress& progress) {
+Result<void> add_growth(Study& study, const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene,
+                        Progress& progress) {
   for (const char* what : {"strands", "pixels", "overlap"}) {
     Group group{.name = fmt::format("growth of {}", what), .title = fmt::format("A frame's time as the {} grow", what)};
     for (const char* method : {"lines", "quads", "tiles"})
@@ -214,7 +225,11 @@ Result<void> add_growth(Study& study, const std::shared_ptr<gpu::Device>& device
         scene::Scene changed = sized(scene, what, factor);
         changed.render_method = method;
         CUTICLE_ASSIGN(const double seconds, frame_seconds(device, changed));
-        group.points.push_back({method, {{"factor", fmt::format("{:g}", factor)}}, [] { return Result<Measured>(Measured{}); }, {}, seconds});
+        group.points.push_back({method,
+                                {{"factor", fmt::format("{:g}", factor)}},
+                                [] { return Result<Measured>(Measured{}); },
+                                {},
+                                seconds});
       }
     study.groups.push_back(std::move(group));
   }
@@ -222,6 +237,31 @@ Result<void> add_growth(Study& study, const std::shared_ptr<gpu::Device>& device
 }
 
 }  // namespace
+
+/// A scene's hair as framed, and from four times as far.
+Result<void> add_scene(Study& study, const std::shared_ptr<gpu::Device>& device, const std::string& prefix,
+                       scene::Scene scene, const RenderRequest& request, Progress& progress) {
+  CUTICLE_ASSIGN(const SharedView near, make_view(device, scene, request.truth_samples, progress));
+  CUTICLE_TRY(add_view(study, prefix + "near", near, request));
+  if (scene.camera.automatic) return {};
+  Camera& camera = scene.camera.camera;
+  camera.position = camera.target + 4.0 * (camera.position - camera.target);
+  camera.far_plane *= 4;
+  CUTICLE_ASSIGN(const SharedView far, make_view(device, scene, request.truth_samples, progress));
+  return add_view(study, prefix + "far", far, request);
+}
+
+/// The hair of another scene, at rest and, where it is simulated, in a frame of its motion.
+Result<void> add_groom(Study& study, const std::shared_ptr<gpu::Device>& device, const GroomInRender& groom,
+                       const RenderRequest& request, Progress& progress) {
+  RenderRequest few = request;
+  few.grows = false;
+  CUTICLE_TRY(add_scene(study, device, groom.name + ", still, ", hair_of(groom.scene), few, progress));
+  if (!is_simulated(groom.scene)) return {};
+  CUTICLE_ASSIGN(const auto pose, Pose::make(device, groom.scene, k_moving_frame, progress));
+  scene::Scene moved = hair_of(pose->at_rest(groom.scene));
+  return add_scene(study, device, groom.name + ", moving, ", std::move(moved), few, progress);
+}
 
 Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress) {
   Study study{.name = "render",
@@ -232,16 +272,10 @@ Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequ
               .device = device->info().name,
               .driver = device->info().driver,
               .timing = {.rounds = request.grows ? 5 : 3, .sample_seconds = 1e-6, .slow_seconds = 1}};
-  scene::Scene scene = hair_of(request.scene);
-  CUTICLE_ASSIGN(const SharedView near, make_view(device, scene, request.truth_samples, progress));
-  CUTICLE_TRY(add_view(study, "near", near, request));
+  const scene::Scene scene = hair_of(request.scene);
+  CUTICLE_TRY(add_scene(study, device, "", scene, request, progress));
   if (request.grows) CUTICLE_TRY(add_growth(study, device, scene, progress));
-  if (scene.camera.automatic) return study;
-  Camera& camera = scene.camera.camera;
-  camera.position = camera.target + 4.0 * (camera.position - camera.target);
-  camera.far_plane *= 4;
-  CUTICLE_ASSIGN(const SharedView far, make_view(device, scene, request.truth_samples, progress));
-  CUTICLE_TRY(add_view(study, "far", far, request));
+  for (const GroomInRender& groom : request.grooms) CUTICLE_TRY(add_groom(study, device, groom, request, progress));
   return study;
 }
 

@@ -106,29 +106,29 @@ inline Result<Drawn> try_draw(const Scene& scene) {
                      depth = tests::target(size, TextureFormat::depth32f);
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene.model));
   CUTICLE_ASSIGN(const auto material, registry::parse_assignments(model->entry.parameters, scene.material));
-  FrameResources resources;
-  resources.camera = scene.camera;
-  resources.camera.resolution = size;
-  resources.lights = scene.lights;
+  Resources resources;
+  resources.edit<FrameView>().camera = scene.camera;
+  resources.edit<FrameView>().camera.resolution = size;
+  resources.edit<Lights>().all = scene.lights;
   const gpu::Buffer reached = upload(scene.reached.empty() ? std::vector<float>{1} : scene.reached);
-  if (!scene.reached.empty()) resources.transmittance = {&reached};
-  resources.of_surfaces_alone = !scene.shadowed_by_hair;
+  if (!scene.reached.empty()) resources.edit<HairTransmittance>().reached = {&reached};
+  resources.edit<HairTransmittance>().of_surfaces_alone = !scene.shadowed_by_hair;
   surface_shadow::Maps maps;
   if (!scene.past.empty()) {
     maps.visibility = upload(scene.past);
-    resources.surface_shadow = &maps;
+    resources.put_reference(maps);
   }
-  resources.strands.vertices = &vertices;
-  resources.strands.vertex_count = std::uint32_t(positions.size());
-  resources.vertices_per_strand = k_vertices;
-  resources.rest = &scene.groom;
-  resources.model = model;
-  resources.model_values = &material;
-  resources.head = &scene.head;
-  resources.head_transform = scene.motion;
-  resources.color = resources.resolved = &color;
-  resources.depth = &depth;
-  resources.supersampling = 1;
+  resources.edit<DrawnHair>().strands.vertices = &vertices;
+  resources.edit<DrawnHair>().strands.vertex_count = std::uint32_t(positions.size());
+  resources.edit<DrawnHair>().vertices_per_strand = k_vertices;
+  resources.edit<RestStrands>().groom = &scene.groom;
+  resources.edit<FibreMaterial>().model = model;
+  resources.edit<FibreMaterial>().values = &material;
+  resources.edit<Surfaces>().head = &scene.head;
+  resources.edit<Surfaces>().head_transform = scene.motion;
+  resources.edit<Targets>().color = resources.edit<Targets>().resolved = &color;
+  resources.edit<Targets>().depth = &depth;
+  resources.edit<Targets>().supersampling = 1;
   resources.parameters["cards"] = parameters_of(scene);
   gpu::Commands commands = device()->record();
   std::vector<std::unique_ptr<GpuPass>> passes;
@@ -138,7 +138,7 @@ inline Result<Drawn> try_draw(const Scene& scene) {
     CUTICLE_ASSIGN(auto pass, (*entry)->create(device(), resources));
     pass->publish(resources);
     CUTICLE_TRY(pass->record(commands, resources));
-    resources.keep_target = name != "dual_scattering";
+    resources.edit<Targets>().keep = name != "dual_scattering";
     passes.push_back(std::move(pass));
   }
   Drawn drawn{.image = make_image(k_size, k_size, {"R", "G", "B", "A"}), .cost = {}, .notes = {}};

@@ -9,6 +9,7 @@
 
 #include "render/pass_gpu.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/passes/tile_lists/tile_lists.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
@@ -37,23 +38,23 @@ class Tiles {
     std::vector<std::uint64_t> halves;
     for (const glm::vec4& color : drawing.colors) halves.push_back(glm::packHalf4x16(color));
     colors_ = upload(halves);
-    resources_.camera = drawing.camera();
-    resources_.strands = {
+    resources_.edit<render::FrameView>().camera = drawing.camera();
+    resources_.edit<render::DrawnHair>().strands = {
         &vertices_, &segments_, std::uint32_t(drawing.vertices.size()), std::uint32_t(drawing.segments.size()), {}};
-    resources_.tangents = &tangents_;
-    resources_.strand_colors = &colors_;
-    resources_.vertices_per_strand = 2;
-    resources_.color = resources_.resolved = &color_;
-    resources_.depth = &depth_;
-    resources_.supersampling = 1;
-    resources_.keep_target = drawing.has_scene;
+    resources_.edit<render::DrawnHair>().tangents = &tangents_;
+    resources_.edit<render::shade_strands::StrandColors>().values = &colors_;
+    resources_.edit<render::DrawnHair>().vertices_per_strand = 2;
+    resources_.edit<render::Targets>().color = resources_.edit<render::Targets>().resolved = &color_;
+    resources_.edit<render::Targets>().depth = &depth_;
+    resources_.edit<render::Targets>().supersampling = 1;
+    resources_.edit<render::Targets>().keep = drawing.has_scene;
     set(render::lines::entry(), "tip_variation", 0.0);
     set(render::tile_sort::entry(), "slices", drawing.slices);
     set(render::tiles::entry(), "opacity", drawing.opacity);
     resources_.parameters["tiles"].set("coverage_rows", drawing.coverage_rows);
     set(render::tile_lists::entry(), "budget_mib", drawing.budget_mib);
     resources_.parameters["tile_lists"].set("full_px", drawing.full_px);
-    resources_.strands.bounds = {{-4, -4, -1}, {4, 4, 1}};
+    resources_.edit<render::DrawnHair>().strands.bounds = {{-4, -4, -1}, {4, 4, 1}};
     scene_ = std::vector<float>(std::size_t(drawing.size * drawing.size), drawing.scene_depth);
     for (std::size_t side = std::size_t(drawing.size), last = side - 1; drawing.has_gap && last < scene_.size();
          last += side)
@@ -70,9 +71,9 @@ class Tiles {
     drawn.color = make_image(color_.size().x, color_.size().y, {"R", "G", "B", "A"});
     drawn.color.pixels = *device()->download(color_);
     drawn.depth = *device()->download(depth_);
-    const gpu::Buffer& visible = resources_.tile_lists->visible;
+    const gpu::Buffer& visible = resources_.get<render::tile_lists::TileLists>().visible;
     const auto words = *gpu::read_buffer<std::uint32_t>(*device(), visible, visible.size() / 4);
-    for (std::uint32_t v = 0; v < resources_.strands.vertex_count; ++v)
+    for (std::uint32_t v = 0; v < resources_.get<render::DrawnHair>().strands.vertex_count; ++v)
       drawn.seen.push_back((words[v / 32] >> v % 32 & 1) != 0);
     return drawn;
   }
@@ -93,7 +94,7 @@ class Tiles {
     }
   }
   void submit() {
-    if (resources_.keep_target) {
+    if (resources_.get<render::Targets>().keep) {
       EXPECT_TRUE(device()->upload(depth_, scene_));
       EXPECT_TRUE(device()->upload(color_, std::vector<float>(4 * scene_.size(), 0.0f)));
     }
@@ -117,7 +118,7 @@ class Tiles {
   gpu::Texture color_, depth_;
   gpu::Buffer vertices_, segments_, tangents_, colors_;
   std::vector<float> scene_;
-  render::FrameResources resources_;
+  render::Resources resources_;
   std::vector<std::unique_ptr<render::GpuPass>> passes_;
 };
 

@@ -1,12 +1,16 @@
 #include "render/passes/ambient_occlusion/ambient_occlusion.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/pixel_depth/pixel_depth.h"
 #include "render/shading.h"
 
 namespace cuticle::render::ambient_occlusion {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device", "ambient_occlusion"};
+constexpr std::string_view k_demands[] = {"drawn_on_device", "ambient_occlusion"};
+constexpr Use k_uses[] = {reads<FrameView>(), reads<pixel_depth::PixelDepth>(), changes<Output>()};
 
 }  // namespace
 
@@ -27,6 +31,7 @@ const Pass& entry() {
                                    .demands = k_demands,
                                    .stage = registry::Stage::output,
                                    .dispatches = always<1>},
+                         .uses = k_uses,
                          .whole_pictures = true};
   return pass;
 }

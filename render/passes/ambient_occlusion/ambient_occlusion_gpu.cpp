@@ -18,14 +18,12 @@ class AmbientOcclusion : public GpuPass {
  public:
   explicit AmbientOcclusion(PictureFilter filter) : filter_(std::move(filter)) {}
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const FrameView& view = resources.get<FrameView>();
     const auto parameters = parameters_of<Parameters>(resources);
-    const Push push{glm::uvec2(resources.camera.resolution),
-                    float(1e-3 * parameters.radius),
-                    float(pixels_per_slope(resources.camera)),
-                    float(parameters.largest),
-                    float(parameters.strength),
-                    parameters.samples};
+    const Push push{glm::uvec2(view.camera.resolution),   float(1e-3 * parameters.radius),
+                    float(pixels_per_slope(view.camera)), float(parameters.largest),
+                    float(parameters.strength),           parameters.samples};
     filter_.record(commands, resources, gpu::bytes_of(push));
     return {};
   }
@@ -34,9 +32,10 @@ class AmbientOcclusion : public GpuPass {
   PictureFilter filter_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(PictureFilter filter,
-                 PictureFilter::create(*device, ambient_occlusion_comp, resources.camera.resolution, sizeof(Push)));
+                 PictureFilter::create(*device, ambient_occlusion_comp, resources.get<FrameView>().camera.resolution,
+                                       sizeof(Push)));
   return std::unique_ptr<GpuPass>(std::make_unique<AmbientOcclusion>(std::move(filter)));
 }
 

@@ -2,8 +2,13 @@
 #include <string_view>
 
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::aovs {
+
+/// What each pixel sees.
+struct Layers;
+constexpr std::string_view resource_name(const Layers*) { return "layers"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -1,10 +1,13 @@
 #include "render/passes/bake_tables/bake_tables.h"
 
+#include "render/inputs.h"
+
 namespace cuticle::render::bake_tables {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"light", "strands", "output_color", "shaded_from_tables"};
+constexpr std::string_view k_demands[] = {"light", "shaded_from_tables"};
+constexpr Use k_uses[] = {reads<FibreMaterial>(), writes<Tables>()};
 constexpr std::string_view k_systems[] = {"N12"};
 
 }  // namespace
@@ -22,7 +25,8 @@ const Pass& entry() {
                           .parameters = registry::table_of<Parameters>(),
                           .demands = k_demands,
                           .stage = registry::Stage::prepare,
-                          .systems = k_systems}};
+                          .systems = k_systems},
+                         k_uses};
   return pass;
 }
 

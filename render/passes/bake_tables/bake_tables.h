@@ -1,6 +1,7 @@
 #pragma once
 #include "core/registry/members.h"
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::bake_tables {
 
@@ -9,6 +10,10 @@ struct Parameters {
   bool mip_levels = false;
 };
 void describe(registry::Members& members, Parameters& parameters);
+
+/// The lookup tables of the material.
+struct Tables;
+constexpr std::string_view resource_name(const Tables*) { return "tables"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -1,12 +1,28 @@
 #include "render/passes/cards/cards.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/shading.h"
 
 namespace cuticle::render::cards {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_cards"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_cards"};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<Lights>(),
+                          reads<FibreMaterial>(),
+                          reads<Surfaces>(),
+                          reads<RestStrands>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          may_read<HairTransmittance>(),
+                          may_read<surface_shadow::Maps>(),
+                          may_read<dual_scattering::Terms>(),
+                          may_read<DrawnSurfaces>(),
+                          writes<StrandPixels>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10"};
 constexpr std::string_view k_schemes[] = {"four_pass", "three_pass"};
@@ -36,16 +52,18 @@ void describe(registry::Members& members, Parameters& p) {
 }
 
 const Pass& entry() {
-  static const Pass pass = of_whole_pictures(
-      shading({.name = "cards",
-               .summary = "strands as textured cards with ambient occlusion, opaque and transparent parts in passes",
-               .source = "Scheuermann 2004, Hair Rendering and Shading (GDC)",
-               .parameters = registry::table_of<Parameters>(),
-               .demands = k_demands,
-               .systems = k_systems,
-               .dispatches = dispatches,
-               .draws = 4,
-               .after = k_after}));
+  static const Pass pass = with_uses(
+      of_whole_pictures(shading(
+          {.name = "cards",
+           .summary = "strands as textured cards with ambient occlusion, opaque and transparent parts in passes",
+           .source = "Scheuermann 2004, Hair Rendering and Shading (GDC)",
+           .parameters = registry::table_of<Parameters>(),
+           .demands = k_demands,
+           .systems = k_systems,
+           .dispatches = dispatches,
+           .draws = 4,
+           .after = k_after})),
+      k_uses);
   return pass;
 }
 

@@ -6,8 +6,10 @@
 #include "render/passes/cards/cards.h"
 #include "render/passes/cards/placement_gpu.h"
 #include "render/passes/cards/sorting_gpu.h"
+#include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
 #include <cards_early_frag.spv.h>
 #include <cards_frag.spv.h>
@@ -44,11 +46,13 @@ glm::vec4 atlas_of(const strands::CardTextures& textures, double opaque_alpha) {
   return {first, last - first, textures.atlas_uv(1, 0, 0).x - first, float(opaque_alpha)};
 }
 
-void set_view(CardFrame& frame, const FrameResources& resources) {
-  frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
-  frame.eye = glm::vec4(resources.camera.position, 1);
-  frame.diffuse.w = float(resources.lights.size());
-  frame.lights = light_rows(resources.lights);
+void set_view(CardFrame& frame, const Resources& resources) {
+  const FrameView& view = resources.get<FrameView>();
+  const Lights& lights = resources.get<Lights>();
+  frame.world_to_clip = glm::mat4(projection_matrix(view.camera) * view_matrix(view.camera));
+  frame.eye = glm::vec4(view.camera.position, 1);
+  frame.diffuse.w = float(lights.all.size());
+  frame.lights = light_rows(lights.all);
 }
 
 constexpr std::size_t k_most_steps = 4;
@@ -64,10 +68,11 @@ class Cards : public GpuPass {
  public:
   explicit Cards(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-  Result<void> make_parts(const FrameResources& resources) {
+  Result<void> make_parts(const Resources& resources) {
     const auto parameters = parameters_of<Parameters>(resources);
-    CUTICLE_ASSIGN(const strands::HairCards cards,
-                   strands::make_hair_cards(*resources.rest, resources.head, parameters));
+    CUTICLE_ASSIGN(
+        const strands::HairCards cards,
+        strands::make_hair_cards(*resources.get<RestStrands>().groom, resources.get<Surfaces>().head, parameters));
     CUTICLE_ASSIGN(placement_, Placement::make(*device_, resources, cards));
     frame_.vertex_count = placement_.row_count();
     CUTICLE_ASSIGN(sorting_, Sorting::make(*device_, cards.mesh, parameters.order));
@@ -77,7 +82,7 @@ class Cards : public GpuPass {
     CUTICLE_ASSIGN(frame_buffer_, device_->make_buffer(sizeof(CardFrame)));
     CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_most_steps * sizeof(std::uint32_t)));
     CUTICLE_ASSIGN(const bsdf::scheuermann::Parameters material,
-                   material_of(*resources.model, *resources.model_values));
+                   material_of(*resources.get<FibreMaterial>().model, *resources.get<FibreMaterial>().values));
     set_material(frame_, material);
     if (is_lit_as_strands(resources)) CUTICLE_TRY(light_as_strands(resources, parameters));
     frame_.atlas = atlas_of(cards.textures, parameters.opaque_alpha);
@@ -85,11 +90,11 @@ class Cards : public GpuPass {
     return make_steps(resources, parameters);
   }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     set_view(frame_, resources);
     CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
     placement_.record(commands, resources);
-    sorting_.record(commands, resources.camera, placement_.placed());
+    sorting_.record(commands, resources.get<FrameView>().camera, placement_.placed());
     if (counts_) commands.fill(shaded_, 0);
     for (std::size_t k = 0; k < steps_.size(); ++k) draw(commands, resources, k);
     return {};
@@ -109,22 +114,24 @@ class Cards : public GpuPass {
  private:
   /// Whether what the hair about a point scatters stands in place of a diffuse colour, as by the other ways of drawing:
   /// where a material is of a fibre, and hair shadows hair or dual scattering is asked for.
-  static bool is_lit_as_strands(const FrameResources& resources) {
-    return resources.model->entry.name != "scheuermann" &&
-           (resources.dual_scattering || is_shadowed_by_hair(resources));
+  static bool is_lit_as_strands(const Resources& resources) {
+    return resources.get<FibreMaterial>().model->entry.name != "scheuermann" &&
+           (resources.find<dual_scattering::Terms>() || is_shadowed_by_hair(resources));
   }
-  static bool is_shadowed_by_hair(const FrameResources& resources) {
-    return !resources.transmittance.empty() && !resources.of_surfaces_alone;
+  static bool is_shadowed_by_hair(const Resources& resources) {
+    return !transmittance_of(resources).reached.empty() && !transmittance_of(resources).of_surfaces_alone;
   }
 
   /// The base texture, which varies a diffuse colour from 1 down, then leaves the mean as it is.
-  Result<void> light_as_strands(const FrameResources& resources, const Parameters& parameters) {
+  Result<void> light_as_strands(const Resources& resources, const Parameters& parameters) {
+    const FibreMaterial& material = resources.get<FibreMaterial>();
     frame_.diffuse = glm::vec4(0);
     frame_.shifts.z = float(1 / (1 - 0.5 * parameters.base_variation));
-    scattered_by_ = resources.dual_scattering ? ScatteredBy::dual_scattering : ScatteredBy::frame_multiple;
-    if (resources.dual_scattering) return {};
+    scattered_by_ =
+        resources.find<dual_scattering::Terms>() ? ScatteredBy::dual_scattering : ScatteredBy::frame_multiple;
+    if (scattered_by_ == ScatteredBy::dual_scattering) return {};
     const double strength = parameters_of<lines::Parameters>(resources).ambient;
-    CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*resources.model, *resources.model_values, strength));
+    CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*material.model, *material.values, strength));
     return {};
   }
 
@@ -136,7 +143,7 @@ class Cards : public GpuPass {
     bool cull_front = false, cull_back = false;
   };
 
-  Result<void> add_step(const FrameResources& resources, const char* name, const StepSettings& settings) {
+  Result<void> add_step(const Resources& resources, const char* name, const StepSettings& settings) {
     gpu::GraphicsDescription description = target_description(resources);
     const bool depth_alone = settings.fragment.data() == cards_prime_frag;
     description.vertex_spirv = cards_vert;
@@ -145,10 +152,10 @@ class Cards : public GpuPass {
         .storage_buffers = 7,
         .textures = 1,
         .specialization = with_channels({settings.is_opaque ? 1u : 0u, std::uint32_t(steps_.size()), counts_ ? 1u : 0u,
-                                         resources.transmittance.empty() ? 0u : 1u},
-                                        resources.channels)};
+                                         transmittance_of(resources).reached.empty() ? 0u : 1u},
+                                        transmittance_of(resources).channels)};
     for (std::uint32_t constant : {std::uint32_t(scattered_by_), std::uint32_t(is_shadowed_by_hair(resources)),
-                                   std::uint32_t(resources.surface_shadow != nullptr)})
+                                   std::uint32_t(resources.find<surface_shadow::Maps>() != nullptr)})
       description.interface.specialization.push_back(constant);
     if (depth_alone) description.color_formats.clear();
     description.blend = settings.is_opaque || depth_alone ? gpu::BlendMode::none : gpu::BlendMode::alpha;
@@ -163,7 +170,7 @@ class Cards : public GpuPass {
 
   /// A8: opaque parts, back faces, front faces, each by alpha test. A9: the depth of opaque parts first, so that the
   /// tests of depth do the rest, before anything is shaded.
-  Result<void> make_steps(const FrameResources& resources, const Parameters& parameters) {
+  Result<void> make_steps(const Resources& resources, const Parameters& parameters) {
     using gpu::DepthCompare;
     const bool primes = !parameters.three_pass;
     const TransparentDepth writes = parameters.transparent_depth;
@@ -182,19 +189,21 @@ class Cards : public GpuPass {
     return add_step(resources, "cards: front faces", {.fragment = rest, .writes_depth = front, .cull_back = true});
   }
 
-  void draw(gpu::Commands& commands, const FrameResources& resources, std::size_t k) const {
+  void draw(gpu::Commands& commands, const Resources& resources, std::size_t k) const {
     const Step& step = steps_[k];
     // The first step that draws begins the targets as the frame has them; what follows goes on.
-    const bool begins_depth = k == 0 && !resources.keep_target, first_color = k == (steps_[0].depth_alone ? 1u : 0u);
+    const bool begins_depth = k == 0 && !resources.get<Targets>().keep,
+               first_color = k == (steps_[0].depth_alone ? 1u : 0u);
     gpu::Commands::Target target = color_target(resources);
     target.keep = target.keep || !first_color;
     if (k + 1 < steps_.size()) target.resolve = nullptr;
     if (counts_) commands.begin_count(step.name);
-    commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.depth, !begins_depth);
+    commands.begin_rendering({&target, step.depth_alone ? 0u : 1u}, resources.get<Targets>().depth, !begins_depth);
     commands.draw(step.pipeline,
                   {&placement_.placed(), &placement_.rests(), &sorting_.indices(), &frame_buffer_, &shaded_,
                    &placement_.reached(),
-                   scattered_by_ == ScatteredBy::dual_scattering ? resources.dual_scattering : &frame_buffer_},
+                   scattered_by_ == ScatteredBy::dual_scattering ? resources.get<dual_scattering::Terms>().values
+                                                                 : &frame_buffer_},
                   {&texture_}, {}, sorting_.index_count());
     commands.end_rendering();
     if (counts_) commands.end_count();
@@ -212,8 +221,9 @@ class Cards : public GpuPass {
   ScatteredBy scattered_by_ = ScatteredBy::none;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.rest && resources.model && resources.model_values, "cards were planned without strands");
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  CUTICLE_EXPECT(resources.get<RestStrands>().groom && resources.get<FibreMaterial>().model,
+                 "cards were planned without strands");
   auto pass = std::make_unique<Cards>(std::move(device));
   CUTICLE_TRY(pass->make_parts(resources));
   return std::unique_ptr<GpuPass>(std::move(pass));

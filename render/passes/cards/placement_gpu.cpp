@@ -21,8 +21,8 @@ struct Push {
   std::uint32_t row_count, vertices_per_strand, vertex_count, shadows, surfaces;
 };
 
-std::uint32_t lights_past_surfaces(const FrameResources& resources) {
-  return resources.surface_shadow ? std::uint32_t(resources.lights.size()) : 0;
+std::uint32_t lights_past_surfaces(const Resources& resources) {
+  return resources.find<surface_shadow::Maps>() ? std::uint32_t(resources.get<Lights>().all.size()) : 0;
 }
 
 /// The mean of strands at v, their vertices taken for even steps, as cards_place.comp takes it.
@@ -76,15 +76,15 @@ class Rests {
 
 }  // namespace
 
-Result<Placement> Placement::make(gpu::Device& device, const FrameResources& resources,
-                                  const strands::HairCards& cards) {
-  const Rests rests(*resources.rest, cards);
+Result<Placement> Placement::make(gpu::Device& device, const Resources& resources, const strands::HairCards& cards) {
+  const Rests rests(*resources.get<RestStrands>().groom, cards);
   Placement placement;
   placement.rows_ = std::uint32_t(rests.rows.size());
   CUTICLE_ASSIGN(placement.rests_, gpu::make_buffer_from<CardRest>(device, rests.rows));
   CUTICLE_ASSIGN(placement.followers_, gpu::make_buffer_from<std::uint32_t>(device, rests.followers));
   CUTICLE_ASSIGN(placement.placed_, device.make_buffer(rests.rows.size() * 4 * sizeof(glm::vec4)));
-  const std::size_t shadows = resources.transmittance.size(), all = shadows + lights_past_surfaces(resources);
+  const std::size_t shadows = transmittance_of(resources).reached.size(),
+                    all = shadows + lights_past_surfaces(resources);
   CUTICLE_ASSIGN(placement.reached_,
                  device.make_buffer(std::max<std::size_t>(1, all * rests.rows.size()) * sizeof(float)));
   if (shadows > 0) {
@@ -95,19 +95,20 @@ Result<Placement> Placement::make(gpu::Device& device, const FrameResources& res
   return placement;
 }
 
-void Placement::record(gpu::Commands& commands, const FrameResources& resources) const {
-  const Push push{glm::mat4(resources.head_transform),
+void Placement::record(gpu::Commands& commands, const Resources& resources) const {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const Push push{glm::mat4(resources.get<Surfaces>().head_transform),
                   rows_,
-                  resources.vertices_per_strand,
-                  resources.strands.vertex_count,
-                  std::uint32_t(resources.transmittance.size()),
+                  hair.vertices_per_strand,
+                  hair.strands.vertex_count,
+                  std::uint32_t(transmittance_of(resources).reached.size()),
                   lights_past_surfaces(resources)};
   if (transmittance_) transmittance_->record(commands, resources);
   const gpu::Groups groups = gpu::groups_for(rows_);
   commands.dispatch(
       kernel_,
-      {resources.strands.vertices, &rests_, &followers_, &placed_, transmittance_ ? &transmittance_->buffer() : &rests_,
-       &reached_, resources.surface_shadow ? &resources.surface_shadow->visibility : &rests_},
+      {hair.strands.vertices, &rests_, &followers_, &placed_, transmittance_ ? &transmittance_->buffer() : &rests_,
+       &reached_, resources.find<surface_shadow::Maps>() ? &resources.get<surface_shadow::Maps>().visibility : &rests_},
       {}, gpu::bytes_of(push), groups.x, groups.y);
 }
 

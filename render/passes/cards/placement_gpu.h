@@ -22,9 +22,9 @@ inline constexpr std::size_t k_most_followers = 8;
 class Placement {
  public:
   /// Of the drawn strands at rest, all of as many vertices.
-  static Result<Placement> make(gpu::Device& device, const FrameResources& resources, const strands::HairCards& cards);
+  static Result<Placement> make(gpu::Device& device, const Resources& resources, const strands::HairCards& cards);
   /// One dispatch: the rows where this frame's strands are, and what of each light arrives there.
-  void record(gpu::Commands& commands, const FrameResources& resources) const;
+  void record(gpu::Commands& commands, const Resources& resources) const;
 
   const gpu::Buffer& rests() const { return rests_; }
   const gpu::Buffer& placed() const { return placed_; }

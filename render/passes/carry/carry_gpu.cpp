@@ -4,8 +4,8 @@ namespace cuticle::render::carry {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  if (const std::optional<PosedCharacter>& character = resources.character)
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  if (const auto* const character = resources.find<PosedCharacter>())
     character->hair->record(commands, character->skin->positions(), character->skin->normals());
   return {};
 }

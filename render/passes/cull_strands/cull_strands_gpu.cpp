@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "render/passes/cull_strands/cull_strands.h"
 #include "render/passes/lines/frame_gpu.h"
 
 #include <cull_depth_many_comp.spv.h>
@@ -36,15 +35,16 @@ struct Buffers {
   gpu::Buffer tile_depth, seen, lost;
 };
 
-Push push_of(const FrameResources& resources) {
-  const Camera& camera = resources.camera;
-  const StrandDraw& draw = *resources.strand_draw;
-  const lines::DrawnPart part = lines::drawn_part(resources, draw.full_px(resources.parameters));
+Push push_of(const Resources& resources) {
+  const Targets& targets = resources.get<Targets>();
+  const Camera& camera = resources.get<FrameView>().camera;
+  const StrandDraw& draw = resources.get<StrandDraw>();
+  const lines::DrawnPart part = lines::drawn_part(resources, draw.full_px);
   Push push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
-  push.size = glm::uvec2(resources.depth->size());
+  push.size = glm::uvec2(targets.depth->size());
   push.strand_count = part.strands;
-  push.vertices_per_strand = resources.vertices_per_strand;
+  push.vertices_per_strand = resources.get<DrawnHair>().vertices_per_strand;
   push.drawn_segments = part.segments;
   push.corners = draw.corners;
   push.width_scale =
@@ -53,12 +53,12 @@ Push push_of(const FrameResources& resources) {
   push.least_half_width = draw.of_one_width ? lines::widened(line_width, part.width) / 2 : 0;
   push.near = float(camera.near_plane);
   push.far = float(camera.far_plane);
-  push.has_scene = resources.keep_target ? 1 : 0;
+  push.has_scene = targets.keep ? 1 : 0;
   return push;
 }
 
-glm::uvec2 grid_of(const FrameResources& resources) {
-  return (glm::uvec2(resources.depth->size()) + k_tile - 1u) / k_tile;
+glm::uvec2 grid_of(const Resources& resources) {
+  return (glm::uvec2(resources.get<Targets>().depth->size()) + k_tile - 1u) / k_tile;
 }
 
 class CullStrands : public GpuPass {
@@ -69,19 +69,22 @@ class CullStrands : public GpuPass {
         buffers_(std::move(buffers)),
         strands_(std::move(strands)) {}
 
-  void publish(FrameResources& resources) const override { resources.seen_strands = &strands_; }
+  void publish(Resources& resources) const override { resources.put_reference(strands_); }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     const Push push = push_of(resources);
     const auto bytes = gpu::bytes_of(push);
     const glm::uvec2 grid = grid_of(resources);
     const gpu::Groups tiles = gpu::groups_for(std::size_t(grid.x) * grid.y),
                       strands = gpu::groups_for(push.strand_count);
-    commands.dispatch(kernels_.depth, {&buffers_.tile_depth}, {resources.depth}, bytes, tiles.x, tiles.y);
+    commands.dispatch(kernels_.depth, {&buffers_.tile_depth}, {resources.get<Targets>().depth}, bytes, tiles.x,
+                      tiles.y);
     commands.fill(buffers_.seen, 0);
     commands.fill(buffers_.lost, 0);
-    commands.dispatch(kernels_.see, {resources.strands.vertices, &buffers_.tile_depth, &buffers_.seen, &buffers_.lost},
-                      {}, bytes, strands.x, strands.y);
+    commands.dispatch(
+        kernels_.see,
+        {resources.get<DrawnHair>().strands.vertices, &buffers_.tile_depth, &buffers_.seen, &buffers_.lost}, {}, bytes,
+        strands.x, strands.y);
     commands.dispatch(kernels_.list, {&buffers_.seen, &strands_.list, &strands_.numbers}, {}, bytes, 1);
     all_ = push.strand_count;
     corners_ = push.corners * push.drawn_segments;
@@ -118,10 +121,11 @@ Result<Kernels> make_kernels(gpu::Device& device, std::uint32_t samples) {
   return kernels;
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const std::size_t strands = resources.strands.vertex_count / std::max(1u, resources.vertices_per_strand), word = 4;
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const std::size_t strands = hair.strands.vertex_count / std::max(1u, hair.vertices_per_strand), word = 4;
   const glm::uvec2 grid = grid_of(resources);
-  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, std::uint32_t(resources.depth->samples())));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, std::uint32_t(resources.get<Targets>().depth->samples())));
   Buffers buffers;
   CUTICLE_ASSIGN(buffers.tile_depth, device->make_buffer(word * grid.x * grid.y));
   CUTICLE_ASSIGN(buffers.seen, device->make_buffer(word * std::max<std::size_t>(1, (strands + 31) / 32)));
@@ -135,17 +139,18 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 
 }  // namespace
 
-const gpu::Buffer& list_of(const FrameResources& resources, const gpu::Buffer& unused) {
-  return resources.seen_strands ? resources.seen_strands->list : unused;
+const gpu::Buffer& list_of(const Resources& resources, const gpu::Buffer& unused) {
+  return resources.find<cull_strands::SeenStrands>() ? resources.get<cull_strands::SeenStrands>().list : unused;
 }
 
-std::uint32_t is_listed(const FrameResources& resources) { return resources.seen_strands ? 1 : 0; }
+std::uint32_t is_listed(const Resources& resources) { return resources.find<cull_strands::SeenStrands>() ? 1 : 0; }
 
-void draw(gpu::Commands& commands, const FrameResources& resources, const gpu::GraphicsPipeline& pipeline,
+void draw(gpu::Commands& commands, const Resources& resources, const gpu::GraphicsPipeline& pipeline,
           std::initializer_list<const gpu::Buffer*> buffers, std::initializer_list<const gpu::Texture*> textures,
           std::span<const std::byte> push_constants, std::uint32_t vertices) {
-  if (resources.seen_strands)
-    commands.draw_counted(pipeline, buffers, textures, push_constants, resources.seen_strands->numbers);
+  if (resources.find<cull_strands::SeenStrands>())
+    commands.draw_counted(pipeline, buffers, textures, push_constants,
+                          resources.get<cull_strands::SeenStrands>().numbers);
   else
     commands.draw(pipeline, buffers, textures, push_constants, vertices);
 }

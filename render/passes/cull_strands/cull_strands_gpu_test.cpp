@@ -20,20 +20,16 @@ std::vector<std::string> notes_of(const Drawing& drawing) {
   const gpu::Texture depth = *device()->make_texture(
       {drawing.camera().resolution, gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1, true});
   const gpu::Buffer vertices = tests::upload(drawing.vertices), segments = tests::upload(drawing.segments);
-  FrameResources resources;
-  resources.camera = drawing.camera();
-  resources.strands = {&vertices,
-                       &segments,
-                       std::uint32_t(drawing.vertices.size()),
-                       std::uint32_t(drawing.segments.size()),
-                       {glm::vec3(-3), glm::vec3(3)}};
-  resources.vertices_per_strand = k_vertices;
-  resources.depth = &depth;
-  resources.strand_draw =
-      StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<quads::Parameters>(all).full_px; },
-                 .corners = 6,
-                 .width_factor = 1};
-  resources.parameters["quads"] = registry::default_values(quads::entry().entry.parameters);
+  Resources resources;
+  resources.edit<FrameView>().camera = drawing.camera();
+  resources.edit<DrawnHair>().strands = {&vertices,
+                                         &segments,
+                                         std::uint32_t(drawing.vertices.size()),
+                                         std::uint32_t(drawing.segments.size()),
+                                         {glm::vec3(-3), glm::vec3(3)}};
+  resources.edit<DrawnHair>().vertices_per_strand = k_vertices;
+  resources.edit<Targets>().depth = &depth;
+  resources.put(StrandDraw{.corners = 6, .width_factor = 1});
   const auto entry = std::ranges::find(gpu_passes(), "cull_strands", &GpuPassEntry::name);
   const auto pass = *(*entry)->create(device(), resources);
   gpu::Commands commands = device()->record();

@@ -1,12 +1,16 @@
 #include "render/passes/depth_of_field/depth_of_field.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/pixel_depth/pixel_depth.h"
 #include "render/shading.h"
 
 namespace cuticle::render::depth_of_field {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device", "depth_of_field"};
+constexpr std::string_view k_demands[] = {"drawn_on_device", "depth_of_field"};
+constexpr Use k_uses[] = {reads<FrameView>(), reads<pixel_depth::PixelDepth>(), changes<Output>()};
 constexpr std::string_view k_after[] = {"ambient_occlusion", "temporal_antialiasing"};
 
 }  // namespace
@@ -31,6 +35,7 @@ const Pass& entry() {
                 .stage = registry::Stage::output,
                 .dispatches = always<3>,  // reach, spread, pixels
                 .after = k_after},
+      .uses = k_uses,
       .whole_pictures = true};
   return pass;
 }

@@ -1,6 +1,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/passes/depth_of_field/depth_of_field.h"
+#include "render/passes/pixel_depth/pixel_depth_gpu.h"
 #include "render/tiled_filter_gpu.h"
 
 #include <depth_of_field_comp.spv.h>
@@ -18,9 +19,9 @@ struct Push {
   std::uint32_t samples;
 };
 
-Push push_of(const FrameResources& resources) {
+Push push_of(const Resources& resources) {
   const auto parameters = parameters_of<Parameters>(resources);
-  const Camera& camera = resources.camera;
+  const Camera& camera = resources.get<FrameView>().camera;
   const double focus = parameters.focus;
   const glm::uvec2 resolution(camera.resolution);
   return {resolution,
@@ -35,8 +36,9 @@ class DepthOfField : public GpuPass {
  public:
   explicit DepthOfField(TiledFilter filter) : filter_(std::move(filter)) {}
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    filter_.record(commands, resources, *resources.pixel_depth, gpu::bytes_of(push_of(resources)));
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    filter_.record(commands, resources, *resources.get<pixel_depth::PixelDepth>().values,
+                   gpu::bytes_of(push_of(resources)));
     return {};
   }
 
@@ -44,13 +46,14 @@ class DepthOfField : public GpuPass {
   TiledFilter filter_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const TiledFilter::Shaders shaders{.reach = depth_of_field_reach_comp,
                                      .spread = depth_of_field_spread_comp,
                                      .pixels = depth_of_field_comp,
                                      .push_constant_bytes = sizeof(Push),
                                      .tile_bytes = sizeof(float)};
-  CUTICLE_ASSIGN(TiledFilter filter, TiledFilter::create(*device, shaders, resources.camera.resolution));
+  CUTICLE_ASSIGN(TiledFilter filter,
+                 TiledFilter::create(*device, shaders, resources.get<FrameView>().camera.resolution));
   return std::unique_ptr<GpuPass>(std::make_unique<DepthOfField>(std::move(filter)));
 }
 

@@ -1,12 +1,15 @@
 #include "render/passes/dual_scattering/dual_scattering.h"
 
+#include "render/inputs.h"
+#include "render/passes/bake_tables/bake_tables.h"
 #include "render/shading.h"
 
 namespace cuticle::render::dual_scattering {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"light", "output_color", "dual_scattering"};
+constexpr std::string_view k_demands[] = {"light", "dual_scattering"};
+constexpr Use k_uses[] = {reads<FibreMaterial>(), may_read<bake_tables::Tables>(), writes<Terms>()};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
 
@@ -24,15 +27,16 @@ void describe(registry::Members& members, Parameters& p) {
 
 const Pass& entry() {
   static const Pass pass =
-      shading({.name = "dual_scattering",
-               .summary = "averages of the fibre, from which light that was scattered many times is "
-                          "added, in place of lines.ambient",
-               .source = "Zinke, Yuksel, Weber and Keyser 2008, Dual scattering approximation",
-               .parameters = registry::table_of<Parameters>(),
-               .demands = k_demands,
-               .systems = k_systems,
-               .dispatches = always<0>,
-               .after = k_after});
+      with_uses(shading({.name = "dual_scattering",
+                         .summary = "averages of the fibre, from which light that was scattered many times is "
+                                    "added, in place of lines.ambient",
+                         .source = "Zinke, Yuksel, Weber and Keyser 2008, Dual scattering approximation",
+                         .parameters = registry::table_of<Parameters>(),
+                         .demands = k_demands,
+                         .systems = k_systems,
+                         .dispatches = always<0>,
+                         .after = k_after}),
+                k_uses);
   return pass;
 }
 

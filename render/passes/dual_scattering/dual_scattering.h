@@ -1,5 +1,6 @@
 #pragma once
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::dual_scattering {
 
@@ -8,6 +9,10 @@ struct Parameters {
   double forward_density = 1, backward_density = 1, direction_spread = 0.4;
 };
 void describe(registry::Members& members, Parameters& parameters);
+
+/// What dual scattering needs of the material.
+struct Terms;
+constexpr std::string_view resource_name(const Terms*) { return "dual_scattering"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -4,7 +4,7 @@
 
 #include "bsdf/chiang/chiang.h"
 #include "bsdf/dual_scattering/dual_scattering.h"
-#include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
 
@@ -51,11 +51,12 @@ registry::ParameterValues of_near_field(const bsdf::Model& model, registry::Para
   return values;
 }
 
-Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resources) {
-  const lut::TableSet* set = resources.table_set;
-  const bsdf::Model& model = set ? *set->model : *resources.model;
+Result<gpu::Buffer> make_terms(gpu::Device& device, const Resources& resources) {
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  const lut::TableSet* set = bake_tables::table_set_of(resources);
+  const bsdf::Model& model = set ? *set->model : *material.model;
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
-                 table_of(model, of_near_field(model, set ? set->values : *resources.model_values)));
+                 table_of(model, of_near_field(model, set ? set->values : *material.values)));
   const auto parameters = parameters_of<Parameters>(resources);
   const double spread = parameters.direction_spread;
   std::vector<glm::vec4> terms = {{parameters.forward_density, parameters.backward_density, spread * spread, 0}};
@@ -70,29 +71,30 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const FrameResources& resour
 class DualScattering : public GpuPass {
  public:
   explicit DualScattering(gpu::Buffer terms) : terms_(std::move(terms)) {}
-  void publish(FrameResources& resources) const override { resources.dual_scattering = &terms_; }
-  Result<void> record(gpu::Commands&, const FrameResources&) override { return {}; }
+  void publish(Resources& resources) const override { resources.put(Terms{&terms_}); }
+  Result<void> record(gpu::Commands&, const Resources&) override { return {}; }
 
  private:
   gpu::Buffer terms_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(gpu::Buffer terms, make_terms(*device, resources));
   return std::unique_ptr<GpuPass>(std::make_unique<DualScattering>(std::move(terms)));
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> with_dual_scattering(std::vector<std::uint32_t> before, const FrameResources& resources) {
-  before.push_back(resources.dual_scattering ? 1 : 0);
-  before.push_back(resources.surface_shadow ? 1 : 0);
+std::vector<std::uint32_t> with_dual_scattering(std::vector<std::uint32_t> before, const Resources& resources) {
+  before.push_back(resources.find<Terms>() ? 1 : 0);
+  before.push_back(resources.find<surface_shadow::Maps>() ? 1 : 0);
   return before;
 }
 
-Inputs inputs_of(const FrameResources& resources, const gpu::Buffer& unused) {
-  return {resources.dual_scattering ? resources.dual_scattering : &unused,
-          resources.surface_shadow ? &resources.surface_shadow->visibility : &unused};
+Inputs inputs_of(const Resources& resources, const gpu::Buffer& unused) {
+  const Terms* const terms = resources.find<Terms>();
+  return {terms ? terms->values : &unused,
+          resources.find<surface_shadow::Maps>() ? &resources.get<surface_shadow::Maps>().visibility : &unused};
 }
 
 const GpuPassEntry& gpu_entry() {

@@ -1,12 +1,18 @@
 #include "render/passes/fins/fins.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/shading.h"
 
 namespace cuticle::render::fins {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"fins_drawn", "output_color"};
+constexpr std::string_view k_demands[] = {"fins_drawn"};
+constexpr Use k_uses[] = {
+    reads<FrameView>(), reads<Lights>(),      reads<FibreMaterial>(),           reads<Surfaces>(),
+    reads<Targets>(),   reads<FinVertices>(), may_read<surface_shadow::Maps>(), changes<DrawnSurfaces>()};
 constexpr std::string_view k_systems[] = {"N10"};
 constexpr std::string_view k_after[] = {"head", "floor"};
 
@@ -21,14 +27,15 @@ void describe(registry::Members& members, Parameters& p) {
 }
 
 const Pass& entry() {
-  static const Pass pass = shading({.name = "fins",
-                                    .summary = "the scene's fins, thin sheets, drawn before the strands",
-                                    .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23",
-                                    .parameters = registry::table_of<Parameters>(),
-                                    .demands = k_demands,
-                                    .systems = k_systems,
-                                    .draws = 1,
-                                    .after = k_after});
+  static const Pass pass = with_uses(shading({.name = "fins",
+                                              .summary = "the scene's fins, thin sheets, drawn before the strands",
+                                              .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23",
+                                              .parameters = registry::table_of<Parameters>(),
+                                              .demands = k_demands,
+                                              .systems = k_systems,
+                                              .draws = 1,
+                                              .after = k_after}),
+                                     k_uses);
   return pass;
 }
 

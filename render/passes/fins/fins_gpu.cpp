@@ -12,9 +12,9 @@ class Fins : public GpuPass {
   Fins(std::shared_ptr<gpu::Device> device, head::MeshDraw draw, head::Diffuse diffuse)
       : device_(std::move(device)), draw_(std::move(draw)), diffuse_(diffuse) {}
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    return draw_.record(*device_, commands, resources, *resources.fin_positions, *resources.fin_normals, glm::dmat4(1),
-                        diffuse_);
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    return draw_.record(*device_, commands, resources, *resources.get<FinVertices>().positions,
+                        *resources.get<FinVertices>().normals, glm::dmat4(1), diffuse_);
   }
 
  private:
@@ -23,10 +23,11 @@ class Fins : public GpuPass {
   head::Diffuse diffuse_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.fins && !resources.fins->triangles.empty(), "the fins' pass was planned without fins");
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const Surfaces& surfaces = resources.get<Surfaces>();
+  CUTICLE_EXPECT(surfaces.fins && !surfaces.fins->triangles.empty(), "the fins' pass was planned without fins");
   const auto parameters = parameters_of<Parameters>(resources);
-  CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, resources.fins->triangles, fins_frag));
+  CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, surfaces.fins->triangles, fins_frag));
   return std::unique_ptr<GpuPass>(std::make_unique<Fins>(
       std::move(device), std::move(draw),
       head::Diffuse{parameters.root, parameters.tip, parameters.wrap, parameters.ambient, parameters.through}));

@@ -24,7 +24,7 @@ class FloorPass : public GpuPass {
     return {};
   }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     return draw_.record(*device_, commands, resources, positions_, normals_, glm::dmat4(1), diffuse_);
   }
 
@@ -35,13 +35,14 @@ class FloorPass : public GpuPass {
   gpu::Buffer positions_, normals_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.floor.has_value(), "the floor's pass was planned without a floor");
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const Surfaces& surfaces = resources.get<Surfaces>();
+  CUTICLE_EXPECT(surfaces.floor.has_value(), "the floor's pass was planned without a floor");
   CUTICLE_ASSIGN(head::MeshDraw draw, head::MeshDraw::create(*device, resources, k_triangles, floor_frag, true));
-  const head::Diffuse diffuse{resources.floor->albedo, resources.floor->albedo, 0,
+  const head::Diffuse diffuse{surfaces.floor->albedo, surfaces.floor->albedo, 0,
                               parameters_of<Parameters>(resources).ambient};
   auto pass = std::make_unique<FloorPass>(std::move(device), std::move(draw), diffuse);
-  CUTICLE_TRY(pass->make(*resources.floor));
+  CUTICLE_TRY(pass->make(*surfaces.floor));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }
 

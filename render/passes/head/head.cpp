@@ -5,15 +5,21 @@
 #include <limits>
 #include <span>
 
-#include <glm/geometric.hpp>
-
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/shading.h"
+
+#include <glm/geometric.hpp>
 
 namespace cuticle::render::head {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"head", "output_color"};
+constexpr std::string_view k_demands[] = {"head"};
+constexpr Use k_uses[] = {
+    reads<FrameView>(), reads<Lights>(),          reads<FibreMaterial>(),           reads<Surfaces>(),
+    reads<Targets>(),   may_read<HeadVertices>(), may_read<surface_shadow::Maps>(), changes<DrawnSurfaces>()};
 float nearest_distance(const glm::vec3& point, std::span<const glm::vec3> others) {
   float nearest = std::numeric_limits<float>::max();
   for (const glm::vec3& other : others) nearest = std::min(nearest, glm::dot(other - point, other - point));
@@ -45,12 +51,13 @@ void describe(registry::Members& members, Parameters& p) {
 
 const Pass& entry() {
   static const Pass pass =
-      shading({.name = "head",
-               .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
-               .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
-               .parameters = registry::table_of<Parameters>(),
-               .demands = k_demands,
-               .draws = 1});
+      with_uses(shading({.name = "head",
+                         .summary = "the head's mesh, diffuse, drawn first so that it hides what is behind it",
+                         .source = "wrap term: Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
+                         .parameters = registry::table_of<Parameters>(),
+                         .demands = k_demands,
+                         .draws = 1}),
+                k_uses);
   return pass;
 }
 

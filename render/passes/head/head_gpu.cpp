@@ -27,10 +27,11 @@ class Head : public GpuPass {
   Head(std::shared_ptr<gpu::Device> device, Geometry geometry, MeshDraw draw, const Diffuse& diffuse)
       : device_(std::move(device)), geometry_(std::move(geometry)), draw_(std::move(draw)), diffuse_(diffuse) {}
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const bool deforms = resources.head_positions != nullptr;
-    return draw_.record(*device_, commands, resources, deforms ? *resources.head_positions : geometry_.positions,
-                        deforms ? *resources.head_normals : geometry_.normals, resources.head_transform, diffuse_);
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const auto* const deformed = resources.find<HeadVertices>();
+    return draw_.record(*device_, commands, resources, deformed ? *deformed->positions : geometry_.positions,
+                        deformed ? *deformed->normals : geometry_.normals, resources.get<Surfaces>().head_transform,
+                        diffuse_);
   }
 
  private:
@@ -40,13 +41,13 @@ class Head : public GpuPass {
   Diffuse diffuse_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.head && !resources.head->triangles.empty(), "the head pass was planned without a head");
-  CUTICLE_ASSIGN(Geometry geometry, upload(*device, *resources.head, resources.scalp));
-  CUTICLE_ASSIGN(MeshDraw draw, MeshDraw::create(*device, resources, resources.head->triangles, head_frag));
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const Surfaces& surfaces = resources.get<Surfaces>();
+  CUTICLE_EXPECT(surfaces.head && !surfaces.head->triangles.empty(), "the head pass was planned without a head");
+  CUTICLE_ASSIGN(Geometry geometry, upload(*device, *surfaces.head, surfaces.scalp));
+  CUTICLE_ASSIGN(MeshDraw draw, MeshDraw::create(*device, resources, surfaces.head->triangles, head_frag));
   const auto parameters = parameters_of<Parameters>(resources);
-  const Diffuse diffuse{parameters.skin, parameters.scalp, parameters.wrap, parameters.ambient, 0,
-                        parameters.bleed};
+  const Diffuse diffuse{parameters.skin, parameters.scalp, parameters.wrap, parameters.ambient, 0, parameters.bleed};
   return std::unique_ptr<GpuPass>(
       std::make_unique<Head>(std::move(device), std::move(geometry), std::move(draw), diffuse));
 }

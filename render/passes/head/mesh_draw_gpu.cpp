@@ -23,30 +23,31 @@ struct DiffuseFrame {
 };
 static_assert(sizeof(DiffuseFrame) == 16 * (2 + 3 * k_most_lights) + 64 * k_most_lights + 32);
 
-void set_maps(DiffuseFrame& frame, const FrameResources& resources, const glm::dmat4& to_world) {
-  const surface_shadow::Maps& maps = *resources.surface_shadow;
-  for (std::size_t k = 0; k < resources.lights.size(); ++k)
+void set_maps(DiffuseFrame& frame, const Resources& resources, const glm::dmat4& to_world) {
+  const surface_shadow::Maps& maps = resources.get<surface_shadow::Maps>();
+  for (std::size_t k = 0; k < resources.get<Lights>().all.size(); ++k)
     frame.rest_to_map[k] = glm::mat4(glm::dmat4(maps.frame.world_to_map[k]) * to_world);
   frame.map_resolution = maps.frame.resolution;
   frame.map_columns = maps.frame.columns;
   frame.map_filter = maps.surface_filter;
 }
 
-DiffuseFrame frame_of(const FrameResources& resources, const glm::dmat4& to_world, const Diffuse& diffuse) {
+DiffuseFrame frame_of(const Resources& resources, const glm::dmat4& to_world, const Diffuse& diffuse) {
+  const Lights& lights = resources.get<Lights>();
   DiffuseFrame frame{};
   frame.albedo_0 = glm::vec4(diffuse.albedo_0, diffuse.wrap);
-  frame.albedo_1 = glm::vec4(diffuse.albedo_1, double(resources.lights.size()));
-  frame.lights = light_rows(resources.lights, glm::inverse(to_world));
+  frame.albedo_1 = glm::vec4(diffuse.albedo_1, double(lights.all.size()));
+  frame.lights = light_rows(lights.all, glm::inverse(to_world));
   frame.ambient = float(diffuse.ambient);
   frame.through = float(diffuse.through);
   frame.bleed = float(diffuse.bleed);
-  if (resources.surface_shadow) set_maps(frame, resources, to_world);
+  if (resources.find<surface_shadow::Maps>()) set_maps(frame, resources, to_world);
   return frame;
 }
 
 }  // namespace
 
-Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& resources,
+Result<MeshDraw> MeshDraw::create(gpu::Device& device, const Resources& resources,
                                   std::span<const std::array<std::uint32_t, 3>> triangles,
                                   std::span<const std::uint32_t> fragment, bool one_sided) {
   MeshDraw draw;
@@ -55,7 +56,7 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& res
   description.fragment_spirv = fragment;
   description.cull_back_faces = one_sided;
   description.interface = {4, 2, sizeof(glm::mat4),
-                           with_channels({}, shadows::different_channels(resources.fibre_alpha))};
+                           with_channels({}, shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha))};
   CUTICLE_ASSIGN(draw.pipeline_, device.make_graphics(description));
   CUTICLE_ASSIGN(draw.no_map_, device.make_texture({}));
   CUTICLE_ASSIGN(draw.frame_, device.make_buffer(sizeof(DiffuseFrame)));
@@ -65,12 +66,12 @@ Result<MeshDraw> MeshDraw::create(gpu::Device& device, const FrameResources& res
   return draw;
 }
 
-Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, const FrameResources& resources,
+Result<void> MeshDraw::record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
                               const gpu::Buffer& positions, const gpu::Buffer& normals, const glm::dmat4& to_world,
                               const Diffuse& diffuse) {
   CUTICLE_TRY(device.upload(frame_, gpu::bytes_of(frame_of(resources, to_world, diffuse))));
   const glm::mat4 to_clip(drawn_world_to_clip(resources) * to_world);
-  const surface_shadow::Maps* const maps = resources.surface_shadow;
+  const surface_shadow::Maps* const maps = resources.find<surface_shadow::Maps>();
   begin_target(commands, resources);
   commands.draw(pipeline_, {&positions, &normals, &indices_, &frame_},
                 {maps ? &maps->hair : &no_map_, maps ? &maps->surfaces : &no_map_}, gpu::bytes_of(to_clip),

@@ -15,11 +15,11 @@ struct Diffuse {
 class MeshDraw {
  public:
   /// `fragment`: SPIR-V of head.frag; `one_sided`: triangles that turn clockwise are not drawn. Error: out_of_memory.
-  static Result<MeshDraw> create(gpu::Device& device, const FrameResources& resources,
+  static Result<MeshDraw> create(gpu::Device& device, const Resources& resources,
                                  std::span<const std::array<std::uint32_t, 3>> triangles,
                                  std::span<const std::uint32_t> fragment, bool one_sided = false);
   /// positions, normals: vec4 per vertex (w: see Diffuse), moved to the world by `to_world`, a rigid transform.
-  Result<void> record(gpu::Device& device, gpu::Commands& commands, const FrameResources& resources,
+  Result<void> record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
                       const gpu::Buffer& positions, const gpu::Buffer& normals, const glm::dmat4& to_world,
                       const Diffuse& diffuse);
 

@@ -5,8 +5,8 @@ namespace cuticle::render::interpolate_strands {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  return resources.generator->record_interpolate(commands);
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  return resources.get<StrandMaker>().generator->record_interpolate(commands);
 }
 
 }  // namespace

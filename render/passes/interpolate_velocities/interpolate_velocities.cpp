@@ -1,28 +1,34 @@
 #include "render/generating.h"
+
+#include "render/frame.h"
+#include "render/inputs.h"
 #include "render/shading.h"
 
 namespace cuticle::render::interpolate_velocities {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments",
-                                          "strands_interpolated"};
+constexpr std::string_view k_demands[] = {"strands_interpolated"};
+constexpr Use k_uses[] = {reads<ControlHairs>(), reads<StrandMaker>(), reads<DrawnHair>(), reads<Surfaces>(),
+                          writes<DrawnVelocities>()};
 constexpr std::string_view k_systems[] = {"F2"};
 constexpr std::string_view k_after[] = {"interpolate_strands"};
 
 }  // namespace
 
 const Pass& entry() {
-  static const Pass pass = [] {
-    Pass made = generating({.name = "interpolate_velocities",
-                            .summary = "velocities of the drawn strands' vertices from those of the control hairs",
-                            .source = "Frostbite, Every Strand Counts (2023): what physics hands over",
-                            .demands = k_demands,
-                            .systems = k_systems,
-                            .after = k_after});
-    made.entry.dispatches = always<2>;
-    return made;
-  }();
+  static const Pass pass = with_uses(
+      [] {
+        Pass made = generating({.name = "interpolate_velocities",
+                                .summary = "velocities of the drawn strands' vertices from those of the control hairs",
+                                .source = "Frostbite, Every Strand Counts (2023): what physics hands over",
+                                .demands = k_demands,
+                                .systems = k_systems,
+                                .after = k_after});
+        made.entry.dispatches = always<2>;
+        return made;
+      }(),
+      k_uses);
   return pass;
 }
 

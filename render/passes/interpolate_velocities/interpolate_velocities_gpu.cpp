@@ -4,9 +4,10 @@ namespace cuticle::render::interpolate_velocities {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  return resources.drawn_strands->record_velocities(commands, *resources.control_positions, resources.control_motion,
-                                                    glm::mat3(resources.head_transform));
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  return resources.get<StrandMaker>().strands->record_velocities(commands, *resources.get<ControlHairs>().positions,
+                                                                 resources.get<ControlHairs>().motion,
+                                                                 glm::mat3(resources.get<Surfaces>().head_transform));
 }
 
 }  // namespace

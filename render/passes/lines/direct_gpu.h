@@ -9,9 +9,9 @@ class DirectScattering {
  public:
   /// Errors: bad_input where the model, with these parameters, is a function of h, which a vertex does not know, or has
   /// no kernel; what the device says.
-  static Result<DirectScattering> make(gpu::Device& device, const FrameResources& resources);
+  static Result<DirectScattering> make(gpu::Device& device, const Resources& resources);
   /// S of every light at every vertex; `frame` is that of lines_frame.glsl. Error: what the device says.
-  Result<void> record(gpu::Device& device, gpu::Commands& commands, const FrameResources& resources,
+  Result<void> record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
                       const gpu::Buffer& frame);
   /// rgb per light and vertex.
   const gpu::Buffer& scattered() const { return scattered_; }

@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "lut/bake_gpu.h"
 #include "render/pass_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "tests/support/drawn_strands.h"
 #include "tests/support/strand_angles.h"
@@ -69,7 +70,7 @@ struct Material {
   const lut::Layout* layout = nullptr;
 };
 
-void set_parameters(FrameResources& resources) {
+void set_parameters(Resources& resources) {
   auto shared = registry::default_values(lines::entry().entry.parameters);
   for (std::string_view name : {"tip_variation", "variation", "ambient"}) shared.set(name, 0.0);
   shared.set("width_px", 3.0);
@@ -77,13 +78,13 @@ void set_parameters(FrameResources& resources) {
 }
 
 /// The colour at the middle of each cell.
-Result<std::vector<glm::dvec3>> draw(std::string_view way, const FrameResources& resources) {
+Result<std::vector<glm::dvec3>> draw(std::string_view way, const Resources& resources) {
   const auto entry = std::ranges::find(gpu_passes(), way, &GpuPassEntry::name);
   CUTICLE_ASSIGN(const auto pass, (*entry)->create(device(), resources));
   gpu::Commands commands = device()->record();
   CUTICLE_TRY(pass->record(commands, resources));
   CUTICLE_TRY(device()->submit(std::move(commands)));
-  CUTICLE_ASSIGN(const std::vector<float> pixels, device()->download(*resources.color));
+  CUTICLE_ASSIGN(const std::vector<float> pixels, device()->download(*resources.get<Targets>().color));
   std::vector<glm::dvec3> colors;
   for (int k = 0; k < k_directions; ++k) {
     const int x = k % k_columns * k_cell_px + k_cell_px / 2, y = k / k_columns * k_cell_px + k_cell_px / 2;
@@ -100,23 +101,23 @@ Result<std::vector<glm::dvec3>> drawn(std::string_view way, const Strands& stran
                      depth = tests::target({k_size, k_size}, gpu::TextureFormat::depth32f);
   lut::TableSet set;
   std::vector<gpu::Texture> textures;
-  FrameResources resources;
-  resources.camera = camera();
-  resources.lights.push_back({"", k_to_light, k_irradiance});
-  resources.strands = {&vertices, &segments, 3 * k_directions, 2 * k_directions, {}};
-  resources.tangents = &tangents;
-  resources.vertices_per_strand = 3;
-  resources.model = &material.model;
-  resources.model_values = &material.values;
-  resources.evaluates_directly = material.layout == nullptr;
-  resources.color = resources.resolved = &color;
-  resources.depth = &depth;
-  resources.supersampling = 1;
+  Resources resources;
+  resources.edit<FrameView>().camera = camera();
+  resources.edit<Lights>().all.push_back({"", k_to_light, k_irradiance});
+  resources.edit<DrawnHair>().strands = {&vertices, &segments, 3 * k_directions, 2 * k_directions, {}};
+  resources.edit<DrawnHair>().tangents = &tangents;
+  resources.edit<DrawnHair>().vertices_per_strand = 3;
+  resources.edit<FibreMaterial>().model = &material.model;
+  resources.edit<FibreMaterial>().values = &material.values;
+  resources.edit<FibreMaterial>().evaluates_directly = material.layout == nullptr;
+  resources.edit<Targets>().color = resources.edit<Targets>().resolved = &color;
+  resources.edit<Targets>().depth = &depth;
+  resources.edit<Targets>().supersampling = 1;
   if (material.layout) {
     CUTICLE_ASSIGN(set, lut::bake(material.model, material.values, *material.layout, 128, silent_progress()));
     CUTICLE_ASSIGN(textures, lut::upload(*device(), set));
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
-    resources.table_set = &set;
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
+    resources.edit<bake_tables::Tables>().set = &set;
   }
   set_parameters(resources);
   return draw(way, resources);

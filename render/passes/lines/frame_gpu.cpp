@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "strands/lod/lod.glslh"
 #include "strands/lod/lod.h"
 
@@ -34,19 +35,21 @@ Result<glm::vec4> multiple_scattering(const bsdf::Model& model, const registry::
   return glm::vec4(once * once * once * (strength / (std::numbers::pi * std::numbers::pi)), 0);
 }
 
-Result<Frame> constant_part(const FrameResources& resources) {
+Result<Frame> constant_part(const Resources& resources) {
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  const DrawnHair& hair = resources.get<DrawnHair>();
   const auto parameters = parameters_of<Parameters>(resources);
   Frame frame{};
   frame.variation = float(parameters.variation);
   frame.tip_variation = float(parameters.tip_variation);
-  frame.vertices_per_strand = resources.vertices_per_strand;
-  frame.vertex_count = resources.strands.vertex_count;
-  if (resources.evaluates_directly) {
-    CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*resources.model, *resources.model_values, parameters.ambient));
+  frame.vertices_per_strand = hair.vertices_per_strand;
+  frame.vertex_count = hair.strands.vertex_count;
+  if (material.evaluates_directly) {
+    CUTICLE_ASSIGN(frame.multiple, multiple_scattering(*material.model, *material.values, parameters.ambient));
     return frame;
   }
-  if (!resources.table_set) return frame;
-  const lut::TableSet& set = *resources.table_set;
+  if (!bake_tables::table_set_of(resources)) return frame;
+  const lut::TableSet& set = *bake_tables::table_set_of(resources);
   CUTICLE_ASSIGN(const DrawnTables drawn, drawn_tables(set));
   frame.table_maps = drawn.maps;
   frame.table_scales = drawn.scales;
@@ -55,19 +58,22 @@ Result<Frame> constant_part(const FrameResources& resources) {
   return frame;
 }
 
-void set_view(Frame& frame, const FrameResources& resources) {
-  frame.world_to_clip = glm::mat4(projection_matrix(resources.camera) * view_matrix(resources.camera));
-  frame.eye = glm::vec4(resources.camera.position, 1);
-  frame.light_count = std::uint32_t(resources.lights.size());
-  frame.lights = light_rows(resources.lights);
+void set_view(Frame& frame, const Resources& resources) {
+  const FrameView& view = resources.get<FrameView>();
+  const Lights& lights = resources.get<Lights>();
+  frame.world_to_clip = glm::mat4(projection_matrix(view.camera) * view_matrix(view.camera));
+  frame.eye = glm::vec4(view.camera.position, 1);
+  frame.light_count = std::uint32_t(lights.all.size());
+  frame.lights = light_rows(lights.all);
 }
 
-DrawnPart drawn_part(const FrameResources& resources, double full_px) {
+DrawnPart drawn_part(const Resources& resources, double full_px) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
   constexpr double k_least_share = 0.01;
-  const std::uint32_t size = resources.vertices_per_strand;
-  DrawnPart part{resources.strands.vertex_count / std::max(1u, size), std::max(1u, size) - 1};
+  const std::uint32_t size = hair.vertices_per_strand;
+  DrawnPart part{hair.strands.vertex_count / std::max(1u, size), std::max(1u, size) - 1};
   if (full_px == 0 || part.strands == 0) return part;
-  const double covered_px = strands::covered_pixels(resources.strands.bounds, resources.camera);
+  const double covered_px = strands::covered_pixels(hair.strands.bounds, resources.get<FrameView>().camera);
   const double share = strands::drawn_share<double>(covered_px, full_px, k_least_share);
   const double steps = std::floor(4 * std::log2(1 / share));
   part.width = std::exp2(steps / 4);
@@ -79,23 +85,24 @@ DrawnPart drawn_part(const FrameResources& resources, double full_px) {
 namespace {
 
 /// Supersamples across a metre that is a metre away.
-double texels_at_a_metre(const FrameResources& resources) {
-  const Camera& camera = resources.camera;
-  return camera.resolution.y * resources.supersampling / (2 * std::tan(camera.vertical_field_of_view / 2));
+double texels_at_a_metre(const Resources& resources) {
+  const Camera& camera = resources.get<FrameView>().camera;
+  return camera.resolution.y * resources.get<Targets>().supersampling /
+         (2 * std::tan(camera.vertical_field_of_view / 2));
 }
 
 /// Depth at which the strands may begin, at least a quarter of the target's.
-double nearest_depth(const FrameResources& resources) {
+double nearest_depth(const Resources& resources) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
   constexpr double k_least = 0.25;
-  const Camera& camera = resources.camera;
+  const Camera& camera = resources.get<FrameView>().camera;
   const double target = glm::distance(camera.position, camera.target);
   const glm::dvec3 forward = (camera.target - camera.position) / std::max(target, 1e-9);
   double nearest = target;
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis)
-      point[axis] =
-          double((corner >> axis & 1) ? resources.strands.bounds.upper[axis] : resources.strands.bounds.lower[axis]);
+      point[axis] = double((corner >> axis & 1) ? hair.strands.bounds.upper[axis] : hair.strands.bounds.lower[axis]);
     nearest = std::min(nearest, glm::dot(point - camera.position, forward));
   }
   return std::max(nearest, k_least * target);
@@ -103,15 +110,16 @@ double nearest_depth(const FrameResources& resources) {
 
 }  // namespace
 
-float line_width(const FrameResources& resources) {
+float line_width(const Resources& resources) {
+  const Targets& targets = resources.get<Targets>();
   const auto parameters = parameters_of<Parameters>(resources);
-  if (parameters.width_px > 0) return float(parameters.width_px * resources.supersampling);
-  const double width = 2 * resources.strand_radius * texels_at_a_metre(resources) / nearest_depth(resources);
+  if (parameters.width_px > 0) return float(parameters.width_px * targets.supersampling);
+  const double width = 2 * resources.get<DrawnHair>().radius * texels_at_a_metre(resources) / nearest_depth(resources);
   const double step = std::exp2(std::ceil(4 * std::log2(std::max(width, 1.0))) / 4);
-  return float(std::max(1.0, std::min(step, parameters.widest_px * resources.supersampling)));
+  return float(std::max(1.0, std::min(step, parameters.widest_px * targets.supersampling)));
 }
 
-float opacity_of_radius(const FrameResources& resources, const DrawnPart& part, float width) {
+float opacity_of_radius(const Resources& resources, const DrawnPart& part, float width) {
   if (parameters_of<Parameters>(resources).width_px > 0) return 0;
   return float(2 * texels_at_a_metre(resources) * part.width / double(width));
 }

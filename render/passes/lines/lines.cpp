@@ -1,12 +1,33 @@
 #include "render/passes/lines/lines.h"
 
+#include <algorithm>
+
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/cull_strands/cull_strands.h"
+#include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/shading.h"
 
 namespace cuticle::render::lines {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_lines"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_lines"};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<Lights>(),
+                          reads<FibreMaterial>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          may_read<bake_tables::Tables>(),
+                          may_read<HairTransmittance>(),
+                          may_read<surface_shadow::Maps>(),
+                          may_read<dual_scattering::Terms>(),
+                          may_read<cull_strands::SeenStrands>(),
+                          may_read<DrawnSurfaces>(),
+                          writes<SeenHair>(),
+                          writes<StrandPixels>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor", "cull_strands", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F10", "H12", "H15"};
 
@@ -32,8 +53,19 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.variation, "variation", "1", 0, 1, "difference between strands: tilt of their tangents and brightness");
 }
 
-const Pass& entry() {
-  static const Pass pass = of_whole_pictures(
+namespace {
+
+/// 4 samples where the device offers them: only the strands' own draws read the depth.
+TargetShape targets(const PassParameters&, std::span<const int> offered) {
+  return {.samples = std::ranges::find(offered, 4) != offered.end() ? 4 : 1};
+}
+
+StrandDraw strand_draw(const PassParameters& all) {
+  return {.full_px = parameters_of<Parameters>(all).full_px, .corners = k_corners, .of_one_width = true};
+}
+
+Pass make() {
+  Pass pass = of_whole_pictures(
       shading({.name = "lines",
                .summary = "strands as line primitives, shaded from the lookup tables, shadowed per vertex",
                .source = "Nguyen and Donnelly 2005, GPU Gems 2, chapter 23.3",
@@ -43,6 +75,16 @@ const Pass& entry() {
                .dispatches = dispatches,
                .draws = 1,
                .after = k_after}));
+  pass.uses = k_uses;
+  pass.targets = targets;
+  pass.strand_draw = strand_draw;
+  return pass;
+}
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass = make();
   return pass;
 }
 

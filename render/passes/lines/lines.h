@@ -11,6 +11,8 @@ struct Parameters {
 };
 void describe(registry::Members& members, Parameters& parameters);
 
+inline constexpr std::uint32_t k_corners = 2;  ///< of a segment
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/cull_strands/cull_strands_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/lines.h"
@@ -19,25 +20,23 @@ namespace cuticle::render::lines {
 
 namespace {
 
-constexpr std::uint32_t k_corners = 2;  ///< of a segment
-
 std::span<const std::uint32_t> fragment_shader(bool coloured, bool says_seen) {
   if (coloured) return says_seen ? std::span<const std::uint32_t>(lines_coloured_seen_frag) : lines_coloured_frag;
   return says_seen ? std::span<const std::uint32_t>(lines_seen_frag) : lines_frag;
 }
 
-void set_shaders(gpu::GraphicsDescription& description, const FrameResources& resources) {
-  const bool coloured = resources.channels.count > 1;
+void set_shaders(gpu::GraphicsDescription& description, const Resources& resources) {
+  const bool coloured = transmittance_of(resources).channels.count > 1;
   description.vertex_spirv = lines_vert;
   if (coloured) description.vertex_spirv = lines_coloured_vert;
-  description.fragment_spirv = fragment_shader(coloured, resources.says_seen);
+  description.fragment_spirv = fragment_shader(coloured, resources.wants<SeenHair>());
   std::vector<std::uint32_t> constants =
-      dual_scattering::with_dual_scattering(with_channels({}, resources.channels), resources);
+      dual_scattering::with_dual_scattering(with_channels({}, transmittance_of(resources).channels), resources);
   constants.push_back(parameters_of<bake_tables::Parameters>(resources).mip_levels ? 1 : 0);
   constants.push_back(cull_strands::is_listed(resources));
-  constants.push_back(std::uint32_t(resources.color->samples()));
-  constants.push_back(resources.evaluates_directly ? 1 : 0);
-  description.interface = {8, 3, 0, with_layout(std::move(constants), resources.table_set)};
+  constants.push_back(std::uint32_t(resources.get<Targets>().color->samples()));
+  constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
+  description.interface = {8, 3, 0, with_layout(std::move(constants), bake_tables::table_set_of(resources))};
 }
 
 class Lines : public GpuPass {
@@ -45,16 +44,12 @@ class Lines : public GpuPass {
   Lines(std::shared_ptr<gpu::Device> device, ShadingInputs inputs)
       : device_(std::move(device)), inputs_(std::move(inputs)) {}
 
-  void publish(FrameResources& resources) const override {
-    resources.strand_draw =
-        StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<Parameters>(all).full_px; },
-                   .corners = k_corners,
-                   .of_one_width = true};
-    if (seen_) resources.seen_samples = &seen_;
+  void publish(Resources& resources) const override {
+    if (seen_) resources.put(SeenHair{.samples = &seen_});
   }
 
   /// The pipeline that draws lines of this width; made at its first use.
-  Result<const gpu::GraphicsPipeline*> pipeline_of(const FrameResources& resources, float width) {
+  Result<const gpu::GraphicsPipeline*> pipeline_of(const Resources& resources, float width) {
     if (const auto made = pipelines_.find(width); made != pipelines_.end()) return &made->second;
     gpu::GraphicsDescription description = target_description(resources);
     set_shaders(description, resources);
@@ -65,7 +60,7 @@ class Lines : public GpuPass {
     return &pipelines_.emplace(width, std::move(pipeline)).first->second;
   }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     CUTICLE_ASSIGN(Frame* const frame, inputs_.update(resources));
     const DrawnPart part = drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
@@ -86,13 +81,14 @@ class Lines : public GpuPass {
     return {};
   }
 
-  Result<void> make_parts(const FrameResources& resources) {
-    if (resources.says_seen) {
-      CUTICLE_ASSIGN(seen_, make_visibility(*device_, *resources.color));
+  Result<void> make_parts(const Resources& resources) {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    if (resources.wants<SeenHair>()) {
+      CUTICLE_ASSIGN(seen_, make_visibility(*device_, *resources.get<Targets>().color));
     }
     if (!parameters_of<Parameters>(resources).packed) return {};
-    const std::uint32_t size = resources.vertices_per_strand;
-    CUTICLE_ASSIGN(packing_, strands::GpuPacking::create(*device_, resources.strands.vertex_count / size, size));
+    const std::uint32_t size = hair.vertices_per_strand;
+    CUTICLE_ASSIGN(packing_, strands::GpuPacking::create(*device_, hair.strands.vertex_count / size, size));
     return {};
   }
 
@@ -102,15 +98,16 @@ class Lines : public GpuPass {
     const gpu::Buffer *vertices, *second;
     bool packed;
   };
-  DrawnBuffers packed_or_full(gpu::Commands& commands, const FrameResources& resources) {
-    if (!packing_) return {resources.strands.vertices, resources.tangents, false};
-    packing_->record(commands, *resources.strands.vertices, *resources.tangents);
+  DrawnBuffers packed_or_full(gpu::Commands& commands, const Resources& resources) {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    if (!packing_) return {hair.strands.vertices, hair.tangents, false};
+    packing_->record(commands, *hair.strands.vertices, *hair.tangents);
     return {&packing_->vertices(), &packing_->strands(), true};
   }
 
-  void begin(gpu::Commands& commands, const FrameResources& resources) const {
+  void begin(gpu::Commands& commands, const Resources& resources) const {
     const gpu::Commands::Target targets[] = {color_target(resources), {.color = &seen_}};
-    commands.begin_rendering({targets, seen_ ? 2u : 1u}, resources.depth, resources.keep_target);
+    commands.begin_rendering({targets, seen_ ? 2u : 1u}, resources.get<Targets>().depth, resources.get<Targets>().keep);
   }
 
   std::shared_ptr<gpu::Device> device_;
@@ -120,7 +117,7 @@ class Lines : public GpuPass {
   std::optional<strands::GpuPacking> packing_;  ///< where the scene asks for it
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(ShadingInputs inputs, ShadingInputs::make(device, resources));
   auto pass = std::make_unique<Lines>(std::move(device), std::move(inputs));
   CUTICLE_TRY(pass->make_parts(resources));

@@ -12,6 +12,7 @@
 #include "lut/bake_gpu.h"
 #include "lut/live_tables_gpu.h"
 #include "render/pass_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "strands/lod/lod.h"
 
@@ -39,7 +40,7 @@ const lut::TableSet& tables() {
   return set;
 }
 
-std::unique_ptr<GpuPass> make_pass(const FrameResources& resources) {
+std::unique_ptr<GpuPass> make_pass(const Resources& resources) {
   const auto entry = std::ranges::find(gpu_passes(), "lines", &GpuPassEntry::name);
   auto pass = (*entry)->create(device(), resources);
   EXPECT_TRUE(pass) << (pass ? "" : pass.error().message);
@@ -47,12 +48,12 @@ std::unique_ptr<GpuPass> make_pass(const FrameResources& resources) {
 }
 
 /// The picture, four floats a pixel.
-std::vector<float> drawn(GpuPass& pass, const FrameResources& resources) {
+std::vector<float> drawn(GpuPass& pass, const Resources& resources) {
   gpu::Commands commands = device()->record();
   EXPECT_TRUE(pass.record(commands, resources));
   const auto cost = device()->submit(std::move(commands));
   EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
-  return *device()->download(*resources.color);
+  return *device()->download(*resources.get<Targets>().color);
 }
 
 /// A target of so many pixels square, one sample each.
@@ -90,24 +91,26 @@ struct OneStrand {
     const gpu::Texture color = target(k_size, gpu::TextureFormat::rgba32f),
                        depth = target(k_size, gpu::TextureFormat::depth32f);
 
-    FrameResources resources;
-    resources.camera = {.position = k_eye, .vertical_field_of_view = 0.3, .resolution = {k_size, k_size}};
-    resources.lights = lights;
-    resources.strands = {&vertices, &segments, 2, 1, {}};
-    resources.tangents = &tangents;
-    for (const gpu::Buffer& buffer : transmittance) resources.transmittance.push_back(&buffer);
-    resources.vertices_per_strand = 2;
-    resources.color = resources.resolved = &color;
-    resources.depth = &depth;
-    resources.supersampling = 1;
+    Resources resources;
+    resources.edit<FrameView>().camera = {
+        .position = k_eye, .vertical_field_of_view = 0.3, .resolution = {k_size, k_size}};
+    resources.edit<Lights>().all = lights;
+    resources.edit<DrawnHair>().strands = {&vertices, &segments, 2, 1, {}};
+    resources.edit<DrawnHair>().tangents = &tangents;
+    for (const gpu::Buffer& buffer : transmittance) resources.edit<HairTransmittance>().reached.push_back(&buffer);
+    resources.edit<DrawnHair>().vertices_per_strand = 2;
+    resources.edit<Targets>().color = resources.edit<Targets>().resolved = &color;
+    resources.edit<Targets>().depth = &depth;
+    resources.edit<Targets>().supersampling = 1;
     resources.parameters["lines"] = parameters();
     std::unique_ptr<GpuPass> pass;
     std::vector<glm::vec4> pixels;
     for (int frame = 0; frame < frames; ++frame) {
       const Textures now = next();
-      resources.table_set = now.set;
-      resources.tables.clear();
-      for (const gpu::Texture& texture : now.textures) resources.tables.push_back(&texture);
+      resources.edit<bake_tables::Tables>().set = now.set;
+      resources.edit<bake_tables::Tables>().textures.clear();
+      for (const gpu::Texture& texture : now.textures)
+        resources.edit<bake_tables::Tables>().textures.push_back(&texture);
       if (!pass) pass = make_pass(resources);
       pixels.push_back(draw(*pass, resources));
     }
@@ -130,7 +133,7 @@ struct OneStrand {
     return std::move(*gpu::make_buffer_from<T>(*device(), data));
   }
 
-  static glm::vec4 draw(GpuPass& pass, const FrameResources& resources) {
+  static glm::vec4 draw(GpuPass& pass, const Resources& resources) {
     const std::vector<float> pixels = drawn(pass, resources);
     const float* pixel = pixels.data() + 4 * (k_size / 2 * k_size + k_size / 2);
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
@@ -246,15 +249,15 @@ class Fence {
   double covered(double distance) const {
     const gpu::Texture color = target(k_pixels, gpu::TextureFormat::rgba32f),
                        depth = target(k_pixels, gpu::TextureFormat::depth32f);
-    FrameResources resources;
-    resources.camera = camera_at(distance);
+    Resources resources;
+    resources.edit<FrameView>().camera = camera_at(distance);
     constexpr std::uint32_t count = k_strands * k_vertices;
-    resources.strands = {&vertices_, nullptr, count, 0, k_bounds};
-    resources.tangents = &tangents_;
-    resources.vertices_per_strand = k_vertices;
-    resources.color = resources.resolved = &color;
-    resources.depth = &depth;
-    resources.supersampling = 1;
+    resources.edit<DrawnHair>().strands = {&vertices_, nullptr, count, 0, k_bounds};
+    resources.edit<DrawnHair>().tangents = &tangents_;
+    resources.edit<DrawnHair>().vertices_per_strand = k_vertices;
+    resources.edit<Targets>().color = resources.edit<Targets>().resolved = &color;
+    resources.edit<Targets>().depth = &depth;
+    resources.edit<Targets>().supersampling = 1;
     resources.parameters["lines"] = parameters_;
     const std::vector<float> pixels = drawn(*make_pass(resources), resources);
     double sum = 0;

@@ -1,5 +1,6 @@
-// Curls narrower than a few pixels: the lookups of neighbouring pixels lie far apart in the tables. A curtain of strands
-// that wave towards the eye, at one sample a pixel with and without mip levels, beside the mean of 8 x 8 samples.
+// Curls narrower than a few pixels: the lookups of neighbouring pixels lie far apart in the tables. A curtain of
+// strands that wave towards the eye, at one sample a pixel with and without mip levels, beside the mean of 8 x 8
+// samples.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "lut/bake_gpu.h"
 #include "render/pass_gpu.h"
 #include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 
 namespace cuticle::render::lines_mip_levels_gpu_test {
@@ -62,11 +64,11 @@ class Curtain {
     const gpu::Texture color = target(size, gpu::TextureFormat::rgba32f),
                        depth = target(size, gpu::TextureFormat::depth32f);
     const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables(), mip_levels);
-    FrameResources resources = resources_of(mip_levels, size, fine);
-    resources.color = resources.resolved = &color;
-    resources.depth = &depth;
-    resources.table_set = &tables();
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
+    Resources resources = resources_of(mip_levels, size, fine);
+    resources.edit<Targets>().color = resources.edit<Targets>().resolved = &color;
+    resources.edit<Targets>().depth = &depth;
+    resources.edit<bake_tables::Tables>().set = &tables();
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
     const auto entry = std::ranges::find(gpu_passes(), "lines", &GpuPassEntry::name);
     const auto pass = std::move(*(*entry)->create(device(), resources));
     gpu::Commands commands = device()->record();
@@ -76,14 +78,17 @@ class Curtain {
   }
 
  private:
-  FrameResources resources_of(bool mip_levels, int size, int fine) const {
-    FrameResources resources;
-    resources.camera = {.position = {0, 0, 10}, .vertical_field_of_view = 0.09, .resolution = {size, size}};
-    resources.lights = {{.name = "", .to_light = glm::normalize(glm::dvec3(0.3, 0.5, 1)), .irradiance = {1, 1, 1}}};
-    resources.strands = {&vertices_, nullptr, k_strands * k_vertices, 0, {{-0.5f, -0.5f, -0.1f}, {0.5f, 0.5f, 0.1f}}};
-    resources.tangents = &tangents_;
-    resources.vertices_per_strand = k_vertices;
-    resources.supersampling = 1;
+  Resources resources_of(bool mip_levels, int size, int fine) const {
+    Resources resources;
+    resources.edit<FrameView>().camera = {
+        .position = {0, 0, 10}, .vertical_field_of_view = 0.09, .resolution = {size, size}};
+    resources.edit<Lights>().all = {
+        {.name = "", .to_light = glm::normalize(glm::dvec3(0.3, 0.5, 1)), .irradiance = {1, 1, 1}}};
+    resources.edit<DrawnHair>().strands = {
+        &vertices_, nullptr, k_strands * k_vertices, 0, {{-0.5f, -0.5f, -0.1f}, {0.5f, 0.5f, 0.1f}}};
+    resources.edit<DrawnHair>().tangents = &tangents_;
+    resources.edit<DrawnHair>().vertices_per_strand = k_vertices;
+    resources.edit<Targets>().supersampling = 1;
     registry::ParameterValues values = registry::default_values(lines::entry().entry.parameters);
     values.set("width_px", 1.5 * fine);
     values.set("variation", 0.0);
@@ -122,8 +127,8 @@ TEST(LinesMipLevels, NarrowCurls_AreNearerTheTruthThanWithout) {
     const Curtain curtain(period_px);
     const auto truth = curtain.picture(false, k_fine);
     const double without = error(curtain.picture(false, 1), truth), with = error(curtain.picture(true, 1), truth);
-    std::printf("curls of %2.0f pixels: error %.3f of the mean without mip levels, %.3f with them\n", period_px, without,
-                with);
+    std::printf("curls of %2.0f pixels: error %.3f of the mean without mip levels, %.3f with them\n", period_px,
+                without, with);
     EXPECT_LT(with, 0.75 * without) << period_px;
   }
 }

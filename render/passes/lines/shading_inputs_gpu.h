@@ -12,21 +12,21 @@ namespace cuticle::render::lines {
 class ShadingInputs {
  public:
   /// `variation`, `tip_variation` and `ambient` are those of the pass 'lines', however strands are drawn.
-  static Result<ShadingInputs> make(std::shared_ptr<gpu::Device> device, const FrameResources& resources);
+  static Result<ShadingInputs> make(std::shared_ptr<gpu::Device> device, const Resources& resources);
   /// Sets the frame's constants, those of the tables where their parameters have changed (lut::LiveTables).
-  Result<Frame*> update(const FrameResources& resources);
+  Result<Frame*> update(const Resources& resources);
   /// Uploads the constants and records the copies of the lights' transmittance, and the model's formulas where the
   /// scene wants them in place of tables or what stands in place of them.
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources);
+  Result<void> record(gpu::Commands& commands, const Resources& resources);
 
   const gpu::Buffer& frame() const { return frame_buffer_; }
   const gpu::Buffer& transmittance() const { return transmittance_.buffer(); }
   /// S of each light at each vertex (scattered.glsl); another buffer where tables are read.
   const gpu::Buffer& scattered() const { return direct_ ? direct_->scattered() : frame_buffer_; }
-  const gpu::Texture* table(const FrameResources& resources, std::size_t index) const;
+  const gpu::Texture* table(const Resources& resources, std::size_t index) const;
 
  private:
-  Result<void> take_tables(const FrameResources& resources);
+  Result<void> take_tables(const Resources& resources);
 
   std::shared_ptr<gpu::Device> device_;
   gpu::Buffer frame_buffer_;

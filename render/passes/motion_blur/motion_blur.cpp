@@ -1,12 +1,18 @@
 #include "render/passes/motion_blur/motion_blur.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/pixel_depth/pixel_depth.h"
+#include "render/passes/velocity/velocity.h"
 #include "render/shading.h"
 
 namespace cuticle::render::motion_blur {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "seen_segments", "motion_blur", "movement"};
+constexpr std::string_view k_demands[] = {"motion_blur", "movement"};
+constexpr Use k_uses[] = {reads<FrameView>(), reads<pixel_depth::PixelDepth>(), reads<velocity::MotionVectors>(),
+                          changes<Output>()};
 constexpr std::string_view k_after[] = {"ambient_occlusion", "temporal_antialiasing", "depth_of_field"};
 
 }  // namespace
@@ -30,6 +36,7 @@ const Pass& entry() {
                                    .stage = registry::Stage::output,
                                    .dispatches = always<3>,  // reach, spread, pixels
                                    .after = k_after},
+                         .uses = k_uses,
                          .whole_pictures = true};
   return pass;
 }

@@ -1,12 +1,19 @@
 #include "render/passes/pixel_depth/pixel_depth.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/aovs/aovs.h"
 #include "render/shading.h"
 
 namespace cuticle::render::pixel_depth {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device", "pixel_depth"};
+constexpr std::string_view k_demands[] = {"drawn_on_device"};
+constexpr Use k_uses[] = {reads<FrameView>(),       reads<Targets>(),
+                          reads<TargetDepth>(),     may_read<DrawnSurfaces>(),
+                          may_read<StrandPixels>(), may_read<aovs::Layers>().only_where("drawn_by_tiles"),
+                          takes<aovs::Layers>(),    writes<PixelDepth>()};
 
 }  // namespace
 
@@ -18,6 +25,7 @@ const Pass& entry() {
                                    .demands = k_demands,
                                    .stage = registry::Stage::resolve,
                                    .dispatches = always<1>},
+                         .uses = k_uses,
                          .whole_pictures = true};
   return pass;
 }

@@ -1,6 +1,8 @@
+#include "render/passes/pixel_depth/pixel_depth_gpu.h"
+
 #include "gpu/groups.h"
 #include "render/pass_gpu.h"
-#include "render/passes/aovs/aovs.h"
+#include "render/passes/aovs/aovs_gpu.h"
 
 #include <pixel_depth_many_comp.spv.h>
 #include <pixel_depth_one_comp.spv.h>
@@ -16,20 +18,21 @@ struct Push {
   std::uint32_t supersampling, aov_count;
 };
 
-class PixelDepth : public GpuPass {
+class PixelDepthPass : public GpuPass {
  public:
-  PixelDepth(gpu::Kernel kernel, gpu::Buffer depths) : kernel_(std::move(kernel)), depths_(std::move(depths)) {}
+  PixelDepthPass(gpu::Kernel kernel, gpu::Buffer depths) : kernel_(std::move(kernel)), depths_(std::move(depths)) {}
 
-  void publish(FrameResources& resources) const override { resources.pixel_depth = &depths_; }
+  void publish(Resources& resources) const override { resources.put(PixelDepth{&depths_}); }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const Camera& camera = resources.camera;
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const Targets& targets = resources.get<Targets>();
+    const Camera& camera = resources.get<FrameView>().camera;
+    const auto* const layers = resources.find<aovs::Layers>();
     const Push push{glm::uvec2(camera.resolution), float(1 / camera.near_plane), float(1 / camera.far_plane),
-                    std::uint32_t(resources.supersampling),
-                    resources.aovs ? std::uint32_t(std::size(aovs::k_channels)) : 0u};
+                    std::uint32_t(targets.supersampling), layers ? std::uint32_t(std::size(aovs::k_channels)) : 0u};
     const gpu::Groups groups = gpu::groups_for(std::size_t(push.resolution.x) * push.resolution.y);
-    commands.dispatch(kernel_, {resources.aovs ? resources.aovs : &depths_, &depths_}, {resources.depth},
-                      gpu::bytes_of(push), groups.x, groups.y);
+    commands.dispatch(kernel_, {layers ? layers->values : &depths_, &depths_}, {targets.depth}, gpu::bytes_of(push),
+                      groups.x, groups.y);
     return {};
   }
 
@@ -48,11 +51,12 @@ Result<gpu::Kernel> make_kernel(gpu::Device& device, int samples) {
   return device.make_kernel(pixel_depth_many_comp, interface);
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  const std::size_t pixels = std::size_t(resources.camera.resolution.x) * std::size_t(resources.camera.resolution.y);
-  CUTICLE_ASSIGN(gpu::Kernel kernel, make_kernel(*device, resources.depth->samples()));
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const FrameView& view = resources.get<FrameView>();
+  const std::size_t pixels = std::size_t(view.camera.resolution.x) * std::size_t(view.camera.resolution.y);
+  CUTICLE_ASSIGN(gpu::Kernel kernel, make_kernel(*device, resources.get<Targets>().depth->samples()));
   CUTICLE_ASSIGN(gpu::Buffer depths, device->make_buffer(pixels * sizeof(float)));
-  return std::unique_ptr<GpuPass>(std::make_unique<PixelDepth>(std::move(kernel), std::move(depths)));
+  return std::unique_ptr<GpuPass>(std::make_unique<PixelDepthPass>(std::move(kernel), std::move(depths)));
 }
 
 }  // namespace

@@ -4,8 +4,9 @@ namespace cuticle::render::place_strands {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  return resources.drawn_strands->record(commands, *resources.control_positions, glm::mat3(resources.head_transform));
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  return resources.get<StrandMaker>().strands->record(commands, *resources.get<ControlHairs>().positions,
+                                                      glm::mat3(resources.get<Surfaces>().head_transform));
 }
 
 }  // namespace

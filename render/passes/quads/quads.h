@@ -10,6 +10,8 @@ struct Parameters {
 };
 void describe(registry::Members& members, Parameters& parameters);
 
+inline constexpr std::uint32_t k_corners = 6;  ///< of a segment's two triangles
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/cull_strands/cull_strands_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/shading_inputs_gpu.h"
@@ -16,28 +17,21 @@ namespace cuticle::render::quads {
 namespace {
 
 constexpr int k_taper_texels = 64;
-constexpr std::uint32_t k_corners = 6;  ///< of a segment's two triangles
 
 class Quads : public GpuPass {
  public:
   explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
 
-  void publish(FrameResources& resources) const override {
-    const auto parameters = parameters_of<Parameters>(resources);
-    resources.seen_samples = &seen_;
-    resources.strand_draw =
-        StrandDraw{.full_px = [](const PassParameters& all) { return parameters_of<Parameters>(all).full_px; },
-                   .corners = k_corners,
-                   .width_factor = std::max(parameters.root_width, parameters.tip_width)};
-  }
+  void publish(Resources& resources) const override { resources.put(SeenHair{.samples = &seen_}); }
 
-  Result<void> make_parts(gpu::Device& device, const FrameResources& resources) {
-    CUTICLE_ASSIGN(seen_, make_visibility(device, *resources.color));
+  Result<void> make_parts(gpu::Device& device, const Resources& resources) {
+    CUTICLE_ASSIGN(seen_, make_visibility(device, *resources.get<Targets>().color));
     CUTICLE_TRY(make_taper(device, resources));
     return make_pipelines(device, resources);
   }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const DrawnHair& hair = resources.get<DrawnHair>();
     CUTICLE_ASSIGN(lines::Frame* const frame, inputs_.update(resources));
     const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
@@ -47,8 +41,8 @@ class Quads : public GpuPass {
     commands.begin_rendering({&target, 1}, nullptr);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     commands.draw(shade_,
-                  {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame(),
-                   dual.terms, dual.visibility, &inputs_.scattered()},
+                  {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(), dual.terms,
+                   dual.visibility, &inputs_.scattered()},
                   {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2), &seen_}, {},
                   3);
     commands.end_rendering();
@@ -56,7 +50,7 @@ class Quads : public GpuPass {
   }
 
  private:
-  Result<void> make_taper(gpu::Device& device, const FrameResources& resources) {
+  Result<void> make_taper(gpu::Device& device, const Resources& resources) {
     const auto parameters = parameters_of<Parameters>(resources);
     const double root = parameters.root_width, tip = parameters.tip_width;
     std::vector<float> texels;
@@ -68,7 +62,7 @@ class Quads : public GpuPass {
     return device.upload(taper_, texels);
   }
 
-  Result<void> make_pipelines(gpu::Device& device, const FrameResources& resources) {
+  Result<void> make_pipelines(gpu::Device& device, const Resources& resources) {
     gpu::GraphicsDescription description = target_description(resources);
     description.vertex_spirv = quads_vert;
     description.fragment_spirv = quads_frag;
@@ -84,23 +78,26 @@ class Quads : public GpuPass {
     description.vertex_spirv = resolve_vert;
     description.fragment_spirv = samples > 1 ? std::span<const std::uint32_t>(quads_shade_many_frag)
                                              : std::span<const std::uint32_t>(quads_shade_one_frag);
-    std::vector<std::uint32_t> constants =
-        dual_scattering::with_dual_scattering(with_channels({std::uint32_t(samples)}, resources.channels), resources);
-    constants.push_back(resources.evaluates_directly ? 1 : 0);
-    description.interface = {.storage_buffers = 7,
-                             .textures = 4,
-                             .specialization = lines::with_layout(std::move(constants), resources.table_set)};
+    std::vector<std::uint32_t> constants = dual_scattering::with_dual_scattering(
+        with_channels({std::uint32_t(samples)}, transmittance_of(resources).channels), resources);
+    constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
+    description.interface = {
+        .storage_buffers = 7,
+        .textures = 4,
+        .specialization = lines::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }
 
   /// The visibility buffer, in front of what was drawn before.
-  void see(gpu::Commands& commands, const FrameResources& resources, const lines::DrawnPart& part) const {
+  void see(gpu::Commands& commands, const Resources& resources, const lines::DrawnPart& part) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const Targets& targets = resources.get<Targets>();
     const gpu::Commands::Target target{.color = &seen_};
     const float width = float(part.width);
-    commands.begin_rendering({&target, 1}, resources.depth, resources.keep_target);
+    commands.begin_rendering({&target, 1}, targets.depth, targets.keep);
     cull_strands::draw(commands, resources, see_,
-                       {resources.strands.vertices, resources.tangents, &inputs_.transmittance(), &inputs_.frame(),
+                       {hair.strands.vertices, hair.tangents, &inputs_.transmittance(), &inputs_.frame(),
                         &cull_strands::list_of(resources, inputs_.frame())},
                        {&taper_}, gpu::bytes_of(width), k_corners * part.strands * part.segments);
     commands.end_rendering();
@@ -112,7 +109,7 @@ class Quads : public GpuPass {
   gpu::Texture taper_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(device, resources));
   auto pass = std::make_unique<Quads>(std::move(inputs));
   CUTICLE_TRY(pass->make_parts(*device, resources));

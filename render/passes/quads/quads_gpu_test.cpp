@@ -8,6 +8,7 @@
 
 #include "lut/bake_gpu.h"
 #include "render/pass_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/quads/quads.h"
 #include "tests/support/drawn_strands.h"
@@ -61,24 +62,25 @@ Image draw(const Drawing& drawing, const Settings& settings = {}) {
   const gpu::Buffer vertices = upload(drawing.vertices), segments = upload(drawing.segments),
                     tangents = upload(tangents_of(drawing, settings.vertices_per_strand));
   const std::vector<gpu::Texture> textures = *lut::upload(*device(), tables());
-  FrameResources resources;
-  resources.camera = drawing.camera();
-  resources.camera.position *= settings.far;
-  resources.strands = {&vertices,
-                       &segments,
-                       std::uint32_t(drawing.vertices.size()),
-                       std::uint32_t(drawing.segments.size()),
-                       {glm::vec3(-3), glm::vec3(3)}};
-  resources.tangents = &tangents;
-  resources.vertices_per_strand = settings.vertices_per_strand;
-  resources.color = &color;
-  resources.resolved = settings.samples > 1 ? &resolved : &color;
-  resources.depth = &depth;
-  resources.supersampling = 1;
+  Resources resources;
+  resources.edit<FrameView>().camera = drawing.camera();
+  resources.edit<FrameView>().camera.position *= settings.far;
+  resources.edit<DrawnHair>().strands = {&vertices,
+                                         &segments,
+                                         std::uint32_t(drawing.vertices.size()),
+                                         std::uint32_t(drawing.segments.size()),
+                                         {glm::vec3(-3), glm::vec3(3)}};
+  resources.edit<DrawnHair>().tangents = &tangents;
+  resources.edit<DrawnHair>().vertices_per_strand = settings.vertices_per_strand;
+  resources.edit<Targets>().color = &color;
+  resources.edit<Targets>().resolved = settings.samples > 1 ? &resolved : &color;
+  resources.edit<Targets>().depth = &depth;
+  resources.edit<Targets>().supersampling = 1;
   if (settings.lit) {
-    resources.lights = {{.name = "", .to_light = glm::normalize(glm::dvec3(1, 0.5, 0.6)), .irradiance = {1, 2, 3}}};
-    resources.table_set = &tables();
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
+    resources.edit<Lights>().all = {
+        {.name = "", .to_light = glm::normalize(glm::dvec3(1, 0.5, 0.6)), .irradiance = {1, 2, 3}}};
+    resources.edit<bake_tables::Tables>().set = &tables();
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
   }
   resources.parameters["lines"] = changed(lines::entry(), {{"tip_variation", 0}, {"variation", 0}});
   resources.parameters["quads"] =
@@ -91,7 +93,7 @@ Image draw(const Drawing& drawing, const Settings& settings = {}) {
   const auto cost = device()->submit(std::move(commands));
   EXPECT_TRUE(cost) << (cost ? "" : cost.error().message);
   Image image = make_image(size.x, size.y, {"R", "G", "B", "A"});
-  image.pixels = *device()->download(*resources.resolved);
+  image.pixels = *device()->download(*resources.get<Targets>().resolved);
   return image;
 }
 

@@ -2,13 +2,15 @@
 
 #include <vector>
 
+#include "render/frame.h"
 #include "shadows/method.h"
 
 namespace cuticle::render::reference {
 
 namespace {
 
-constexpr std::string_view k_reference_demands[] = {"strands", "output_color", "drawn_by_reference"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_reference"};
+constexpr Use k_uses[] = {reads<DrawnHair>(), may_read<HeadVertices>(), writes<Output>()};
 constexpr std::string_view k_fields[] = {"near", "far"};
 
 /// "traced", then every shadow method.
@@ -47,8 +49,9 @@ const Pass& entry() {
                 .summary = "path tracing on the CPU: light that scatters from fibre to fibre, without tables or maps",
                 .source = "Kajiya 1986; Veach 1997 (multiple importance sampling); the material's own fibre model",
                 .parameters = registry::table_of<Parameters>(),
-                .demands = k_reference_demands,
+                .demands = k_demands,
                 .stage = registry::Stage::resolve},
+      .uses = k_uses,
       .whole_pictures = true};
   return pass;
 }

@@ -1,10 +1,13 @@
 #include "render/passes/resolve/resolve.h"
 
+#include "render/frame.h"
+
 namespace cuticle::render::resolve {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "drawn_on_device"};
+constexpr std::string_view k_demands[] = {"drawn_on_device"};
+constexpr Use k_uses[] = {reads<Targets>(), may_read<DrawnSurfaces>(), may_read<StrandPixels>(), writes<Output>()};
 
 }  // namespace
 
@@ -21,7 +24,8 @@ const Pass& entry() {
                           .parameters = registry::table_of<Parameters>(),
                           .demands = k_demands,
                           .stage = registry::Stage::resolve,
-                          .draws = 1}};
+                          .draws = 1},
+                         k_uses};
   return pass;
 }
 

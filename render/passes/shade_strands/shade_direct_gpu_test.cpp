@@ -11,9 +11,10 @@
 #include "core/random.h"
 #include "lut/bake_gpu.h"
 #include "render/pass_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/lines/tables_gpu.h"
-#include "render/passes/shade_strands/shade_strands.h"
+#include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "study/luts/table_sampler.h"
 #include "tests/support/drawn_strands.h"
 #include "tests/support/strand_angles.h"
@@ -65,21 +66,21 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
                     tangents = upload(strands.tangents);
   lut::TableSet set;
   std::vector<gpu::Texture> textures;
-  FrameResources resources;
-  resources.camera = {.position = k_eye, .target = {0, 0, 0}, .resolution = {64, 64}};
-  resources.lights.push_back({"", k_to_light, k_irradiance});
+  Resources resources;
+  resources.edit<FrameView>().camera = {.position = k_eye, .target = {0, 0, 0}, .resolution = {64, 64}};
+  resources.edit<Lights>().all.push_back({"", k_to_light, k_irradiance});
   const auto count = std::uint32_t(strands.points.size());
-  resources.strands = {&vertices, &segments, count, std::uint32_t(strands.segments.size()), {}};
-  resources.tangents = &tangents;
-  resources.vertices_per_strand = 2;
-  resources.model = &model;
-  resources.model_values = &values;
-  resources.evaluates_directly = layout == nullptr;
+  resources.edit<DrawnHair>().strands = {&vertices, &segments, count, std::uint32_t(strands.segments.size()), {}};
+  resources.edit<DrawnHair>().tangents = &tangents;
+  resources.edit<DrawnHair>().vertices_per_strand = 2;
+  resources.edit<FibreMaterial>().model = &model;
+  resources.edit<FibreMaterial>().values = &values;
+  resources.edit<FibreMaterial>().evaluates_directly = layout == nullptr;
   if (layout) {
     CUTICLE_ASSIGN(set, lut::bake(model, values, *layout, size, silent_progress()));
     CUTICLE_ASSIGN(textures, lines::upload_drawn(*device(), set, false));
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
-    resources.table_set = &set;
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
+    resources.edit<bake_tables::Tables>().set = &set;
   }
   auto shared = registry::default_values(lines::entry().entry.parameters);
   for (std::string_view name : {"tip_variation", "variation", "ambient"}) shared.set(name, 0.0);
@@ -90,7 +91,8 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
   gpu::Commands commands = device()->record();
   CUTICLE_TRY(pass->record(commands, resources));
   CUTICLE_TRY(device()->submit(std::move(commands)));
-  CUTICLE_ASSIGN(const auto halves, gpu::read_buffer<std::uint64_t>(*device(), *resources.strand_colors, count));
+  CUTICLE_ASSIGN(const auto halves, gpu::read_buffer<std::uint64_t>(
+                                        *device(), *resources.get<shade_strands::StrandColors>().values, count));
   std::vector<glm::dvec3> colors;
   for (std::uint64_t half : halves) colors.emplace_back(glm::unpackHalf4x16(half));
   return colors;

@@ -1,12 +1,29 @@
 #include "render/passes/shade_strands/shade_strands.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/bake_tables/bake_tables.h"
+#include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
+#include "render/passes/tile_lists/tile_lists.h"
 #include "render/shading.h"
 
 namespace cuticle::render::shade_strands {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "strand_colors"};
+constexpr std::string_view k_demands[] = {"strands"};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<Lights>(),
+                          reads<FibreMaterial>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          may_read<tile_lists::TileLists>(),
+                          may_read<bake_tables::Tables>(),
+                          may_read<HairTransmittance>(),
+                          may_read<surface_shadow::Maps>(),
+                          may_read<dual_scattering::Terms>(),
+                          writes<StrandColors>()};
 constexpr std::string_view k_after[] = {"tile_lists", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F5"};
 std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape&) {
@@ -22,7 +39,7 @@ void describe(registry::Members& members, Parameters& p) {
 }
 
 const Pass& entry() {
-  static const Pass pass =
+  static const Pass pass = with_uses(
       shading({.name = "shade_strands",
                .summary = "radiance at points of the strands that are seen, fewer where they are far, from the tables",
                .source = "Frostbite, Every Strand Counts (2023): strand-space shading",
@@ -30,7 +47,8 @@ const Pass& entry() {
                .demands = k_demands,
                .systems = k_systems,
                .dispatches = dispatches,
-               .after = k_after});
+               .after = k_after}),
+      k_uses);
   return pass;
 }
 

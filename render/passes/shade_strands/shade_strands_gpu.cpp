@@ -1,10 +1,12 @@
+#include "render/passes/shade_strands/shade_strands_gpu.h"
+
 #include <cmath>
 
 #include "gpu/groups.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/lines/shading_inputs_gpu.h"
-#include "render/passes/shade_strands/shade_strands.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 
 #include <shade_choose_comp.spv.h>
@@ -42,12 +44,11 @@ class ShadeStrands : public GpuPass {
   ShadeStrands(Kernels kernels, lines::ShadingInputs inputs, Buffers buffers, double point_px)
       : kernels_(std::move(kernels)), inputs_(std::move(inputs)), buffers_(std::move(buffers)), point_px_(point_px) {}
 
-  void publish(FrameResources& resources) const override {
-    resources.strand_colors = &buffers_.colors;
-    if (point_px_ > 0) resources.shaded_vertices = &buffers_.shaded;
+  void publish(Resources& resources) const override {
+    resources.put(StrandColors{&buffers_.colors, point_px_ > 0 ? &buffers_.shaded : nullptr});
   }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     CUTICLE_TRY(inputs_.update(resources));
     CUTICLE_TRY(inputs_.record(commands, resources));
     if (point_px_ > 0) record_choose(commands, resources);
@@ -57,41 +58,45 @@ class ShadeStrands : public GpuPass {
   }
 
  private:
-  static std::uint32_t only_visible(const FrameResources& resources) { return resources.tile_lists ? 1 : 0; }
-  const gpu::Buffer& visible(const FrameResources& resources) const {
-    return resources.tile_lists ? resources.tile_lists->visible : inputs_.frame();
+  static std::uint32_t only_visible(const Resources& resources) {
+    return resources.find<tile_lists::TileLists>() ? 1 : 0;
+  }
+  const gpu::Buffer& visible(const Resources& resources) const {
+    return resources.find<tile_lists::TileLists>() ? resources.get<tile_lists::TileLists>().visible : inputs_.frame();
   }
 
-  void record_choose(gpu::Commands& commands, const FrameResources& resources) const {
-    const Camera& camera = resources.camera;
+  void record_choose(gpu::Commands& commands, const Resources& resources) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const Camera& camera = resources.get<FrameView>().camera;
     const double pixels = camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2));  // a metre at one
-    const std::uint32_t strands = resources.strands.vertex_count / resources.vertices_per_strand;
-    const ChoosePush push{glm::vec3(camera.position), float(pixels / point_px_), strands, resources.vertices_per_strand,
+    const std::uint32_t strands = hair.strands.vertex_count / hair.vertices_per_strand;
+    const ChoosePush push{glm::vec3(camera.position), float(pixels / point_px_), strands, hair.vertices_per_strand,
                           only_visible(resources)};
     const gpu::Groups groups = gpu::groups_for(strands);
     commands.fill(buffers_.shaded, 0);
-    commands.dispatch(kernels_.choose,
-                      {resources.strands.vertices, &visible(resources), &buffers_.points, &buffers_.shaded}, {},
-                      gpu::bytes_of(push), groups.x, groups.y);
+    commands.dispatch(kernels_.choose, {hair.strands.vertices, &visible(resources), &buffers_.points, &buffers_.shaded},
+                      {}, gpu::bytes_of(push), groups.x, groups.y);
   }
 
-  void record_shade(gpu::Commands& commands, const FrameResources& resources) const {
+  void record_shade(gpu::Commands& commands, const Resources& resources) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
     const ShadePush push{only_visible(resources), point_px_ > 0 ? 1u : 0u};
-    const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
+    const gpu::Groups groups = gpu::groups_for(hair.strands.vertex_count);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
     commands.dispatch(
         kernels_.shade,
-        {resources.strands.vertices, resources.tangents, &buffers_.colors, &inputs_.frame(), &inputs_.transmittance(),
+        {hair.strands.vertices, hair.tangents, &buffers_.colors, &inputs_.frame(), &inputs_.transmittance(),
          &visible(resources), &buffers_.shaded, dual.terms, dual.visibility, &inputs_.scattered()},
         {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, gpu::bytes_of(push),
         groups.x, groups.y);
   }
 
-  void record_fill(gpu::Commands& commands, const FrameResources& resources) const {
-    const FillPush push{resources.strands.vertex_count, resources.vertices_per_strand,
+  void record_fill(gpu::Commands& commands, const Resources& resources) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const FillPush push{hair.strands.vertex_count, hair.vertices_per_strand,
                         float(parameters_of<lines::Parameters>(resources).tip_variation), only_visible(resources)};
-    const gpu::Groups groups = gpu::groups_for(resources.strands.vertex_count);
-    commands.dispatch(kernels_.fill, {resources.tangents, &visible(resources), &buffers_.points, &buffers_.colors}, {},
+    const gpu::Groups groups = gpu::groups_for(hair.strands.vertex_count);
+    commands.dispatch(kernels_.fill, {hair.tangents, &visible(resources), &buffers_.points, &buffers_.colors}, {},
                       gpu::bytes_of(push), groups.x, groups.y);
   }
 
@@ -101,30 +106,30 @@ class ShadeStrands : public GpuPass {
   double point_px_;
 };
 
-Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
+Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.choose, device.make_kernel(shade_choose_comp, {4, 0, sizeof(ChoosePush)}));
   std::vector<std::uint32_t> constants =
-      with_channels(dual_scattering::with_dual_scattering({}, resources), resources.channels);
-  constants.push_back(resources.evaluates_directly ? 1 : 0);
-  constants = lines::with_layout(std::move(constants), resources.table_set);
+      with_channels(dual_scattering::with_dual_scattering({}, resources), transmittance_of(resources).channels);
+  constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
+  constants = lines::with_layout(std::move(constants), bake_tables::table_set_of(resources));
   CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
 }
 
 /// Without shading points the last two take their places only.
-Result<Buffers> make_buffers(gpu::Device& device, const FrameResources& resources, bool by_points) {
-  const std::size_t vertices = resources.strands.vertex_count, word = sizeof(std::uint32_t);
+Result<Buffers> make_buffers(gpu::Device& device, const Resources& resources, bool by_points) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const std::size_t vertices = hair.strands.vertex_count, word = sizeof(std::uint32_t);
   Buffers buffers;
   CUTICLE_ASSIGN(buffers.colors, device.make_buffer(vertices * sizeof(glm::uvec2)));
-  CUTICLE_ASSIGN(buffers.points,
-                 device.make_buffer(by_points ? vertices / resources.vertices_per_strand * word : word));
+  CUTICLE_ASSIGN(buffers.points, device.make_buffer(by_points ? vertices / hair.vertices_per_strand * word : word));
   CUTICLE_ASSIGN(buffers.shaded, device.make_buffer(by_points ? (1 + vertices) * word : 2 * word));
   return buffers;
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const double point_px = parameters_of<Parameters>(resources).point_px;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));

@@ -10,9 +10,10 @@
 
 #include "bsdf/dual_scattering/dual_scattering.h"
 #include "lut/bake_gpu.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering.h"
 #include "render/passes/lines/lines.h"
-#include "render/passes/shade_strands/shade_strands.h"
+#include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "tests/support/drawn_strands.h"
@@ -80,23 +81,24 @@ class Field {
         *lut::bake(model(), material(settings.material), **lut::find_layout("nalu"), 32, silent_progress());
     const std::vector<gpu::Texture> textures = *lut::upload(*device(), set);
     const gpu::Texture depth = tests::target({k_size, k_size}, gpu::TextureFormat::depth32f);
-    FrameResources resources;
-    resources.camera = {.position = {0, settings.lower, settings.distance},
-                        .target = {0, settings.lower, 0},
-                        .vertical_field_of_view = k_field_of_view,
-                        .near_plane = 0.1,
-                        .far_plane = 1000,
-                        .resolution = {k_size, k_size}};
-    resources.lights.push_back({"", k_to_light, glm::dvec3(k_irradiance)});
-    resources.transmittance = {&reached};
-    if (settings.past < 1) resources.surface_shadow = &maps;
-    resources.strands = {&vertices, &segments, std::uint32_t(points_.size()), std::uint32_t(segments_.size()), {}};
-    resources.tangents = &tangents;
-    resources.table_set = &set;
-    for (const gpu::Texture& texture : textures) resources.tables.push_back(&texture);
-    resources.vertices_per_strand = k_vertices;
-    resources.depth = &depth;
-    resources.supersampling = 1;
+    Resources resources;
+    resources.edit<FrameView>().camera = {.position = {0, settings.lower, settings.distance},
+                                          .target = {0, settings.lower, 0},
+                                          .vertical_field_of_view = k_field_of_view,
+                                          .near_plane = 0.1,
+                                          .far_plane = 1000,
+                                          .resolution = {k_size, k_size}};
+    resources.edit<Lights>().all.push_back({"", k_to_light, glm::dvec3(k_irradiance)});
+    resources.edit<HairTransmittance>().reached = {&reached};
+    if (settings.past < 1) resources.put_reference(maps);
+    resources.edit<DrawnHair>().strands = {
+        &vertices, &segments, std::uint32_t(points_.size()), std::uint32_t(segments_.size()), {}};
+    resources.edit<DrawnHair>().tangents = &tangents;
+    resources.edit<bake_tables::Tables>().set = &set;
+    for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
+    resources.edit<DrawnHair>().vertices_per_strand = k_vertices;
+    resources.edit<Targets>().depth = &depth;
+    resources.edit<Targets>().supersampling = 1;
     auto values = registry::default_values(shade_strands::entry().entry.parameters);
     values.set("point_px", settings.point_px);
     resources.parameters["shade_strands"] = values;
@@ -111,7 +113,7 @@ class Field {
   }
 
  private:
-  static Shaded run(FrameResources& resources, bool dual) {
+  static Shaded run(Resources& resources, bool dual) {
     std::vector<std::unique_ptr<GpuPass>> passes;
     for (std::string_view name : {"tile_lists", "dual_scattering", "shade_strands"}) {
       if (name == "dual_scattering" && !dual) continue;
@@ -120,18 +122,19 @@ class Field {
       passes.back()->publish(resources);
     }
     gpu::Commands commands = device()->record();
-    commands.fill(*resources.strand_colors, 0);
+    commands.fill(*resources.get<shade_strands::StrandColors>().values, 0);
     for (const auto& pass : passes) EXPECT_TRUE(pass->record(commands, resources));
     EXPECT_TRUE(device()->submit(std::move(commands)));
     Shaded shaded;
-    if (resources.shaded_vertices) {
-      const gpu::Buffer& list = *resources.shaded_vertices;
+    if (const gpu::Buffer* const list_buffer = resources.get<shade_strands::StrandColors>().shaded_vertices) {
+      const gpu::Buffer& list = *list_buffer;
       const auto words = *gpu::read_buffer<std::uint32_t>(*device(), list, list.size() / 4);
       shaded.vertices.assign(words.begin() + 1, words.begin() + 1 + words[0]);
       std::ranges::sort(shaded.vertices);
     }
-    const std::uint32_t count = resources.strands.vertex_count;
-    const auto halves = *gpu::read_buffer<std::uint64_t>(*device(), *resources.strand_colors, count);
+    const std::uint32_t count = resources.get<DrawnHair>().strands.vertex_count;
+    const auto halves =
+        *gpu::read_buffer<std::uint64_t>(*device(), *resources.get<shade_strands::StrandColors>().values, count);
     for (std::uint64_t half : halves) shaded.colors.push_back(glm::unpackHalf4x16(half));
     return shaded;
   }

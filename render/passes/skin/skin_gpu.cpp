@@ -4,8 +4,8 @@ namespace cuticle::render::skin {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  const std::optional<PosedCharacter>& character = resources.character;
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  const auto* const character = resources.find<PosedCharacter>();
   return character ? character->skin->record(commands, character->motions, character->method) : Result<void>{};
 }
 

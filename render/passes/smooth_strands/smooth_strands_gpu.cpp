@@ -5,8 +5,8 @@ namespace cuticle::render::smooth_strands {
 
 namespace {
 
-Result<void> record(gpu::Commands& commands, const FrameResources& resources) {
-  return resources.generator->record_smooth(commands, *resources.control_positions);
+Result<void> record(gpu::Commands& commands, const Resources& resources) {
+  return resources.get<StrandMaker>().generator->record_smooth(commands, *resources.get<ControlHairs>().positions);
 }
 
 }  // namespace

@@ -2,13 +2,18 @@
 
 #include <vector>
 
+#include "render/frame.h"
+#include "render/inputs.h"
 #include "shadows/method.h"
 
 namespace cuticle::render::surface_shadow {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces", "output_color"};
+constexpr std::string_view k_demands[] = {"surface_shadow", "light", "surfaces"};
+constexpr Use k_uses[] = {reads<Lights>(),    reads<Surfaces>(),        reads<FibreMaterial>(),
+                          reads<DrawnHair>(), may_read<HeadVertices>(), changes<HairTransmittance>(),
+                          writes<Maps>()};
 constexpr std::string_view k_systems[] = {"F3"};
 
 /// What this pass takes further: the transmittance of whichever method the scene names.
@@ -47,7 +52,8 @@ const Pass& entry() {
                           .systems = k_systems,
                           .dispatches = one_per_light,
                           .draws = 2,  // surfaces, hair: all lights at once
-                          .after = after}};
+                          .after = after},
+                         k_uses};
   return pass;
 }
 

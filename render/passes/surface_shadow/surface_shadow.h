@@ -1,5 +1,6 @@
 #pragma once
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::surface_shadow {
 
@@ -11,6 +12,10 @@ struct Parameters {
   double hair_share = 1;
 };
 void describe(registry::Members& members, Parameters& parameters);
+
+/// What surfaces and hair cast on each other.
+struct Maps;
+constexpr std::string_view resource_name(const Maps*) { return "surface_shadow"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -10,7 +11,6 @@
 #include <glm/matrix.hpp>
 
 #include "gpu/groups.h"
-#include "render/passes/surface_shadow/surface_shadow.h"
 #include "shadows/light_frame.h"
 
 #include <hair_shadow_frag.spv.h>
@@ -65,11 +65,11 @@ std::array<glm::dvec3, 8> corners(const strands::Bounds& bounds) {
 }
 
 /// What casts or receives: the boxes of the hair and of the surface.
-std::vector<glm::dvec3> points_in_view(const FrameResources& resources, const Surface& surface) {
+std::vector<glm::dvec3> points_in_view(const Resources& resources, const Surface& surface) {
   std::vector<glm::dvec3> points;
-  for (const glm::dvec3& corner : corners(resources.strands.bounds)) points.push_back(corner);
+  for (const glm::dvec3& corner : corners(resources.get<DrawnHair>().strands.bounds)) points.push_back(corner);
   for (const glm::dvec3& corner : corners(surface.bounds))
-    if (surface.index_count > 0) points.emplace_back(resources.head_transform * glm::dvec4(corner, 1));
+    if (surface.index_count > 0) points.emplace_back(resources.get<Surfaces>().head_transform * glm::dvec4(corner, 1));
   return points;
 }
 
@@ -159,8 +159,8 @@ Result<LightMap> light_map(const Light& light, std::span<const glm::dvec3> point
 }
 
 /// Of what hair casts on surfaces, whatever shadows hair itself.
-shadows::Channels hair_channels(const FrameResources& resources) {
-  return shadows::different_channels(resources.fibre_alpha);
+shadows::Channels hair_channels(const Resources& resources) {
+  return shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha);
 }
 
 class SurfaceShadow : public GpuPass {
@@ -168,23 +168,42 @@ class SurfaceShadow : public GpuPass {
   SurfaceShadow(std::shared_ptr<gpu::Device> device, const Settings& settings, Kernels kernels, Surface surface)
       : device_(std::move(device)), settings_(settings), kernels_(std::move(kernels)), surface_(std::move(surface)) {}
 
-  Result<void> make_maps(const FrameResources& resources, float surface_filter) {
+  Result<void> make_maps(const Resources& resources, float surface_filter) {
     const gpu::TextureDescription map{settings_.texture_size(), gpu::TextureFormat::depth32f, gpu::Filter::nearest, 1,
                                       true};
     gpu::TextureDescription hair = map;
     hair.size.y *= int(hair_channels(resources).count);
     CUTICLE_ASSIGN(maps_.surfaces, device_->make_texture(map));
     CUTICLE_ASSIGN(maps_.hair, device_->make_texture(hair));
-    CUTICLE_ASSIGN(maps_.visibility, device_->make_buffer(std::size_t(settings_.lights) *
-                                                          resources.strands.vertex_count * sizeof(float)));
+    CUTICLE_ASSIGN(maps_.visibility,
+                   device_->make_buffer(std::size_t(settings_.lights) *
+                                        resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
     CUTICLE_ASSIGN(frame_, device_->make_buffer(sizeof(MapsFrame)));
     maps_.surface_filter = surface_filter;
     return {};
   }
 
-  void publish(FrameResources& resources) const override { resources.surface_shadow = &maps_; }
+  /// Where no method shadows hair: 1, which this pass alone takes light from.
+  Result<void> make_unshadowed(const Resources& resources) {
+    unshadowed_ = std::vector<gpu::Buffer>(resources.get<Lights>().all.size());
+    for (gpu::Buffer& buffer : *unshadowed_) {
+      CUTICLE_ASSIGN(buffer, device_->make_buffer(resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
+    }
+    return {};
+  }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  void publish(Resources& resources) const override {
+    resources.put_reference(maps_);
+    if (!unshadowed_) return;
+    HairTransmittance none{.of_surfaces_alone = true};
+    for (const gpu::Buffer& buffer : *unshadowed_) none.reached.push_back(&buffer);
+    resources.put(std::move(none));
+  }
+
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    constexpr std::uint32_t k_one = 0x3F800000;  // 1.0f
+    if (unshadowed_)
+      for (const gpu::Buffer& buffer : *unshadowed_) commands.fill(buffer, k_one);
     CUTICLE_TRY(set_frame(resources));
     CUTICLE_TRY(device_->upload(frame_, gpu::bytes_of(maps_.frame)));
     draw_surfaces(commands, resources);
@@ -194,7 +213,7 @@ class SurfaceShadow : public GpuPass {
   }
 
  private:
-  Result<void> set_frame(const FrameResources& resources) {
+  Result<void> set_frame(const Resources& resources) {
     MapsFrame& frame = maps_.frame;
     frame.texture_size = glm::vec2(settings_.texture_size());
     frame.resolution = std::uint32_t(settings_.resolution);
@@ -202,7 +221,7 @@ class SurfaceShadow : public GpuPass {
     const std::vector<glm::dvec3> points = points_in_view(resources, surface_);
     for (int light = 0; light < settings_.lights; ++light) {
       const auto index = std::size_t(light);
-      CUTICLE_ASSIGN(const LightMap map, light_map(resources.lights[index], points, settings_, light));
+      CUTICLE_ASSIGN(const LightMap map, light_map(resources.get<Lights>().all[index], points, settings_, light));
       frame.world_to_map[index] = glm::mat4(map.world_to_map);
       frame.sight[index] = glm::vec4(map.sight);
       frame.bias[index] = float(settings_.bias * map.depth_of_metre);
@@ -211,10 +230,11 @@ class SurfaceShadow : public GpuPass {
   }
 
   /// Without a head it draws nothing, in the one draw that a plan counts.
-  void draw_surfaces(gpu::Commands& commands, const FrameResources& resources) const {
-    const glm::mat4 rest_to_world(resources.head_transform);
+  void draw_surfaces(gpu::Commands& commands, const Resources& resources) const {
+    const glm::mat4 rest_to_world(resources.get<Surfaces>().head_transform);
     const bool any = surface_.index_count > 0;
-    const gpu::Buffer* const places = resources.head_positions ? resources.head_positions : &surface_.positions;
+    const auto* const deformed = resources.find<HeadVertices>();
+    const gpu::Buffer* const places = deformed ? deformed->positions : &surface_.positions;
     commands.begin_rendering({}, &maps_.surfaces);
     commands.draw(kernels_.surfaces, {&frame_, any ? places : &frame_, any ? &surface_.indices : &frame_}, {},
                   gpu::bytes_of(rest_to_world), surface_.index_count, std::uint32_t(settings_.lights));
@@ -222,13 +242,14 @@ class SurfaceShadow : public GpuPass {
   }
 
   /// Strands are in random order, so that the first of them stand for all.
-  void draw_hair(gpu::Commands& commands, const FrameResources& resources) const {
-    const shadows::GpuStrands& casters = resources.casters;
+  void draw_hair(gpu::Commands& commands, const Resources& resources) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const shadows::GpuStrands& casters = hair.casters;
     const shadows::Channels channels = hair_channels(resources);
     const glm::vec3 alpha(channels.alpha[0], channels.alpha[1], channels.alpha[2]);
-    const std::uint32_t segments = resources.vertices_per_strand - 1, all = casters.segment_count / segments;
+    const std::uint32_t segments = hair.vertices_per_strand - 1, all = casters.segment_count / segments;
     const auto drawn = std::max(std::min(1u, all), std::uint32_t(std::lround(settings_.hair_share * all)));
-    const HairPush push{resources.vertices_per_strand,
+    const HairPush push{hair.vertices_per_strand,
                         casters.caster_width * float(all) / float(std::max(drawn, 1u)),
                         std::uint32_t(settings_.lights),
                         {alpha.x, alpha.y, alpha.z}};
@@ -238,16 +259,17 @@ class SurfaceShadow : public GpuPass {
     commands.end_rendering();
   }
 
-  void look_up(gpu::Commands& commands, const FrameResources& resources, int light) const {
-    const std::uint32_t vertices = resources.strands.vertex_count;
+  void look_up(gpu::Commands& commands, const Resources& resources, int light) const {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const std::uint32_t vertices = hair.strands.vertex_count;
     const LookupPush push{vertices, std::uint32_t(light), settings_.strand_filter};
     const gpu::Groups groups = gpu::groups_for(vertices);
-    const std::uint32_t count = resources.channels.count;
+    const std::uint32_t count = transmittance_of(resources).channels.count;
     const auto reached = [&](std::uint32_t k) {
-      return resources.transmittance[std::size_t(light) * count + std::min(k, count - 1)];
+      return transmittance_of(resources).reached[std::size_t(light) * count + std::min(k, count - 1)];
     };
     commands.dispatch(kernels_.lookup,
-                      {&frame_, resources.strands.vertices, &maps_.visibility, reached(0), reached(1), reached(2)},
+                      {&frame_, hair.strands.vertices, &maps_.visibility, reached(0), reached(1), reached(2)},
                       {&maps_.surfaces}, gpu::bytes_of(push), groups.x, groups.y);
   }
 
@@ -257,6 +279,7 @@ class SurfaceShadow : public GpuPass {
   Surface surface_;
   Maps maps_;
   gpu::Buffer frame_;
+  std::optional<std::vector<gpu::Buffer>> unshadowed_;  ///< a transmittance per light, where no method made them
 };
 
 Result<gpu::GraphicsPipeline> make_depth_pipeline(gpu::Device& device, std::span<const std::uint32_t> vertex,
@@ -270,11 +293,11 @@ Result<gpu::GraphicsPipeline> make_depth_pipeline(gpu::Device& device, std::span
   return device.make_graphics(description);
 }
 
-Result<Kernels> make_kernels(gpu::Device& device, const FrameResources& resources) {
+Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   Kernels kernels;
   const gpu::ShaderInterface surfaces{3, 0, sizeof(glm::mat4)};
   const gpu::ShaderInterface hair{3, 0, sizeof(HairPush), with_channels({}, hair_channels(resources))};
-  const gpu::ShaderInterface lookup{6, 1, sizeof(LookupPush), with_channels({}, resources.channels)};
+  const gpu::ShaderInterface lookup{6, 1, sizeof(LookupPush), with_channels({}, transmittance_of(resources).channels)};
   CUTICLE_ASSIGN(kernels.surfaces, make_depth_pipeline(device, surface_shadow_vert, surface_shadow_frag, surfaces));
   CUTICLE_ASSIGN(kernels.hair, make_depth_pipeline(device, hair_shadow_vert, hair_shadow_frag, hair));
   CUTICLE_ASSIGN(kernels.lookup, device.make_kernel(surface_shadow_comp, lookup));
@@ -297,18 +320,19 @@ Result<Surface> upload(gpu::Device& device, const strands::Mesh& mesh) {
   return surface;
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
-  CUTICLE_EXPECT(resources.transmittance.size() == resources.lights.size() * resources.channels.count,
-                 "a transmittance per light and opacity");
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const Lights& lights = resources.get<Lights>();
+  const Surfaces& surfaces = resources.get<Surfaces>();
   const auto parameters = parameters_of<Parameters>(resources);
-  const Settings settings{parameters.resolution, int(resources.lights.size()), parameters.bias,
-                          parameters.strand_filter, parameters.hair_share};
+  const Settings settings{parameters.resolution, int(lights.all.size()), parameters.bias, parameters.strand_filter,
+                          parameters.hair_share};
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   Surface surface;
-  if (resources.head) {
-    CUTICLE_ASSIGN(surface, upload(*device, *resources.head));
+  if (surfaces.head) {
+    CUTICLE_ASSIGN(surface, upload(*device, *surfaces.head));
   }
   auto pass = std::make_unique<SurfaceShadow>(std::move(device), settings, std::move(kernels), std::move(surface));
+  if (!resources.find<HairTransmittance>()) CUTICLE_TRY(pass->make_unshadowed(resources));
   CUTICLE_TRY(pass->make_maps(resources, parameters.surface_filter));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/pass_gpu.h"
+#include "render/passes/surface_shadow/surface_shadow.h"
 
 namespace cuticle::render::surface_shadow {
 

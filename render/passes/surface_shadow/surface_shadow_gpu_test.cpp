@@ -60,35 +60,35 @@ class Frame {
  public:
   Frame(const strands::Groom& groom, const std::vector<Light>& lights, double fibre_alpha, double hair_share = 1)
       : plate_(plate()), vertices_(upload(packed(groom))), segments_(upload(firsts(groom))) {
-    resources_.lights = lights;
-    resources_.fibre_alpha = glm::dvec3(fibre_alpha);
-    resources_.head = &plate_;
-    resources_.strands = {&vertices_, &segments_, std::uint32_t(groom.vertex_count()),
-                          std::uint32_t(segments_.size() / 4), strands::bounds(groom)};
-    resources_.casters = resources_.strands;
-    resources_.vertices_per_strand = k_vertices;
+    resources_.edit<Lights>().all = lights;
+    resources_.edit<FibreMaterial>().fibre_alpha = glm::dvec3(fibre_alpha);
+    resources_.edit<Surfaces>().head = &plate_;
+    resources_.edit<DrawnHair>().strands = {&vertices_, &segments_, std::uint32_t(groom.vertex_count()),
+                                            std::uint32_t(segments_.size() / 4), strands::bounds(groom)};
+    resources_.edit<DrawnHair>().casters = resources_.get<DrawnHair>().strands;
+    resources_.edit<DrawnHair>().vertices_per_strand = k_vertices;
     for (std::size_t k = 0; k < lights.size(); ++k)
       reached_.push_back(upload(std::vector<float>(groom.vertex_count(), 0.5f)));
-    for (const gpu::Buffer& buffer : reached_) resources_.transmittance.push_back(&buffer);
-    resources_.parameters["surface_shadow"] = *registry::parse_assignments(
-        surface_shadow::entry().entry.parameters, fmt::format("hair_share={}", hair_share));
+    for (const gpu::Buffer& buffer : reached_) resources_.edit<HairTransmittance>().reached.push_back(&buffer);
+    resources_.parameters["surface_shadow"] = *registry::parse_assignments(surface_shadow::entry().entry.parameters,
+                                                                           fmt::format("hair_share={}", hair_share));
     const auto entry = std::ranges::find(gpu_passes(), "surface_shadow", &GpuPassEntry::name);
     pass_ = std::move(*(*entry)->create(device(), resources_));
     pass_->publish(resources_);
   }
 
-  const surface_shadow::Maps& maps() const { return *resources_.surface_shadow; }
+  const surface_shadow::Maps& maps() const { return resources_.get<surface_shadow::Maps>(); }
 
   /// Of each light, where half of it reached the strands before. Once.
   std::vector<std::vector<float>> transmittance() {
     run([](gpu::Commands&) {});
     std::vector<std::vector<float>> all;
     for (const gpu::Buffer& buffer : reached_)
-      all.push_back(*gpu::read_buffer<float>(*device(), buffer, resources_.strands.vertex_count));
+      all.push_back(*gpu::read_buffer<float>(*device(), buffer, resources_.get<DrawnHair>().strands.vertex_count));
     return all;
   }
   std::vector<float> visibility() {
-    const std::size_t count = resources_.lights.size() * resources_.strands.vertex_count;
+    const std::size_t count = resources_.get<Lights>().all.size() * resources_.get<DrawnHair>().strands.vertex_count;
     return *gpu::read_buffer<float>(*device(), maps().visibility, count);
   }
 
@@ -96,15 +96,15 @@ class Frame {
   std::vector<float> picture(int size) {
     const gpu::Texture color = tests::target({size, size}, gpu::TextureFormat::rgba32f),
                        depth = tests::target({size, size}, gpu::TextureFormat::depth32f);
-    resources_.camera = {.position = {0, 1, 0},
-                         .target = {0, 0, 0},
-                         .up = {0, 0, -1},
-                         .vertical_field_of_view = 2 * std::atan(0.08),
-                         .near_plane = 0.1,
-                         .far_plane = 10,
-                         .resolution = {size, size}};
-    resources_.color = resources_.resolved = &color;
-    resources_.depth = &depth;
+    resources_.edit<FrameView>().camera = {.position = {0, 1, 0},
+                                           .target = {0, 0, 0},
+                                           .up = {0, 0, -1},
+                                           .vertical_field_of_view = 2 * std::atan(0.08),
+                                           .near_plane = 0.1,
+                                           .far_plane = 10,
+                                           .resolution = {size, size}};
+    resources_.edit<Targets>().color = resources_.edit<Targets>().resolved = &color;
+    resources_.edit<Targets>().depth = &depth;
     resources_.parameters["head"] =
         *registry::parse_assignments(head::entry().entry.parameters, "skin=1/1/1,wrap=0,ambient=0");
     const auto entry = std::ranges::find(gpu_passes(), "head", &GpuPassEntry::name);
@@ -137,7 +137,7 @@ class Frame {
   strands::Mesh plate_;
   gpu::Buffer vertices_, segments_;
   std::vector<gpu::Buffer> reached_;
-  FrameResources resources_;
+  Resources resources_;
   std::unique_ptr<GpuPass> pass_;
 };
 

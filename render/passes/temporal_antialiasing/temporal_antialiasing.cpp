@@ -1,12 +1,18 @@
 #include "render/passes/temporal_antialiasing/temporal_antialiasing.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/pixel_depth/pixel_depth.h"
+#include "render/passes/velocity/velocity.h"
 #include "render/shading.h"
 
 namespace cuticle::render::temporal_antialiasing {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"output_color", "drawn_by_quads", "temporal_antialiasing"};
+constexpr std::string_view k_demands[] = {"drawn_by_quads", "temporal_antialiasing"};
+constexpr Use k_uses[] = {reads<FrameView>(), reads<pixel_depth::PixelDepth>(), reads<velocity::MotionVectors>(),
+                          changes<Output>()};
 constexpr std::string_view k_after[] = {"ambient_occlusion"};
 
 }  // namespace
@@ -29,6 +35,7 @@ const Pass& entry() {
                                    .stage = registry::Stage::output,
                                    .dispatches = always<1>,
                                    .after = k_after},
+                         .uses = k_uses,
                          .whole_pictures = true};
   return pass;
 }

@@ -1,12 +1,16 @@
 #include "render/passes/tile_lists/tile_lists.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
 #include "render/shading.h"
 
 namespace cuticle::render::tile_lists {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_tiles"};
+constexpr Use k_uses[] = {reads<FrameView>(), reads<DrawnHair>(), reads<Targets>(), may_read<DrawnSurfaces>(),
+                          writes<TileLists>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor"};
 constexpr std::string_view k_systems[] = {"F4"};
 
@@ -20,15 +24,28 @@ void describe(registry::Members& members, Parameters& p) {
           "wider; 0: always all");
 }
 
+namespace {
+
+StrandDraw strand_draw(const PassParameters& all) { return {.full_px = parameters_of<Parameters>(all).full_px}; }
+
+Pass make() {
+  Pass pass = with_uses(shading({.name = "tile_lists",
+                                 .summary = "segments to lists of the screen's tiles, those behind the scene culled",
+                                 .source = "Frostbite, Every Strand Counts (2023): coarse rasteriser",
+                                 .parameters = registry::table_of<Parameters>(),
+                                 .demands = k_demands,
+                                 .systems = k_systems,
+                                 .dispatches = always<4>,  // scene depth, count, scan, scatter
+                                 .after = k_after}),
+                        k_uses);
+  pass.strand_draw = strand_draw;
+  return pass;
+}
+
+}  // namespace
+
 const Pass& entry() {
-  static const Pass pass = shading({.name = "tile_lists",
-                                    .summary = "segments to lists of the screen's tiles, those behind the scene culled",
-                                    .source = "Frostbite, Every Strand Counts (2023): coarse rasteriser",
-                                    .parameters = registry::table_of<Parameters>(),
-                                    .demands = k_demands,
-                                    .systems = k_systems,
-                                    .dispatches = always<4>,  // scene depth, count, scan, scatter
-                                    .after = k_after});
+  static const Pass pass = make();
   return pass;
 }
 

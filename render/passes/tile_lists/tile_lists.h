@@ -1,6 +1,7 @@
 #pragma once
 #include "core/registry/members.h"
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::tile_lists {
 
@@ -9,6 +10,10 @@ struct Parameters {
   double budget_mib = 96, full_px = 0;
 };
 void describe(registry::Members& members, Parameters& parameters);
+
+/// Which segments each tile of the screen has to draw.
+struct TileLists;
+constexpr std::string_view resource_name(const TileLists*) { return "tile_lists"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

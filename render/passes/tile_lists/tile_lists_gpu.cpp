@@ -8,7 +8,6 @@
 #include "gpu/groups.h"
 #include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
-#include "render/passes/tile_lists/tile_lists.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
 
@@ -36,24 +35,25 @@ class TileListsPass : public GpuPass {
   TileListsPass(std::shared_ptr<gpu::Device> device, Kernels kernels, TileLists lists, std::uint64_t most)
       : device_(std::move(device)), kernels_(std::move(kernels)), lists_(std::move(lists)), most_(most) {}
 
-  void publish(FrameResources& resources) const override { resources.tile_lists = &lists_; }
+  void publish(Resources& resources) const override { resources.put_reference(lists_); }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const DrawnHair& hair = resources.get<DrawnHair>();
     const TilePush push = push_of(resources, lists_);
     const auto bytes = gpu::bytes_of(push);
     const gpu::Groups tiles = gpu::groups_for(std::size_t(lists_.grid.x) * lists_.grid.y),
                       segments = gpu::groups_for(push.segment_count);
-    const gpu::Buffer *vertices = resources.strands.vertices, *indices = resources.strands.segments;
+    const gpu::Buffer *vertices = hair.strands.vertices, *indices = hair.strands.segments;
     for (const gpu::Buffer* cleared : {&lists_.counts, &lists_.visible, &lists_.statistics}) commands.fill(*cleared, 0);
-    commands.dispatch(kernels_.scene, {&lists_.scene_depth, &lists_.tile_depth}, {resources.depth}, bytes, tiles.x,
-                      tiles.y);
-    commands.dispatch(kernels_.count,
-                      {vertices, resources.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.visible,
-                       &lists_.statistics},
-                      {}, bytes, segments.x, segments.y);
+    commands.dispatch(kernels_.scene, {&lists_.scene_depth, &lists_.tile_depth}, {resources.get<Targets>().depth},
+                      bytes, tiles.x, tiles.y);
+    commands.dispatch(
+        kernels_.count,
+        {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.visible, &lists_.statistics}, {},
+        bytes, segments.x, segments.y);
     commands.dispatch(kernels_.scan, {&lists_.counts, &lists_.offsets, &lists_.statistics}, {}, bytes, 1);
     commands.dispatch(kernels_.scatter,
-                      {vertices, resources.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries}, {},
+                      {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries}, {},
                       bytes, segments.x, segments.y);
     return {};
   }
@@ -113,7 +113,7 @@ Result<Kernels> make_kernels(gpu::Device& device) {
   return kernels;
 }
 
-Result<TileLists> make_lists(gpu::Device& device, const FrameResources& resources) {
+Result<TileLists> make_lists(gpu::Device& device, const Resources& resources) {
   const glm::uvec2 resolution(drawn_size(resources));
   TileLists lists;
   lists.grid = (resolution + k_tile - 1u) / k_tile;
@@ -123,17 +123,18 @@ Result<TileLists> make_lists(gpu::Device& device, const FrameResources& resource
   CUTICLE_ASSIGN(lists.counts, device.make_buffer(word * tiles));
   CUTICLE_ASSIGN(lists.offsets, device.make_buffer(word * (tiles + 1)));
   CUTICLE_ASSIGN(lists.depth_ranges, device.make_buffer(sizeof(glm::vec2) * tiles));
-  CUTICLE_ASSIGN(lists.visible, device.make_buffer(word * ((resources.strands.vertex_count + 31) / 32)));
+  CUTICLE_ASSIGN(lists.visible,
+                 device.make_buffer(word * ((resources.get<DrawnHair>().strands.vertex_count + 31) / 32)));
   CUTICLE_ASSIGN(lists.statistics, device.make_buffer(word * std::size_t(k_statistics)));
   return lists;
 }
 
 /// A first guess; the first frame's count corrects it.
-std::uint64_t likely_entries(const FrameResources& resources) {
-  return 2 * std::uint64_t(resources.strands.segment_count);
+std::uint64_t likely_entries(const Resources& resources) {
+  return 2 * std::uint64_t(resources.get<DrawnHair>().strands.segment_count);
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
   CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
   const double budget = parameters_of<Parameters>(resources).budget_mib * 1024 * 1024;
@@ -146,19 +147,22 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 
 }  // namespace
 
-TilePush push_of(const FrameResources& resources, const TileLists& lists) {
-  const Camera& camera = resources.camera;
+TilePush push_of(const Resources& resources, const TileLists& lists) {
+  const FrameView& view = resources.get<FrameView>();
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const Targets& targets = resources.get<Targets>();
+  const Camera& camera = view.camera;
   TilePush push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.resolution = glm::uvec2(camera.resolution);
   push.part = glm::uvec2(drawn_size(resources));
-  push.corner = std::uint32_t(resources.part_corner.x) / k_tile | std::uint32_t(resources.part_corner.y) / k_tile << 16;
+  push.corner = std::uint32_t(view.part_corner.x) / k_tile | std::uint32_t(view.part_corner.y) / k_tile << 16;
   const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
-  push.segment_count = resources.strands.segment_count;
-  if (part.width > 1) push.segment_count = part.strands * (resources.vertices_per_strand - 1);
-  push.vertices_per_strand = resources.vertices_per_strand;
+  push.segment_count = hair.strands.segment_count;
+  if (part.width > 1) push.segment_count = part.strands * (hair.vertices_per_strand - 1);
+  push.vertices_per_strand = hair.vertices_per_strand;
   push.capacity = lists.capacity;
-  push.supersampling = resources.keep_target ? std::uint32_t(resources.supersampling) : 0;
+  push.supersampling = targets.keep ? std::uint32_t(targets.supersampling) : 0;
   push.pixel_scale = float(part.width * camera.resolution.y / (2 * std::tan(camera.vertical_field_of_view / 2)));
   push.inverse_near = float(1 / camera.near_plane);
   push.inverse_far = float(1 / camera.far_plane);

@@ -1,6 +1,7 @@
 #pragma once
 // Which segments each tile of the screen has to draw: buffers that the tile passes share.
 #include "render/pass_gpu.h"
+#include "render/passes/tile_lists/tile_lists.h"
 
 namespace cuticle::render::tile_lists {
 
@@ -29,6 +30,6 @@ struct TilePush {
 };
 static_assert(sizeof(TilePush) == 128);
 
-TilePush push_of(const FrameResources& resources, const TileLists& lists);
+TilePush push_of(const Resources& resources, const TileLists& lists);
 
 }  // namespace cuticle::render::tile_lists

@@ -10,6 +10,10 @@ struct Parameters {
 };
 void describe(registry::Members& members, Parameters& parameters);
 
+/// The lists of each tile from near to far.
+struct SortedLists;
+constexpr std::string_view resource_name(const SortedLists*) { return "sorted_lists"; }
+
 /// The registry's entry of the pass.
 const Pass& entry();
 

@@ -10,8 +10,8 @@ class TileSort : public GpuPass {
  public:
   explicit TileSort(gpu::Kernel kernel) : kernel_(std::move(kernel)) {}
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const tile_lists::TileLists& lists = *resources.tile_lists;
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     commands.dispatch(kernel_, {&lists.offsets, &lists.entries, &lists.sorted, &lists.depth_ranges}, {},
                       gpu::bytes_of(push_of(resources, lists)), lists.grid.x, lists.grid.y);
     return {};
@@ -21,8 +21,9 @@ class TileSort : public GpuPass {
   gpu::Kernel kernel_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources&) {
-  CUTICLE_ASSIGN(gpu::Kernel kernel, device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush), {}, {{1}}}));
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources&) {
+  CUTICLE_ASSIGN(gpu::Kernel kernel,
+                 device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush), {}, {{1}}}));
   return std::unique_ptr<GpuPass>(std::make_unique<TileSort>(std::move(kernel)));
 }
 

@@ -1,12 +1,26 @@
 #include "render/passes/tiles/tiles.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/shade_strands/shade_strands.h"
+#include "render/passes/tile_lists/tile_lists.h"
+#include "render/passes/tile_sort/tile_sort.h"
 #include "render/shading.h"
 
 namespace cuticle::render::tiles {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "drawn_by_tiles"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_tiles"};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          reads<tile_lists::TileLists>(),
+                          reads<tile_sort::SortedLists>(),
+                          reads<shade_strands::StrandColors>(),
+                          may_read<DrawnSurfaces>(),
+                          writes<SeenHair>(),
+                          writes<StrandPixels>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor", "shade_strands", "tile_sort"};
 constexpr std::string_view k_systems[] = {"F6", "F7", "F9"};
 
@@ -24,8 +38,12 @@ void describe(registry::Members& members, Parameters& p) {
                         "other; 0: all at once up to 4096 pixels each way, larger pictures by 1024"));
 }
 
-const Pass& entry() {
-  static const Pass pass =
+namespace {
+
+int chunk_px(const PassParameters& all) { return int(parameters_of<Parameters>(all).chunk_px); }
+
+Pass make() {
+  Pass pass = with_uses(
       shading({.name = "tiles",
                .summary = "tiles to pixels: coverage by formula, blended from near to far, merged into the scene",
                .source = "Frostbite, Every Strand Counts (2023): fine rasteriser and resolve",
@@ -34,7 +52,16 @@ const Pass& entry() {
                .systems = k_systems,
                .dispatches = always<2>,  // prepare, fine
                .draws = 1,
-               .after = k_after});
+               .after = k_after}),
+      k_uses);
+  pass.chunk_px = chunk_px;
+  return pass;
+}
+
+}  // namespace
+
+const Pass& entry() {
+  static const Pass pass = make();
   return pass;
 }
 

@@ -1,4 +1,5 @@
 #include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
 
@@ -41,18 +42,20 @@ class Tiles : public GpuPass {
         depth_(std::move(depth)),
         seen_(std::move(seen)) {}
 
-  void publish(FrameResources& resources) const override { resources.seen = &seen_; }
+  void publish(Resources& resources) const override { resources.put(SeenHair{.pixels = &seen_}); }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
-    const tile_lists::TileLists& lists = *resources.tile_lists;
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
+    const DrawnHair& hair = resources.get<DrawnHair>();
+    const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
     const gpu::Groups segments = fine_.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
     commands.dispatch(fine_.prepare,
-                      {resources.strands.vertices, resources.strand_colors, resources.strands.segments, &fine_.records},
+                      {hair.strands.vertices, resources.get<shade_strands::StrandColors>().values,
+                       hair.strands.segments, &fine_.records},
                       {}, gpu::bytes_of(push), segments.x, segments.y);
     for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
-    std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : resources.strands.vertices,
-                                               resources.strand_colors,
+    std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : hair.strands.vertices,
+                                               resources.get<shade_strands::StrandColors>().values,
                                                &lists.offsets,
                                                &lists.sorted,
                                                &lists.scene_depth,
@@ -61,7 +64,8 @@ class Tiles : public GpuPass {
                                                &seen_};
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
     commands.dispatch(fine_.draw, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
-    const MergePush merge{push.part.x, 1 / float(resources.supersampling), push.inverse_near, push.inverse_far};
+    const MergePush merge{push.part.x, 1 / float(resources.get<Targets>().supersampling), push.inverse_near,
+                          push.inverse_far};
     begin_target(commands, resources);
     commands.draw(merge_, {&picture_, &depth_}, {}, gpu::bytes_of(merge), 3);
     commands.end_rendering();
@@ -98,17 +102,17 @@ std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_rec
 }
 
 /// By slices where the scene asks for them, else as sorted.
-Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
+Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   const auto parameters = parameters_of<Parameters>(resources);
   const bool sliced = parameters_of<tile_sort::Parameters>(resources).slices > 0;
   const std::uint32_t rows = parameters.coverage_rows;
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
-  const std::size_t vertices = resources.strands.vertex_count;
+  const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
   fine.reads_records = !sliced && reads_records(device.info(), vertices);
   const gpu::TextureFormat form = fine.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.says_seen ? 1u : 0u, std::max(rows, 1u)}, {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, std::max(rows, 1u)}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
@@ -118,7 +122,7 @@ Result<Fine> make_fine(gpu::Device& device, const FrameResources& resources) {
   return fine;
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const std::size_t pixels = std::size_t(drawn_size(resources).x) * std::size_t(drawn_size(resources).y);
   gpu::GraphicsDescription description = target_description(resources);
   description.vertex_spirv = resolve_vert;

@@ -1,12 +1,21 @@
 #include "render/passes/velocity/velocity.h"
 
+#include "render/frame.h"
+#include "render/inputs.h"
+#include "render/passes/aovs/aovs.h"
+#include "render/passes/pixel_depth/pixel_depth.h"
 #include "render/shading.h"
 
 namespace cuticle::render::velocity {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "output_color", "output_velocity", "seen_segments"};
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<DrawnHair>(),
+                          reads<ControlHairs>(),
+                          reads<aovs::Layers>(),
+                          takes<pixel_depth::PixelDepth>(),
+                          writes<MotionVectors>()};
 constexpr std::string_view k_after[] = {"pixel_depth"};
 constexpr std::string_view k_systems[] = {"F8"};
 
@@ -23,11 +32,11 @@ const Pass& entry() {
                                               "back by a coarse grid of the control hairs' displacements",
                                    .source = "Frostbite, Every Strand Counts (2023): hair velocity",
                                    .parameters = registry::table_of<Parameters>(),
-                                   .demands = k_demands,
                                    .stage = registry::Stage::resolve,
                                    .systems = k_systems,
                                    .dispatches = always<8>,  // largest, splat, mean, four fills, pixels
                                    .after = k_after},
+                         .uses = k_uses,
                          .whole_pictures = true};
   return pass;
 }

@@ -3,6 +3,7 @@
 
 #include "core/registry/members.h"
 #include "render/pass.h"
+#include "render/resource.h"
 
 namespace cuticle::render::velocity {
 
@@ -11,6 +12,10 @@ struct Parameters {
   std::uint32_t nodes = 24;
 };
 void describe(registry::Members& members, Parameters& parameters);
+
+/// How what a pixel sees has moved since the frame before.
+struct MotionVectors;
+constexpr std::string_view resource_name(const MotionVectors*) { return "motion_vectors"; }
 
 /// The registry's entry of the pass.
 const Pass& entry();

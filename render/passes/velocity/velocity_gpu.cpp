@@ -1,11 +1,13 @@
+#include "render/passes/velocity/velocity_gpu.h"
+
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "gpu/groups.h"
 #include "render/pass_gpu.h"
-#include "render/passes/aovs/aovs.h"
-#include "render/passes/velocity/velocity.h"
+#include "render/passes/aovs/aovs_gpu.h"
+#include "render/passes/pixel_depth/pixel_depth_gpu.h"
 
 #include <velocity_comp.spv.h>
 #include <velocity_fill_comp.spv.h>
@@ -37,13 +39,14 @@ struct Buffers {
   gpu::Buffer frame, largest, sums, grid, filled, vectors;
 };
 
-GridFrame frame_of(const FrameResources& resources, std::uint32_t nodes) {
-  const Camera &camera = resources.camera, &before = resources.camera_before;
+GridFrame frame_of(const Resources& resources, std::uint32_t nodes) {
+  const FrameView& view = resources.get<FrameView>();
+  const Camera &camera = view.camera, &before = view.camera_before;
   const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
   const double height = std::tan(camera.vertical_field_of_view / 2);
   const double width = height * camera.resolution.x / camera.resolution.y;
-  const strands::Bounds& bounds = resources.strands.bounds;
+  const strands::Bounds& bounds = resources.get<DrawnHair>().strands.bounds;
   return {.world_to_clip_before = glm::mat4(projection_matrix(before) * view_matrix(before)),
           .eye = glm::vec4(camera.position, 0),
           .right = glm::vec4(right * width, 0),
@@ -52,10 +55,10 @@ GridFrame frame_of(const FrameResources& resources, std::uint32_t nodes) {
           .lower = glm::vec4(bounds.lower, 0),
           .nodes_per_metre = glm::vec4(float(nodes - 1) / (bounds.upper - bounds.lower), 0),
           .nodes = nodes,
-          .vertex_count = resources.control_vertices,
+          .vertex_count = resources.get<ControlHairs>().vertex_count,
           .resolution = glm::uvec2(camera.resolution),
-          .frame_duration = resources.control_motion.since > 0 ? 0 : float(resources.frame_duration),
-          .has_scene = resources.pixel_depth ? 1u : 0u,
+          .frame_duration = resources.get<ControlHairs>().motion.since > 0 ? 0 : float(view.frame_duration),
+          .has_scene = resources.find<pixel_depth::PixelDepth>() ? 1u : 0u,
           .pixel_shift = glm::vec2(camera.pixel_shift)};
 }
 
@@ -64,25 +67,32 @@ class Velocity : public GpuPass {
   Velocity(std::shared_ptr<gpu::Device> device, Kernels kernels, Buffers buffers, std::uint32_t nodes)
       : device_(std::move(device)), kernels_(std::move(kernels)), buffers_(std::move(buffers)), nodes_(nodes) {}
 
-  void publish(FrameResources& resources) const override { resources.motion_vectors = &buffers_.vectors; }
+  std::optional<FileLayer> layer(std::string_view wanted, const Resources&) const override {
+    if (wanted != name_of<MotionVectors>()) return std::nullopt;
+    return FileLayer{&buffers_.vectors, k_channels};
+  }
 
-  Result<void> record(gpu::Commands& commands, const FrameResources& resources) override {
+  void publish(Resources& resources) const override { resources.put(MotionVectors{&buffers_.vectors}); }
+
+  Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     const GridFrame frame = frame_of(resources, nodes_);
     CUTICLE_TRY(device_->upload(buffers_.frame, gpu::bytes_of(frame)));
     record_grid(commands, resources);
+    const auto* const depth = resources.find<pixel_depth::PixelDepth>();
     const auto channels = std::uint32_t(std::size(aovs::k_channels));
     const gpu::Groups groups = gpu::groups_for(std::size_t(frame.resolution.x) * frame.resolution.y);
     commands.dispatch(kernels_.pixels,
-                      {&buffers_.frame, &buffers_.grid, resources.aovs, &buffers_.vectors,
-                       resources.pixel_depth ? resources.pixel_depth : &buffers_.grid},
+                      {&buffers_.frame, &buffers_.grid, resources.get<aovs::Layers>().values, &buffers_.vectors,
+                       depth ? depth->values : &buffers_.grid},
                       {}, gpu::bytes_of(channels), groups.x, groups.y);
     return {};
   }
 
  private:
-  void record_grid(gpu::Commands& commands, const FrameResources& resources) const {
-    const gpu::Buffer *now = resources.control_positions, *motion = resources.control_motion.values;
-    const gpu::Groups vertices = gpu::groups_for(resources.control_vertices),
+  void record_grid(gpu::Commands& commands, const Resources& resources) const {
+    const gpu::Buffer *now = resources.get<ControlHairs>().positions,
+                      *motion = resources.get<ControlHairs>().motion.values;
+    const gpu::Groups vertices = gpu::groups_for(resources.get<ControlHairs>().vertex_count),
                       nodes = gpu::groups_for(std::size_t(nodes_) * nodes_ * nodes_);
     commands.fill(buffers_.largest, 0);
     commands.fill(buffers_.sums, 0);
@@ -125,10 +135,10 @@ Result<Buffers> make_buffers(gpu::Device& device, glm::ivec2 resolution, std::si
   return buffers;
 }
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const FrameResources& resources) {
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const std::uint32_t nodes = parameters_of<Parameters>(resources).nodes;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
-  CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources.camera.resolution, nodes));
+  CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources.get<FrameView>().camera.resolution, nodes));
   return std::unique_ptr<GpuPass>(
       std::make_unique<Velocity>(std::move(device), std::move(kernels), std::move(buffers), nodes));
 }

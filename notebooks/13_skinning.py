@@ -15,27 +15,20 @@
 # rotation: it shrinks the limb to |1 - t + t exp(ia)| of its radius, to a line at half a turn. Dual quaternions mix rigid motions, and keep
 # it round. Roots of hair on the limb go where the skin goes.
 #
-# The numbers come from `cuticle study skinning`, run here unless CUTICLE_SKINNING names a folder that holds its files.
+# The numbers are those of the study `skinning`.
 
 # %%
-import json
 import os
 import pathlib
-import subprocess
-import tempfile
 
 import matplotlib.pyplot as pyplot
 
+import cuticle
+
 figures = pathlib.Path(os.environ.get("CUTICLE_FIGURES", "figures"))
 figures.mkdir(parents=True, exist_ok=True)
-folder = os.environ.get("CUTICLE_SKINNING")
-if not folder:
-    folder = tempfile.mkdtemp()
-    subprocess.run([os.environ.get("CUTICLE_PROGRAM", "cuticle"), "study", "skinning", "--out", folder], check=True, stdout=subprocess.DEVNULL)
-
-
-plots = {plot["name"]: {curve["name"]: (curve["x"], curve["y"]) for curve in plot["curves"]}
-         for plot in json.loads((pathlib.Path(folder) / "result.json").read_text())["plots"]}
+study = cuticle.study("skinning", quick=False)
+plots = {plot: study.curves(plot) for plot in ("volume", "sections")}
 analytic = {"linear_blend": plots["volume"]["linear blend, analytic"][1], "dual_quaternion": [1] * len(plots["volume"]["dual_quaternion"][0])}
 kept = {method: list(zip(*plots["volume"][method], analytic[method])) for method in analytic}
 print({method: f"{curve[-1][1]:.5f} of the volume kept at half a turn" for method, curve in kept.items()})

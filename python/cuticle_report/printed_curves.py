@@ -1,0 +1,88 @@
+"""Curves, polar curves and heat maps at column width, as PDF and SVG; the interactive ones are in curves and report."""
+import concurrent.futures
+import math
+import multiprocessing
+import os
+
+from matplotlib import pyplot
+import numpy
+
+from . import curves, look
+from .pareto import files_of
+
+MANY = 12
+DASHES = {"solid": "-", "dash": "--"}
+
+
+def plot_of(plot):
+    return polar(plot) if plot["polar"] else flat(plot)
+
+
+def name_ends(axes, plot, colors):
+    """The name of each curve right of the axes, a line apart from the next."""
+    axes.figure.canvas.draw()
+    lines, ends = [], []
+    for curve, (color, _) in zip(plot["curves"], colors):
+        if curve["y"]:
+            ends.append((axes.transData.transform((curve["x"][-1], max(curve["y"][-1], axes.get_ylim()[0])))[1], curve["name"], color))
+    apart = 7 * axes.figure.dpi / 72
+    reached = -math.inf
+    for height, name, color in sorted(ends):
+        reached = max(height, reached + apart)
+        lines.append((reached, name, color))
+    sunk = max(0, lines[-1][0] - axes.bbox.y1) if lines else 0
+    for height, name, color in lines:
+        share = (height - sunk - axes.bbox.y0) / axes.bbox.height
+        axes.annotate(name, (1, share), xycoords="axes fraction", xytext=(2, 0), textcoords="offset points", color=color, fontsize=6, va="center", annotation_clip=False)
+
+
+def flat(plot):
+    looks = curves.looks_of(plot)
+    with pyplot.rc_context(look.PRINT):
+        figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.3), layout="constrained")
+        for (color, dash), curve in zip(looks, plot["curves"]):
+            axes.plot(curve["x"], curve["y"], DASHES[dash], color=color, linewidth=0.7 if color == look.OTHERS else 1)
+        scale = "log" if plot.get("logarithmic") else "linear"
+        axes.set(xlabel=plot["x_label"], ylabel=plot["y_label"], xscale=scale, yscale=scale)
+        name_ends(axes, plot, looks)
+        return files_of(figure, ("pdf", "svg"))
+
+
+def polar(plot):
+    looks, largest = curves.looks_of(plot), curves.largest_of(plot)
+    with pyplot.rc_context(look.PRINT):
+        figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.9), subplot_kw={"projection": "polar"}, layout="constrained")
+        for (color, dash), curve in zip(looks, plot["curves"]):
+            axes.plot(numpy.radians(curve["x"]), curves.radii(curve["y"], largest), DASHES[dash], color=color, linewidth=1)
+        axes.set_rlim(0, curves.DECADES + 0.3)
+        axes.set_rticks(range(1, curves.DECADES + 1), curves.polar_labels(largest), fontsize=5)
+        axes.set_rlabel_position(90)
+        axes.grid(linewidth=0.4, alpha=0.5)
+        axes.set_title(f"{plot['y_label']} (logarithmic) over {plot['x_label']}", fontsize=7)
+        for row, ((color, _), curve) in enumerate(zip(looks, plot["curves"])):
+            axes.annotate(curve["name"], (0, 1), xycoords="axes fraction", xytext=(-8, -7 * row), textcoords="offset points", color=color, fontsize=6, va="top", ha="right", annotation_clip=False)
+        return files_of(figure, ("pdf", "svg"))
+
+
+def heights_of(grid):
+    """Decimal logarithms, over five decades."""
+    largest = max(max(row) for row in grid["values"]) or 1
+    return [[math.log10(max(value, 1e-5 * largest)) for value in row] for row in grid["values"]]
+
+
+def heat(grid):
+    heights = heights_of(grid)
+    with pyplot.rc_context(look.PRINT):
+        figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.4), layout="constrained")
+        drawn = axes.pcolormesh(grid["x"], grid["y"], heights, cmap="viridis", shading="nearest", rasterized=True)
+        axes.set(xlabel=grid["x_label"], ylabel=grid["y_label"])
+        figure.colorbar(drawn, label=f"log10 {grid['z_label']}")
+        return files_of(figure, ("pdf", "svg"))
+
+
+def all_of(plots, grids):
+    """The files of all of them, in their order; several processes draw where there are many."""
+    if len(plots) + len(grids) < MANY or (os.cpu_count() or 1) < 2:
+        return iter([plot_of(plot) for plot in plots] + [heat(grid) for grid in grids])
+    with concurrent.futures.ProcessPoolExecutor(min(4, os.cpu_count()), multiprocessing.get_context("fork")) as pool:
+        return iter([*pool.map(plot_of, plots, chunksize=4), *pool.map(heat, grids)])

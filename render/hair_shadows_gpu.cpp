@@ -1,0 +1,68 @@
+#include "render/hair_shadows_gpu.h"
+
+#include "render/lights_gpu.h"
+
+namespace cuticle::render {
+
+Result<std::unique_ptr<GpuPass>> HairShadows::create(const std::shared_ptr<gpu::Device>& device,
+                                                     std::string_view method, const registry::ParameterValues& values,
+                                                     const Resources& resources) {
+  auto made = std::make_unique<HairShadows>();
+  made->channels_ = shadows::different_channels(resources.get<FibreMaterial>().fibre_alpha);
+  const std::size_t lights = resources.get<Lights>().all.size();
+  CUTICLE_TRY(made->make_methods(device, method, values, lights));
+  for (std::size_t k = 0; k < lights * made->channels_.count; ++k) {
+    CUTICLE_ASSIGN(gpu::Buffer reached,
+                   device->make_buffer(resources.get<DrawnHair>().strands.vertex_count * sizeof(float)));
+    made->transmittance_.push_back(std::move(reached));
+  }
+  return std::unique_ptr<GpuPass>(std::move(made));
+}
+
+Result<void> HairShadows::make_methods(const std::shared_ptr<gpu::Device>& device, std::string_view name,
+                                       const registry::ParameterValues& values, std::size_t lights) {
+  CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(name));
+  CUTICLE_ASSIGN(const shadows::Method* twin, shadows::find_method(name));
+  root_ = shadows::root_opacity(*twin, values, channels_);
+  if (root_) {
+    CUTICLE_ASSIGN(powers_, shadows::ChannelPowers::create(*device));
+  }
+  for (std::size_t k = 0; k < lights * (root_ ? 1 : channels_.count); ++k) {
+    CUTICLE_ASSIGN(auto made, method->create(device, values));
+    methods_.push_back(std::move(made));
+  }
+  return {};
+}
+
+void HairShadows::publish(Resources& resources) const {
+  HairTransmittance found{.channels = channels_};
+  for (const gpu::Buffer& buffer : transmittance_) found.reached.push_back(&buffer);
+  resources.put(std::move(found));
+}
+
+Result<void> HairShadows::record(gpu::Commands& commands, const Resources& resources) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  for (std::size_t k = 0; k < methods_.size(); ++k) {
+    const std::size_t light = root_ ? k : k / channels_.count, of = root_ ? *root_ : k % channels_.count,
+                      first = light * channels_.count;
+    CUTICLE_TRY(methods_[k]->record(commands, hair.casters, channels_.alpha[of],
+                                    source_of(resources.get<Lights>().all[light]), transmittance_[first + of]));
+    for (std::size_t other = 0; root_ && other < channels_.count; ++other)
+      if (other != of)
+        powers_.record(commands, transmittance_[first + of], channels_.alpha[other] / channels_.alpha[of],
+                       transmittance_[first + other], hair.strands.vertex_count);
+  }
+  return {};
+}
+
+Result<Settled> HairShadows::settle() {
+  Settled settled;
+  for (const auto& method : methods_) {
+    CUTICLE_ASSIGN(const shadows::MapRoom room, method->settle());
+    settled.holds = settled.holds && room.holds;
+    if (!room.note.empty()) settled.notes.push_back(room.note);
+  }
+  return settled;
+}
+
+}  // namespace cuticle::render
