@@ -51,6 +51,7 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   LookupPlace place{on_axis};
   if (!own) return place;
   const glm::vec3 along = own_along(asked.groom, *own);
+  if (along == glm::vec3(0)) return place;  // a puff
   const float radius = asked.groom.radii[own->vertex];
   place.held = half_crossing(along, light_way(axes, place.point), radius);
   place.is_seen = asked.receivers.seen_from.has_value();
