@@ -53,11 +53,7 @@ INSTANTIATE_TEST_SUITE_P(SceneSchema, OurScene,
                          testing::Values("demo.json", "demo_groom.json", "frostbite.json", "hairworks.json",
                                          "hairworks_split.json", "head_turn.json", "loose_hair.json", "clumped.json",
                                          "nalu.json", "red_hair.json", "still.json", "straight.json", "waves.json",
-<<<<<<< HEAD
-                                         "curls.json"));
-=======
                                          "curls.json", "mermaid.json"));
->>>>>>> main
 
 class BadScene : public testing::TestWithParam<const char*> {};
 TEST_P(BadScene, OfAnyKind_IsRefusedBySchemaAndLoader) {
