@@ -30,8 +30,8 @@ std::string python_program() {
   return fs::exists(local) ? local.string() : "python3";
 }
 
-/// Exit code of a program run with its arguments, without a shell; 127 when it cannot be started. It runs in the root of
-/// the file system: libraries read settings from the folder that they are started in (matplotlibrc).
+/// Exit code of a program run with its arguments, without a shell; 127 when it cannot be started. It runs in the root
+/// of the file system: libraries read settings from the folder that they are started in (matplotlibrc).
 int run_program(const std::vector<std::string>& arguments, bool quiet = false) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
@@ -83,7 +83,8 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
       "sys.path.insert(0 if place == 'first' else len(sys.path), folder)\n"
       "runpy.run_module(module, run_name='__main__', alter_sys=True)";
   const auto [folder, is_built] = package_folder();
-  std::vector<std::string> all = {python_program(), "-I", "-c", start, folder.string(), is_built ? "first" : "last", module};
+  std::vector<std::string> all = {
+      python_program(), "-I", "-c", start, folder.string(), is_built ? "first" : "last", module};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_program(all);
 }
@@ -113,7 +114,8 @@ int make_page(const std::string& mode, const std::string& folder, Progress& prog
   if (code == 0)
     progress.message(fmt::format("page: {}/index.html", folder));
   else
-    progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete", python_program(), code, folder));
+    progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete",
+                                 python_program(), code, folder));
   return 0;
 }
 

@@ -1,11 +1,15 @@
 #include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "plan/camera_path.h"
+#include "plan/content_key.h"
+#include "plan/frame_cost_gpu.h"
+#include "plan/hair_in_view.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
 #include "plan/traced_frame.h"
@@ -13,19 +17,6 @@
 namespace cuticle::plan {
 
 namespace {
-
-/// Adds a submission's passes to the cost, those of one entry together.
-void add_cost(const gpu::SubmitCost& more, gpu::SubmitCost& cost) {
-  cost.wall_ms += more.wall_ms;
-  for (const gpu::PassCost& pass : more.passes) {
-    auto found = std::ranges::find(cost.passes, pass.name, &gpu::PassCost::name);
-    if (found == cost.passes.end()) found = cost.passes.insert(found, {.name = pass.name});
-    found->gpu_ms += pass.gpu_ms;
-    found->dispatches += pass.dispatches;
-    found->draws += pass.draws;
-  }
-  cost.fragments.insert(cost.fragments.end(), more.fragments.begin(), more.fragments.end());
-}
 
 constexpr int k_none = -2;
 
@@ -40,7 +31,13 @@ struct FrameRunner::Impl {
   Plan plan;
   std::unique_ptr<StrandMotion> motion;
   std::unique_ptr<Picture> picture;
+  std::unique_ptr<MemoryMeter> motion_memory;
   int painted = k_none;  ///< the frame last painted
+  FramePlan frame_plan;
+  /// What the results on the device were made of.
+  struct Keys {
+    std::uint64_t hair = 0, surfaces = 0, view = 0;
+  } made_of;
 
   Result<void> build(Progress& progress) {
     CUTICLE_ASSIGN(set, build_strand_set(scene));
@@ -48,7 +45,7 @@ struct FrameRunner::Impl {
     leave_out_missing_head();
     rest_bounds = strands::bounds(set.control);
     CUTICLE_TRY(check_size(shape()));
-    plan = make_plan(scene, shape());
+    plan = make_plan(scene, shape(), traits());
     return make(true, scene.outputs.color, progress);
   }
 
@@ -56,6 +53,12 @@ struct FrameRunner::Impl {
   void leave_out_missing_head() {
     if (set.head.triangles.empty()) scene.head.present = false;
   }
+
+  std::string_view solver_name() const {
+    return scene.simulation.solver ? std::string_view(scene.simulation.solver->name) : "control hairs";
+  }
+
+  DeviceTraits traits() const { return {device->info().name, device->info().is_software}; }
 
   registry::FrameShape shape() const {
     registry::FrameShape shape = shape_of(scene, set);
@@ -65,13 +68,18 @@ struct FrameRunner::Impl {
 
   Result<void> make(bool with_motion, bool with_picture, Progress& progress) {
     std::unique_ptr<StrandMotion> new_motion;
+    auto new_memory = std::make_unique<MemoryMeter>(*device);
     if (with_motion) {
-      CUTICLE_ASSIGN(new_motion, StrandMotion::create(device, scene, set, plan));
+      CUTICLE_ASSIGN(new_motion,
+                     new_memory->count(solver_name(), [&] { return StrandMotion::create(device, scene, set, plan); }));
     }
     if (with_picture) {
       CUTICLE_ASSIGN(picture, Picture::create(device, scene, set, plan, camera(0), progress));
     }
-    if (with_motion) motion = std::move(new_motion);
+    if (with_motion) {
+      motion = std::move(new_motion);
+      motion_memory = std::move(new_memory);
+    }
     return {};
   }
 
@@ -84,7 +92,7 @@ struct FrameRunner::Impl {
                        next.render_method != scene.render_method;
     scene::Scene scene_before = std::exchange(scene, next);
     leave_out_missing_head();
-    Plan plan_before = std::exchange(plan, make_plan(scene, shape()));
+    Plan plan_before = std::exchange(plan, make_plan(scene, shape(), traits()));
     Result<void> made = make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);
@@ -109,7 +117,62 @@ struct FrameRunner::Impl {
         "lower strand_count or strand_vertices");
   }
 
+  /// Of the frame that motion stands at.
+  Keys keys_at(int frame) {
+    if (!picture) return {};
+    const Camera seen_by = camera(frame);
+    ContentKey hair, view;
+    hair.add(motion->hair_key());
+    hair.add(picture->casting_strands(seen_by));
+    view.add(seen_by);
+    return {hair.value(), motion->surfaces_key(), view.value()};
+  }
+
+  /// Why every picture is drawn anew; empty: it may be that of the frame before.
+  std::string always_new(int frame, bool everything) const {
+    if (everything) return "all that is planned is asked for";
+    if (painted == k_none) return "no frame was drawn before";
+    if (frame == painted) return "the frame is asked for again";
+    if (find_pass(plan, "temporal_antialiasing")) return "'temporal_antialiasing' gathers frames";
+    if (find_pass(plan, "reference")) return "the reference traces paths";
+    return {};
+  }
+
+  FrameMeasures measure(int frame, const Keys& keys, bool everything) const {
+    const auto changed = [&](std::string_view what, std::uint64_t now, std::uint64_t before) -> registry::Fact {
+      if (const std::string why = always_new(frame, everything); !why.empty()) return {true, why};
+      if (now != before) return {true, fmt::format("{} changed", what)};
+      return {false, fmt::format("{} as it was", what)};
+    };
+    return {motion->hair_awake(),
+            motion->colliders_in_reach(),
+            changed("hair", keys.hair, made_of.hair),
+            changed("the head", keys.surfaces, made_of.surfaces),
+            changed("the camera", keys.view, made_of.view),
+            everything ? registry::Fact{true, "all that is planned is asked for"}
+                       : hair_in_view(scene, set, plan, {motion->bounds(), motion->head(), camera(frame)})};
+  }
+
+  /// Which passes the frame runs; remembers of what their results will be made.
+  void plan_this(int frame, bool everything) {
+    const Keys keys = keys_at(frame);
+    frame_plan = plan_frame(plan, frame, measure(frame, keys, everything));
+    made_of.surfaces = keys.surfaces;
+    made_of.view = keys.view;
+    if (frame_plan.facts.at("hair_seen").holds) made_of.hair = keys.hair;
+  }
+
   Result<void> paint(int frame, const FrameOptions& options, FrameResult& result) {
+    if (frame_plan.paints()) CUTICLE_TRY(paint_anew(frame, result));
+    painted = frame;
+    if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
+    CUTICLE_ASSIGN(result.color, picture->read_color());
+    CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
+    result.notes = picture->notes();
+    return {};
+  }
+
+  Result<void> paint_anew(int frame, FrameResult& result) {
     CUTICLE_ASSIGN(const gpu::SubmitCost cost, picture->paint({.control_positions = &motion->positions(),
                                                                .control_motion = motion->control_motion(),
                                                                .bounds = motion->bounds(),
@@ -119,14 +182,11 @@ struct FrameRunner::Impl {
                                                                .fins = motion->fins(),
                                                                .camera = camera(frame),
                                                                .camera_before = camera(std::max(0, frame - 1)),
-                                                               .follows = frame == painted + 1},
+                                                               .follows = frame == painted + 1,
+                                                               .frame_plan = &frame_plan},
                                                               trace));
-    painted = frame;
+    result.repeats = picture->repeats();
     add_cost(cost, result.cost);
-    if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
-    CUTICLE_ASSIGN(result.color, picture->read_color());
-    CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
-    result.notes = picture->notes();
     return {};
   }
 
@@ -179,6 +239,13 @@ Result<void> FrameRunner::change(const scene::Scene& scene, Progress& progress) 
 Camera FrameRunner::camera(int frame) const { return impl_->camera(frame); }
 
 const Plan& FrameRunner::plan() const { return impl_->plan; }
+const FramePlan& FrameRunner::frame_plan() const { return impl_->frame_plan; }
+std::map<std::string, std::size_t, std::less<>> FrameRunner::memory() const {
+  auto bytes = impl_->motion_memory->bytes();
+  if (!impl_->picture) return bytes;
+  for (const auto& [name, size] : impl_->picture->memory().bytes()) bytes[name] += size;
+  return bytes;
+}
 const strands::Mesh* FrameRunner::fins() const {
   return impl_->motion->fins() ? &impl_->motion->fins()->mesh() : nullptr;
 }
@@ -193,13 +260,18 @@ const lut::TableSet& FrameRunner::tables() const {
 
 Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   if (frame < 0) return usage_error(fmt::format("frame {} is below 0", frame));
+  const auto begin = std::chrono::steady_clock::now();
   FrameResult result;
-  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion->advance_to(frame, impl_->trace));
+  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion_memory->count(impl_->solver_name(), [&] {
+    return impl_->motion->advance_to(frame, impl_->trace, options.everything);
+  }));
   add_cost(cost, result.cost);
+  impl_->plan_this(frame, options.everything);
   if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());
   }
+  result.clock_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 

@@ -73,6 +73,18 @@ std::uint32_t dispatches_of(const Candidate& candidate, const registry::FrameSha
                                    : 0;
 }
 
+/// Whether the CPU's code moves the hair in place of the device's kernels.
+registry::Fact solved_on_cpu(const scene::Scene& scene, const DeviceTraits& device) {
+  if (!scene.simulation.solver) return {false, "the hair is not simulated"};
+  if (scene.simulation.solve_on == "cpu") return {true, "on the CPU, as the scene asks"};
+  if (scene.simulation.solve_on == "device") return {false, "on the device, as the scene asks"};
+  if (device.is_software)
+    return {true, device.name.empty()
+                      ? "on the CPU: there is no device"
+                      : fmt::format("on the CPU: {} has no GPU, kernels take longer there", device.name)};
+  return {false, "on the device"};
+}
+
 /// What the scene asks for of a frame.
 std::vector<std::string_view> outputs_of(const scene::Scene& scene) {
   using namespace render;
@@ -89,8 +101,9 @@ std::vector<std::string_view> outputs_of(const scene::Scene& scene) {
 
 }  // namespace
 
-Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
+Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device) {
   Plan plan{facts_of(scene), shape, {}, {}};
+  const registry::Fact on_cpu = plan.facts["solved_on_cpu"] = solved_on_cpu(scene, device);
   for (const Candidate& candidate : candidates(scene)) {
     const Entry& entry = *candidate.entry;
     const registry::Verdict verdict = registry::judge(entry, plan.facts);
@@ -98,7 +111,9 @@ Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape) {
     if (!refused.empty())
       plan.left_out.push_back({&entry, refused});
     else
-      plan.passes.push_back({&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
+      plan.passes.push_back(on_cpu.holds && entry.stage == registry::Stage::simulate
+                                ? PlannedPass{&entry, verdict.reason + "; " + on_cpu.why, 0, 0, true}
+                                : PlannedPass{&entry, verdict.reason, dispatches_of(candidate, shape), entry.draws});
   }
   plan.outputs = outputs_of(scene);
   compile(plan);

@@ -6,10 +6,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "plan/frame_cost_gpu.h"
+#include "plan/picture_layers_gpu.h"
 #include "render/hair_shadows_gpu.h"
 #include "render/passes/bake_tables/bake_tables_gpu.h"
-#include "render/passes/lines/frame_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 #include "strands/spline/place_gpu.h"
 #include "strands/spline/smooth_gpu.h"
 
@@ -35,10 +38,10 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   picture->resources_.progress = &progress;
   for (const PlannedResource& resource : plan.resources) picture->resources_.want(resource.name);
   CUTICLE_TRY(picture->choose_chunks());
-  CUTICLE_TRY(picture->make_strands());
+  CUTICLE_TRY(picture->memory_.count("drawn strands", [&] { return picture->make_strands(); }));
   CUTICLE_TRY(picture->make_material());
   CUTICLE_TRY(picture->make_rest());
-  CUTICLE_TRY(picture->make_targets());
+  CUTICLE_TRY(picture->memory_.count("targets", [&] { return picture->make_targets(); }));
   CUTICLE_TRY(picture->make_passes());
   return picture;
 }
@@ -173,7 +176,7 @@ Result<std::unique_ptr<render::GpuPass>> Picture::make_pass(const registry::Entr
 Result<void> Picture::make_passes() {
   for (const PlannedPass& planned : plan_.passes) {
     resources_.begin_uses(planned.entry->name, uses_of(*planned.entry));
-    CUTICLE_ASSIGN(auto pass, make_pass(*planned.entry));
+    CUTICLE_ASSIGN(auto pass, memory_.count(planned.entry->name, [&] { return make_pass(*planned.entry); }));
     if (!pass) continue;
     pass->publish(resources_);
     const bool draws = planned.entry->stage == registry::Stage::shade && planned.entry->draws > 0;
@@ -191,7 +194,7 @@ Result<void> Picture::check_uses() const {
 
 /// How many strands the frame's level of detail draws.
 std::uint32_t Picture::strands_of_level() const {
-  return render::lines::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
+  return render::visibility::drawn_part(resources_, resources_.get<render::StrandDraw>().full_px).strands;
 }
 
 /// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.
@@ -207,16 +210,24 @@ shadows::GpuStrands Picture::casters() const {
   return strands;
 }
 
-/// Strands and shadows are those of the frame's first chunk.
-Result<void> Picture::record_passes(gpu::Commands& commands) {
-  auto left = std::ranges::count_if(passes_, &DrawnPass::draws);
+std::uint32_t Picture::casting_strands(const Camera& camera) {
+  resources_.edit<render::FrameView>().camera = camera;
+  return casters().segment_count;
+}
+
+/// Strands and shadows are those of the frame's first chunk; of a picture that is painted again, what comes before
+/// `from` is there already.
+Result<void> Picture::record_passes(gpu::Commands& commands, registry::Stage from) {
+  auto left = std::ranges::count_if(passes_, [&](const DrawnPass& drawn) { return drawn.draws && runs(drawn.name); });
   resources_.edit<render::Targets>().keep = false;
+  if (left == 0 && frame_plan_ && frame_plan_->runs("resolve")) clear_targets(commands);
   for (DrawnPass& drawn : passes_) {
-    if (drawn.stage <= registry::Stage::shadow && !begins_frame()) continue;
+    const bool is_there = drawn.stage < from || (drawn.stage <= registry::Stage::shadow && !begins_frame());
+    if (is_there || !runs(drawn.name)) continue;
     if (drawn.draws) resources_.edit<render::Targets>().resolves = --left == 0;
     commands.begin_pass(drawn.name);
     resources_.begin_uses(drawn.name, drawn.uses);
-    CUTICLE_TRY(drawn.pass->record(commands, resources_));
+    CUTICLE_TRY(memory_.count(drawn.name, [&] { return drawn.pass->record(commands, resources_); }));
     resources_.end_uses();
     commands.end_pass();
     resources_.edit<render::Targets>().keep = resources_.get<render::Targets>().keep || drawn.draws;
@@ -224,17 +235,29 @@ Result<void> Picture::record_passes(gpu::Commands& commands) {
   return check_uses();
 }
 
+/// Where nothing is drawn, the picture is empty.
+void Picture::clear_targets(gpu::Commands& commands) {
+  resources_.edit<render::Targets>().resolves = true;
+  begin_target(commands, resources_);
+  commands.end_rendering();
+}
+
 Result<gpu::SubmitCost> Picture::paint_part(Trace* trace) {
-  for (;;) {
-    CUTICLE_ASSIGN(gpu::SubmitCost cost, paint_once(trace));
-    CUTICLE_ASSIGN(const bool holds, settle());
-    if (holds) return cost;
+  gpu::SubmitCost spent;
+  for (registry::Stage from = registry::Stage::prepare;; ++repeats_) {
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, paint_once(trace, from));
+    add_cost(cost, spent);
+    CUTICLE_ASSIGN(const std::optional<registry::Stage> again, settle());
+    if (!again) return spent;
+    from = *again;
   }
 }
 
 Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) {
   resources_.edit<render::FrameView>().frames_since_cut =
       input.follows ? resources_.get<render::FrameView>().frames_since_cut + 1 : 1;
+  frame_plan_ = input.frame_plan;
+  repeats_ = 0;
   use_frame(input);
   notes_.clear();
   if (!in_chunks()) return paint_part(trace);
@@ -246,8 +269,7 @@ Result<gpu::SubmitCost> Picture::paint(const PictureInput& input, Trace* trace) 
       resources_.edit<render::FrameView>().part_corner = {x, y};
       CUTICLE_ASSIGN(const gpu::SubmitCost more, paint_part(trace));
       CUTICLE_TRY(keep_part());
-      cost.wall_ms += more.wall_ms;
-      cost.passes.insert(cost.passes.end(), more.passes.begin(), more.passes.end());
+      add_cost(more, cost);
     }
   return cost;
 }
@@ -264,16 +286,17 @@ Result<void> Picture::keep_part() {
   return {};
 }
 
-/// Adds each note once: chunks may say the same.
-Result<bool> Picture::settle() {
-  bool holds = true;
+/// The first stage that has to run again; none: all is there. Adds each note once: chunks may say the same.
+Result<std::optional<registry::Stage>> Picture::settle() {
+  std::optional<registry::Stage> again;
   for (DrawnPass& drawn : passes_) {
-    CUTICLE_ASSIGN(const render::Settled settled, drawn.pass->settle());
-    holds = holds && settled.holds;
+    if (!runs(drawn.name)) continue;
+    CUTICLE_ASSIGN(const render::Settled settled, memory_.count(drawn.name, [&] { return drawn.pass->settle(); }));
+    if (!settled.holds) again = std::min(again.value_or(drawn.stage), drawn.stage);
     for (const std::string& note : settled.notes)
       if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
-  return holds;
+  return again;
 }
 
 void Picture::use_frame(const PictureInput& input) {
@@ -293,9 +316,9 @@ void Picture::use_frame(const PictureInput& input) {
   resources_.edit<render::DrawnHair>().casters = casters();
 }
 
-Result<gpu::SubmitCost> Picture::paint_once(Trace* trace) {
+Result<gpu::SubmitCost> Picture::paint_once(Trace* trace, registry::Stage from) {
   gpu::Commands commands = device_->record();
-  CUTICLE_TRY(record_passes(commands));
+  CUTICLE_TRY(record_passes(commands, from));
   return device_->submit(std::move(commands), trace);
 }
 
@@ -318,26 +341,9 @@ Result<Image> Picture::read_aovs(const Image& color) const {
     for (const DrawnPass& drawn : passes_) {
       const std::optional<render::FileLayer> layer = drawn.pass->layer(wanted, resources_);
       if (!layer) continue;
-      CUTICLE_ASSIGN(image, with_channels(image.pixels.empty() ? color : image, *layer->values, layer->channels));
+      CUTICLE_ASSIGN(image, with_channels(*device_, image.pixels.empty() ? color : image, *layer->values, layer->channels));
     }
   return image;
-}
-
-/// A picture's channels, then floats of a buffer, as many a pixel as there are names.
-Result<Image> Picture::with_channels(const Image& image, const gpu::Buffer& buffer,
-                                     std::span<const std::string_view> more_names) const {
-  std::vector<std::string> names = image.channel_names;
-  const std::size_t own = names.size(), more = more_names.size();
-  names.insert(names.end(), more_names.begin(), more_names.end());
-  Image wider = make_image(image.width, image.height, std::move(names));
-  const std::size_t pixels = image.pixels.size() / own;
-  CUTICLE_ASSIGN(const auto values, gpu::read_buffer<float>(*device_, buffer, pixels * more));
-  for (std::size_t p = 0; p < pixels; ++p) {
-    float* const out = wider.pixels.data() + p * (own + more);
-    std::copy_n(image.pixels.data() + p * own, own, out);
-    std::copy_n(values.data() + p * more, more, out + own);
-  }
-  return wider;
 }
 
 Result<strands::Groom> Picture::read_strands() const {

@@ -1,12 +1,16 @@
 #pragma once
 // From control hairs to a picture: drawn strands, shadows, the render passes, in the plan's order.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/image/image.h"
 #include "core/progress.h"
+#include "lut/table_set.h"
 #include "plan/character_motion_gpu.h"
 #include "plan/fin_motion_gpu.h"
+#include "plan/frame_plan.h"
+#include "plan/memory_meter_gpu.h"
 #include "plan/plan.h"
 #include "plan/strand_set.h"
 #include "render/pass_gpu.h"
@@ -25,6 +29,7 @@ struct PictureInput {
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
   bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
+  const FramePlan* frame_plan = nullptr;  ///< which passes run; the others' results are those of an earlier picture
 };
 
 class Picture {
@@ -32,9 +37,15 @@ class Picture {
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
-  /// Runs every planned pass after the simulation, in one submission, a large picture chunk by chunk; once more where a
-  /// pass's buffers were too small.
+  /// Device memory by pass, with "drawn strands" and "targets".
+  const MemoryMeter& memory() const { return memory_; }
+  /// Runs the frame's passes after the simulation, in one submission, a large picture chunk by chunk. Where a pass's
+  /// buffers were too small it runs again, with what comes after it; the cost is that of all submissions.
   Result<gpu::SubmitCost> paint(const PictureInput& input, Trace* trace);
+  /// How often passes ran again in the picture last painted.
+  std::uint32_t repeats() const { return repeats_; }
+  /// Strands that cast shadows in a view of this camera.
+  std::uint32_t casting_strands(const Camera& camera);
   /// What the passes left out of the picture last painted, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
   Result<Image> read_color() const;
@@ -46,7 +57,7 @@ class Picture {
 
  private:
   Picture(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const StrandSet& set, const Plan& plan)
-      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan) {}
+      : device_(std::move(device)), scene_(scene), set_(set), plan_(plan), memory_(*device_) {}
   Result<void> make_generator();
   Result<void> make_strands();
   Result<void> make_material();
@@ -62,14 +73,14 @@ class Picture {
   bool begins_frame() const { return !in_chunks() || resources_.get<render::FrameView>().part_corner == glm::ivec2(0); }
   void use_frame(const PictureInput& input);
   Result<gpu::SubmitCost> paint_part(Trace* trace);
-  Result<gpu::SubmitCost> paint_once(Trace* trace);
+  Result<gpu::SubmitCost> paint_once(Trace* trace, registry::Stage from);
+  bool runs(std::string_view pass) const { return !frame_plan_ || frame_plan_->runs(pass); }
   Result<void> keep_part();
-  Result<bool> settle();
-  Result<Image> with_channels(const Image& image, const gpu::Buffer& buffer,
-                              std::span<const std::string_view> more_names) const;
+  Result<std::optional<registry::Stage>> settle();
   std::uint32_t strands_of_level() const;
   shadows::GpuStrands casters() const;
-  Result<void> record_passes(gpu::Commands& commands);
+  Result<void> record_passes(gpu::Commands& commands, registry::Stage from);
+  void clear_targets(gpu::Commands& commands);
 
   std::shared_ptr<gpu::Device> device_;
   const scene::Scene& scene_;
@@ -89,6 +100,9 @@ class Picture {
   };
   std::vector<DrawnPass> passes_;
   std::vector<std::string> notes_;
+  MemoryMeter memory_;
+  const FramePlan* frame_plan_ = nullptr;  ///< of the picture being painted
+  std::uint32_t repeats_ = 0;
 };
 
 }  // namespace cuticle::plan

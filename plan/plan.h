@@ -16,6 +16,7 @@ struct PlannedPass {
   const registry::Entry* entry = nullptr;
   std::string reason;
   std::uint32_t dispatches = 0, draws = 0;  ///< per frame
+  bool on_cpu = false;                      ///< runs on the CPU, and dispatches nothing
 };
 /// A resource that some pass of the plan, or the scene, asks for.
 struct PlannedResource {
@@ -26,6 +27,11 @@ struct PlannedResource {
 struct LeftOut {
   const registry::Entry* entry = nullptr;
   std::string reason;
+};
+/// What a plan asks about the device that will run it.
+struct DeviceTraits {
+  std::string name = {};
+  bool is_software = false;  ///< its kernels run on the same cores as the CPU's code
 };
 struct Plan {
   registry::Facts facts;
@@ -39,8 +45,10 @@ struct Plan {
 /// The facts of a scene: "light", "shadow_method", "motion", "simulation", "colliders", "head", "strands",
 /// "output_color", ...
 registry::Facts facts_of(const scene::Scene& scene);
-/// `shape` of the frame as built (strands loaded or grown).
-Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape);
+/// `shape` of the frame as built (strands loaded or grown). Hair is solved by the CPU's code where the scene says so
+/// or, left to choose ("auto"), where the device is software: there the kernels take 44 to 72 times as long
+/// (sim/README.md).
+Plan make_plan(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device = {});
 /// What an entry reads and writes of a frame; empty: it is no pass of the picture, as solvers and effects.
 std::span<const render::Use> uses_of(const registry::Entry& entry);
 /// The planned pass of that name, or null.

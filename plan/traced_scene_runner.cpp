@@ -7,20 +7,9 @@
 
 #include "plan/camera_path.h"
 #include "plan/drawn_strands.h"
-#include "sim/control/control.h"
+#include "plan/simulation.h"
 
 namespace cuticle::plan {
-
-sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan) {
-  sim::EffectBlocks blocks;
-  for (const registry::Entry* effect : catalogue().effects) {
-    if (!find_pass(plan, effect->name) || (*sim::find_effect(effect->name))->acts_on_fins) continue;
-    const auto given = scene.simulation.effects.find(effect->name);
-    blocks[std::string(effect->name)] =
-        given == scene.simulation.effects.end() ? registry::default_values(effect->parameters) : given->second;
-  }
-  return blocks;
-}
 
 Result<std::unique_ptr<TracedSceneRunner>> TracedSceneRunner::create(const scene::Scene& scene, Progress& progress) {
   if (scene.character || scene.fins)
@@ -30,7 +19,7 @@ Result<std::unique_ptr<TracedSceneRunner>> TracedSceneRunner::create(const scene
   CUTICLE_ASSIGN(runner->set_, build_strand_set(scene));
   for (const std::string& note : runner->set_.notes) progress.message(note);
   if (runner->set_.head.triangles.empty()) runner->scene_.head.present = false;
-  runner->plan_ = make_plan(runner->scene_, shape_of(runner->scene_, runner->set_));
+  runner->plan_ = make_plan(runner->scene_, shape_of(runner->scene_, runner->set_), {.is_software = true});
   CUTICLE_ASSIGN(runner->path_, HeadPath::create(runner->scene_, runner->set_.pivot));
   return runner;
 }
@@ -40,12 +29,7 @@ Result<void> TracedSceneRunner::restart(Progress& progress) {
   frame_ = -1;
   solver_.reset();
   if (!scene_.simulation.solver) return {};
-  const scene::Block& block = *scene_.simulation.solver;
-  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(block.name));
-  const sim::EffectBlocks effects = planned_effects(scene_, plan_);
-  CUTICLE_ASSIGN(solver_, effect->create(set_.control, block.values, effects));
-  if (const auto control = sim::find_effect<sim::control::Control>(effects))
-    solver_ = sim::control::controlled(std::move(solver_), set_.control, *control);
+  CUTICLE_ASSIGN(solver_, make_cpu_solver(scene_, set_, plan_));
   const int frames = int(std::ceil(scene_.simulation.settle_time * scene_.frames_per_second));
   for (int k = 0; k < frames; ++k) {
     CUTICLE_TRY(simulate(0));
@@ -55,17 +39,7 @@ Result<void> TracedSceneRunner::restart(Progress& progress) {
 }
 
 Result<void> TracedSceneRunner::simulate(int frame) {
-  const bool collides = find_pass(plan_, "colliders") != nullptr;
-  const int before = std::max(0, frame - 1);
-  return solver_->advance({.duration = 1 / scene_.frames_per_second,
-                           .head_begin = path_.at(before),
-                           .head_end = path_.at(frame),
-                           .colliders = collides ? set_.colliders : std::span<const Sphere>(),
-                           .boxes = collides ? set_.boxes : std::span<const RoundedBox>(),
-                           .fields = collides ? set_.fields : std::span<const sim::FieldPointer>(),
-                           .moving = collides ? set_.moving : std::span<const sim::MovingCollider>(),
-                           .clock_begin = before / scene_.frames_per_second,
-                           .clock_end = frame / scene_.frames_per_second});
+  return solver_->advance(input_of(scene_, set_, plan_, path_, frame));
 }
 
 Result<void> TracedSceneRunner::advance_to(int frame, Progress& progress) {

@@ -38,7 +38,4 @@ class TracedSceneRunner {
   int frame_ = -1;
 };
 
-/// The effects of a plan that act on hair, with the scene's parameters, as a solver takes them.
-sim::EffectBlocks planned_effects(const scene::Scene& scene, const Plan& plan);
-
 }  // namespace cuticle::plan

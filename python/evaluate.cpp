@@ -67,31 +67,44 @@ struct Unset {
   std::unique_ptr<double[]> values;
 };
 
-/// What a block of points is computed by: the batch where it does this (S and pdf in float), else the formulas one by one.
+/// What a block of points is computed by: the batch where it does this (S and pdf in float), else the formulas one by
+/// one.
 class BlockEvaluator {
  public:
   BlockEvaluator(const bsdf::Model& model, const registry::ParameterValues& values, bsdf::Precision precision,
                  const bsdf::Request& what)
-      : values_(values), what_(what), run_(precision == bsdf::Precision::f32 ? model.evaluate_f32 : model.evaluate_f64) {
+      : values_(values),
+        what_(what),
+        run_(precision == bsdf::Precision::f32 ? model.evaluate_f32 : model.evaluate_f64) {
     const bool in_batch = what.quantity == bsdf::Quantity::S || what.quantity == bsdf::Quantity::pdf;
     if (precision != bsdf::Precision::f32 || !in_batch || what.lobe != -1) return;
     auto batch = bsdf::BatchEvaluator::make(model, values);
     if (batch && batch->is_vectorised()) batch_ = std::move(batch).value();
   }
-  Result<void> operator()(std::span<const bsdf::Point> points, std::span<glm::dvec3> out) const {
-    if (batch_) return in_batch(points, out);
-    run_(values_, {what_.quantity, what_.lobe, points}, out);
+  /// Points from `first` on, as many as `out` has room for.
+  Result<void> operator()(const PointReader& points, std::size_t first, std::span<glm::dvec3> out) const {
+    if (batch_) return in_batch(points, first, out);
+    std::vector<bsdf::Point>& read = scratch_points();
+    CUTICLE_TRY(points.read(first, out.size(), read));
+    run_(values_, {what_.quantity, what_.lobe, read}, out);
     return {};
   }
 
  private:
-  Result<void> in_batch(std::span<const bsdf::Point> points, std::span<glm::dvec3> out) const {
+  Result<void> in_batch(const PointReader& points, std::size_t first, std::span<glm::dvec3> out) const {
+    using bsdf::Point;
+    constexpr double Point::*members[] = {&Point::theta_i, &Point::theta_o, &Point::phi, &Point::phi_o, &Point::h};
     thread_local UnitVectors vectors;
+    thread_local std::vector<double> columns;
     thread_local std::vector<float> results;
-    const std::size_t count = points.size();
-    vectors.set(points);
+    const std::size_t count = out.size();
+    columns.resize(5 * count);
+    for (std::size_t k = 0; k < 5; ++k)
+      CUTICLE_TRY(points.read_column(members[k], first, {columns.data() + k * count, count}));
+    vectors.set(columns, count);
     results.resize(3 * count);
-    const std::span<float> x(results.data(), count), y(results.data() + count, count), z(results.data() + 2 * count, count);
+    const std::span<float> x(results.data(), count), y(results.data() + count, count),
+        z(results.data() + 2 * count, count);
     if (what_.quantity == bsdf::Quantity::pdf) {
       CUTICLE_TRY(batch_->pdf(vectors.points(), x));
       for (std::size_t i = 0; i < count; ++i) out[i] = glm::dvec3(x[i]);
@@ -122,9 +135,7 @@ Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::Paramet
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(first, end, grain),
         [&](const auto& range) {
-          std::vector<bsdf::Point>& read = scratch_points();
-          Result<void> done = points.read(range.begin(), range.size(), read);
-          if (done) done = evaluate(read, out.span(range.begin(), range.size()));
+          const Result<void> done = evaluate(points, range.begin(), out.span(range.begin(), range.size()));
           if (!done) failed.set(done.error());
         },
         tbb::simple_partitioner());

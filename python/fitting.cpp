@@ -21,7 +21,8 @@ void set_values(const Numbers& values, lut::Measurements& data) {
     raise(usage_error("values: not (n) or (n, 3) numbers for " + std::to_string(count) + " points"));
   const double* from = values.data();
   for (std::size_t i = 0; i < count; ++i)
-    data.rows[i].value = data.one_number ? glm::dvec3(from[i]) : glm::dvec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
+    data.rows[i].value =
+        data.one_number ? glm::dvec3(from[i]) : glm::dvec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
 }
 
 lut::Measurements measurements(const bsdf::Model& model, const std::string& quantity,
@@ -31,7 +32,8 @@ lut::Measurements measurements(const bsdf::Model& model, const std::string& quan
   const PointReader reader(coordinates, shape);
   std::vector<bsdf::Point> points;
   require(reader.read(0, reader.count(), points));
-  lut::Measurements data{.quantity = value_or_raise(bsdf::find_quantity(quantity)), .rows = {}, .sigma_known = bool(sigma)};
+  lut::Measurements data{
+      .quantity = value_or_raise(bsdf::find_quantity(quantity)), .rows = {}, .sigma_known = bool(sigma)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string& lobe = lobes.size() == 1 ? lobes[0] : lobes.at(i);
     data.rows.push_back({.point = points[i], .lobe = value_or_raise(bsdf::find_lobe(model, lobe))});

@@ -41,37 +41,49 @@ PointReader::PointReader(const std::vector<Numbers>& coordinates, const std::vec
   }
 }
 
-Result<void> PointReader::fill(std::size_t coordinate, std::size_t first, std::vector<bsdf::Point>& out) const {
+/// put(i, value) for point first + i.
+template <class Put>
+Result<void> PointReader::each(std::size_t coordinate, std::size_t first, std::size_t count, const Put& put) const {
   const Coordinate& what = k_coordinates[coordinate];
   const Source& source = sources_[coordinate];
-  const auto set = [&](std::size_t i, double value) {
-    out[i].*what.member = value * what.unit;
-    return std::abs(value) <= what.limit;
+  const auto refused = [&](double value) {
+    return bad_input(fmt::format("{}: {} is outside -{:g} .. {:g}", what.name, value, what.limit, what.limit));
   };
-  bool sound = true;
   if (source.is_constant || source.is_whole) {
     const double* data = source.is_whole ? source.data + first : source.data;
     const std::size_t stride = source.is_whole ? 1 : 0;
-    for (std::size_t i = 0; i < out.size(); ++i) sound &= set(i, data[stride * i]);
-    for (std::size_t i = 0; !sound && i < out.size(); ++i)
-      if (const double value = data[stride * i]; !(std::abs(value) <= what.limit))
-        return bad_input(fmt::format("{}: {} is outside -{:g} .. {:g}", what.name, value, what.limit, what.limit));
+    bool sound = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      put(i, data[stride * i]);
+      sound &= std::abs(data[stride * i]) <= what.limit;
+    }
+    for (std::size_t i = 0; !sound && i < count; ++i)
+      if (const double value = data[stride * i]; !(std::abs(value) <= what.limit)) return refused(value);
     return {};
   }
-  for (std::size_t i = 0; i < out.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     std::size_t flat = first + i, index = 0;
     for (std::size_t axis = shape_.size(); axis-- > 0; flat /= shape_[axis])
       index += flat % shape_[axis] * source.strides[axis];
-    if (!set(i, source.data[index]))
-      return bad_input(
-          fmt::format("{}: {} is outside -{:g} .. {:g}", what.name, source.data[index], what.limit, what.limit));
+    if (!(std::abs(source.data[index]) <= what.limit)) return refused(source.data[index]);
+    put(i, source.data[index]);
   }
+  return {};
+}
+
+Result<void> PointReader::read_column(double bsdf::Point::*member, std::size_t first, std::span<double> out) const {
+  for (std::size_t c = 0; c < sources_.size(); ++c)
+    if (k_coordinates[c].member == member)
+      return each(c, first, out.size(), [&](std::size_t i, double value) { out[i] = value; });
   return {};
 }
 
 Result<void> PointReader::read(std::size_t first, std::size_t count, std::vector<bsdf::Point>& out) const {
   out.resize(count);
-  for (std::size_t c = 0; c < sources_.size(); ++c) CUTICLE_TRY(fill(c, first, out));
+  for (std::size_t c = 0; c < sources_.size(); ++c) {
+    const Coordinate& what = k_coordinates[c];
+    CUTICLE_TRY(each(c, first, count, [&](std::size_t i, double value) { out[i].*what.member = value * what.unit; }));
+  }
   return {};
 }
 

@@ -15,6 +15,9 @@ class PointReader {
   /// theta_i, theta_o, theta_d, phi, h, phi_o; angles in degrees.
   PointReader(const std::vector<Numbers>& coordinates, const std::vector<std::size_t>& shape);
   std::size_t count() const { return count_; }
+  /// One coordinate of points from `first` on, in the caller's own unit (degrees). Error: bad_input, naming argument,
+  /// value and range.
+  Result<void> read_column(double bsdf::Point::*member, std::size_t first, std::span<double> out) const;
   /// Points first .. first + count - 1 into `out`. Error: bad_input, naming argument, value and range.
   Result<void> read(std::size_t first, std::size_t count, std::vector<bsdf::Point>& out) const;
 
@@ -24,7 +27,8 @@ class PointReader {
     std::vector<std::size_t> strides;  ///< of the shape's axes, in numbers; 0: the same all along
     bool is_constant = false, is_whole = false;
   };
-  Result<void> fill(std::size_t coordinate, std::size_t first, std::vector<bsdf::Point>& out) const;
+  template <class Put>
+  Result<void> each(std::size_t coordinate, std::size_t first, std::size_t count, const Put& put) const;
 
   std::vector<Source> sources_;
   std::vector<std::size_t> shape_;

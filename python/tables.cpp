@@ -80,7 +80,8 @@ nb::tuple read(const std::string& folder) {
     std::vector<double> scale;
     for (const lut::ManifestChannel& channel : table.channels) scale.push_back(channel.scale);
     Image image = value_or_raise(format.read(folder + "/" + table.file));
-    if (std::size_t(image.channels()) < scale.size()) raise(bad_input(table.file + ": fewer channels than its manifest says"));
+    if (std::size_t(image.channels()) < scale.size())
+      raise(bad_input(table.file + ": fewer channels than its manifest says"));
     tables[table.name.c_str()] = values_of(std::move(image), scale);
   }
   return nb::make_tuple(tables, value_or_raise(read_text_file(folder + "/manifest.json")));

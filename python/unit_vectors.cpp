@@ -1,6 +1,6 @@
 #include "python/unit_vectors.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 
 #include "core/shared/rotation.glslh"
@@ -8,32 +8,33 @@
 namespace cuticle::python {
 namespace {
 
-/// The same direction within half a turn, which float holds to 2e-7.
-float within_half_a_turn(double phi) {
-  constexpr double turn = 2 * std::numbers::pi;
-  return float(phi - turn * std::floor(phi / turn + 0.5));
+/// Radians within half a turn, which float holds to 2e-7. Adding and taking 1.5 * 2^52 rounds to a whole number.
+float radians(double degrees) {
+  constexpr double rounding = 6755399441055744.0, turn = 360;
+  const double turns = (degrees / turn + rounding) - rounding;
+  return float((degrees - turn * turns) * (std::numbers::pi / 180));
 }
 
 /// x along the fibre, azimuth from y to z. Directions past a pole by rounding (cosine below 0) stay there.
-void set_direction(float theta, float phi, float* x, float* y, float* z) {
-  const glm::vec2 up = precise_rotation(theta), around = precise_rotation(phi);
+void set_direction(double theta, double phi, float* out, std::size_t stride) {
+  const glm::vec2 up = precise_rotation(radians(theta)), around = precise_rotation(radians(phi));
   const float across = std::max(up.x, 0.0f);
-  *x = up.y, *y = across * around.x, *z = across * around.y;
+  out[0] = up.y;
+  out[stride] = across * around.x;
+  out[2 * stride] = across * around.y;
 }
 
 }  // namespace
 
-void UnitVectors::set(std::span<const bsdf::Point> points) {
-  count_ = points.size();
-  planes_.resize(7 * count_);
+void UnitVectors::set(std::span<const double> columns, std::size_t count) {
+  count_ = count;
+  planes_.resize(7 * count);
+  const double *theta_i = columns.data(), *theta_o = theta_i + count, *phi = theta_o + count, *phi_o = phi + count,
+               *h = phi_o + count;
   float* const out = planes_.data();
-  for (std::size_t i = 0; i < count_; ++i) {
-    const bsdf::Point& at = points[i];
-    float* const to = out + i;
-    set_direction(float(at.theta_i), within_half_a_turn(at.phi_o - at.phi), to, to + count_, to + 2 * count_);
-    set_direction(float(at.theta_o), within_half_a_turn(at.phi_o), to + 3 * count_, to + 4 * count_, to + 5 * count_);
-    to[6 * count_] = float(at.h);
-  }
+  for (std::size_t i = 0; i < count; ++i) set_direction(theta_i[i], phi_o[i] - phi[i], out + i, count);
+  for (std::size_t i = 0; i < count; ++i) set_direction(theta_o[i], phi_o[i], out + 3 * count + i, count);
+  for (std::size_t i = 0; i < count; ++i) out[6 * count + i] = float(h[i]);
 }
 
 bsdf::BatchPoints UnitVectors::points() const {

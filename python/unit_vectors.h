@@ -1,6 +1,5 @@
 #pragma once
 // Angles as the unit vectors that bsdf/batch takes.
-#include <array>
 #include <span>
 #include <vector>
 
@@ -12,8 +11,9 @@ namespace cuticle::python {
 /// that keeps its memory.
 class UnitVectors {
  public:
-  /// Within 4e-7 of the exact vectors (test_models.py compares S with that of the formulas one by one).
-  void set(std::span<const bsdf::Point> points);
+  /// `columns`: theta_i, theta_o, phi, phi_o in degrees and h, each `count` numbers, one after the other. Within 4e-7
+  /// of the exact vectors (test_models.py compares S with that of the formulas in double).
+  void set(std::span<const double> columns, std::size_t count);
   bsdf::BatchPoints points() const;
 
  private:

@@ -1,6 +1,7 @@
 // Walks a JSON value beside its specification and stops at the first thing that is wrong.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -9,30 +10,32 @@
 #include "core/json/position.h"
 #include "core/registry/read_json.h"
 #include "core/text.h"
+#include "scene/include.h"
 #include "scene/specification.h"
 
 namespace cuticle::scene {
 
 namespace {
 
-/// Where a value stands: the source and its text, and the path of keys to it.
+/// Where a value stands: the path of keys to it, in the file and those that it includes.
 struct Place {
-  std::string source;
-  std::string_view document;
+  const IncludedJson* whole = nullptr;
   std::string path = {};
   std::vector<std::string> steps = {};
 
   Place at(const std::string& key) const { return child(path.empty() ? key : path + "." + key, key); }
   Place at(std::size_t index) const { return child(fmt::format("{}[{}]", path, index), std::to_string(index)); }
   Place child(std::string child_path, std::string step) const {
-    Place place{source, document, std::move(child_path), steps};
+    Place place{whole, std::move(child_path), steps};
     place.steps.push_back(std::move(step));
     return place;
   }
   /// "scene.json:12:5: lights[0].irradiance": line and column as compilers write them.
   std::string text() const {
-    const TextPosition at = position_of(document, find_in_json(document, steps));
-    const std::string where = fmt::format("{}:{}:{}", source, at.line, at.column);
+    const Origin origin = whole->origin_of(steps);
+    const SourceText& source = whole->sources[origin.source];
+    const TextPosition at = position_of(source.text, find_in_json(source.text, origin.steps));
+    const std::string where = fmt::format("{}:{}:{}", source.name, at.line, at.column);
     return path.empty() ? where : where + ": " + path;
   }
   /// This place, with the line and column of one of its keys.
@@ -51,8 +54,9 @@ Error wrong_type(const Place& place, std::string_view expected, const Json& valu
 
 Error unknown_key(const Place& place, const std::string& key, std::span<const std::string_view> known) {
   const std::string near = registry::nearest_name(key, known);
-  return bad_input(fmt::format("{}: unknown key {}; allowed: {}", place.text_at(key), in_quotes(key), fmt::join(known, ", ")),
-                   near.empty() ? "" : fmt::format("write '{}'", near));
+  return bad_input(
+      fmt::format("{}: unknown key {}; allowed: {}", place.text_at(key), in_quotes(key), fmt::join(known, ", ")),
+      near.empty() ? "" : fmt::format("write '{}'", near));
 }
 
 Result<void> check_number(const Spec& spec, const Json& value, const Place& place) {
@@ -167,14 +171,41 @@ Result<void> check_value(const Spec& spec, const Json& value, const Place& place
   return {};
 }
 
+/// Files that an included file names are relative to it.
+void resolve_files(const Spec& spec, Json& value, const Place& place) {
+  if (spec.kind == SpecKind::object) {
+    for (const Spec& child : spec.children)
+      if (value.contains(child.key)) resolve_files(child, value[child.key], place.at(child.key));
+  } else if (spec.kind == SpecKind::array) {
+    for (std::size_t i = 0; i < value.size(); ++i) resolve_files(spec.children[0], value[i], place.at(i));
+  } else if (spec.kind == SpecKind::file && !value.text().starts_with("${")) {
+    const Origin origin = place.whole->origin_of(place.steps);
+    if (origin.source > 0)
+      value = (std::filesystem::path(place.whole->sources[origin.source].folder) / value.text()).string();
+  }
+}
+
+/// Files of a later format are not read as if they were of this one. There has been one format so far: a later one
+/// brings files of the earlier up to itself here.
+Result<void> check_version(const IncludedJson& whole) {
+  constexpr std::int64_t k_version = 1;
+  const Json* version = whole.value.find("schema_version");
+  if (!version || !version->is_whole() || version->whole() <= k_version) return {};
+  const Place place{&whole, "schema_version", {"schema_version"}};
+  return bad_input(
+      fmt::format("{} = {} is newer than {}, which this program reads", place.text(), version->whole(), k_version),
+      "take a newer Cuticle");
+}
+
 }  // namespace
 
-Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& where) {
-  const std::string text = without_comments(json);
-  Result<Json> value = Json::parse(text);
-  if (!value) return bad_input(fmt::format("{}: {}", where, value.error().message), value.error().hint);
-  CUTICLE_TRY(check_value(spec, *value, {where, text}));
-  return value;
+Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
+                           const std::string& where) {
+  CUTICLE_ASSIGN(IncludedJson whole, read_with_includes(json, folder, where));
+  CUTICLE_TRY(check_version(whole));
+  CUTICLE_TRY(check_value(spec, whole.value, {&whole}));
+  resolve_files(spec, whole.value, {&whole});
+  return std::move(whole.value);
 }
 
 }  // namespace cuticle::scene

@@ -155,6 +155,7 @@ void read_simulation(const Reader& root, const Catalogue& catalogue, Scene& scen
   scene.simulation.solver = block_of(catalogue.solvers, reader.value["solver"]);
   scene.simulation.effects = blocks_of(catalogue.effects, reader.child("effects").value);
   reader.get("settle_time_s", scene.simulation.settle_time);
+  reader.get("solve_on", scene.simulation.solve_on);
 }
 
 Result<void> read_fins(const Reader& root, Scene& scene) {
@@ -166,6 +167,18 @@ Result<void> read_fins(const Reader& root, Scene& scene) {
   reader.get("metres_per_unit", fins.metres_per_unit);
   scene.fins = std::move(fins);
   return {};
+}
+
+void read_budgets(const Reader& root, Scene& scene) {
+  if (!root.has("budgets")) return;
+  const Reader reader = root.child("budgets"), error = reader.child("error");
+  Budgets& budgets = scene.budgets.emplace();
+  reader.get("frame_ms", budgets.frame_ms);
+  reader.get("memory_mb", budgets.memory_mb);
+  error.get("shadow", budgets.shadow);
+  error.get("shading", budgets.shading);
+  error.get("coverage", budgets.coverage);
+  error.get("motion", budgets.motion);
 }
 
 void read_floor(const Reader& root, Scene& scene) {
@@ -233,6 +246,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   CUTICLE_TRY(read_colliders(root.child("colliders"), scene));
   CUTICLE_TRY(read_fins(root, scene));
   read_floor(root, scene);
+  read_budgets(root, scene);
   CUTICLE_TRY(read_lights(root, scene));
   CUTICLE_TRY(read_shadow(root, catalogue, scene));
   CUTICLE_TRY(read_camera(root.child("camera"), scene));
@@ -244,7 +258,7 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
 
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue) {
-  CUTICLE_ASSIGN(const Json value, parse_checked(specification(catalogue), json, where));
+  CUTICLE_ASSIGN(const Json value, parse_checked(specification(catalogue), json, folder, where));
   return read_scene({value, where, folder}, catalogue);
 }
 

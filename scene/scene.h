@@ -76,7 +76,8 @@ struct MaterialSource {
 struct SimulationSource {
   std::optional<Block> solver;  ///< absent: nothing moves but what the head moves rigidly
   std::map<std::string, registry::ParameterValues, std::less<>> effects;
-  double settle_time = 0;  ///< seconds simulated before frame 0, the head at rest
+  double settle_time = 0;         ///< seconds simulated before frame 0, the head at rest
+  std::string solve_on = "auto";  ///< or "cpu", "device"
   bool operator==(const SimulationSource&) const = default;
 };
 /// Sheets that hang on the head.
@@ -121,6 +122,13 @@ struct Outputs {
   double exposure_stops = 0;
 };
 
+/// What a frame may take and how far off it may be; 0: not asked for.
+struct Budgets {
+  double frame_ms = 0, memory_mb = 0;
+  double shadow = 0, shading = 0, coverage = 0, motion = 0;  ///< errors, as the study's tables have them
+  bool operator==(const Budgets&) const = default;
+};
+
 /// The ways in which strands become pixels.
 inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth", "reference"};
 
@@ -155,6 +163,7 @@ struct Scene {
                              ///< given, k_usual_fibre_count, or of a file that carries radii its strands
   Outputs outputs;
   std::string render_method = "lines";  ///< of k_render_methods
+  std::optional<Budgets> budgets;
   std::map<std::string, registry::ParameterValues, std::less<>>
       passes;                      ///< of render passes, by name; absent: defaults
   std::vector<std::string> notes;  ///< what of the file is not used, one sentence each

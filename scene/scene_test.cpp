@@ -166,7 +166,7 @@ TEST(Scene, MissingKey_IsNamed) {
 TEST(Scene, OtherVersion_IsRefused) {
   const auto scene = parse_scene(R"({"schema_version": 2})", "/", "s.json", catalogue());
   ASSERT_FALSE(scene);
-  EXPECT_THAT(scene.error().message, HasSubstr("schema_version = 2 is outside 1 .. 1"));
+  EXPECT_THAT(scene.error().message, HasSubstr("schema_version = 2 is newer than 1"));
 }
 
 TEST(Scene, CameraKeys_TakeWhatIsAbsentFromTheKeyAbove) {

@@ -1,6 +1,7 @@
 // The JSON Schema (draft 7) of the scene file, written from its specification.
 
 #include "core/json/json.h"
+#include "scene/include.h"
 #include "scene/specification.h"
 
 namespace cuticle::scene {
@@ -13,14 +14,24 @@ Json closed_object(Json properties) {
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
+/// Included keys may be those that are required.
+Json include_schema() {
+  return {
+      {"description", "files whose keys the object takes where it has none of its own"},
+      {"oneOf", Json::list({Json{{"type", "string"}}, Json{{"type", "array"}, {"items", Json{{"type", "string"}}}}})}};
+}
+
 Json object_schema(const Spec& spec) {
   Json properties = Json::object(), required = Json::list();
   for (const Spec& child : spec.children) {
     properties[child.key] = schema_of(child);
     if (child.required) required.push_back(child.key);
   }
+  properties[std::string(k_include)] = include_schema();
   Json schema = closed_object(std::move(properties));
-  if (!required.empty()) schema["required"] = std::move(required);
+  if (!required.empty())
+    schema["anyOf"] = Json::list(
+        {Json{{"required", std::move(required)}}, Json{{"required", Json::list({Json(std::string(k_include))})}}});
   return schema;
 }
 
@@ -28,8 +39,12 @@ Json blocks_schema(const Spec& spec) {
   Json properties = Json::object();
   for (const registry::Entry* entry : spec.entries)
     properties[std::string(entry->name)] = Json::parse(registry::json_schema(entry->parameters)).value();
+  properties[std::string(k_include)] = include_schema();
   Json schema = closed_object(std::move(properties));
-  if (spec.kind == SpecKind::block) schema["minProperties"] = schema["maxProperties"] = 1;
+  if (spec.kind == SpecKind::block) {
+    schema["minProperties"] = 1;
+    schema["maxProperties"] = 2;  // with what is included
+  }
   return schema;
 }
 

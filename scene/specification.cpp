@@ -144,10 +144,14 @@ Spec material(const Catalogue& catalogue) {
 }
 
 Spec simulation(const Catalogue& catalogue) {
+  Spec solve_on = text("solve_on",
+                       "cpu: the CPU's code; device: kernels; auto, unless given: kernels, but on a device "
+                       "without a GPU the CPU's code, which is quicker there");
+  solve_on.choices = {"auto", "cpu", "device"};
   return object("simulation", "what moves the hair; absent: it follows the head rigidly",
                 {required(block("solver", "solver and its parameters", catalogue.solvers)),
                  blocks("effects", "effects that act, each with its parameters", catalogue.effects),
-                 real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest")});
+                 real("settle_time_s", 0, 60, "simulated before frame 0, the head at rest"), std::move(solve_on)});
 }
 
 Spec collider_motion() {
@@ -274,6 +278,17 @@ Spec outputs() {
                  real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 
+Spec budgets() {
+  Spec error = object("error", "the most that each part of a frame may be off, on hair like that of the study",
+                      {real("shadow", 1e-6, 1, "mean error of the light's transmittance"),
+                       real("shading", 1e-6, 1, "of scattering, root mean square over its own"),
+                       real("coverage", 1e-6, 1, "mean error of a pixel's coverage"),
+                       real("motion", 1e-6, 1, "mean distance of the hair from where it should be, over its length")});
+  return object("budgets", "the plan chooses methods and settings that keep these, or refuses",
+                {real("frame_ms", 1e-3, 1e6, "time of a frame on this device"),
+                 real("memory_mb", 1e-3, 1e6, "device memory, 10^6 bytes"), std::move(error)});
+}
+
 Spec render() {
   Spec method = text("method", "how strands become pixels; 'lines' unless given");
   method.choices.assign(std::begin(k_render_methods), std::end(k_render_methods));
@@ -313,6 +328,7 @@ Spec specification(const Catalogue& catalogue) {
        real("frames_per_second", 1, 1000, "frame rate"),
        outputs(),
        render(),
+       budgets(),
        blocks("passes", "parameters of render passes", catalogue.passes)});
 }
 

@@ -30,7 +30,9 @@ struct Spec {
 /// The whole file, for the entries that are registered.
 Spec specification(const Catalogue& catalogue);
 
-/// The text as JSON, checked against the tree. Error: bad_input naming source, key, value, allowed range or keys.
-Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& where);
+/// The text as JSON with what it includes, checked against the tree. `folder`: what it includes is relative to. Error:
+/// bad_input naming source, key, value, allowed range or keys.
+Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
+                           const std::string& where);
 
 }  // namespace cuticle::scene

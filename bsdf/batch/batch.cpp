@@ -89,13 +89,19 @@ BatchPoints arrays_of_one(const glm::vec3& light, const glm::vec3& viewer, const
   return {one_vector(light), one_vector(viewer), {&h, 1}};
 }
 
-/// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks.
+/// body(first, count) for blocks that cover 0 .. total, on all threads where there are several blocks; each is a task
+/// of its own, so that a cancelled group of tasks ends with the blocks in work.
 template <class Body>
 void in_blocks(std::size_t total, std::size_t block, const Body& body) {
   const std::size_t blocks = (total + block - 1) / block;
   const auto one = [&](std::size_t b) { body(b * block, int(std::min(block, total - b * block))); };
   if (blocks == 1) return one(0);
-  tbb::parallel_for(std::size_t(0), blocks, one);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, blocks, 1),
+      [&](const auto& range) {
+        for (std::size_t b = range.begin(); b < range.end(); ++b) one(b);
+      },
+      tbb::simple_partitioner());
 }
 
 }  // namespace

@@ -187,7 +187,8 @@ void add_fit(CLI::App& app, Context& context) {
   command->add_option("--free", options->free, "parameters to find, a,b,c; one list for each model as a,b;c,d")
       ->required();
   command->add_option("--set", options->settings, "fixed parameters and starting values, name=value,name=value");
-  command->add_option("--preset", options->preset, "the pigment of blond, brown or black hair over the model's defaults");
+  command->add_option("--preset", options->preset,
+                      "the pigment of blond, brown or black hair over the model's defaults");
   command->add_option("--quantity", options->quantity, "what was measured: S, M, N, A or albedo")
       ->capture_default_str();
   command->add_option("--lobe", options->lobe, "the lobe measured, or sum; where the file has no column lobe")

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/plan_on_device.h"
 #include "cli/run_folder.h"
 #include "cli/skipped_frames.h"
 #include "core/file.h"
@@ -228,6 +229,8 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   CUTICLE_ASSIGN(const auto frames, parse_frames(options.frames));
   CUTICLE_ASSIGN(scene::Scene scene, scene::load_scene(options.scene, plan::catalogue()));
   CUTICLE_TRY(set_scene_options(options, scene));
+  CUTICLE_ASSIGN(const std::string refused, meet_budgets(scene, context));
+  if (!refused.empty()) return usage_error(refused, "raise the budget, or leave it out");
   CUTICLE_TRY(set_path_options(options, scene));
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
   if (options.velocity)

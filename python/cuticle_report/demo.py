@@ -25,13 +25,13 @@ def section_of(raw, where, folder):
 
 
 def verdict(section):
-    """Of a section that says what was measured and what was wanted, how many rows meet it, and those that do not."""
-    if section.columns[:3] != ["what", "measured", "wanted"]:
+    """How many errors of a section lie within their limits, and which do not; empty for other sections."""
+    if section.columns[:3] != ["what", "error", "limit"]:
         return ""
-    missed = [what for what, measured, wanted, *_ in section.rows if not is_number(measured) or float(measured) > float(wanted)]
+    missed = [what for what, error, limit, *_ in section.rows if not is_number(error) or float(error) > float(limit)]
     if not missed:
-        return f"All {len(section.rows)} numbers of these frames are within what is wanted."
-    return f"{len(section.rows) - len(missed)} of {len(section.rows)} numbers of these frames are within what is wanted; not: {'; '.join(missed)}."
+        return f"All {len(section.rows)} errors of these frames are within the limits."
+    return f"{len(section.rows) - len(missed)} of {len(section.rows)} errors of these frames are within the limits; above them: {'; '.join(missed)}."
 
 
 def is_number(text):

@@ -53,7 +53,7 @@ def ladder(study):
         yield Finding(f"On the way from path tracing to the real-time picture, the step that changes the picture most is {', '.join(most)}.{saved}",
                       group_id(study, group), "the ladder")
     if untold:
-        yield Finding(f"{rungs - len(untold)} of {rungs} steps of the ladder are told from the noise of path tracing; not told: {', '.join(untold)}.",
+        yield Finding(f"{rungs - len(untold)} of {rungs} steps of the ladder change the picture for certain; not told from zero: {', '.join(untold)}.",
                       group_id(study, study.groups[0]), "the ladder", is_doubt=True)
 
 

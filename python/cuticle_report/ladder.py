@@ -113,7 +113,7 @@ def printed(group, _cost_label):
                 axes.errorbar(x, y, yerr=(down, up) if told else None, fmt=marker if told else "v", color=color, markersize=3 if metric != "picture" else 2, markerfacecolor=color if told else "white",
                               linewidth=0.7, markeredgewidth=0.7)
         for place, text in enumerate(times(group)):
-            axes.annotate(text, (place, 1), xycoords=("data", "axes fraction"), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=4.5)
+            axes.annotate(text, (place, 1), xycoords=("data", "axes fraction"), xytext=(0, 3 + 6 * (place % 2)), textcoords="offset points", ha="center", fontsize=5)
         axes.set(yscale="log", ylabel="relative MSE", ylim=bounds(group), xlim=(-0.6, len(labels) - 0.4))
         for height, text, color in named_ends(group, 11):
             axes.annotate(text.replace(" adds to", "\nadds to").replace("against", "against\n"), (1, height), xycoords=("axes fraction", "data"), xytext=(2, 0), textcoords="offset points", fontsize=5.5, color=color, va="center")

@@ -1,6 +1,7 @@
 """What all figures look like, on every page: colours, lines, letters, sizes."""
 import json
 import math
+import textwrap
 
 from matplotlib import ticker
 
@@ -33,6 +34,11 @@ def tick_step(values):
     values = [value for value in values if value > 0]
     span = max(values, default=1) / min(values, default=1)
     return 1 if span > 300 else "D2" if span > 8 else None
+
+
+def wrapped(label):
+    """A printed axis' label, in lines that are no longer than the axis."""
+    return "\n".join(textwrap.wrap(label, 34))
 
 
 def plain_ticks(axis):

@@ -28,6 +28,19 @@ def curves(group):
     return {name: methods[name] for name in methods if name in chosen}
 
 
+def lines(points):
+    """The points of a method in lines along the knob that has most values; the other knobs stand still on a line, so that none zigzags."""
+    values = {}
+    for point in points:
+        for name, value in point.knobs.items():
+            values.setdefault(name, set()).add(value)
+    along = max(values, key=lambda name: len(values[name]), default=None)
+    found = {}
+    for point in points:
+        found.setdefault(tuple(item for item in sorted(point.knobs.items()) if item[0] != along), []).append(point)
+    return list(found.values())
+
+
 def others(group):
     shown = curves(group)
     return [point for point in group.drawable() if point.method not in shown]
@@ -74,10 +87,13 @@ def interactive(group, cost_label):
         x, y = zip(*places(group, rest, factor))
         figure.add_scatter(x=x, y=y, mode="markers", marker={"color": "rgba(128,128,128,0.5)", "size": 5}, hovertext=[hover(p, group, factor, unit) for p in rest], hoverinfo="text")
     for color, (name, points) in zip(look.COLORS, curves(group).items()):
+        for line in lines(points):
+            x, y = zip(*places(group, line, factor))
+            figure.add_scatter(x=x, y=y, mode="lines", hoverinfo="skip", line={"color": color, "width": 2})
         seconds, errors = [p.seconds for p in points], [p.error(group.metric) for p in points]
         (right, left), (up, down) = bars(points, seconds, factor), bars(points, errors, 1)
         x, y = zip(*places(group, points, factor))
-        figure.add_scatter(x=x, y=y, mode="lines+markers", name=name, line={"color": color, "width": 2}, marker={"size": 7},
+        figure.add_scatter(x=x, y=y, mode="markers", name=name, marker={"size": 7, "color": color},
                            error_x={"array": right, "arrayminus": left, "thickness": 1, "width": 2}, error_y={"array": up, "arrayminus": down, "thickness": 1, "width": 2},
                            hovertext=[hover(p, group, factor, unit) for p in points], hoverinfo="text")
     name_axes(figure, group, factor, f"{cost_label}, {unit}")
@@ -106,8 +122,9 @@ def printed(group, cost_label):
         if rest := others(group):
             axes.plot(*zip(*places(group, rest, factor)), "o", color="#bbbbbb", markersize=1.8)
         for color, points in zip(look.COLORS, curves(group).values()):
-            axes.plot(*zip(*places(group, points, factor)), "o-", color=color, linewidth=1, markersize=2.5)
-        axes.set(xscale="log", yscale="log", xlabel=f"{cost_label}, {unit}", ylabel=group.raw["metrics"][0]["label"])
+            for line in lines(points):
+                axes.plot(*zip(*places(group, line, factor)), "o-", color=color, linewidth=1, markersize=2.5)
+        axes.set(xscale="log", yscale="log", xlabel=f"{cost_label}, {unit}", ylabel=look.wrapped(group.raw["metrics"][0]["label"]))
         axes.margins(x=0.12, y=0.1)
         for axis in (axes.xaxis, axes.yaxis):
             look.plain_ticks(axis)

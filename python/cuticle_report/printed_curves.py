@@ -43,7 +43,9 @@ def flat(plot):
         for (color, dash), curve in zip(looks, plot["curves"]):
             axes.plot(curve["x"], curve["y"], DASHES[dash], color=color, linewidth=0.7 if color == look.OTHERS else 1)
         scale = "log" if plot.get("logarithmic") else "linear"
-        axes.set(xlabel=plot["x_label"], ylabel=plot["y_label"], xscale=scale, yscale=scale)
+        axes.set(xlabel=plot["x_label"], ylabel=look.wrapped(plot["y_label"]), xscale=scale, yscale=scale)
+        for axis in (axes.xaxis, axes.yaxis) if plot.get("logarithmic") else ():
+            look.plain_ticks(axis)
         name_ends(axes, plot, looks)
         return files_of(figure, ("pdf", "svg"))
 

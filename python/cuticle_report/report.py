@@ -9,7 +9,7 @@ import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, ladder, look, page, pareto, printed_curves, results
+from . import ReportError, curves, findings, flip, knobs, ladder, look, page, pareto, printed_curves, results
 
 HERE = pathlib.Path(__file__).parent
 LEAST_SPAN = 2  # of times that an exponent is told of
@@ -211,7 +211,7 @@ def section_of(study, everything=None):
     for group in study.groups:
         groups.append({"group": group, "figure": group_figure(study, group) if len(group.drawable()) > 1 else None, "table": group_table(study, group),
                        "conclusions": conclusions(study, group) if group.drawable() and not ladder.is_ladder(group) else None, "sentences": [] if ladder.is_ladder(group) else sentences(group), "identity": findings.group_id(study, group)})
-    curved, grids = [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
+    curved, grids = knobs.plots(study) + [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
     for plot in curved:
         check(study, plot)
     printed = printed_curves.all_of(curved, grids)

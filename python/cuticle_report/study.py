@@ -2,7 +2,7 @@
 import dataclasses
 import pathlib
 
-from . import ReportError, data, figures, page, receivers
+from . import ReportError, data, figures, page, pareto, receivers, results
 
 COLUMNS = ["method", "settings", "mean_error", "mean_interval", "p95_error", "max_error", "bias", "light_flicker", "motion_flicker", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
@@ -103,11 +103,43 @@ def words(study):
         parts.append(f"Truth: {truth['rays']} rays at each of {truth['receivers']} receivers ({truth['ms']:.0f} ms); errors are over "
                      f"{of}, where the truth's own standard error is {truth['mean_standard_error']:.2g}. "
                      f"Settings are chosen on one half of them, and errors are those of the other half, with 95 % intervals.")
+    if raw["baselines"]:
+        parts.append("Without any shadow method, by a constant T: " + ", ".join(f"{name} {value:.3g}" for name, value in study.baselines) + ".")
     if raw.get("device"):
         parts.append(f"Times are wall clock on {raw['device']}.")
     if refused := raw.get("refused"):
         parts.append("\n\nRefused: " + "; ".join(f"{row['method']} {row['settings']}: {row['why']}" for row in refused) + ".")
     return " ".join(parts)
+
+
+def knobs(settings):
+    return dict(part.split("=", 1) for part in settings.split(",") if "=" in part)
+
+
+def point_of(row, key):
+    """A row as a point of the study engine's results; its time has no interval, it was taken once."""
+    half = row.get("mean_interval", 0)
+    mean = {"value": row[key], "low": max(0, row[key] - half), "high": row[key] + half}
+    seconds = {edge: row["total_ms"] / 1e3 for edge in ("value", "low", "high")}
+    settings = row.get("settings", "")
+    return results.Point(f"{row['method']} {settings}", row["method"], knobs(settings), {key: {"metric": key, "mean": mean}}, row.get("bytes", 0), seconds, 1)
+
+
+def group_of(study):
+    """The rows as a group of the study engine, so that error against time looks as on every other page."""
+    key, front = study.y.key, study.front()
+    raw = {"name": study.raw.get("name", ""), "title": study.title, "metrics": [{"name": key, "label": study.y.label}]}
+    points = [point_of(row, key) for row in study.raw["rows"]]
+    on_front = [point.name for point, row in zip(points, study.raw["rows"]) if row in front]
+    return results.Group(raw, points, {"front": [{"point": name, "on_front": True} for name in on_front]})
+
+
+def against_time(study, folder):
+    """The main figure; its PDF, SVG and PNG are written."""
+    group, label = group_of(study), "build + lookup at every vertex"
+    for kind, content in pareto.printed(group, label).items():
+        (folder / f"error_against_time.{kind}").write_bytes(content)
+    return pareto.interactive(group, label)
 
 
 def rounded(value):
@@ -138,15 +170,15 @@ def make(folder):
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
     by_resolution = study.x.key == "resolution"
-    plots = [(study.x, "error_against_resolution.png" if by_resolution else "error_against_time.png")]
-    if study.has_numeric_labels():
-        plots.append((study.label_axis(), f"error_against_{study.point_label}.png"))
-    plots = [(axis, file) for axis, file in plots if all(axis.key in row for row in study.raw["rows"])]
-    for axis, file in plots:
-        figures.save_png(study, axis, folder / file)
+    axes = [study.x] * by_resolution + [study.label_axis()] * study.has_numeric_labels()
+    axes = [axis for axis in axes if all(axis.key in row for row in study.raw["rows"])]
+    for axis in axes:
+        figures.save_png(study, axis, folder / f"error_against_{axis.key}.png")
+    drawn = [] if by_resolution else [against_time(study, folder)]
+    drawn += [figures.interactive(study, axis) for axis in axes]
     columns, rows, chosen = table(study)
     heading = "Error against resolution and settings" if by_resolution else "Error against time and settings"
-    sections = verdict(study) + [page.Section(heading, words(study), figures=[figures.interactive(study, axis) for axis, _ in plots]),
+    sections = verdict(study) + [page.Section(heading, words(study), figures=drawn),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
     sections += receivers.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))

@@ -99,3 +99,18 @@ def test_Eval_LargeAndBroadcastArrays_GiveTheSameBitsAsOneByOne():
     all_at_once = cuticle.eval("karis", "S", theta_i_deg=10, theta_o_deg=theta_o, phi_deg=phi, h=0.3)
     some = cuticle.eval("karis", "S", theta_i_deg=10, theta_o_deg=theta_o[200, 0], phi_deg=phi[31], h=0.3)
     assert numpy.array_equal(all_at_once[200, 31], some)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("quantity", ["S", "pdf"])
+def test_Eval_InFloat_IsTheFormulasInDouble(model, quantity):
+    """By the batch where the model has one; broadcast and turned by whole turns and by the viewer's azimuth as well."""
+    points = {**angles(60), "phi_o_deg": numpy.array([[0.0], [40.0]])}
+    points["phi_deg"] = points["phi_deg"] + 360 * 1000
+    exact = cuticle.eval(model, quantity, **points)
+    assert cuticle.eval(model, quantity, precision="f32", **points) == pytest.approx(exact, rel=2e-3, abs=2e-3 * exact.max())
+
+
+def test_Eval_InFloatOutOfRange_SaysWhat():
+    with pytest.raises(cuticle.Error, match="theta_o_deg: 91"):
+        cuticle.eval("karis", "S", theta_i_deg=numpy.zeros(3), theta_o_deg=[0, 91, 0], phi_deg=0, precision="f32")

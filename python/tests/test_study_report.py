@@ -108,7 +108,7 @@ def seen(page):
 
 
 def test_Page_InABrowser_DrawsSortsCopiesAndSlides(seen):
-    assert len(seen["plots"]) == 6 and min(seen["plots"]) > 10
+    assert len(seen["plots"]) == 12 and min(seen["plots"]) > 5
     assert seen["up"] == ["1", "2", "10"] and seen["down"] == ["10", "2", "1"] and seen["words"] == ["a", "b_x", "c"]
     assert seen["csv"] == "rung,added\na,10\nb_x,2\nc,1\n"
     assert "b\\_x & 2 \\\\" in seen["latex"] and "\\begin{tabular}{lr}" in seen["latex"]
@@ -144,7 +144,7 @@ def test_Flip_OfAPictureBesideItself_IsZeroAndOfABrighterOneIsNot(page):
 
 def test_Findings_OfTheTables_SayWhatIsFasterForCertain(page):
     html = (page / "index.html").read_text()
-    assert "Tables on a CPU: marschner itself, in arrays, takes" in html and "no set of tables is faster for certain" in html
+    assert "On a CPU, evaluating marschner itself in arrays takes" in html and "no set of tables is faster for certain" in html
 
 
 @pytest.mark.parametrize("name, content, words", [
@@ -160,3 +160,16 @@ def test_Page_BadData_SaysWhereAndLeavesNoPage(tmp_path, name, content, words):
     for word in words:
         assert word in done.stderr
     assert not (tmp_path / "index.html").exists()
+
+
+def test_Knobs_PointsOfOneNumber_AreACurveOfEachGroup(page):
+    from cuticle_report import knobs, results
+    plots = knobs.plots(results.load(page / "luts"))
+    assert [plot["name"] for plot in plots] == ["the-model--arrays-size", "nalu-exr-size", "nalu-png8-size"]
+    assert plots[1]["curves"] == [{"name": "marschner", "x": [16.0, 64.0, 256.0], "y": [0.3 / 16 * 2, 0.3 / 64 * 2, 0.3 / 256 * 2]}]
+
+
+def test_Pareto_PointsOfTwoKnobs_LieOnLinesAlongTheOneWithMostValues():
+    from cuticle_report import pareto, results
+    points = [results.Point(f"m layers={n} resolution={r}", "m", {"layers": str(n), "resolution": str(r)}, {}, 0) for r in (128, 256) for n in (2, 4, 8)]
+    assert [[point.knobs["layers"] for point in line] for line in pareto.lines(points)] == [["2", "4", "8"], ["2", "4", "8"]]

@@ -63,19 +63,21 @@ void constrain(const Particles& strand, const StepConstants& step, const Setting
   for (std::uint32_t k = 0; k < settings.iterations; ++k) sweep_lengths(strand, step, settings.sweep);
 }
 
-/// Lengths and spheres in turn. Where a vertex began the substep inside a sphere, its begin is pushed out as well, so
-/// that leaving an overlap gives no velocity.
+/// Lengths and spheres in turn, of a strand that touches one; others stay as the constraints put them. Where a vertex
+/// began the substep inside a sphere, its begin is pushed out as well, so that leaving an overlap gives no velocity.
 void meet_spheres(const Particles& strand, const StepConstants& step, std::size_t substep, const Contacts& contacts,
                   const Settings& settings) {
   const std::size_t anchor = anchor_of(strand, step);
   const glm::vec3 outward =
       direction_of(strand.target(strand.size() - 1, step.rotation_end) - strand.target(0, step.rotation_end));
-  colliders::push_out({strand.traits, strand.starts, anchor, step.rotation_begin, outward},
-                      contacts.spheres.at_begin(substep), contacts.settings);
+  const colliders::Contact begin{strand.traits, strand.starts, anchor, step.rotation_begin, outward},
+      end{strand.traits, strand.positions, anchor, step.rotation_end, outward};
+  const auto at_begin = contacts.spheres.at_begin(substep), at_end = contacts.spheres.at_end(substep);
+  if (!touches(begin, at_begin, contacts.settings) && !touches(end, at_end, contacts.settings)) return;
+  push_out(begin, at_begin, contacts.settings);
   for (std::uint32_t k = 0; k < settings.iterations; ++k) {
     sweep_lengths(strand, step, settings.sweep);
-    colliders::push_out({strand.traits, strand.positions, anchor, step.rotation_end, outward},
-                        contacts.spheres.at_end(substep), contacts.settings);
+    push_out(end, at_end, contacts.settings);
   }
 }
 

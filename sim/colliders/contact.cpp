@@ -1,5 +1,7 @@
 #include "sim/colliders/contact.h"
 
+#include <algorithm>
+
 #include "sim/colliders/contact.glslh"
 #include "sim/head_motion.h"
 #include "sim/turn.glslh"
@@ -7,15 +9,34 @@
 namespace cuticle::sim::colliders {
 namespace {
 
-void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
-  const glm::vec3 centre = turned(glm::vec3(sphere), glm::vec3(contact.rotation), contact.rotation.w);
-  const float anchor_distance = glm::length(contact.places[contact.anchor] - centre);
-  for (std::size_t i = contact.anchor + 1; i < contact.places.size(); ++i) {
-    const glm::vec4& traits = contact.traits[i];
-    const float pearl = pearl_of(sphere.w, traits.w, settings.pearl_radius, settings.fit_pearls ? 1.f : 0.f);
-    const float radius = contact_radius(sphere.w, pearl, anchor_distance, traits.z);
-    contact.places[i] = pushed_out(contact.places[i], centre, radius, contact.fallback);
+/// A sphere as the strand meets it.
+struct Met {
+  glm::vec3 centre;
+  float sphere_radius, anchor_distance;
+
+  Met(const Contact& contact, const glm::vec4& sphere)
+      : centre(turned(glm::vec3(sphere), glm::vec3(contact.rotation), contact.rotation.w)),
+        sphere_radius(sphere.w),
+        anchor_distance(glm::length(contact.places[contact.anchor] - centre)) {}
+  /// Distance at which a vertex is held.
+  float radius(const glm::vec4& traits, const ContactSettings& settings) const {
+    const float pearl = pearl_of(sphere_radius, traits.w, settings.pearl_radius, settings.fit_pearls ? 1.f : 0.f);
+    return contact_radius(sphere_radius, pearl, anchor_distance, traits.z);
   }
+};
+
+void push_out_of(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
+  const Met met(contact, sphere);
+  for (std::size_t i = contact.anchor + 1; i < contact.places.size(); ++i)
+    contact.places[i] =
+        pushed_out(contact.places[i], met.centre, met.radius(contact.traits[i], settings), contact.fallback);
+}
+
+bool touches_one(const Contact& contact, const glm::vec4& sphere, const ContactSettings& settings) {
+  const Met met(contact, sphere);
+  for (std::size_t i = contact.anchor + 1; i < contact.places.size(); ++i)
+    if (is_pushed(contact.places[i], met.centre, met.radius(contact.traits[i], settings))) return true;
+  return false;
 }
 
 void append(std::vector<glm::vec4>& packed, std::span<const Sphere> still,
@@ -52,6 +73,10 @@ SubstepSpheres packed(const FrameInput& input, std::size_t substeps) {
     append(result.spheres, input.colliders, moving, own, &MovingPart::end, way.turn(double(k + 1) / n));
   }
   return result;
+}
+
+bool touches(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings) {
+  return std::ranges::any_of(spheres, [&](const glm::vec4& sphere) { return touches_one(contact, sphere, settings); });
 }
 
 void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings) {

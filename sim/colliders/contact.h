@@ -46,6 +46,8 @@ struct Contact {
   glm::vec4 rotation{0, 0, 0, 1};     ///< of the head, at that end
   glm::vec3 fallback{0, 1, 0};        ///< unit: where a vertex at a sphere's very centre leaves to
 };
+/// Whether any free vertex is in a sphere, so that push_out would move it.
+bool touches(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings);
 /// Pushes the free vertices out of every sphere in turn.
 void push_out(const Contact& contact, std::span<const glm::vec4> spheres, const ContactSettings& settings);
 

@@ -10,6 +10,7 @@
 #include "core/image/image.h"
 #include "lut/format.h"
 #include "plan/frame_runner_gpu.h"
+#include "plan/plan_report.h"
 #include "render/passes/reference/reference_entry.h"
 #include "strands/formats/formats.h"
 #include "strands/formats/tfxproj/project.h"
@@ -153,8 +154,7 @@ class DemoJob {
 
   void add_frame_numbers() {
     if (!options_.study) return;
-    page_.sections.insert(page_.sections.begin() + 1,
-                          frame_numbers(device_, scene_, certified_, drawn_, progress_));
+    page_.sections.insert(page_.sections.begin() + 1, frame_numbers(device_, scene_, certified_, drawn_, progress_));
   }
 
   /// The first frame by the path tracer, a third as wide and high.
@@ -164,17 +164,18 @@ class DemoJob {
     traced.render_method = "reference";
     traced.camera.camera.resolution /= 3;
     auto values = registry::default_values(render::reference::entry().entry.parameters);
-    values.set("samples", std::int64_t(24));
+    values.set("samples", std::int64_t(64));
     traced.passes["reference"] = values;
     CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device_, traced, progress_));
     CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(0));
     CUTICLE_TRY(write_png(options_.out + "/traced.png", tone_map(result.color, scene_.outputs.exposure_stops)));
-    page_.sections.insert(page_.sections.begin() + 2,
-                          {"The same frame by the path tracer",
-                           "Frame 0 with every scattering between fibres followed, 24 paths a pixel, beside the frame "
-                           "as it was drawn.",
-                           {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
-                           {}});
+    page_.sections.insert(
+        page_.sections.begin() + 2,
+        {"The same frame by the path tracer",
+         "Frame 0 as it was drawn, beside the same frame with every scattering between fibres followed: 64 paths a "
+         "pixel, at a third of the width and height.",
+         {{"frames/frame_0000.png", scene_.render_method}, {"traced.png", "reference"}},
+         {}});
     return {};
   }
 
@@ -182,23 +183,43 @@ class DemoJob {
     const double frames = options_.frames;
     DemoSection section{"Plan and cost",
                         fmt::format("Only these passes ran, each for the reason given; {:.0f} ms a frame by wall clock "
-                                    "on {}. Device times are its own timestamps.",
+                                    "on {}. Times are the device's timestamps, of a solver on the CPU the clock's.",
                                     wall_ms_ / frames, device_->info().name),
                         {},
-                        {{"pass", "reason", "dispatches a frame", "draws a frame", "device ms a frame"}, {}}};
+                        {{"pass", "reason", "dispatches a frame", "draws a frame", "ms a frame"}, {}}};
     for (const plan::PlannedPass& pass : runner_->plan().passes) {
       const PassTotal total = totals_[std::string(pass.entry->name)];
       section.table.rows.push_back(
           {std::string(pass.entry->name), pass.reason, fmt::format("{:g}", double(total.dispatches) / frames),
            fmt::format("{:g}", double(total.draws) / frames), fmt::format("{:.2f}", total.gpu_ms / frames)});
     }
-    for (const plan::LeftOut& left : runner_->plan().left_out)
-      section.table.rows.push_back({std::string(left.entry->name), "left out: " + left.reason, "0", "0", "0"});
     CUTICLE_TRY(write_text_file(options_.out + "/costs.csv", csv_of(section.table)));
     page_.sections.push_back(std::move(section));
+    page_.sections.push_back(left_out_section());
     progress_.message(fmt::format("{} frames in {:.1f} s, {:.0f} ms of device work a frame", options_.frames,
                                   frames_seconds_, wall_ms_ / frames));
     return {};
+  }
+
+  /// What did not run, by group, with what it would take.
+  DemoSection left_out_section() const {
+    const gpu::DeviceInfo& info = device_->info();
+    plan::PlanCosts costs;
+    costs.device = {info.name, info.is_software};
+    if (auto table = plan::read_cost_table(plan::cost_table_path(info.name, info.driver)))
+      costs.table = std::move(*table);
+    const std::vector<plan::LeftOutEntry> entries = plan::explain_left_out(scene_, runner_->plan(), costs);
+    DemoSection section{"What was left out",
+                        costs.table ? "Times are expected from this device's calibration."
+                                    : "Times are not measured on this device: cuticle plan --calibrate does so.",
+                        {},
+                        {{"group", "pass", "why", "to bring it in", "would take"}, {}}};
+    for (const plan::LeftOutEntry& entry : entries)
+      section.table.rows.push_back({std::string(plan::group_of(*entry.left->entry)), std::string(entry.left->entry->name),
+                                    entry.left->reason, plan::words_of_way(entry), plan::words_of_cost(entry)});
+    for (const plan::GroupSaving& group : plan::savings(entries))
+      if (group.entries > 0) section.text += " " + plan::words_of_saving(group) + ".";
+    return section;
   }
 
   /// What was guessed or left out, as the terminal says it.

@@ -87,9 +87,9 @@ std::vector<Row> shadow_rows(const scene::Scene& scene, const strands::Groom& dr
 DemoSection frame_numbers(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, const lut::TableSet& tables,
                           const strands::Groom& drawn, Progress& progress) {
   DemoSection section{"How exact these frames are",
-                      "The settings that the frames were drawn with, each part against its own truth.",
+                      "Errors of the settings that the frames were drawn with, each part against its own truth.",
                       {},
-                      {{"what", "measured", "wanted", "how"}, {}}};
+                      {{"what", "error", "limit", "how"}, {}}};
   section.table.rows = {scattering_row(scene, tables), coverage_row(std::move(device), scene, progress)};
   for (Row& row : shadow_rows(scene, drawn, progress)) section.table.rows.push_back(std::move(row));
   return section;

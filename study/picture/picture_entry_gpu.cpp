@@ -82,7 +82,7 @@ const StudyEntry& picture_entry() {
                   {"truth-model", "chiang", "model of the path-traced truth"},
                   {"without", "", "rungs that are switched off, a,b,c"}},
       .declare = declare_picture,
-      .quick_seconds = 40,
+      .quick_seconds = 65,
       .seconds = 600};
   return entry;
 }

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
-#include "render/seen.glsl"
-#include "render/segment_share.glsl"
+#include "render/visibility/seen.glsl"
+#include "render/visibility/segment_share.glsl"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Tangents { vec4 tangents[]; };

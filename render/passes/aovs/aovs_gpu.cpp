@@ -2,7 +2,8 @@
 
 #include "gpu/groups.h"
 #include "render/pass_gpu.h"
-#include "render/passes/lines/frame_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 
 #include <aovs_comp.spv.h>
 #include <aovs_many_comp.spv.h>
@@ -60,7 +61,7 @@ class Aovs : public GpuPass {
   static std::uint32_t drawn_segments(const Resources& resources) {
     const StrandDraw& draw = resources.get<StrandDraw>();
     if (draw.corners == 0) return resources.get<DrawnHair>().vertices_per_strand - 1;
-    return lines::drawn_part(resources, draw.full_px).segments;
+    return visibility::drawn_part(resources, draw.full_px).segments;
   }
 
   /// Bindings 0 .. 7 of aovs.glsl; what is not there has another in its place.

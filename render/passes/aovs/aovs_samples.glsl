@@ -2,7 +2,7 @@
 // they see.
 #extension GL_GOOGLE_include_directive : require
 #include "render/passes/aovs/aovs.glsl"
-#include "render/passes/lines/segment_ends.glsl"
+#include "render/visibility/segment_ends.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;        // of a texel
 layout(constant_id = 5) const int k_supersampling = 1;  // texels across a pixel

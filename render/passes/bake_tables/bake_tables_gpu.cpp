@@ -1,7 +1,7 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 
 #include "lut/bake_gpu.h"
-#include "render/passes/lines/tables_gpu.h"
+#include "render/strand_shading/tables_gpu.h"
 
 namespace cuticle::render::bake_tables {
 
@@ -12,7 +12,7 @@ class BakeTables : public GpuPass {
  public:
   explicit BakeTables(lut::TableSet set) : set_(std::move(set)) {}
   Result<void> upload(gpu::Device& device, bool mip_levels) {
-    CUTICLE_ASSIGN(textures_, lines::upload_drawn(device, set_, mip_levels));
+    CUTICLE_ASSIGN(textures_, strand_shading::upload_drawn(device, set_, mip_levels));
     return {};
   }
   void publish(Resources& resources) const override {

@@ -9,7 +9,7 @@
 namespace cuticle::render::bake_tables {
 
 struct Tables {
-  std::vector<const gpu::Texture*> textures = {};  ///< as lines::upload_drawn makes them
+  std::vector<const gpu::Texture*> textures = {};  ///< as strand_shading::upload_drawn makes them
   const lut::TableSet* set = nullptr;
 };
 

@@ -7,9 +7,9 @@
 #include "render/passes/cards/placement_gpu.h"
 #include "render/passes/cards/sorting_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
-#include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
 
 #include <cards_early_frag.spv.h>
 #include <cards_frag.spv.h>
@@ -131,7 +131,7 @@ class Cards : public GpuPass {
         resources.find<dual_scattering::Terms>() ? ScatteredBy::dual_scattering : ScatteredBy::frame_multiple;
     if (scattered_by_ == ScatteredBy::dual_scattering) return {};
     const double strength = parameters_of<lines::Parameters>(resources).ambient;
-    CUTICLE_ASSIGN(frame_.multiple, lines::multiple_scattering(*material.model, *material.values, strength));
+    CUTICLE_ASSIGN(frame_.multiple, strand_shading::multiple_scattering(*material.model, *material.values, strength));
     return {};
   }
 

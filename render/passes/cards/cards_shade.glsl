@@ -8,9 +8,9 @@ layout(constant_id = 1) const uint step_number = 0u;
 layout(constant_id = 2) const bool counts = false;
 layout(constant_id = 3) const bool is_shadowed = false;
 #define CHANNEL_CONSTANT 4
-#include "render/passes/lines/transmittance.glsl"
-#include "render/passes/lines/ambient.glsl"
-#include "render/passes/lines/angles.glsl"
+#include "render/strand_shading/transmittance.glsl"
+#include "render/strand_shading/ambient.glsl"
+#include "render/strand_shading/angles.glsl"
 layout(constant_id = 8) const uint scattered_by = 0u;  // as ScatteredBy of cards_gpu.cpp
 const uint k_frame_multiple = 1u, k_dual_scattering = 2u;
 layout(constant_id = 9) const bool is_shadowed_by_hair = false;

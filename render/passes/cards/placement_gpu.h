@@ -4,7 +4,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "render/gathered_transmittance_gpu.h"
+#include "render/strand_shading/gathered_transmittance_gpu.h"
 #include "strands/cards/hair_cards.h"
 
 namespace cuticle::render::cards {

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
 #include "render/finite.glsl"
 #include "render/passes/cull_strands/cull_push.glsl"
-#include "render/passes/lines/segment_ends.glsl"
+#include "render/visibility/segment_ends.glsl"
 
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer TileDepth { float tile_depth[]; };

@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "render/passes/lines/frame_gpu.h"
+#include "render/passes/lines/line_width_gpu.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 
 #include <cull_depth_many_comp.spv.h>
 #include <cull_depth_one_comp.spv.h>
@@ -39,7 +41,7 @@ Push push_of(const Resources& resources) {
   const Targets& targets = resources.get<Targets>();
   const Camera& camera = resources.get<FrameView>().camera;
   const StrandDraw& draw = resources.get<StrandDraw>();
-  const lines::DrawnPart part = lines::drawn_part(resources, draw.full_px);
+  const visibility::DrawnPart part = visibility::drawn_part(resources, draw.full_px);
   Push push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.size = glm::uvec2(targets.depth->size());

@@ -1,7 +1,7 @@
 // A line's pixel: scattering from lookup tables along the interpolated tangent; CHANNELS as in lines_vertex.glsl. With
 // SAYS_SEEN also which segment a sample sees, into a visibility buffer.
 #extension GL_GOOGLE_include_directive : require
-#include "render/passes/lines/lines_frame.glsl"
+#include "render/strand_shading/frame.glsl"
 
 layout(set = 0, binding = 8) uniform sampler2D table_first;
 layout(set = 0, binding = 9) uniform sampler2D table_second;
@@ -9,7 +9,7 @@ layout(set = 0, binding = 10) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_mip_levels = 0u;  // 1: of the tables
 #define MIP_LEVELS k_mip_levels
 #define LAYOUT_CONSTANT 10
-#include "render/passes/lines/scattering.glsl"
+#include "render/strand_shading/scattering.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;

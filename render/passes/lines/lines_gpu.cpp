@@ -5,8 +5,10 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/cull_strands/cull_strands_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "render/passes/lines/line_width_gpu.h"
 #include "render/passes/lines/lines.h"
-#include "render/passes/lines/shading_inputs_gpu.h"
+#include "render/strand_shading/shading_inputs_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 #include "strands/packing/packing_gpu.h"
 
 #include <lines_coloured_frag.spv.h>
@@ -36,12 +38,13 @@ void set_shaders(gpu::GraphicsDescription& description, const Resources& resourc
   constants.push_back(cull_strands::is_listed(resources));
   constants.push_back(std::uint32_t(resources.get<Targets>().color->samples()));
   constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
-  description.interface = {8, 3, 0, with_layout(std::move(constants), bake_tables::table_set_of(resources))};
+  description.interface = {8, 3, 0,
+                           strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
 }
 
 class Lines : public GpuPass {
  public:
-  Lines(std::shared_ptr<gpu::Device> device, ShadingInputs inputs)
+  Lines(std::shared_ptr<gpu::Device> device, strand_shading::ShadingInputs inputs)
       : device_(std::move(device)), inputs_(std::move(inputs)) {}
 
   void publish(Resources& resources) const override {
@@ -61,8 +64,8 @@ class Lines : public GpuPass {
   }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
-    CUTICLE_ASSIGN(Frame* const frame, inputs_.update(resources));
-    const DrawnPart part = drawn_part(resources, parameters_of<Parameters>(resources).full_px);
+    CUTICLE_ASSIGN(strand_shading::Frame* const frame, inputs_.update(resources));
+    const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
     const float width = widened(line_width(resources), part.width);
     frame->opacity_of_radius = opacity_of_radius(resources, part, width);
@@ -113,12 +116,12 @@ class Lines : public GpuPass {
   std::shared_ptr<gpu::Device> device_;
   gpu::Texture seen_;  ///< per sample the segment that it sees, from 1, where that is asked for
   std::map<float, gpu::GraphicsPipeline> pipelines_;  ///< by the width of their lines: few, see line_width
-  ShadingInputs inputs_;
+  strand_shading::ShadingInputs inputs_;
   std::optional<strands::GpuPacking> packing_;  ///< where the scene asks for it
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
-  CUTICLE_ASSIGN(ShadingInputs inputs, ShadingInputs::make(device, resources));
+  CUTICLE_ASSIGN(strand_shading::ShadingInputs inputs, strand_shading::ShadingInputs::make(device, resources));
   auto pass = std::make_unique<Lines>(std::move(device), std::move(inputs));
   CUTICLE_TRY(pass->make_parts(resources));
   return std::unique_ptr<GpuPass>(std::move(pass));

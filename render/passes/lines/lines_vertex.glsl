@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "strands/packing/packing.glslh"
 #include "render/finite.glsl"
-#include "render/passes/lines/lines_frame.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/strand_shading/frame.glsl"
+#include "render/randomness/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 0) readonly buffer PackedVertices { uint words[]; };  // three a vertex
@@ -12,15 +12,15 @@ layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[];
 layout(std430, set = 0, binding = 1) readonly buffer PackedStrands { float strand_units[]; };  // five a strand
 layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float transmittance[]; };
 #define CHANNEL_CONSTANT 0
-#include "render/passes/lines/transmittance.glsl"
-#include "render/passes/lines/angles.glsl"
+#include "render/strand_shading/transmittance.glsl"
+#include "render/strand_shading/angles.glsl"
 #define DUAL_CONSTANT 4
 #define DUAL_BINDING 4
 #include "render/passes/dual_scattering/scattered_often.glsl"
-#include "render/passes/lines/ambient.glsl"
+#include "render/strand_shading/ambient.glsl"
 layout(constant_id = 9) const uint k_direct = 0u;  // 1: light by `scattered`, for which fragments read no tables
 #define SCATTERED_BINDING 7
-#include "render/passes/lines/scattered.glsl"
+#include "render/strand_shading/scattered.glsl"
 
 #define LISTED_CONSTANT 7
 #define LISTED_BINDING 6

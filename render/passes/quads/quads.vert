@@ -3,8 +3,8 @@
 // share an edge.
 #extension GL_GOOGLE_include_directive : require
 #include "render/finite.glsl"
-#include "render/passes/lines/lines_frame.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/strand_shading/frame.glsl"
+#include "render/randomness/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };

@@ -3,8 +3,9 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/cull_strands/cull_strands_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
-#include "render/passes/lines/shading_inputs_gpu.h"
 #include "render/passes/quads/quads.h"
+#include "render/strand_shading/shading_inputs_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 
 #include <quads_frag.spv.h>
 #include <quads_shade_many_frag.spv.h>
@@ -20,7 +21,7 @@ constexpr int k_taper_texels = 64;
 
 class Quads : public GpuPass {
  public:
-  explicit Quads(lines::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
+  explicit Quads(strand_shading::ShadingInputs inputs) : inputs_(std::move(inputs)) {}
 
   void publish(Resources& resources) const override { resources.put(SeenHair{.samples = &seen_}); }
 
@@ -32,8 +33,8 @@ class Quads : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     const DrawnHair& hair = resources.get<DrawnHair>();
-    CUTICLE_ASSIGN(lines::Frame* const frame, inputs_.update(resources));
-    const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
+    CUTICLE_ASSIGN(strand_shading::Frame* const frame, inputs_.update(resources));
+    const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
     frame->drawn_segments = part.segments;
     CUTICLE_TRY(inputs_.record(commands, resources));
     see(commands, resources, part);
@@ -84,13 +85,13 @@ class Quads : public GpuPass {
     description.interface = {
         .storage_buffers = 7,
         .textures = 4,
-        .specialization = lines::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
+        .specialization = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources))};
     CUTICLE_ASSIGN(shade_, device.make_graphics(description));
     return {};
   }
 
   /// The visibility buffer, in front of what was drawn before.
-  void see(gpu::Commands& commands, const Resources& resources, const lines::DrawnPart& part) const {
+  void see(gpu::Commands& commands, const Resources& resources, const visibility::DrawnPart& part) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const Targets& targets = resources.get<Targets>();
     const gpu::Commands::Target target{.color = &seen_};
@@ -103,14 +104,14 @@ class Quads : public GpuPass {
     commands.end_rendering();
   }
 
-  lines::ShadingInputs inputs_;
+  strand_shading::ShadingInputs inputs_;
   gpu::GraphicsPipeline see_, shade_;
   gpu::Texture seen_;  ///< per sample the segment that it sees, from 1
   gpu::Texture taper_;
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
-  CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(device, resources));
+  CUTICLE_ASSIGN(strand_shading::ShadingInputs inputs, strand_shading::ShadingInputs::make(device, resources));
   auto pass = std::make_unique<Quads>(std::move(inputs));
   CUTICLE_TRY(pass->make_parts(*device, resources));
   return std::unique_ptr<GpuPass>(std::move(pass));

@@ -1,9 +1,9 @@
 // A pixel's strands, each shaded once and counted as often as samples see it. The sum goes to the samples that see hair.
 // Before this stand the version, and after it `seen`, the visibility buffer, at binding 10.
 #extension GL_GOOGLE_include_directive : require
-#include "render/passes/lines/lines_frame.glsl"
-#include "render/passes/lines/strand_chance.glsl"
-#include "render/segment_share.glsl"
+#include "render/strand_shading/frame.glsl"
+#include "render/randomness/strand_chance.glsl"
+#include "render/visibility/segment_share.glsl"
 
 layout(constant_id = 0) const int k_samples = 1;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
@@ -14,13 +14,13 @@ layout(set = 0, binding = 8) uniform sampler2D table_second;
 layout(set = 0, binding = 9) uniform sampler2D table_rest;
 layout(constant_id = 7) const uint k_direct = 0u;  // 1: `scattered` in place of the tables
 #define SCATTERED_BINDING 6
-#include "render/passes/lines/scattered.glsl"
+#include "render/strand_shading/scattered.glsl"
 #define CHANNEL_CONSTANT 1
-#include "render/passes/lines/transmittance.glsl"
+#include "render/strand_shading/transmittance.glsl"
 vec3 evaluated = vec3(0.0);
 #define EVALUATED k_direct != 0u
 #define LAYOUT_CONSTANT 8
-#include "render/passes/lines/scattering.glsl"
+#include "render/strand_shading/scattering.glsl"
 #define DUAL_CONSTANT 5
 #define DUAL_BINDING 4
 #include "render/passes/dual_scattering/lit.glsl"

@@ -13,8 +13,8 @@
 #include "render/pass_gpu.h"
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/lines/lines.h"
-#include "render/passes/lines/tables_gpu.h"
 #include "render/passes/shade_strands/shade_strands_gpu.h"
+#include "render/strand_shading/tables_gpu.h"
 #include "study/luts/table_sampler.h"
 #include "tests/support/drawn_strands.h"
 #include "tests/support/strand_angles.h"
@@ -78,7 +78,7 @@ Result<std::vector<glm::dvec3>> shaded(const Strands& strands, const bsdf::Model
   resources.edit<FibreMaterial>().evaluates_directly = layout == nullptr;
   if (layout) {
     CUTICLE_ASSIGN(set, lut::bake(model, values, *layout, size, silent_progress()));
-    CUTICLE_ASSIGN(textures, lines::upload_drawn(*device(), set, false));
+    CUTICLE_ASSIGN(textures, strand_shading::upload_drawn(*device(), set, false));
     for (const gpu::Texture& texture : textures) resources.edit<bake_tables::Tables>().textures.push_back(&texture);
     resources.edit<bake_tables::Tables>().set = &set;
   }

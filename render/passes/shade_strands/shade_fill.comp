@@ -3,7 +3,7 @@
 // One invocation per vertex: the colours of those that are seen and not shaded, from the shading points beside them.
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/randomness/strand_chance.glsl"
 
 layout(std430, binding = 0) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, binding = 1) readonly buffer Visible { uint visible[]; };

@@ -4,8 +4,8 @@
 // their ends.
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
-#include "render/passes/lines/lines_frame.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/strand_shading/frame.glsl"
+#include "render/randomness/strand_chance.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
@@ -22,13 +22,13 @@ layout(push_constant) uniform Push {
   uint listed;  // 1: the vertices of the list `shaded`
 };
 #define SCATTERED_BINDING 9
-#include "render/passes/lines/scattered.glsl"
+#include "render/strand_shading/scattered.glsl"
 #define CHANNEL_CONSTANT 2
-#include "render/passes/lines/transmittance.glsl"
+#include "render/strand_shading/transmittance.glsl"
 vec3 evaluated = vec3(0.0);
 #define EVALUATED k_direct != 0u
 #define LAYOUT_CONSTANT 7
-#include "render/passes/lines/scattering.glsl"
+#include "render/strand_shading/scattering.glsl"
 #define DUAL_CONSTANT 0
 #define DUAL_BINDING 7
 #include "render/passes/dual_scattering/lit.glsl"

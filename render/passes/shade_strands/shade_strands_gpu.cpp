@@ -6,8 +6,8 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/lines.h"
-#include "render/passes/lines/shading_inputs_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/strand_shading/shading_inputs_gpu.h"
 
 #include <shade_choose_comp.spv.h>
 #include <shade_fill_comp.spv.h>
@@ -41,7 +41,7 @@ struct Buffers {
 
 class ShadeStrands : public GpuPass {
  public:
-  ShadeStrands(Kernels kernels, lines::ShadingInputs inputs, Buffers buffers, double point_px)
+  ShadeStrands(Kernels kernels, strand_shading::ShadingInputs inputs, Buffers buffers, double point_px)
       : kernels_(std::move(kernels)), inputs_(std::move(inputs)), buffers_(std::move(buffers)), point_px_(point_px) {}
 
   void publish(Resources& resources) const override {
@@ -101,7 +101,7 @@ class ShadeStrands : public GpuPass {
   }
 
   Kernels kernels_;
-  lines::ShadingInputs inputs_;
+  strand_shading::ShadingInputs inputs_;
   Buffers buffers_;
   double point_px_;
 };
@@ -112,7 +112,7 @@ Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   std::vector<std::uint32_t> constants =
       with_channels(dual_scattering::with_dual_scattering({}, resources), transmittance_of(resources).channels);
   constants.push_back(resources.get<FibreMaterial>().evaluates_directly ? 1 : 0);
-  constants = lines::with_layout(std::move(constants), bake_tables::table_set_of(resources));
+  constants = strand_shading::with_layout(std::move(constants), bake_tables::table_set_of(resources));
   CUTICLE_ASSIGN(kernels.shade, device.make_kernel(shade_strands_comp, {10, 3, sizeof(ShadePush), constants}));
   CUTICLE_ASSIGN(kernels.fill, device.make_kernel(shade_fill_comp, {4, 0, sizeof(FillPush)}));
   return kernels;
@@ -133,7 +133,8 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   const double point_px = parameters_of<Parameters>(resources).point_px;
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(Buffers buffers, make_buffers(*device, resources, point_px > 0));
-  CUTICLE_ASSIGN(lines::ShadingInputs inputs, lines::ShadingInputs::make(std::move(device), resources));
+  CUTICLE_ASSIGN(strand_shading::ShadingInputs inputs,
+                 strand_shading::ShadingInputs::make(std::move(device), resources));
   return std::unique_ptr<GpuPass>(
       std::make_unique<ShadeStrands>(std::move(kernels), std::move(inputs), std::move(buffers), point_px));
 }

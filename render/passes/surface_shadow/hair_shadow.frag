@@ -4,7 +4,7 @@
 // covers is (1 - alpha)^n in the mean.
 #define MAPS_BINDING 0
 #include "render/passes/surface_shadow/surface_maps.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/randomness/strand_chance.glsl"
 #include "render/passes/surface_shadow/hair_push.glsl"
 layout(location = 0) flat in uint light;
 layout(location = 1) flat in uint strand;

@@ -6,10 +6,11 @@
 #include <fmt/core.h>
 
 #include "gpu/groups.h"
-#include "render/passes/lines/frame_gpu.h"
 #include "render/passes/lines/lines.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
+#include "render/strand_shading/frame_gpu.h"
+#include "render/visibility/drawn_part_gpu.h"
 
 #include <tile_count_comp.spv.h>
 #include <tile_scan_comp.spv.h>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::size_t k_entry_bytes = 2 * sizeof(glm::uvec2);  // as scattered and as sorted
 constexpr double k_least_share = 1e-6;
+constexpr double k_filled = 0.95, k_steps_of_octave = 16;  ///< of the budget's entries; of the kept share
 
 struct Kernels {
   gpu::Kernel scene, count, scan, scatter;
@@ -71,14 +73,22 @@ class TileListsPass : public GpuPass {
     if (lists_.kept_share < 1)
       settled.notes.push_back(
           fmt::format("tiles: {:.3g} of the segments drawn, wider, to stay within budget_mib", lists_.kept_share));
-    lists_.kept_share = 1;
+    lists_.kept_share = share_for(words[k_wanted]);
     return settled;
+  }
+
+  /// The share of which the lists fill nearly the budget, if the kept one wants so many entries: no less than there is
+  /// room for, as strands that stand for fewer others are narrower. In steps, so that pictures that follow each other
+  /// have the same where they are alike; the next picture keeps what this one found out.
+  double share_for(std::uint64_t wanted) const {
+    const double share = lists_.kept_share * k_filled * double(most_) / double(std::max<std::uint64_t>(wanted, 1));
+    return share >= 1 ? 1 : std::exp2(std::floor(std::log2(share) * k_steps_of_octave) / k_steps_of_octave);
   }
 
   /// Lists for so many entries, or for the budget's, with fewer segments.
   Result<void> make_room(std::uint64_t wanted) {
     const std::uint64_t grown = std::min(most_, wanted + wanted / 4);
-    if (wanted > most_) lists_.kept_share *= 0.95 * double(most_) / double(wanted);
+    if (wanted > most_) lists_.kept_share = share_for(wanted);
     if (lists_.kept_share < k_least_share)
       return Error{ErrorKind::out_of_memory,
                    fmt::format("tile_lists.budget_mib: {} entries are far too few for the tiles' lists", most_),
@@ -157,7 +167,7 @@ TilePush push_of(const Resources& resources, const TileLists& lists) {
   push.resolution = glm::uvec2(camera.resolution);
   push.part = glm::uvec2(drawn_size(resources));
   push.corner = std::uint32_t(view.part_corner.x) / k_tile | std::uint32_t(view.part_corner.y) / k_tile << 16;
-  const lines::DrawnPart part = lines::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
+  const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
   push.segment_count = hair.strands.segment_count;
   if (part.width > 1) push.segment_count = part.strands * (hair.vertices_per_strand - 1);
   push.vertices_per_strand = hair.vertices_per_strand;

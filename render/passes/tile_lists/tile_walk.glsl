@@ -1,7 +1,7 @@
 // One invocation per segment: visits the tiles that it may cover in front of the scene. The shader that includes this
 // defines visit().
 #include "gpu/groups.glsl"
-#include "render/passes/lines/strand_chance.glsl"
+#include "render/randomness/strand_chance.glsl"
 #include "render/passes/tile_lists/segment.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;

@@ -6,7 +6,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tile_lists/tile_of_group.glsl"
 #include "render/passes/tiles/stroke.glsl"
-#include "render/seen.glsl"
+#include "render/visibility/seen.glsl"
 
 layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
 

@@ -189,12 +189,17 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
   /// The one for such colliders, made when they are first met.
+  /// That of all kinds of colliders met so far: each kernel rounds in its own way, and a frame whose colliders are left
+  /// out because they are far must not differ for that.
   Result<const gpu::Kernel*> kernel_for(const Constants& constants, bool some_move) {
-    if (constants.box_count + constants.field_count == 0) return constants.sphere_count > 0 ? &touching_ : &free_;
-    gpu::Kernel& kernel = beside_all_[some_move][constants.field_count > 0];
+    met_.spheres = met_.spheres || constants.sphere_count > 0;
+    met_.fields = met_.fields || constants.field_count > 0;
+    met_.others = met_.others || constants.box_count + constants.field_count > 0;
+    met_.moving = met_.moving || some_move;
+    if (!met_.others) return met_.spheres ? &touching_ : &free_;
+    gpu::Kernel& kernel = beside_all_[met_.moving][met_.fields];
     if (!kernel) {
-      CUTICLE_ASSIGN(kernel,
-                     kernel_of(program_.beside_all, k_buffers_beside_all, constants.field_count > 0, some_move));
+      CUTICLE_ASSIGN(kernel, kernel_of(program_.beside_all, k_buffers_beside_all, met_.fields, met_.moving));
     }
     return &kernel;
   }
@@ -320,7 +325,7 @@ class ChainGpuSolver final : public GpuSolver {
     std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
                                           &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
                                           &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
-    if (constants.box_count + constants.field_count > 0)
+    if (skinned ? constants.box_count + constants.field_count > 0 : met_.others)
       bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values, &b.carries});
     if (skinned) bound.insert(bound.end(), {&b.skin_strands, &b.skin_begin, skinned});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
@@ -335,6 +340,9 @@ class ChainGpuSolver final : public GpuSolver {
   gpu::Kernel free_, touching_;
   /// By whether colliders move by themselves, and whether there are fields; made with the first such collider.
   std::array<std::array<gpu::Kernel, 2>, 2> beside_all_;
+  struct {
+    bool spheres = false, fields = false, moving = false, others = false;  ///< others: than spheres
+  } met_;
   std::array<std::array<gpu::Kernel, 2>, 2> on_skin_;  ///< by whether there are colliders, and fields
   std::vector<FieldPointer> fields_;                   ///< whose values are on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect

@@ -1,0 +1,81 @@
+#include "cli/plan_on_device.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "cli/shared_files.h"
+#include "plan/budgets.h"
+#include "plan/calibrate_gpu.h"
+#include "plan/frame_runner_gpu.h"
+#include "plan/strand_set.h"
+#include "study/plan/accuracy_gpu.h"
+
+namespace cuticle::cli {
+
+plan::PlanCosts known_costs(const std::string& device) {
+  plan::PlanCosts costs;
+  costs.device.is_software = true;
+  const auto opened = gpu::Device::open({.choice = device});
+  if (!opened) return costs;
+  const gpu::DeviceInfo& info = (*opened)->info();
+  costs.device = {info.name, info.is_software};
+  if (auto table = plan::read_cost_table(plan::cost_table_path(info.name, info.driver)))
+    costs.table = std::move(*table);
+  return costs;
+}
+
+Result<plan::Plan> run_planned_frame(const scene::Scene& scene, int frame, Context& context, plan::PlanCosts& costs) {
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress));
+  // The frame before is drawn as well, so that this one may keep what did not change.
+  plan::FrameResult result;
+  for (int k = std::max(0, frame - 1); k <= frame; ++k) {
+    CUTICLE_ASSIGN(result, runner->run(k));
+  }
+  for (const gpu::PassCost& pass : result.cost.passes) costs.measured_ms[pass.name] = pass.gpu_ms;
+  costs.bytes = runner->memory();
+  costs.frame = runner->frame_plan();
+  for (plan::FramePass& pass : costs.frame->passes) pass.pass = nullptr;  // the runner's, which ends here
+  return runner->plan();
+}
+
+Result<std::string> meet_budgets(scene::Scene& scene, Context& context) {
+  if (!scene.budgets) return std::string();
+  plan::PlanCosts costs = known_costs(context.device);
+  if (!costs.table) {
+    context.progress->message("the passes are timed on this device first, a minute at most");
+    CUTICLE_ASSIGN(const std::string file, calibrate_device(context));
+    CUTICLE_ASSIGN(costs.table, plan::read_cost_table(file));
+  }
+  CUTICLE_ASSIGN(const plan::AccuracyTable accuracy, plan::read_accuracy_table(share_file("scenes/accuracy.json")));
+  CUTICLE_ASSIGN(const plan::StrandSet set, plan::build_strand_set(scene));
+  plan::BudgetChoice choice = plan::choose(scene, plan::shape_of(scene, set), costs.device, accuracy, *costs.table);
+  if (!choice.refused.empty()) return choice.refused;
+  context.progress->message("budgets are kept, as expected, by\n" + plan::to_text(choice, *scene.budgets));
+  scene = std::move(choice.scene);
+  return std::string();
+}
+
+Result<std::string> measured_errors(const scene::Scene& scene, Context& context) {
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  CUTICLE_ASSIGN(const auto rows, study::measure_scene(device, scene, *context.progress));
+  std::string text;
+  for (const plan::AccuracyRow& row : rows)
+    text += fmt::format("{:<9} {}: error {:.3g} measured on this hair\n", row.part, row.method, row.error);
+  return text;
+}
+
+Result<std::string> calibrate_device(Context& context) {
+  constexpr double k_most_seconds = 50;
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  const auto accuracy = plan::read_accuracy_table(share_file("scenes/accuracy.json"));
+  CUTICLE_ASSIGN(const plan::CostTable table,
+                 plan::calibrate(device, accuracy ? accuracy->rows : std::vector<plan::AccuracyRow>(), k_most_seconds,
+                                 *context.progress));
+  const std::string path = plan::cost_table_path(table.device, table.driver);
+  CUTICLE_TRY(plan::write_cost_table(path, table));
+  return path;
+}
+
+}  // namespace cuticle::cli

@@ -1,0 +1,48 @@
+#pragma once
+// Methods and settings that keep a scene's budgets, by the study's table of errors and the device's table of times.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plan/cost_table.h"
+
+namespace cuticle::plan {
+
+/// How far off one setting of one part of a frame was on the study's grooms. `part`: "shadow", "coverage", "shading" or
+/// "motion". `settings`: as --set takes them, over the defaults.
+struct AccuracyRow {
+  std::string part, method, settings;
+  double error = 0;    ///< mean over the grooms
+  double at_most = 0;  ///< of a groom that was not measured, with 95 %
+  int grooms = 0;
+};
+struct AccuracyTable {
+  std::string made;  ///< by which command, of which grooms
+  std::vector<AccuracyRow> rows;
+};
+/// What an error on a groom that was not measured stays below with 95 %: mean + t s sqrt(1 + 1 / n), of at least two.
+double upper_bound(std::span<const double> errors);
+
+Result<AccuracyTable> read_accuracy_table(const std::string& path);
+Result<void> write_accuracy_table(const std::string& path, const AccuracyTable& table);
+
+/// The scene with the row's setting. Error: usage, where it is none of this build.
+Result<scene::Scene> with_setting(const scene::Scene& scene, const AccuracyRow& row);
+/// What the times of a row's pass are stored under: "deep_opacity layers=8"; with default settings the pass's name.
+std::string cost_name(const AccuracyRow& row);
+
+struct BudgetChoice {
+  scene::Scene scene;                 ///< with the settings chosen; as given where it refuses
+  std::vector<AccuracyRow> rows;      ///< chosen, one for each part that the scene has
+  std::optional<double> expected_ms;  ///< of a frame; none: some pass has no time
+  std::string refused;                ///< why no settings do; empty: these do
+};
+/// Of all settings that keep the errors wanted the quickest; where only a time is wanted, those with the least errors
+/// that keep it. Refuses where none does, and says what comes nearest. `shape` of the scene as it is.
+BudgetChoice choose(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device,
+                    const AccuracyTable& accuracy, const CostTable& costs);
+
+/// The choice in words: settings, errors and time expected.
+std::string to_text(const BudgetChoice& choice, const scene::Budgets& wanted);
+
+}  // namespace cuticle::plan

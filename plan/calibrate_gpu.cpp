@@ -1,0 +1,139 @@
+#include "plan/calibrate_gpu.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <map>
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include "plan/frame_runner_gpu.h"
+
+namespace cuticle::plan {
+
+namespace {
+
+struct Size {
+  int strands, pixels_each_way;
+};
+constexpr Size k_sizes[] = {{1000, 128}, {4000, 128}, {1000, 256}};
+
+constexpr std::string_view k_lights = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [3, 3, 3]}])";
+
+/// What is timed together: a scene's keys.
+std::vector<std::string> features() {
+  const auto solved = [](std::string_view solver, std::string_view more) {
+    return fmt::format(
+        R"("simulation": {{"solver": {{"{}": {{}}}}, "effects": {{"gravity": {{}}, "colliders": {{}}, "wind": {{}}{}}}}},
+      "colliders": {{"head": true}})",
+        solver, more);
+  };
+  return {
+      R"("render": {"method": "tiles"}, "shadow": {"method": {"deep_opacity": {}}}, )" + solved("exact", ""),
+      R"("render": {"method": "lines"}, "shadow": {"method": {"opacity_map": {}}}, "floor": {"height_m": -0.2},
+         "passes": {"surface_shadow": {}}, )" +
+          solved("classic", ""),
+      R"("render": {"method": "quads"}, "outputs": {"aovs": true}, "passes": {"velocity": {}, "temporal_antialiasing": {},
+         "ambient_occlusion": {}, "depth_of_field": {}, "motion_blur": {}}, )" +
+          solved("rod", R"(, "strand_interaction": {}, "clumping": {})"),
+      R"("render": {"method": "cards"})", R"("render": {"method": "tiles"}, "passes": {"dual_scattering": {}})"};
+}
+
+Result<scene::Scene> scene_of(const std::string& feature, const Size& size) {
+  return scene::parse_scene(
+      fmt::format(
+          R"({{"schema_version": 1, {}, {}, "strand_count": {}, "strand_vertices": 16, "material": {{"lut_size": 32, "layout": "nalu"}},
+        "camera": {{"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 24, "resolution_px": [{}, {}]}}}})",
+          k_lights, feature, size.strands, size.pixels_each_way, size.pixels_each_way),
+      "/", "calibration", catalogue());
+}
+
+class Calibration {
+ public:
+  Calibration(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
+              Progress& progress)
+      : device_(std::move(device)), settings_(settings), seconds_(seconds), progress_(progress) {}
+
+  Result<void> run() {
+    const std::vector<std::string> all = features();
+    const std::size_t steps = all.size() * std::size(k_sizes) + catalogue().methods.size() + settings_.size();
+    std::size_t done = 0;
+    for (const std::string& feature : all)
+      for (const Size& size : k_sizes) {
+        if (late()) return {};
+        CUTICLE_ASSIGN(const scene::Scene scene, scene_of(feature, size));
+        CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
+        CUTICLE_TRY(time(*runner, size));
+        progress_.update("scenes timed", ++done, steps);
+      }
+    return time_methods(done, steps);
+  }
+
+  CostTable table() const {
+    CostTable table{device_->info().name, device_->info().driver, {}, {}};
+    table.made = fmt::format("{:%Y-%m-%d}, {:.0f} s", fmt::gmtime(std::time(nullptr)), spent());
+    for (const auto& [name, measured] : measured_) table.passes[name] = fit_time(measured);
+    return table;
+  }
+
+ private:
+  double spent() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  bool late() const { return spent() > seconds_; }
+
+  /// The least of three frames, pass by pass.
+  Result<void> time(FrameRunner& runner, const Size& size, const AccuracyRow* setting = nullptr) {
+    std::map<std::string, double> least;
+    for (int frame = 0; frame < 4; ++frame) {
+      CUTICLE_ASSIGN(const FrameResult result, runner.run(frame, {.everything = true}));
+      for (const gpu::PassCost& pass : result.cost.passes) {
+        const auto [at, is_new] = least.emplace(pass.name, pass.gpu_ms);
+        if (!is_new && frame > 0) at->second = std::min(at->second, pass.gpu_ms);
+      }
+    }
+    const double pixels = double(size.pixels_each_way) * size.pixels_each_way;
+    for (const auto& [name, ms] : least)
+      if (const PlannedPass* pass = find_pass(runner.plan(), name); pass && (!setting || name == setting->method))
+        measured_[setting ? cost_name(*setting) : name].push_back(
+            {pixels, units_of(*pass->entry, runner.plan().shape), ms});
+    return {};
+  }
+
+  /// Each shadow method with its defaults and with the settings that budgets choose from, over hair of two sizes.
+  Result<void> time_methods(std::size_t done, std::size_t steps) {
+    std::vector<AccuracyRow> rows;
+    for (const registry::Entry* method : catalogue().methods) rows.push_back({"shadow", std::string(method->name), ""});
+    for (const AccuracyRow& row : settings_)
+      if (row.part == "shadow" && !row.settings.empty()) rows.push_back(row);
+    for (const Size& size : {k_sizes[0], k_sizes[1]}) {
+      CUTICLE_ASSIGN(const scene::Scene scene, scene_of(R"("render": {"method": "lines"})", size));
+      CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
+      for (const AccuracyRow& row : rows) {
+        progress_.update("scenes timed", std::min(++done, steps), steps);
+        if (late()) return {};
+        const auto changed = with_setting(scene, row);
+        if (!changed || !runner->change(*changed, silent_progress())) continue;  // truth has no kernel
+        CUTICLE_TRY(time(*runner, size, &row));
+      }
+    }
+    return {};
+  }
+
+  std::shared_ptr<gpu::Device> device_;
+  std::span<const AccuracyRow> settings_;
+  double seconds_;
+  Progress& progress_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::map<std::string, std::vector<TimedPass>> measured_;
+};
+
+}  // namespace
+
+Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
+                            Progress& progress) {
+  Calibration calibration(std::move(device), settings, seconds, progress);
+  CUTICLE_TRY(calibration.run());
+  return calibration.table();
+}
+
+}  // namespace cuticle::plan

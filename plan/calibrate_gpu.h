@@ -1,0 +1,18 @@
+#pragma once
+// Times every pass on a device, on small scenes of two sizes of hair and two of the picture.
+#include <memory>
+#include <span>
+
+#include "core/progress.h"
+#include "gpu/device.h"
+#include "plan/budgets.h"
+#include "plan/cost_table.h"
+
+namespace cuticle::plan {
+
+/// At most about `seconds`: what was not reached is not in the table. Each time is the least of three frames. `settings`:
+/// of shadow methods, timed as well, as cost_name names them. Error: of the device.
+Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
+                            Progress& progress);
+
+}  // namespace cuticle::plan

@@ -1,0 +1,71 @@
+#include "render/strand_shading/direct_gpu.h"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/core.h>
+
+#include "gpu/groups.h"
+
+#include <strand_angles_comp.spv.h>
+
+namespace cuticle::render::strand_shading {
+
+namespace {
+
+constexpr std::size_t k_point_bytes = bsdf::coordinate_count * sizeof(float), k_value_bytes = 3 * sizeof(float);
+
+Result<void> check(const gpu::Device& device, const Resources& resources) {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const bsdf::Model& model = *resources.get<FibreMaterial>().model;
+  if (model.near_field && model.near_field(*resources.get<FibreMaterial>().values))
+    return bad_input(fmt::format("material.evaluate = 'direct': '{}' with these parameters is a function of h, the "
+                                 "place across the fibre, and strands are shaded along their middle",
+                                 model.entry.name),
+                     "set field to far");
+  const std::uint64_t bytes =
+      hair.strands.vertex_count * k_value_bytes * std::max<std::size_t>(1, resources.get<Lights>().all.size());
+  const std::uint64_t most = device.info().max_storage_buffer_bytes;
+  if (std::max<std::uint64_t>(bytes, hair.strands.vertex_count * k_point_bytes) <= most) return {};
+  return bad_input(fmt::format("material.evaluate = 'direct': {} vertices times {} lights pass the device's largest "
+                               "buffer of {} bytes",
+                               hair.strands.vertex_count, resources.get<Lights>().all.size(), most),
+                   "draw fewer strands or vertices, or set material.evaluate to tables");
+}
+
+}  // namespace
+
+Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resources& resources) {
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  CUTICLE_TRY(check(device, resources));
+  CUTICLE_TRY(bsdf::check_loops(device, *material.model, *material.values, bsdf::Quantity::S));
+  CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *material.model));
+  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp, {4, 0, sizeof(std::uint32_t)}));
+  DirectScattering direct(std::move(evaluator), std::move(angles));
+  const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count,
+                    lights = std::max<std::size_t>(1, resources.get<Lights>().all.size());
+  CUTICLE_ASSIGN(direct.points_, device.make_buffer(vertices * k_point_bytes));
+  CUTICLE_ASSIGN(direct.of_light_, device.make_buffer(vertices * k_value_bytes));
+  CUTICLE_ASSIGN(direct.scattered_, device.make_buffer(lights * vertices * k_value_bytes));
+  CUTICLE_ASSIGN(direct.parameters_, direct.evaluator_.upload(*material.values));
+  return direct;
+}
+
+Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
+                                      const gpu::Buffer& frame) {
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const std::vector<float> packed = material.model->pack(*material.values);
+  CUTICLE_TRY(device.upload(parameters_, std::as_bytes(std::span(packed))));
+  const std::uint32_t vertices = hair.strands.vertex_count;
+  const gpu::Groups groups = gpu::groups_for(vertices);
+  for (std::uint32_t light = 0; light < resources.get<Lights>().all.size(); ++light) {
+    commands.dispatch(angles_, {hair.strands.vertices, hair.tangents, &points_, &frame}, {}, gpu::bytes_of(light),
+                      groups.x, groups.y);
+    evaluator_.record(commands, parameters_, points_, of_light_, vertices, bsdf::Quantity::S, -1);
+    commands.copy(of_light_, scattered_, vertices * k_value_bytes, 0, light * vertices * k_value_bytes);
+  }
+  return {};
+}
+
+}  // namespace cuticle::render::strand_shading

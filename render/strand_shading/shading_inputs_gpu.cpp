@@ -1,0 +1,58 @@
+#include "render/strand_shading/shading_inputs_gpu.h"
+
+#include "render/passes/bake_tables/bake_tables_gpu.h"
+#include "render/passes/lines/lines.h"
+
+namespace cuticle::render::strand_shading {
+
+namespace {
+
+/// Of the model that strands are shaded by; null: they are not.
+const registry::ParameterValues* values_of(const Resources& resources) {
+  const FibreMaterial& material = resources.get<FibreMaterial>();
+  if (material.evaluates_directly) return material.values;
+  const lut::TableSet* const set = bake_tables::table_set_of(resources);
+  return set ? &set->values : nullptr;
+}
+
+}  // namespace
+
+Result<ShadingInputs> ShadingInputs::make(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  ShadingInputs inputs;
+  CUTICLE_ASSIGN(inputs.frame_buffer_, device->make_buffer(sizeof(Frame)));
+  CUTICLE_ASSIGN(inputs.transmittance_, GatheredTransmittance::make(*device, resources));
+  CUTICLE_ASSIGN(inputs.no_table_, device->make_texture({}));
+  if (resources.get<FibreMaterial>().evaluates_directly) {
+    CUTICLE_ASSIGN(inputs.direct_, DirectScattering::make(*device, resources));
+  }
+  inputs.device_ = std::move(device);
+  CUTICLE_TRY(inputs.take_tables(resources));
+  return inputs;
+}
+
+Result<void> ShadingInputs::take_tables(const Resources& resources) {
+  CUTICLE_ASSIGN(frame_, constant_part(resources));
+  if (const registry::ParameterValues* values = values_of(resources)) values_ = *values;
+  return {};
+}
+
+Result<Frame*> ShadingInputs::update(const Resources& resources) {
+  const registry::ParameterValues* values = values_of(resources);
+  if (values && *values != values_) CUTICLE_TRY(take_tables(resources));
+  set_view(frame_, resources);
+  return &frame_;
+}
+
+Result<void> ShadingInputs::record(gpu::Commands& commands, const Resources& resources) {
+  CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
+  transmittance_.record(commands, resources);
+  if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, frame_buffer_));
+  return {};
+}
+
+const gpu::Texture* ShadingInputs::table(const Resources& resources, std::size_t index) const {
+  const auto* const tables = resources.find<bake_tables::Tables>();
+  return tables && index < tables->textures.size() ? tables->textures[index] : &no_table_;
+}
+
+}  // namespace cuticle::render::strand_shading

@@ -1,0 +1,224 @@
+#include "study/plan/accuracy_gpu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/core.h>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+#include "lut/format.h"
+#include "lut/table_set.h"
+#include "plan/frame_runner_gpu.h"
+#include "sim/solver.h"
+#include "study/render/picture_error.h"
+#include "study/shadows/comparison.h"
+
+namespace cuticle::study {
+namespace {
+
+using plan::AccuracyRow;
+
+struct Setting {
+  std::string_view method, settings;
+};
+constexpr Setting k_shadows[] = {{"opacity_map", "slices=8,resolution=128"},
+                                 {"opacity_map", "slices=16,resolution=128"},
+                                 {"opacity_map", "slices=32,resolution=256"},
+                                 {"opacity_map", "slices=64,resolution=256"},
+                                 {"opacity_map", "slices=128,resolution=384"},
+                                 {"deep_opacity", "layers=4,resolution=128"},
+                                 {"deep_opacity", "layers=8,resolution=256"},
+                                 {"deep_opacity", "layers=16,resolution=256"},
+                                 {"deep_opacity", "layers=16,resolution=384"},
+                                 {"deep_shadow", ""},
+                                 {"moments", ""},
+                                 {"fourier", ""}};
+constexpr std::string_view k_draws[] = {"lines", "quads", "tiles"};
+constexpr int k_table_sizes[] = {16, 32, 64, 128};
+constexpr int k_steps_a_second[] = {120, 240, 480, 960};
+
+Result<Image> hair_alone(const std::shared_ptr<gpu::Device>& device, scene::Scene scene, std::string_view method,
+                         Progress& progress) {
+  scene.render_method = method;
+  scene.head.present = false;
+  for (const char* pass : {"surface_shadow", "resolve", "motion_blur", "dual_scattering"}) scene.passes.erase(pass);
+  scene.shadow.reset();
+  scene.simulation.solver.reset();
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
+  CUTICLE_ASSIGN(plan::FrameResult frame, runner->run(0));
+  return std::move(frame.color);
+}
+
+Result<std::vector<Candidate>> shadow_candidates() {
+  std::vector<Candidate> candidates;
+  for (const Setting& setting : k_shadows) {
+    CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(setting.method));
+    CUTICLE_ASSIGN(auto values, registry::parse_assignments(method->entry.parameters, setting.settings));
+    candidates.push_back({method, std::move(values)});
+  }
+  return candidates;
+}
+
+/// Mean |T - truth| at the strands as drawn, to the scene's first light.
+Result<Comparison> compare_shadows(const scene::Scene& scene, const strands::Groom& drawn,
+                                   std::vector<Candidate> candidates, Progress& progress) {
+  ComparisonRequest request;
+  request.groom = &drawn;
+  const glm::dvec3 alpha = scene.fibre_alpha.value_or(glm::dvec3(1));
+  request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
+  if (!scene.lights.empty()) request.to_light = scene.lights.front().to_light;
+  request.receivers = 300;
+  request.rays = 128;
+  request.candidates = std::move(candidates);
+  return compare_with_truth(request, progress);
+}
+
+/// The first frame's strands, at rest.
+Result<strands::Groom> drawn_strands(const std::shared_ptr<gpu::Device>& device, scene::Scene scene,
+                                     Progress& progress) {
+  scene.simulation.solver.reset();
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
+  CUTICLE_TRY(runner->run(0));
+  return runner->drawn_strands();
+}
+
+Result<double> coverage_error(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene,
+                              std::string_view method, const Image& truth, Progress& progress) {
+  CUTICLE_ASSIGN(const Image picture, hair_alone(device, scene, method, progress));
+  return mean_error(compare(picture, truth).coverage);
+}
+
+/// Scattering from tables of a size, rms over the rms of S of the worst channel.
+Result<double> table_error(const scene::Scene& scene, int size, Progress& progress) {
+  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(scene.material.model.name));
+  const auto& values = scene.material.model.values;
+  CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(scene.material.layout, *model, values));
+  CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, size, progress));
+  CUTICLE_TRY(lut::certify(set, lut::half_exr(), progress));
+  double worst = 0;
+  for (const lut::ChannelError& error : set.scattering)
+    worst = std::max(worst, lut::relative_error(error.rms, error.signal_rms));
+  return worst;
+}
+
+/// Where the control hairs are after half a second in which the head turns by 40 degrees, by steps of a second.
+Result<std::vector<glm::vec3>> turned_hair(const strands::Groom& rest, std::string_view solver, int steps) {
+  CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(solver));
+  CUTICLE_ASSIGN(const auto values,
+                 registry::parse_assignments(effect->entry.parameters,
+                                             fmt::format("inner_step={},max_substeps=1024", 1.0 / steps)));
+  CUTICLE_ASSIGN(const sim::Effect* gravity, sim::find_effect("gravity"));
+  CUTICLE_ASSIGN(const auto made,
+                 effect->create(rest, values, {{"gravity", registry::default_values(gravity->entry.parameters)}}));
+  const auto head = [](int frame) {
+    return glm::rotate(glm::dmat4(1), 0.7 * std::min(frame / 15.0, 1.0), glm::dvec3(0, 1, 0));
+  };
+  for (int frame = 0; frame < 15; ++frame)
+    CUTICLE_TRY(made->advance({.duration = 1.0 / 30, .head_begin = head(frame), .head_end = head(frame + 1)}));
+  CUTICLE_ASSIGN(sim::State state, made->state());
+  return std::move(state.positions);
+}
+
+/// Mean distance from the hair of the finest steps, over the mean length of the hair.
+double motion_error(const strands::Groom& rest, std::span<const glm::vec3> places, std::span<const glm::vec3> truth) {
+  double sum = 0, length = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) sum += double(glm::distance(places[i], truth[i]));
+  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i)
+      length += double(glm::distance(rest.positions[i], rest.positions[i - 1]));
+  return sum / double(places.size()) / (length / double(rest.strand_count()));
+}
+
+/// Errors by part, method and settings, one for each groom.
+class Errors {
+ public:
+  void add(std::string_view part, std::string_view method, std::string_view settings, double error) {
+    auto& row = rows_[fmt::format("{}\n{}\n{}", part, method, settings)];
+    row.first = {std::string(part), std::string(method), std::string(settings)};
+    row.second.push_back(error);
+  }
+  std::vector<AccuracyRow> rows() const {
+    std::vector<AccuracyRow> rows;
+    for (const auto& [key, row] : rows_) {
+      AccuracyRow made = row.first;
+      for (double error : row.second) made.error += error / double(row.second.size());
+      made.at_most = plan::upper_bound(row.second);
+      made.grooms = int(row.second.size());
+      rows.push_back(std::move(made));
+    }
+    return rows;
+  }
+
+ private:
+  std::map<std::string, std::pair<AccuracyRow, std::vector<double>>> rows_;
+};
+
+Result<void> add_scene(const std::shared_ptr<gpu::Device>& device, const scene::Scene& given, Errors& errors,
+                       Progress& progress) {
+  scene::Scene scene = given;
+  scene.simulation.solver.reset();
+  scene.camera.camera.resolution = {256, 256};
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, progress));
+  CUTICLE_TRY(runner->run(0));
+  CUTICLE_ASSIGN(const strands::Groom drawn, runner->drawn_strands());
+  CUTICLE_ASSIGN(auto candidates, shadow_candidates());
+  CUTICLE_ASSIGN(const Comparison compared, compare_shadows(scene, drawn, std::move(candidates), progress));
+  for (std::size_t k = 0; k < compared.rows.size(); ++k)
+    errors.add("shadow", k_shadows[k].method, k_shadows[k].settings, compared.rows[k].error.mean);
+  CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));
+  for (std::string_view draw : k_draws) {
+    CUTICLE_ASSIGN(const double error, coverage_error(device, scene, draw, truth, progress));
+    errors.add("coverage", draw, "", error);
+  }
+  for (int size : k_table_sizes) {
+    CUTICLE_ASSIGN(const double error, table_error(scene, size, progress));
+    errors.add("shading", "tables", fmt::format("lut_size={}", size), error);
+  }
+  const strands::Groom& rest = runner->control_groom();
+  CUTICLE_ASSIGN(const auto finest, turned_hair(rest, "exact", 32 * 240));
+  for (int steps : k_steps_a_second) {
+    CUTICLE_ASSIGN(const auto places, turned_hair(rest, "exact", steps));
+    errors.add("motion", "exact", fmt::format("inner_step={:.6g}", 1.0 / steps), motion_error(rest, places, finest));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<plan::AccuracyTable> measure_accuracy(const std::shared_ptr<gpu::Device>& device,
+                                             const std::vector<std::string>& scenes, Progress& progress) {
+  Errors errors;
+  std::size_t done = 0;
+  for (const std::string& file : scenes) {
+    progress.update("scenes", done++, scenes.size());
+    CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(file, plan::catalogue()));
+    CUTICLE_TRY(add_scene(device, scene, errors, progress));
+  }
+  return plan::AccuracyTable{fmt::format("cuticle study plan --accuracy: {} scenes", scenes.size()), errors.rows()};
+}
+
+Result<std::vector<AccuracyRow>> measure_scene(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene,
+                                               Progress& progress) {
+  std::vector<AccuracyRow> rows;
+  const auto add = [&](const char* part, std::string_view method, double error) {
+    rows.push_back({part, std::string(method), "", error, error, 1});
+  };
+  if (scene.shadow && !scene.lights.empty()) {
+    CUTICLE_ASSIGN(const strands::Groom drawn, drawn_strands(device, scene, progress));
+    CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(scene.shadow->name));
+    CUTICLE_ASSIGN(const Comparison compared,
+                   compare_shadows(scene, drawn, {{method, scene.shadow->values}}, progress));
+    add("shadow", method->entry.name, compared.rows.front().error.mean);
+  }
+  if (std::ranges::find(k_draws, scene.render_method) != std::end(k_draws)) {
+    CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));
+    CUTICLE_ASSIGN(const double error, coverage_error(device, scene, scene.render_method, truth, progress));
+    add("coverage", scene.render_method, error);
+  }
+  return rows;
+}
+
+}  // namespace cuticle::study
