@@ -18,4 +18,11 @@ Result<std::unique_ptr<GpuPass>> recorded_by(std::shared_ptr<gpu::Device>, const
   return std::unique_ptr<GpuPass>(std::make_unique<RecordedBy<record_work>>());
 }
 
+/// How the drawn vertices move, by what made them.
+inline Result<void> record_velocities(gpu::Commands& commands, const Resources& resources) {
+  const ControlHairs& hairs = resources.get<ControlHairs>();
+  return resources.get<StrandMaker>().strands->record_velocities(commands, *hairs.positions, hairs.motion,
+                                                                 glm::mat3(resources.get<Surfaces>().head_transform));
+}
+
 }  // namespace cuticle::render

@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 
-#include "core/quadrature.h"
 #include "bsdf/shared/adaptive_quadrature.glslh"
+#include "core/quadrature.h"
 
 namespace cuticle::bsdf {
 namespace {

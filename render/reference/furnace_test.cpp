@@ -34,11 +34,17 @@ INSTANTIATE_TEST_SUITE_P(Densities, Furnaces,
                                          Furnace{"chiang", "sigma_a=0,beta_m=0.15,beta_n=0.2,alpha=-0.05", 1000}));
 
 // Of the others that `cuticle check model` finds to keep energy.
+constexpr const char *k_far = "sigma_a=0,beta_m=0.3,beta_n=0.3,alpha=0,field=far",
+                     *k_rough = "sigma_a=0,roughness=0.3,samples=64";
 INSTANTIATE_TEST_SUITE_P(Models, Furnaces,
-                         testing::Values(Furnace{"chiang", "sigma_a=0,beta_m=0.3,beta_n=0.3,alpha=0,field=far", 1000},
-                                         Furnace{"deon", "sigma_a=0,beta_m=0.3,beta_n=0.3,alpha=0", 300, 16, 16},
-                                         Furnace{"huang", "sigma_a=0,roughness=0.3,samples=64", 300, 16, 8},
-                                         Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 300}));
+                         testing::Values(Furnace{"chiang", k_far, 100}, Furnace{"chiang", k_far, 1000},
+                                         Furnace{"chiang", k_far, 3000, 16, 16}, Furnace{"deon", k_clear, 100, 16, 16},
+                                         Furnace{"deon", k_clear, 300, 16, 16}, Furnace{"deon", k_clear, 1000, 12, 16},
+                                         Furnace{"huang", k_rough, 100, 16, 16}, Furnace{"huang", k_rough, 200, 16, 16},
+                                         Furnace{"huang", k_rough, 300, 16, 8},
+                                         Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 100},
+                                         Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 300},
+                                         Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 1000}));
 
 double sum_of(const Image& layers, const std::string& name) {
   const auto found = std::ranges::find(layers.channel_names, name + ".G");

@@ -9,20 +9,24 @@ namespace cuticle::render::dual_scattering {
 namespace {
 
 constexpr std::string_view k_demands[] = {"light", "dual_scattering"};
-constexpr Use k_uses[] = {reads<FibreMaterial>(), may_read<bake_tables::Tables>(), writes<Terms>()};
+constexpr Use k_uses[] = {reads<FibreMaterial>(), may_read<RestStrands>(), may_read<bake_tables::Tables>(),
+                          writes<Terms>()};
 constexpr std::string_view k_after[] = {"bake_tables"};
 constexpr std::string_view k_systems[] = {"F11"};
+constexpr std::string_view k_corrections[] = {"none", "path_tracing"};
 
 }  // namespace
 
 void describe(registry::Members& members, Parameters& p) {
-  members(p.forward_density, "forward_density", "1", 0, 1,
-          "the paper's d_f: how much of what other fibres send on arrives");
-  members(p.backward_density, "backward_density", "1", 0, 1,
-          "the paper's d_b: how much of what fibres around a point send back leaves");
+  members(p.forward_density, "forward_density", "1", 0, 10,
+          "the paper's d_f: a factor on light that other fibres send on");
+  members(p.backward_density, "backward_density", "1", 0, 10,
+          "the paper's d_b: a factor on light that fibres around a point send back");
   members(p.direction_spread, "direction_spread", "rad", 0, 2,
           "standard deviation of the inclinations of fibres about a point, by which each scattering spreads more "
           "widely; 0: parallel fibres, as the paper has them");
+  members(p.corrections, "corrections", k_corrections,
+          "path_tracing: further factors by albedo, optical depth and thickness of the hair, fitted to path tracing");
 }
 
 const Pass& entry() {

@@ -3,10 +3,12 @@
 #include <mutex>
 
 #include "bsdf/chiang/chiang.h"
+#include "bsdf/dual_scattering/corrections.h"
 #include "bsdf/dual_scattering/dual_scattering.h"
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
+#include "strands/thickness.h"
 
 namespace cuticle::render::dual_scattering {
 
@@ -51,6 +53,24 @@ registry::ParameterValues of_near_field(const bsdf::Model& model, registry::Para
   return values;
 }
 
+/// Of each channel, by the albedo at inclination 0 and the thickness of the hair as shadows have it: a crossing of
+/// opacity a counts as a fibres. Without the strands at rest nothing is corrected.
+void append_corrections(const bsdf::DualScatteringTable& table, const Resources& resources, Corrections wanted,
+                        std::vector<glm::vec4>& terms) {
+  const RestStrands* const rest = resources.find<RestStrands>();
+  const bool fitted = wanted == Corrections::path_tracing && rest && rest->groom;
+  const double thickness = fitted ? strands::optical_thickness(*rest->groom) : 1;
+  const auto& average = table.rows[table.rows.size() / 2].average;
+  for (int c = 0; c < 3; ++c) {
+    bsdf::dual_scattering::Corrections rows;
+    if (fitted)
+      rows = bsdf::dual_scattering::corrections_of(bsdf::dual_scattering::fitted_corrections(),
+                                                   average.forward.share[c] + average.backward.share[c],
+                                                   thickness * resources.get<FibreMaterial>().fibre_alpha[c]);
+    for (const auto& row : rows) terms.emplace_back(row.onward, row.back, row.diffuse, 0);
+  }
+}
+
 Result<gpu::Buffer> make_terms(gpu::Device& device, const Resources& resources) {
   const FibreMaterial& material = resources.get<FibreMaterial>();
   const lut::TableSet* set = bake_tables::table_set_of(resources);
@@ -65,6 +85,7 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const Resources& resources) 
     append(row.average.backward, terms);
     append({row.multiple.attenuation, row.multiple.shift, row.multiple.deviation}, terms);
   }
+  append_corrections(table, resources, parameters.corrections, terms);
   return gpu::make_buffer_from<glm::vec4>(device, terms);
 }
 

@@ -2,18 +2,8 @@
 
 namespace cuticle::render::place_velocities {
 
-namespace {
-
-Result<void> record(gpu::Commands& commands, const Resources& resources) {
-  return resources.get<StrandMaker>().strands->record_velocities(commands, *resources.get<ControlHairs>().positions,
-                                                                 resources.get<ControlHairs>().motion,
-                                                                 glm::mat3(resources.get<Surfaces>().head_transform));
-}
-
-}  // namespace
-
 const GpuPassEntry& gpu_entry() {
-  static const GpuPassEntry table{"place_velocities", recorded_by<record>};
+  static const GpuPassEntry table{"place_velocities", recorded_by<record_velocities>};
   return table;
 }
 

@@ -1,0 +1,247 @@
+// Fits the corrections of dual scattering to path tracing: fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER
+// ...]. Each folder is one that samples.cpp wrote; those behind --held are only judged. Prints light and errors of
+// each, and writes the table that bsdf/dual_scattering compiles. Equations are means over 8 x 8 pixels.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/core.h>
+#include <fmt/os.h>
+#include <glm/common.hpp>
+
+#include "bsdf/dual_scattering/corrections.h"
+#include "bsdf/dual_scattering/scattered_light.glslh"
+#include "lut/fit/positive_fit.h"
+
+namespace {
+
+using namespace cuticle;
+using namespace cuticle::bsdf::dual_scattering;
+
+constexpr int k_side = 8, k_rows = 32, k_seen = 5, k_light = 9;
+constexpr double k_pi = 3.141592653589793, k_bent = 0.16;  // direction_spread^2 of render/passes/dual_scattering
+constexpr double k_bend = 0.2, k_slope = 0.06;             // smoothing, chosen by leaving cases out
+constexpr double k_mean_weight = 1;                        // of a picture's mean beside all its squares
+
+template <class T>
+std::vector<T> read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) {
+    fmt::print(stderr, "{}: cannot be read\n", path);
+    std::exit(3);
+  }
+  std::vector<T> values(std::size_t(file.tellg()) / sizeof(T));
+  file.seekg(0).read(reinterpret_cast<char*>(values.data()), std::streamsize(values.size() * sizeof(T)));
+  return values;
+}
+
+/// One picture: its light in blocks, and what each factor at each depth adds to them.
+struct Case {
+  std::string name;
+  int across = 0, blocks = 0;
+  double thickness = 0;
+  glm::dvec3 albedo{0};
+  std::vector<glm::dvec3> direct, often, variance;
+  std::vector<char> lit;
+  /// Of a block: rows of k_factors times k_depths.
+  std::vector<std::array<glm::dvec3, k_factors * k_depths>> parts;
+};
+
+ScatteringLobe<double> lobe_of(const std::vector<double>& terms, int lobe, double theta, int channel) {
+  const double at = std::clamp((theta / k_pi + 0.5) * k_rows - 0.5, 0.0, k_rows - 1.0);
+  const int below = std::min(int(at), k_rows - 2);
+  const auto term = [&](int which) {
+    const auto place = [&](int row) { return terms[std::size_t((row * 9 + lobe + which) * 3 + channel)]; };
+    return std::lerp(place(below), place(below + 1), at - below);
+  };
+  return {term(0), term(1), term(2)};
+}
+
+/// As dual_scattering.glsl puts them together, of one channel: onward, back, diffuse, per irradiance.
+std::array<double, k_factors> factors_at(const std::vector<double>& terms, const float* seen, int channel) {
+  const double theta_i = std::asin(std::clamp(double(seen[1]), -1.0, 1.0)),
+               theta_o = std::asin(std::clamp(double(seen[2]), -1.0, 1.0)), theta_d = (theta_o - theta_i) / 2;
+  const double away = std::acos(std::clamp(double(seen[3]), -1.0, 1.0)) / k_pi;
+  const FibreAverages<double> fibre{lobe_of(terms, 0, theta_i, channel), lobe_of(terms, 0, theta_d, channel),
+                                    lobe_of(terms, 3, theta_d, channel), lobe_of(terms, 6, theta_d, channel)};
+  const double through = std::clamp(double(seen[4]), double(k_least_through), 1.0);
+  const ScatteredLight<double> light = scattered_light(fibre, through, theta_i, theta_o, away, k_bent);
+  const double inclined = std::cos(theta_i) / (k_pi * std::max(std::cos(theta_d) * std::cos(theta_d), 1e-3));
+  return {inclined * light.onward, inclined * (light.back + light.onward_back), 1 / (4 * k_pi)};
+}
+
+void add_light(Case& picture, const std::vector<float>& light, int width) {
+  const int rows = int(light.size()) / k_light / width;
+  for (int y = 0; y < rows / k_side * k_side; ++y)
+    for (int x = 0; x < picture.across * k_side; ++x) {
+      const auto block = std::size_t(y / k_side * picture.across + x / k_side);
+      const float* pixel = light.data() + std::size_t(y * width + x) * k_light;
+      for (int c = 0; c < 3; ++c) {
+        picture.direct[block][c] += double(pixel[c]) / (k_side * k_side);
+        picture.often[block][c] += double(pixel[3 + c]) / (k_side * k_side);
+        picture.variance[block][c] += double(pixel[6 + c]) / std::pow(k_side, 4);
+      }
+    }
+}
+
+void add_parts(Case& picture, const std::vector<double>& terms, const std::vector<float>& seen, int width,
+               double unit) {
+  for (std::size_t k = 0; k < seen.size(); k += k_seen) {
+    const int pixel = int(seen[k]), x = pixel % width / k_side, y = pixel / width / k_side;
+    const int block = y * picture.across + x;
+    if (x >= picture.across || block >= picture.blocks) continue;
+    const Between depth = between_depths(double(seen[k + 4]));
+    for (int c = 0; c < 3; ++c) {
+      const auto factors = factors_at(terms, seen.data() + k, c);
+      for (int f = 0; f < k_factors; ++f) {
+        auto* row = picture.parts[std::size_t(block)].data() + f * k_depths + depth.below;
+        row[0][c] += unit * factors[std::size_t(f)] * (1 - depth.share);
+        row[1][c] += unit * factors[std::size_t(f)] * depth.share;
+      }
+    }
+  }
+}
+
+Case read_case(const std::string& folder) {
+  const auto about = read<double>(folder + "/about.f64"), terms = read<double>(folder + "/terms.f64");
+  const int width = int(about[0]), height = int(about[1]);
+  Case picture;
+  picture.name = folder.substr(folder.find_last_of('/') + 1);
+  picture.across = width / k_side;
+  picture.blocks = picture.across * (height / k_side);
+  picture.thickness = about[4];
+  const auto blocks = std::size_t(picture.blocks);
+  for (auto* sums : {&picture.direct, &picture.often, &picture.variance}) sums->assign(blocks, glm::dvec3(0));
+  picture.parts.assign(blocks, {});
+  for (int c = 0; c < 3; ++c)
+    picture.albedo[c] = terms[std::size_t(k_rows / 2 * 27 + c)] + terms[std::size_t(k_rows / 2 * 27 + 9 + c)];
+  add_light(picture, read<float>(folder + "/light.f32"), width);
+  add_parts(picture, terms, read<float>(folder + "/seen.f32"), width, about[3] / (k_side * k_side * about[2]));
+  double brightest = 0;
+  const auto sum = [&](std::size_t b) { return glm::dot(picture.direct[b] + picture.often[b], glm::dvec3(1)); };
+  for (std::size_t b = 0; b < blocks; ++b) brightest = std::max(brightest, sum(b));
+  for (std::size_t b = 0; b < blocks; ++b) picture.lit.push_back(sum(b) > 0.05 * brightest);
+  return picture;
+}
+
+/// What a block's light is by the table's numbers.
+lut::PositiveEquation equation_of(const Case& picture, std::size_t block, int c) {
+  const Between a = between_albedos(picture.albedo[c]), t = between_thicknesses(picture.thickness);
+  lut::PositiveEquation equation{.terms = {}, .value = picture.often[block][c], .weight = 1};
+  for (int f = 0; f < k_factors; ++f)
+    for (int d = 0; d < k_depths; ++d)
+      for (int corner = 0; corner < 4; ++corner) {
+        const int dt = corner / 2, da = corner % 2;
+        const double share = (dt ? t.share : 1 - t.share) * (da ? a.share : 1 - a.share);
+        const double factor = share * picture.parts[block][std::size_t(f * k_depths + d)][c];
+        if (factor != 0) equation.terms.push_back({std::uint32_t(place_of(f, t.below + dt, a.below + da, d)), factor});
+      }
+  return equation;
+}
+
+/// Every lit block beside the root mean square of its picture, and each picture's mean.
+void append_equations(const Case& picture, std::vector<lut::PositiveEquation>& equations) {
+  for (int c = 0; c < 3; ++c) {
+    double squares = 0, lit = 0, all = 0;
+    for (std::size_t b = 0; b < picture.lit.size(); ++b) {
+      const double light = picture.direct[b][c] + picture.often[b][c];
+      all += light;
+      if (picture.lit[b]) squares += light * light, lit += 1;
+    }
+    lut::PositiveEquation mean{.terms = {}, .value = 0, .weight = k_mean_weight / all};
+    for (std::size_t b = 0; b < picture.lit.size(); ++b) {
+      lut::PositiveEquation equation = equation_of(picture, b, c);
+      mean.value += equation.value;
+      mean.terms.insert(mean.terms.end(), equation.terms.begin(), equation.terms.end());
+      equation.weight = 1 / std::sqrt(squares);
+      if (picture.lit[b]) equations.push_back(std::move(equation));
+    }
+    equations.push_back(std::move(mean));
+  }
+}
+
+struct Errors {
+  glm::dvec3 light{0};  ///< of the reference's
+  double rms = 0, noise = 0;
+};
+
+/// Direct light by paths, and the rest by the numbers.
+Errors errors_of(const Case& picture, std::span<const double> numbers) {
+  glm::dvec3 drawn(0), wanted(0), squares(0), off(0), noise(0);
+  for (std::size_t b = 0; b < picture.lit.size(); ++b) {
+    glm::dvec3 often(0);
+    for (int c = 0; c < 3; ++c)
+      for (const auto& [place, factor] : equation_of(picture, b, c).terms) often[c] += factor * numbers[place];
+    const glm::dvec3 right = picture.direct[b] + picture.often[b], difference = often - picture.often[b];
+    drawn += picture.direct[b] + often;
+    wanted += right;
+    if (!picture.lit[b]) continue;
+    squares += right * right;
+    off += difference * difference;
+    noise += picture.variance[b];
+  }
+  const double all = squares.x + squares.y + squares.z;
+  return {drawn / wanted, std::sqrt((off.x + off.y + off.z) / all), std::sqrt((noise.x + noise.y + noise.z) / all)};
+}
+
+void report(const char* title, const std::vector<Case>& cases, std::span<const double> before,
+            std::span<const double> after) {
+  glm::dvec2 apart(0), squares(0);
+  for (const Case& picture : cases) {
+    const Errors was = errors_of(picture, before), is = errors_of(picture, after);
+    fmt::print(
+        "{} {:10} thickness {:5.2f}  light {:.3f} {:.3f} {:.3f} (was {:.3f} {:.3f} {:.3f})  rms {:.3f} (was {:.3f}, "
+        "noise {:.3f})\n",
+        title, picture.name, picture.thickness, is.light.x, is.light.y, is.light.z, was.light.x, was.light.y,
+        was.light.z, is.rms, was.rms, is.noise);
+    for (int c = 0; c < 3; ++c) apart += glm::abs(glm::dvec2(is.light[c], was.light[c]) - 1.0) / 3.0;
+    squares += glm::dvec2(is.rms * is.rms, was.rms * was.rms) - is.noise * is.noise;
+  }
+  const double n = std::max<double>(double(cases.size()), 1);
+  fmt::print("{} of {}: a channel's mean off by {:.3f} (was {:.3f}), rms without noise {:.3f} (was {:.3f})\n", title,
+             cases.size(), apart.x / n, apart.y / n, std::sqrt(squares.x / n), std::sqrt(squares.y / n));
+}
+
+void write_table(const std::string& path, const std::vector<double>& numbers) {
+  auto file = fmt::output_file(path);
+  file.print("#include \"bsdf/dual_scattering/corrections.h\"\n\nnamespace cuticle::bsdf::dual_scattering {{\n\n");
+  file.print(
+      "// Written by bench/multiple_scattering/fit.cpp; bench/results/multiple_scattering.txt says from what.\n");
+  file.print(
+      "std::span<const double, k_numbers> fitted_corrections() {{\n  static const double table[k_numbers] = {{\n");
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    file.print("{}{:.3g},{}", k % k_depths ? " " : "      ", numbers[k], (k + 1) % k_depths ? "" : "\n");
+  file.print("  }};\n  return table;\n}}\n\n}}  // namespace cuticle::bsdf::dual_scattering\n");
+}
+
+}  // namespace
+
+int main(int count, char** given) {
+  std::vector<Case> told, held;
+  bool is_held = false;
+  for (int k = 2; k < count; ++k)
+    if (std::string(given[k]) == "--held")
+      is_held = true;
+    else
+      (is_held ? held : told).push_back(read_case(given[k]));
+  if (told.empty()) {
+    fmt::print(stderr, "fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER ...]\n");
+    return 2;
+  }
+  std::vector<lut::PositiveEquation> equations;
+  for (const Case& picture : told) append_equations(picture, equations);
+  const lut::PositiveShape shape{k_factors, {k_thicknesses, k_albedos, k_depths}};
+  const auto fit = lut::fit_positive(equations, shape, k_bend, k_slope);
+  if (!fit) {
+    fmt::print(stderr, "{}\n", fit.error().message);
+    return 5;
+  }
+  std::vector<double> before(k_numbers, 1.0);
+  std::fill(before.begin() + place_of(2, 0, 0, 0), before.end(), 0.0);
+  fmt::print("{} equations, {} steps, cost {:.4f} from {:.4f}\n", equations.size(), fit->steps, fit->cost_after,
+             fit->cost_before);
+  report("fitted", told, before, fit->numbers);
+  report("held", held, before, fit->numbers);
+  write_table(given[1], fit->numbers);
+}

@@ -1,0 +1,153 @@
+// What the fibres of a scene that the camera sees have before them, and what light they send by path tracing:
+// multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL. The scene's first light, without surfaces; transmittance
+// by its shadow method at the vertices, as pictures have it. Writes the files that fit.cpp reads (README.md); with 0
+// samples about.f64 alone.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+#include <glm/common.hpp>
+
+#include "bsdf/dual_scattering/dual_scattering.h"
+#include "core/random.h"
+#include "plan/camera_path.h"
+#include "plan/plan.h"
+#include "plan/traced_scene_runner.h"
+#include "render/reference/camera_rays.h"
+#include "render/reference/fibre_point.h"
+#include "render/reference/reference.h"
+#include "shadows/method.h"
+#include "strands/thickness.h"
+
+namespace {
+
+using namespace cuticle;
+using render::reference::TracedScene;
+
+template <class T>
+T must(Result<T> result) {
+  if (result) return std::move(result).value();
+  fmt::print(stderr, "{}\n", result.error().message);
+  std::exit(3);
+}
+
+template <class T>
+void write(const std::string& path, const std::vector<T>& values) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file || std::fwrite(values.data(), sizeof(T), values.size(), file) != values.size() || std::fclose(file) != 0) {
+    fmt::print(stderr, "{}: cannot be written\n", path);
+    std::exit(3);
+  }
+}
+
+std::vector<float> at_vertices(const TracedScene& traced, const scene::Block& shadow) {
+  const strands::Groom& hair = traced.hair;
+  std::vector<std::uint32_t> strand_of, vertices;
+  for (std::uint32_t s = 0; s < hair.strand_count(); ++s)
+    for (std::uint32_t v = hair.offsets[s]; v < hair.offsets[s + 1]; ++v) {
+      strand_of.push_back(s);
+      vertices.push_back(v);
+    }
+  const shadows::Receivers receivers{.points = hair.positions, .strands = strand_of, .vertices = vertices};
+  const shadows::Casters casters{.groom = &hair, .alpha = 1, .to_light = traced.lights[0].to_light};
+  return must(must(shadows::find_method(shadow.name))->evaluate(casters, receivers, shadow.values)).values;
+}
+
+/// Rows of pixel, sin theta_i, sin theta_o, cos phi, transmittance: one for each ray of a pixel that meets hair.
+std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScene& rays,
+                               std::span<const glm::vec3> tangents, std::span<const float> through, int y,
+                               int per_pixel) {
+  const render::reference::CameraRays camera(traced.camera);
+  RandomStream random{std::uint64_t(y) + 1};
+  std::vector<float> seen;
+  for (int k = 0; k < traced.camera.resolution.x * per_pixel; ++k) {
+    const int x = k / per_pixel;
+    const double right = random.next_unit(), down = random.next_unit();
+    const auto ray = camera.through({x + right, y + down});
+    const strands::RayHit hit = rays.closest(ray.origin, ray.direction);
+    if (hit.kind != strands::RayHit::Kind::fibre) continue;
+    const auto point = render::reference::fibre_point(traced.hair, tangents, hit, ray.origin, ray.direction);
+    const glm::vec3 eye = point.local(-ray.direction), light = point.local(traced.lights[0].to_light);
+    const float across = std::hypot(light.y, light.z) * std::hypot(eye.y, eye.z);
+    const float cos_phi = across > 0 ? (light.y * eye.y + light.z * eye.z) / across : 0;
+    const float arrives = glm::mix(through[hit.vertex], through[hit.vertex + 1], float(point.share));
+    seen.insert(seen.end(), {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, arrives});
+  }
+  return seen;
+}
+
+std::vector<float> seen_by_camera(const TracedScene& traced, const scene::Block& shadow, int per_pixel) {
+  const auto tangents = strands::tangents(traced.hair);
+  const auto rays = must(strands::RayScene::build(traced.hair, {}));
+  const std::vector<float> through = at_vertices(traced, shadow);
+  std::vector<std::vector<float>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
+  tbb::parallel_for(std::size_t(0), rows.size(),
+                    [&](std::size_t y) { rows[y] = seen_by_row(traced, *rays, tangents, through, int(y), per_pixel); });
+  std::vector<float> seen;
+  for (const auto& row : rows) seen.insert(seen.end(), row.begin(), row.end());
+  return seen;
+}
+
+/// Of each pixel: light scattered once, light scattered more often, variance of their sum; red, green, blue.
+std::vector<float> light_of(const TracedScene& traced, int samples) {
+  const auto picture = must(trace_picture(traced, {.layers = true}, {.samples = samples}, silent_progress()));
+  const auto& names = picture.layers.channel_names;
+  const auto at = [&](const std::string& name) { return int(std::ranges::find(names, name) - names.begin()); };
+  std::vector<float> light;
+  for (int y = 0; y < picture.layers.height; ++y)
+    for (int x = 0; x < picture.layers.width; ++x) {
+      const auto value = [&](const std::string& name) { return picture.layers.at(x, y, at(name)); };
+      for (const char* c : {".R", ".G", ".B"}) light.push_back(value(std::string("single") + c));
+      for (const char* c : {"R", "G", "B"}) light.push_back(value(c) - value(std::string("single.") + c));
+      for (const char* c : {".R", ".G", ".B"}) light.push_back(value(std::string("variance") + c));
+    }
+  fmt::print("{} strands, {} samples, {:.1f} s\n", traced.hair.strand_count(), picture.samples, picture.seconds);
+  return light;
+}
+
+std::vector<double> terms_of(const TracedScene& traced) {
+  std::vector<double> numbers;
+  const auto add = [&](const glm::dvec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+  for (const auto& row : must(bsdf::dual_scattering_terms(*traced.model, traced.values, 32)).rows) {
+    for (const auto* half : {&row.average.forward, &row.average.backward})
+      add(half->share), add(half->shift), add(half->deviation * half->deviation);
+    add(row.multiple.attenuation), add(row.multiple.shift), add(row.multiple.deviation * row.multiple.deviation);
+  }
+  return numbers;
+}
+
+TracedScene traced_scene(const scene::Scene& scene) {
+  auto runner = must(plan::TracedSceneRunner::create(scene, silent_progress()));
+  if (!runner->advance_to(0, silent_progress())) std::exit(3);
+  TracedScene traced;
+  traced.hair = must(runner->drawn_strands());
+  traced.model = must(bsdf::find_model(scene.material.model.name));
+  traced.values = scene.material.model.values;
+  if (traced.values.all().contains("field")) traced.values.set("field", std::string("near"));
+  traced.lights = {scene.lights.at(0)};
+  traced.camera = plan::camera_at(scene.camera, strands::bounds(runner->set().control), {});
+  return traced;
+}
+
+}  // namespace
+
+int main(int count, char** given) {
+  if (count != 5) {
+    fmt::print(stderr, "multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL\n");
+    return 2;
+  }
+  const std::string folder = given[2];
+  const scene::Scene scene = must(scene::load_scene(given[1], plan::catalogue()));
+  const TracedScene traced = traced_scene(scene);
+  const int samples = std::atoi(given[3]), per_pixel = std::atoi(given[4]);
+  if (samples > 0) {
+    write(folder + "/light.f32", light_of(traced, samples));
+    write(folder + "/seen.f32", seen_by_camera(traced, *scene.shadow, per_pixel));
+    write(folder + "/terms.f64", terms_of(traced));
+  }
+  write(folder + "/about.f64",
+        std::vector<double>{double(traced.camera.resolution.x), double(traced.camera.resolution.y), double(per_pixel),
+                            traced.lights[0].irradiance.x, strands::optical_thickness(traced.hair)});
+}

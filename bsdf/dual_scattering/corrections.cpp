@@ -1,0 +1,50 @@
+#include "bsdf/dual_scattering/corrections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/dual_scattering/scattered_light.glslh"
+
+namespace cuticle::bsdf::dual_scattering {
+
+namespace {
+
+Between between(double steps, int rows) {
+  const double at = std::clamp(steps, 0.0, rows - 1.0);
+  const int below = std::min(int(at), rows - 2);
+  return {below, at - below};
+}
+
+}  // namespace
+
+Between between_depths(double through) {
+  const double deepest = -std::log(double(k_least_through)),
+               depth = -std::log(std::max(through, double(k_least_through)));
+  return between(std::sqrt(std::max(depth, 0.0) / deepest) * (k_depths - 1), k_depths);
+}
+
+Between between_albedos(double albedo) {
+  const double lost = std::sqrt(std::clamp(1 - albedo, 0.0, 1.0));
+  return between((lost - k_first_albedo) / (k_last_albedo - k_first_albedo) * (k_albedos - 1), k_albedos);
+}
+
+Between between_thicknesses(double thickness) {
+  const double share =
+      std::log(std::max(thickness, 1e-6) / k_first_thickness) / std::log(k_last_thickness / k_first_thickness);
+  return between(share * (k_thicknesses - 1), k_thicknesses);
+}
+
+Corrections corrections_of(std::span<const double, k_numbers> table, double albedo, double thickness) {
+  const Between a = between_albedos(albedo), t = between_thicknesses(thickness);
+  const auto number = [&](int factor, int depth) {
+    const auto at = [&](int dt, int da) {
+      return table[std::size_t(place_of(factor, t.below + dt, a.below + da, depth))];
+    };
+    return std::lerp(std::lerp(at(0, 0), at(0, 1), a.share), std::lerp(at(1, 0), at(1, 1), a.share), t.share);
+  };
+  Corrections corrections;
+  for (int k = 0; k < k_depths; ++k) corrections[std::size_t(k)] = {number(0, k), number(1, k), number(2, k)};
+  return corrections;
+}
+
+}  // namespace cuticle::bsdf::dual_scattering

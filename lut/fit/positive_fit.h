@@ -1,0 +1,42 @@
+#pragma once
+// Tables of positive numbers from sums that hold them, as the corrections of dual scattering are found.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/result.h"
+
+namespace cuticle::lut {
+
+/// One equation: the sum of `factor` times the table's number at `place` is `value`; its difference counts `weight`.
+struct PositiveEquation {
+  struct Term {
+    std::uint32_t place;
+    double factor;
+  };
+  std::vector<Term> terms;
+  double value = 0, weight = 1;
+};
+
+/// Tables of one shape behind each other, rows along three axes, the last one innermost.
+struct PositiveShape {
+  int tables = 1;
+  std::array<int, 3> rows{1, 1, 1};
+  int numbers() const { return tables * rows[0] * rows[1] * rows[2]; }
+};
+
+struct PositiveFit {
+  std::vector<double> numbers;
+  double cost_before = 0, cost_after = 0;  ///< half the sum of squares, without smoothing
+  int steps = 0;
+};
+
+/// Least squares over the logarithms of the numbers, from 1, by Ceres. `bend` and `slope` weigh second and first
+/// differences of the logarithms along the axes, which say what no equation does. Errors: bad_input, naming the place
+/// outside the table or the number of the equation that is not finite; internal, where Ceres does not converge.
+/// Test: positive_fit_test.
+Result<PositiveFit> fit_positive(std::span<const PositiveEquation> equations, const PositiveShape& shape, double bend,
+                                 double slope);
+
+}  // namespace cuticle::lut
