@@ -68,7 +68,8 @@ TEST(MakeSurfaces, UnknownLobe_IsRefusedByName) {
   EXPECT_THAT(surfaces.error().message, testing::HasSubstr("R, TT, TRT"));
 }
 
-/// Without tilt, S is the same with light and eye exchanged, so that what leaves is the albedo of what comes in.
+/// Without tilt, S of marschner is the same with light and eye exchanged, so that what leaves is the albedo of what comes
+/// in. (Of chiang, whose attenuation follows theta_o alone, the two differ by .009 at theta_i = .5.)
 void expect_albedo(const char* model, const char* settings, double theta_i, double bound) {
   const ShownModel shown = shown_model(model, settings);
   const LobeValues values = lobe_values(shown, {theta_i}, {91, 181}, true).value();
@@ -78,7 +79,6 @@ void expect_albedo(const char* model, const char* settings, double theta_i, doub
 
 TEST(Scattered, OfAnUntiltedFibre_IsTheAlbedo) {
   for (const double theta_i : {0.0, 0.5, 0.9}) expect_albedo("marschner", "alpha=0", theta_i, 2e-3);
-  expect_albedo("chiang", "alpha=0", 0.5, 2e-3);
 }
 
 TEST(DifferenceSurface, ModelWithItself_IsTheMiddleColour) {
