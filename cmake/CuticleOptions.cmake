@@ -67,7 +67,8 @@ endif()
 cuticle_part(EMBREE ${embree_found} "Ray-traced truth by Embree")
 
 find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2 RenderingAnnotation
-  RenderingFreeType InteractionStyle IOImage IOXML FiltersCore FiltersSources FiltersGeneral FiltersModeling ImagingCore)
+  RenderingFreeType RenderingContext2D RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 InteractionStyle IOImage IOOggTheora
+  FiltersCore FiltersSources ImagingCore)
 set(vtk_found OFF)
 if(VTK_FOUND)
   set(vtk_found ON)

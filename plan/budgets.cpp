@@ -210,7 +210,7 @@ Result<scene::Scene> with_setting(const scene::Scene& scene, const AccuracyRow& 
   } else if (changed.simulation.solver) {
     CUTICLE_ASSIGN(const registry::Entry* solver, entry_of(catalogue().solvers, row.method));
     CUTICLE_ASSIGN(const auto values, registry::parse_assignments(solver->parameters, row.settings));
-    changed.simulation.solver->values.set("inner_step", values.real("inner_step"));
+    changed.simulation.solver->values.set("inner_step", values.all().at("inner_step"));
   }
   return changed;
 }

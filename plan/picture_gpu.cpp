@@ -206,6 +206,7 @@ shadows::GpuStrands Picture::casters() const {
   const std::uint32_t casting = std::clamp(wanted, std::min(1u, all), all);
   strands.segment_count = casting * segments;
   strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
+  strands.seen_from = resources_.get<render::FrameView>().camera.position;
   return strands;
 }
 

@@ -71,6 +71,10 @@ glm::vec3 view_point(const LightAxes& axes, const glm::vec3& p) {
   return seen_by_light(light_point(axes.right, axes.up, axes.forward, axes.origin, p), axes.reach);
 }
 
+glm::vec3 light_way(const LightAxes& axes, const glm::vec3& p) {
+  return light_way<float>(axes.right, axes.up, axes.forward, axes.origin, p, axes.reach);
+}
+
 LightBox light_box(const LightAxes& axes, std::span<const glm::vec3> positions) {
   if (positions.empty()) return {};
   constexpr float k_far = 3e38f;  // as map_fit.comp begins

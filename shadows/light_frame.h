@@ -45,6 +45,9 @@ Error lamp_refused(std::string_view method);
 /// A world point, metres, in the light's view (light_frame.glslh).
 glm::vec3 view_point(const LightAxes& axes, const glm::vec3& p);
 
+/// The unit direction in which the light passes a world point (light_frame.glslh).
+glm::vec3 light_way(const LightAxes& axes, const glm::vec3& p);
+
 /// Extent in the light's view of the positions that it sees, metres (light_frame.glslh); zero for no positions. The GPU
 /// finds the same floats (MapGpu_SameGroom_SameIntegers).
 struct LightBox {

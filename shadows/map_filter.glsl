@@ -38,17 +38,18 @@ bool is_in_strip(float y) {
   return row >= own_first_row && row < own_end_row;
 }
 
-/// The transmittance at a point, metres, that lies at vertex v, where segment s begins or would, or on that segment: 1
-/// far outside the map, -1 in another strip. Depths are limited to 0 .. deepest, in steps.
+/// The transmittance at a point of an axis, metres, that lies at vertex v, where segment s begins or would, or on that
+/// segment: 1 far outside the map, -1 in another strip. Depths are limited to 0 .. deepest, in steps.
 float transmittance_at(MapPlacement placement, vec3 position, uint s, uint v, float deepest) {
-  const vec3 seen = in_light_axes(position), point = place_in_map(placement, seen);
+  const LookupPlace there = lookup_place(position, s, v);
+  const vec3 seen = in_light_axes(there.point), point = place_in_map(placement, seen);
   const float texels = push.filter_radius * placement.scale.x * view_scale(seen, push.reach);
   const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_widest_filter) : push.filter_texels;
   if (!is_in_strip(point.y)) return -1.0;
   const float limit = float(max(columns, rows)) + 130.0;
   if (!(abs(point.x) < limit && abs(point.y) < limit) || !is_seen_by_light(seen, push.reach)) return 1.0;
   find_own(placement, s, v, seen, point.xy, radius);
-  const float z = clamp(lookup_depth(point.z, push.depth_offset, placement.scale.z), 0.0, deepest);
+  const float z = clamp(depth_looked_up(placement, there, seen, point.z), 0.0, deepest);
   return mean_transmittance(point.xy, z, radius);
 }
 

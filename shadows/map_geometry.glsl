@@ -17,11 +17,12 @@ layout(push_constant) uniform Push {
   float caster_width;        // factor on the radii of segments
   float reach;               // of seen_by_light: 0 for a distant light
   uint segment_count;        // of those that cast
-  float target_steps;        // of a number in a drawn target of so many whole steps; 0: a float
-  uint strip, strips;        // of rows, which are filled and looked up one after the other; strips 1: the whole map
-  uint strip_margin;         // rows beside a strip that its lookups read
+  uint strip_word;           // strip_number(), strip_count(), strip_margin()
+  float eye[3];              // the viewer, metres, where k_seen is set
 } push;
 const uint k_poisson = 1u;
+const uint k_byte_target = 0x20000000u;  // a number in a drawn target is one of 255 whole steps
+const uint k_seen = 0x40000000u;         // points lie on the surface that the viewer sees, not on axes
 const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the hair
 
 #ifndef MAP_IS_DRAWN  // by a vertex shader, which has no groups
@@ -31,6 +32,12 @@ const uint k_square = 0x80000000u;  // the map is one, whatever the shape of the
 vec3 in_light_axes(vec3 p) {
   const vec3 origin = vec3(push.right.w, push.up.w, push.forward.w);
   return seen_by_light(light_point(push.right.xyz, push.up.xyz, push.forward.xyz, origin, p), push.reach);
+}
+
+/// The unit direction in which the light passes a world point.
+vec3 way_of_light(vec3 p) {
+  const vec3 origin = vec3(push.right.w, push.up.w, push.forward.w);
+  return light_way(push.right.xyz, push.up.xyz, push.forward.xyz, origin, p, push.reach);
 }
 
 /// The box is kept as least values of the ordered bits of (x, y, z, -x, -y, -z).
@@ -44,12 +51,16 @@ uint columns, rows;  // of the map, once it is placed
 // Of a map in strips: rows that are looked up now, and texels that are kept for them.
 uint own_first_row, own_end_row, first_kept, end_kept;
 
-uint strip_row(uint strip) { return uint(float(rows * strip) / float(push.strips)); }
+/// Strips of rows are filled and looked up one after the other; one strip: the whole map. Lookups read some rows beside.
+uint strip_number() { return push.strip_word & 0xffu; }
+uint strip_count() { return (push.strip_word >> 8) & 0xffu; }
+uint strip_margin() { return push.strip_word >> 16; }
+uint strip_row(uint strip) { return uint(float(rows * strip) / float(strip_count())); }
 void place_strip() {
-  own_first_row = strip_row(push.strip);
-  own_end_row = strip_row(push.strip + 1u);
-  first_kept = columns * (own_first_row - min(own_first_row, push.strip_margin));
-  end_kept = columns * min(rows, own_end_row + push.strip_margin);
+  own_first_row = strip_row(strip_number());
+  own_end_row = strip_row(strip_number() + 1u);
+  first_kept = columns * (own_first_row - min(own_first_row, strip_margin()));
+  end_kept = columns * min(rows, own_end_row + strip_margin());
 }
 /// Whether a texel, i + j * columns, is kept, and where.
 bool is_kept(uint texel) { return texel >= first_kept && texel < end_kept; }

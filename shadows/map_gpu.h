@@ -21,10 +21,16 @@ struct MapPush {
   float caster_width;
   float reach;
   std::uint32_t segment_count;
-  float target_steps;
-  std::uint32_t strip = 0, strips = 1, strip_margin = 0;
+  std::uint32_t strip_word = strip_word_of(0, 1, 0);
+  float eye[3] = {};
+
+  /// Strip i of a map in `count` strips of rows, with `margin` rows beside it.
+  static constexpr std::uint32_t strip_word_of(std::uint32_t i, std::uint32_t count, std::uint32_t margin) {
+    return i | (count << 8) | (margin << 16);
+  }
 };
-inline constexpr std::uint32_t k_poisson_flag = 1, k_square_flag = 1u << 31;
+inline constexpr std::uint32_t k_poisson_flag = 1, k_byte_target_flag = 1u << 29, k_seen_flag = 1u << 30,
+                               k_square_flag = 1u << 31;
 
 /// Kernels that several methods use. map_nearest: buffers vertices, segments, box, nearest depths (filled with ones
 /// before), per segment. map_scan: sums of each texel's layers along the depth, buffer sums, per texel.

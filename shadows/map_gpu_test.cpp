@@ -55,20 +55,31 @@ strands::Groom points() {
   return point_casters(tests::coat(300, 6, 0.03, 1e-4f, 9).positions, std::span(&radius, 1));
 }
 
+std::unique_ptr<GroomOnDevice> upload(const strands::Groom& hair, const std::optional<glm::vec3>& viewer) {
+  auto on_device = upload_groom(*device(), hair).value();
+  on_device->strands.seen_from = viewer;
+  return on_device;
+}
 struct Scene {
   std::string name;
   strands::Groom hair;
   LightSource light;
   double alpha;
-  std::unique_ptr<GroomOnDevice> on_device = upload_groom(*device(), hair).value();
+  std::optional<glm::vec3> viewer = {};
+  std::unique_ptr<GroomOnDevice> on_device = upload(hair, viewer);
   tests::VertexReceivers receivers = tests::vertex_receivers(hair);
 };
 std::span<Scene> scenes() {
-  static Scene all[] = {{"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{1, 1, 0.3}}, 0.4},
-                        {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {{-0.5, 0.3, 1}}, 1},
-                        {"along the light", along_the_light(), {{0, 1, 0}}, 0.4},
-                        {"points", points(), {{0, 0.1, -1}}, 0.4},
-                        {"lamp", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{}, glm::dvec3(0.1, 0.11, 0.03)}, 0.4}};
+  static Scene all[] = {
+      {"coat", tests::coat(1500, 8, 0.03, 1e-4f, 5), {{1, 1, 0.3}}, 0.4},
+      {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {{-0.5, 0.3, 1}}, 1, glm::vec3(0.2f, 0.1f, 0.3f)},
+      {"along the light", along_the_light(), {{0, 1, 0}}, 0.4},
+      {"points", points(), {{0, 0.1, -1}}, 0.4},
+      {"lamp",
+       tests::coat(1500, 8, 0.03, 1e-4f, 5),
+       {{}, glm::dvec3(0.1, 0.11, 0.03)},
+       0.4,
+       glm::vec3(0.1f, 0.3f, -0.2f)}};
   return all;
 }
 
@@ -110,7 +121,9 @@ Comparison compare(const GpuMethod& gpu, const registry::ParameterValues& values
       comparison.filled += expected[i][word] != 0 && expected[i][word] != ~0u;
       comparison.different += frame.words[i][word] != expected[i][word];
     }
-  const auto cpu = method_of(gpu).evaluate(casters, scene.receivers.of(scene.hair), values).value();
+  Receivers receivers = scene.receivers.of(scene.hair);
+  if (scene.viewer) receivers.seen_from = *scene.viewer;
+  const auto cpu = method_of(gpu).evaluate(casters, receivers, values).value();
   for (std::size_t v = 0; v < cpu.values.size(); ++v) {
     const double difference = std::abs(double(cpu.values[v]) - double(frame.transmittance[v]));
     comparison.worst = difference <= comparison.worst ? comparison.worst : difference;  // NaN is taken

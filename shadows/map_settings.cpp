@@ -30,8 +30,8 @@ void describe(registry::Members& members, MapSettings& map) {
   members(map.accumulation.k, "k", "1", 0.1, 100, "sigma = optical depth / k, T = exp(-k sigma)");
   describe_filter(members, map);
   members.millimetres(map.depth_offset, "depth_offset_mm", -1000, 1000,
-                      "fibres whose axes lie up to this far behind a point still count; pi/4 of the radius: those that "
-                      "the point's disc cuts; below 0: those nearer than this before it do not");
+                      "fibres whose axes lie up to this far behind the depth at which a point is looked up still "
+                      "count; below 0: those nearer than this before it do not. 0: those that hold the point do not");
   members(map.accumulation.poisson, "accumulate", k_accumulations,
           "optical_depth: sum -ln(1 - alpha c), average T; poisson: sum alpha c, average sigma");
 }

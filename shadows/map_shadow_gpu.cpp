@@ -72,6 +72,7 @@ class MapShadowGpu : public GpuShadow {
   bool make_room(std::uint64_t needed);
   bool grow(std::uint64_t room);
   void draw(gpu::Commands& commands, const GpuStrands& strands, MapPush push) const;
+  std::uint32_t flags_of(const MapSettings& settings, const GpuStrands& strands) const;
   MapPush push_for(const LightAxes& axes, const GpuStrands& strands) const;
   void clear(gpu::Commands& commands) const;
   std::uint32_t invocations(const GpuStrands& strands, const MapPass& pass) const;
@@ -148,6 +149,12 @@ Result<void> MapShadowGpu::make_kernels() {
   return {};
 }
 
+std::uint32_t MapShadowGpu::flags_of(const MapSettings& settings, const GpuStrands& strands) const {
+  const bool has_bytes = description_.drawing.format == gpu::TextureFormat::rgba8;
+  return (settings.accumulation.poisson ? k_poisson_flag : 0) | (targets_.empty() ? 0 : k_square_flag) |
+         (has_bytes ? k_byte_target_flag : 0) | (strands.seen_from ? k_seen_flag : 0);
+}
+
 MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands) const {
   const MapSettings& settings = description_.settings;
   MapPush push{{axes.right, axes.origin.x},
@@ -160,16 +167,15 @@ MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands)
                settings.resolution,
                description_.layers,
                0,
-               description_.flags | (settings.accumulation.poisson ? k_poisson_flag : 0) |
-                   (targets_.empty() ? 0 : k_square_flag),
+               description_.flags | flags_of(settings, strands),
                description_.pieces_per_step,
                {},
                float(settings.depth_offset),
                strands.caster_width,
                axes.reach,
-               strands.segment_count,
-               description_.drawing.format == gpu::TextureFormat::rgba8 ? 255.0f : 0.0f};
+               strands.segment_count};
   std::copy(description_.own.begin(), description_.own.end(), push.own);
+  for (int axis = 0; strands.seen_from && axis < 3; ++axis) push.eye[axis] = (*strands.seen_from)[axis];
   return push;
 }
 
@@ -267,14 +273,13 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
   };
   for (std::size_t first = 0, end = 0; first < kernels_.size(); first = end) {
     end = end_of_strip_passes(first);
-    push.strips = end > first ? strips_.count : 1;
-    push.strip_margin = end > first ? strips_.margin : 0;
+    const std::uint32_t strips = end > first ? strips_.count : 1, margin = end > first ? strips_.margin : 0;
     end = std::max(end, first + 1);
-    for (push.strip = 0; push.strip < push.strips; ++push.strip) {
-      if (push.strip > 0) clear_strip(commands);
+    for (std::uint32_t strip = 0; strip < strips; ++strip) {
+      push.strip_word = MapPush::strip_word_of(strip, strips, margin);
+      if (strip > 0) clear_strip(commands);
       run_passes(first, end);
     }
-    push.strip = 0;
   }
   return {};
 }

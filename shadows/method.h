@@ -1,6 +1,7 @@
 #pragma once
 // The concept of a shadow method: transmittance of light from outside the hair to points inside it.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,6 +40,8 @@ struct Receivers {
   std::span<const std::uint32_t> strands = {};   ///< one per point, or empty
   std::span<const SegmentPlace> segments = {};   ///< one per point, or empty: every point is a vertex
   std::span<const std::uint32_t> vertices = {};  ///< of the groom: the point's, or the first of its segment; or empty
+  /// Of points on strands, which lie on the fibres' axes: the viewer, metres, who sees their surface. None: the axes.
+  std::optional<glm::dvec3> seen_from = {};
 };
 
 struct Cost {

@@ -2,6 +2,7 @@
 // GPU half of a shadow method: a builder that fills its map from the strand buffer and writes one transmittance per
 // vertex.
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gpu/device.h"
@@ -14,8 +15,9 @@ struct GpuStrands {
   const gpu::Buffer* vertices = nullptr;  ///< vec4 x vertex_count
   const gpu::Buffer* segments = nullptr;  ///< uint x segment_count; the segment joins vertex k and k + 1
   std::uint32_t vertex_count = 0, segment_count = 0;
-  strands::Bounds bounds;  ///< of all vertices, metres; the light's frame is fitted to it
-  float caster_width = 1;  ///< factor on the radii of segments that cast shadows (H11)
+  strands::Bounds bounds;                   ///< of all vertices, metres; the light's frame is fitted to it
+  float caster_width = 1;                   ///< factor on the radii of segments that cast shadows (H11)
+  std::optional<glm::vec3> seen_from = {};  ///< Receivers::seen_from
 };
 
 /// Transmittance at fragments: the middles of `per_segment` equal parts of every segment, in a square target of format

@@ -41,6 +41,24 @@ std::optional<OwnVertex> own_vertex(const strands::Groom& groom, const Receivers
   return OwnVertex{nearest_segment(groom, receivers.points[i], first, last), first, last};
 }
 
+glm::vec3 own_along(const strands::Groom& groom, const OwnVertex& own) {
+  const std::uint32_t from = own.vertex < own.last ? own.vertex : std::max(own.first + 1, own.vertex) - 1;
+  return groom.positions[std::min(from + 1, own.last)] - groom.positions[from];
+}
+
+LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std::optional<OwnVertex>& own,
+                         const LightAxes& axes) {
+  LookupPlace place{on_axis};
+  if (!own) return place;
+  const glm::vec3 along = own_along(asked.groom, *own);
+  if (along == glm::vec3(0)) return place;  // a puff
+  const float radius = asked.groom.radii[own->vertex];
+  place.held = half_crossing(along, light_way(axes, place.point), radius);
+  place.is_seen = asked.receivers.seen_from.has_value();
+  if (place.is_seen) place.point += to_seen_surface(place.point, along, glm::vec3(*asked.receivers.seen_from), radius);
+  return place;
+}
+
 void OwnFibre::add(const Footprint<float>& footprint) {
   const glm::vec2 ends[] = {footprint.from + footprint.start * footprint.direction,
                             footprint.from + footprint.end * footprint.direction};

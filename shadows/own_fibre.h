@@ -30,6 +30,19 @@ struct OwnVertex {
 /// no strands. Without Receivers::vertices the nearest segment of the strand is searched.
 std::optional<OwnVertex> own_vertex(const strands::Groom& groom, const Receivers& receivers, std::size_t i);
 
+/// A vector along the strand there: of the segment that begins at the vertex, or of its last one.
+glm::vec3 own_along(const strands::Groom& groom, const OwnVertex& own);
+
+/// Where a receiver is looked up, given its place on the fibre's axis: on the surface that the viewer sees; and how far
+/// before it, metres, the axes of fibres that hold it may lie.
+struct LookupPlace {
+  glm::vec3 point{0};
+  float held = 0;
+  bool is_seen = false;  ///< by a viewer
+};
+LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std::optional<OwnVertex>& own,
+                         const LightAxes& axes);
+
 /// Segments of the strand, by their first vertices begin .. end - 1, that do not shadow the vertex (own_fibre.glslh);
 /// distance_of(v): of a vertex from the receiver, across the light.
 struct OwnStretch {

@@ -1,12 +1,13 @@
 // The segments around a vertex that do not shadow it. The shader that includes this, after map_segment.glsl, defines
 // visit_own_vertex() and visit_own_segment().
-#include "shadows/own_fibre.glslh"
+#include "shadows/lookup_place.glsl"
 
 /// The walk goes on to vertex v: its distance from the receiver across the light, in the units of reach and slack.
 float visit_own_vertex(uint v);
 /// Segment s, between the last two vertices visited; it begins at the later of them where `backward`.
 void visit_own_segment(uint s, bool backward, bool is_first, bool is_last);
 
+const uint k_no_vertex = 0xffffffffu;
 uint own_begin = 0u, own_end = 0u;  // segments
 
 /// The first segment that begins at a vertex not before v. Every segment begins at least one vertex behind the one
@@ -30,6 +31,17 @@ uint segment_from(uint v) {
 
 bool begins_at(uint s, uint v) { return s < push.segment_count && first_vertex(s) == v; }
 bool ends_at(uint s, uint v) { return s > 0u && first_vertex(s - 1u) + 1u == v; }  // the one before s
+
+/// A vector along the strand at vertex v: of segment s, which begins there, or of its last one; zero where v has none.
+vec3 own_along(uint s, uint v) {
+  const uint from = begins_at(s, v) ? v : ends_at(s, v) ? v - 1u : k_no_vertex;
+  return from == k_no_vertex ? vec3(0.0) : texelFetch(vertices, int(from + 1u)).xyz - texelFetch(vertices, int(from)).xyz;
+}
+
+/// At vertex v, where segment s begins or would.
+LookupPlace lookup_place(vec3 on_axis, uint s, uint v) {
+  return lookup_place(on_axis, own_along(s, v), texelFetch(vertices, int(v)).w);
+}
 
 /// Segments before and from `s`, which begins at vertex v or is the first behind it, as long as they are joined and still
 /// the receiver's own; the one that begins at v the receiver may lie on.

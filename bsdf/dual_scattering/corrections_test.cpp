@@ -30,10 +30,11 @@ TEST(Corrections, BetweenRows_AreLinear) {
       for (int a = 0; a < k_albedos; ++a)
         for (int d = 0; d < k_depths; ++d) table[std::size_t(place_of(f, t, a, d))] = 100 * f + 10 * t + a + 0.01 * d;
   const double lost = 0.1 + 1.5 / 4 * (0.95 - 0.1);
-  const Corrections found = corrections_of(std::span<const double, k_numbers>(table), 1 - lost * lost, std::sqrt(3.0));
-  EXPECT_NEAR(found[3].onward, 5 + 1.5 + 0.03, 1e-9);
-  EXPECT_NEAR(found[7].back, 100 + 5 + 1.5 + 0.07, 1e-9);
-  EXPECT_NEAR(found[0].diffuse, 200 + 5 + 1.5, 1e-9);
+  const Corrections found =
+      corrections_of(std::span<const double, k_numbers>(table), 1 - lost * lost, std::pow(3.0, 0.25));
+  EXPECT_NEAR(found[3].onward, 2.5 + 1.5 + 0.03, 1e-9);
+  EXPECT_NEAR(found[7].back, 100 + 2.5 + 1.5 + 0.07, 1e-9);
+  EXPECT_NEAR(found[0].diffuse, 200 + 2.5 + 1.5, 1e-9);
 }
 
 // Light without a direction is most of what dense blond hair lacks; thin or dark hair has next to none.

@@ -12,6 +12,7 @@
 #include "cli/shared_files.h"
 #include "core/file.h"
 #include "core/image/image.h"
+#include "viz/views.h"
 
 namespace cuticle::cli {
 
@@ -60,9 +61,8 @@ std::string missing_for(const GalleryPicture& picture) {
     if (command.starts_with("render") || command.starts_with("simulate"))
       return "this program was built without Vulkan";
 #endif
-#ifndef CUTICLE_HAS_VTK
-  if (picture.needs_display) return "this program was built without VTK";
-#endif
+  if (picture.needs_display)
+    if (const auto views = viz::load_views(); !views) return views.error().message;
   return {};
 }
 

@@ -4,7 +4,7 @@ Angles are in degrees where a name ends in `_deg`; everything else is SI. Bad in
 program's message. Names and parameters are those of the registries: `models()`, `methods()`, `solvers()`, `effects()`, `passes()`,
 `layouts()`, `shapings()`, `formats()`, `render_methods()`, `studies()`, `sweeps.tasks()`.
 """
-from . import shadows, sweeps
+from . import shadows, view, sweeps
 from ._cuticle import set_threads, version as _version
 from ._errors import Error
 from ._fitting import Fit, fit
@@ -26,4 +26,4 @@ __all__ = ["AnalyticFit", "Batch", "Binding", "Error", "Fit", "Gradients", "Groo
            "eval", "fit", "fit_analytic", "formats", "gradients", "grow", "hair_mapping", "hair_of", "hairs", "layouts",
            "load_groom", "lobes", "make_groom", "make_head", "methods", "models", "passes", "pdf", "plan", "read_tables", "render",
            "render_methods", "sample", "scene_schema", "set_threads", "shadows", "shape", "shapings", "simulate", "snippet",
-           "solvers", "studies", "study", "sweep", "sweeps", "table_choices", "tone_map", "write"]
+           "solvers", "studies", "study", "sweep", "sweeps", "table_choices", "tone_map", "view", "write"]

@@ -31,7 +31,7 @@ void main() {
   // Numbers of the map from `first` to `end`; `sums` holds those from `held` to `held_end`, since words may begin with
   // numbers of the strip before.
   uint first = 0u, end = push.count * push.layers, held = 0u, held_end = end;
-  for (bool in_strips = push.strips > 1u; in_strips; in_strips = false) {
+  for (bool in_strips = strip_count() > 1u; in_strips; in_strips = false) {
     placement_of(least);
     first = own_first_row * columns * push.layers;
     end = own_end_row * columns * push.layers;

@@ -14,7 +14,7 @@ void main() {
   const uint kept = invocation();
   if (kept >= push.count) return;
   uint t = kept;
-  for (bool in_strips = push.strips > 1u; in_strips; in_strips = false) {  // skipped where a condition would be masked
+  for (bool in_strips = strip_count() > 1u; in_strips; in_strips = false) {  // skipped where a condition would be masked
     placement_of(least);
     t += first_kept;
     if (t >= end_kept) return;

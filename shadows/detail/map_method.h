@@ -37,13 +37,13 @@ Result<std::vector<float>> look_up_receivers(const MapView& view, const MapSetti
   std::vector<float> values(asked.receivers.points.size());
   for_each_index(values.size(), [&](std::size_t i) {
     thread_local OwnFibre own_fibre;
+    const auto own = own_vertex(asked.groom, asked.receivers, i);
     const auto find_own = [&](const glm::vec3& seen, const glm::vec2& at, float radius) {
       own_fibre.leave_none();
-      if (const auto own = own_vertex(asked.groom, asked.receivers, i))
-        own_fibre.find(view, asked.groom, *own, seen, at, radius, steps_to_pieces);
+      if (own) own_fibre.find(view, asked.groom, *own, seen, at, radius, steps_to_pieces);
     };
-    values[i] = transmittance_at(view, filter, deepest, asked.receivers.points[i], own_fibre, find_own,
-                                 [&](float z) { return at_depth(i, z); });
+    values[i] = transmittance_at(view, filter, deepest, lookup_place(asked, asked.receivers.points[i], own, view.axes),
+                                 own_fibre, find_own, [&](float z) { return at_depth(i, z); });
   });
   return values;
 }

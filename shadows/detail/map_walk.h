@@ -138,9 +138,10 @@ float mean_transmittance(const MapView& view, const MapFilter& filter, float x, 
   return filter.poisson ? std::exp(sum / weights) : std::min(1.0f, sum / weights);
 }
 
-/// The depth of a point of the map for a lookup, in steps, limited to 0 .. deepest.
-inline float depth_in_map(const MapView& view, const MapFilter& filter, float deepest, float z) {
-  return std::clamp(lookup_depth(z, filter.depth_offset, view.scale.z), 0.0f, deepest);
+/// The depth of a point of the map for a lookup, in steps, limited to 0 .. deepest; `before`: metres
+/// before it within which fibres do not count.
+inline float depth_in_map(const MapView& view, const MapFilter& filter, float deepest, float z, float before) {
+  return std::clamp(lookup_depth(z, filter.depth_offset - before, view.scale.z), 0.0f, deepest);
 }
 
 /// The filter at a point of the light's view.
@@ -150,17 +151,24 @@ inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::
   return filter;
 }
 
-/// The transmittance at a world point: 1 far outside the map. find_own(seen, point, radius) is called before, for the
-/// pieces of `own_fibre`; at_depth(z), z in steps and limited to 0 .. deepest, gives the exponent as a function of the
-/// texel and of what its own fibre has left there.
-float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const glm::vec3& p,
+/// Metres before a place, which the light sees at `seen`, within which fibres do not count: those that hold it, and
+/// blur_depth() where a viewer sees it; not with a filter in metres, whose mean over the disc is what is asked for.
+inline float free_depth(const MapView& view, const MapFilter& filter, const LookupPlace& place, const glm::vec3& seen) {
+  const float texels_per_metre = view.scale.x * view_scale(seen, view.axes.reach);
+  return place.held + (place.is_seen && !(filter.metres > 0) ? blur_depth(filter.radius, texels_per_metre) : 0);
+}
+
+/// The transmittance at a place in the world: 1 far outside the map. find_own(seen, point, radius) is called before,
+/// for the pieces of `own_fibre`; at_depth(z), z in steps and limited to 0 .. deepest, gives the exponent as a function
+/// of the texel and of what its own fibre has left there.
+float transmittance_at(const MapView& view, const MapFilter& filter, float deepest, const LookupPlace& place,
                        OwnFibre& own_fibre, const auto& find_own, const auto& at_depth) {
-  const glm::vec3 seen = view_point(view.axes, p), point = seen_to_map(view, seen);
+  const glm::vec3 seen = view_point(view.axes, place.point), point = seen_to_map(view, seen);
   const float limit = float(std::max(view.columns, view.rows)) + 130.0f;
   if (!(std::abs(point.x) < limit && std::abs(point.y) < limit) || !is_seen_by_light(seen, view.axes.reach))
     return 1.0f;
-  const float z = depth_in_map(view, filter, deepest, point.z);
   const MapFilter there = filter_there(view, filter, seen);
+  const float z = depth_in_map(view, filter, deepest, point.z, free_depth(view, filter, place, seen));
   find_own(seen, glm::vec2(point), there.radius);
   return mean_transmittance(view, there, point.x, point.y, own_fibre, at_depth(z));
 }

@@ -6,8 +6,8 @@ vec4 behind(int depth_step, int first_plane, float sigma) {
   return sigma * vec4(lessThan(ivec4(depth_step), ivec4(first_plane) + ivec4(0, 1, 2, 3)));
 }
 
-/// sigma of a deposit; rounded as a target of 8 bits does, where push.target_steps are given.
+/// sigma of a deposit; rounded as a target of 8 bits does.
 float sigma_of(uint covered) {
   const float sigma = -push.per_unit / push.own[0] * float(table[covered]);
-  return push.target_steps > 0.0 ? floor(push.target_steps * sigma + 0.5) / push.target_steps : sigma;
+  return (push.flags & k_byte_target) != 0u ? floor(255.0 * sigma + 0.5) / 255.0 : sigma;
 }

@@ -43,11 +43,15 @@ std::uint32_t rounded_to_half(std::uint32_t sum) {
 Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& settings, const Asked& asked) {
   CUTICLE_ASSIGN(const MapFilter filter, map_filter(map.view, settings.map));
   const float per_unit = exponent_per_unit(settings.map, map.scale), deepest = settings.intervals();
-  const auto depth_of = [&](const glm::vec3& p) {
-    return depth_in_map(map.view, filter, deepest, to_map(map.view, p).z);
-  };
   const auto at_depth = [&](std::size_t i, float) {
     const SegmentPlace& place = asked.receivers.segments[i];
+    const auto own = own_vertex(asked.groom, asked.receivers, i);
+    const auto depth_of = [&](const glm::vec3& p) {
+      const LookupPlace there = lookup_place(asked, p, own, map.view.axes);
+      const glm::vec3 seen = view_point(map.view.axes, there.point);
+      return depth_in_map(map.view, filter, deepest, seen_to_map(map.view, seen).z,
+                          free_depth(map.view, filter, there, seen));
+    };
     const float from = depth_of(place.from), to = depth_of(place.to), fraction = place.fraction;
     return [&map, per_unit, from, to, fraction](std::size_t texel, std::span<const OwnDeposit> own) {
       return per_unit * between_planes(sum_at(map, texel, from, own), sum_at(map, texel, to, own), fraction);

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // N19: two triangles a segment, which cover a row of texels of the fragments' target; tent weights at its ends.
 #define MAP_IS_DRAWN
-#include "shadows/filter.glslh"
 #include "shadows/map_geometry.glsl"
+#include "shadows/lookup_place.glsl"
 #include "shadows/opacity_map/tent_planes.glsl"
 
 layout(binding = 0) uniform samplerBuffer vertices;
@@ -19,10 +19,14 @@ void main() {
   segment = uint(gl_VertexIndex) / 6u;
   const uint per_segment = uint(push.own[1]), side = uint(push.own[2]);
   const uvec2 corner = k_corners[gl_VertexIndex % 6];
-  position = texelFetch(vertices, int(texelFetch(segments, int(segment)).r + corner.x)).xyz;
+  const int first = int(texelFetch(segments, int(segment)).r);
+  const vec4 from = texelFetch(vertices, first), to = texelFetch(vertices, first + 1);
+  position = corner.x == 0u ? from.xyz : to.xyz;
   const MapPlacement placement = placement_of(least);
-  const float z = place_in_map(placement, in_light_axes(position)).z;
-  weights_of_vertex = tent_weights(clamp(lookup_depth(z, push.depth_offset, placement.scale.z), 0.0, push.intervals));
+  const LookupPlace place = lookup_place(position, to.xyz - from.xyz, from.w);
+  const vec3 seen = in_light_axes(place.point);
+  const float z = depth_looked_up(placement, place, seen, place_in_map(placement, seen).z);
+  weights_of_vertex = tent_weights(clamp(z, 0.0, push.intervals));
   const uint per_row = side / per_segment;
   const uvec2 texel = uvec2((segment % per_row + corner.x) * per_segment, segment / per_row + corner.y);
   gl_Position = vec4(2.0 * vec2(texel) / float(side) - 1.0, 0.5, 1.0);

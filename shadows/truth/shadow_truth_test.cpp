@@ -104,6 +104,38 @@ TEST(ShadowTruth, OwnStrand_DoesNotShadowItsPoint) {
   EXPECT_EQ(own->values[0], 1.0f);
 }
 
+/// Two opaque fibres along x, of 1 mm radius; the second's axis lies `away` from the first's.
+strands::Groom pair_of_fibres(glm::vec3 away) {
+  strands::Groom groom;
+  for (const glm::vec3 axis : {glm::vec3(0), away})
+    tests::add_strand(groom, {axis - glm::vec3(0.05f, 0, 0), axis, axis + glm::vec3(0.05f, 0, 0)}, 0.001f);
+  return groom;
+}
+/// T at the middle of the first of them, under a light from +y.
+float light_of_first(const strands::Groom& groom, const std::optional<glm::dvec3>& viewer) {
+  const glm::vec3 point(0.01f, 0, 0);
+  const std::uint32_t strand = 0;
+  auto result =
+      run(groom, {.points = std::span(&point, 1), .strands = std::span(&strand, 1), .seen_from = viewer}, k_point, 1);
+  EXPECT_TRUE(result);
+  return result ? result->values[0] : -1;
+}
+
+// Where strands pass through each other, a fibre that holds the point takes no light; one that lies before it does.
+TEST(ShadowTruth, FibreThatHoldsThePoint_TakesNothing) {
+  EXPECT_EQ(light_of_first(pair_of_fibres({0, 0.0009f, 0}), {}), 1.0f);
+  EXPECT_EQ(light_of_first(pair_of_fibres({0, 0.0011f, 0}), {}), 0.0f);
+}
+
+// The other fibre lies before one side of the first.
+TEST(ShadowTruth, SideThatIsSeen_IsWhereLightArrives) {
+  const strands::Groom groom = pair_of_fibres({0, 0.003f, 0.0012f});
+  EXPECT_EQ(light_of_first(groom, {}), 1.0f);
+  EXPECT_EQ(light_of_first(groom, glm::dvec3(0, 0, 1)), 0.0f);
+  EXPECT_EQ(light_of_first(groom, glm::dvec3(0, 0, -1)), 1.0f);
+  EXPECT_EQ(light_of_first(groom, glm::dvec3(0.5, 0, 1)), 0.0f) << "the viewer's place along the fibre is the same";
+}
+
 // The mean over points of the strands does not depend on the disc, because no disc lets a fibre shadow itself, however
 // much it leans to the light.
 TEST(ShadowTruth, AnyFootprint_SameMean) {

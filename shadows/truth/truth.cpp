@@ -1,4 +1,4 @@
-// Ray-traced truth: the mean over a disc of prod(1 - alpha) over the distinct fibre crossings of rays to the light.
+// Ray-traced truth: the mean over a disc of prod(1 - alpha) over the distinct fibres that rays to the light enter.
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -52,11 +52,13 @@ class Tracer {
   Estimate at(const Receivers& receivers, std::size_t i, Scratch& scratch) const {
     const glm::dvec3 direction = way_from(glm::dvec3(receivers.points[i])).direction;
     const PlaneAxes axes = plane_axes(direction);
-    scratch.stretch = stretch_of(receivers, i, direction);
+    const auto own = own_vertex(*casters_.groom, receivers, i);
+    const glm::dvec3 point = seen_point(receivers, i, own);
+    scratch.stretch = own ? stretch_of(*own, point, direction) : OwnStretch{};
     scratch.occluder = std::numeric_limits<double>::infinity();
     double sum = 0, squares = 0;
     for (std::uint32_t ray = 0; ray < side_ * side_; ++ray) {
-      const double t = transmittance(receivers, i, start_of(ray, std::uint32_t(i), axes), scratch);
+      const double t = transmittance(receivers, i, point + start_of(ray, std::uint32_t(i), axes), scratch);
       sum += t;
       squares += t * t;
     }
@@ -91,8 +93,16 @@ class Tracer {
     return r * (std::cos(angle) * axes.first + std::sin(angle) * axes.second);
   }
 
-  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& start, Scratch& scratch) const {
-    const glm::dvec3 from = glm::dvec3(receivers.points[i]) + start;
+  /// The receiver on the surface that its viewer sees.
+  glm::dvec3 seen_point(const Receivers& receivers, std::size_t i, const std::optional<OwnVertex>& own) const {
+    const glm::dvec3 point(receivers.points[i]);
+    if (!own || !receivers.seen_from) return point;
+    const strands::Groom& groom = *casters_.groom;
+    return point + to_seen_surface(point, glm::dvec3(own_along(groom, *own)), *receivers.seen_from,
+                                   double(groom.radii[own->vertex]));
+  }
+
+  double transmittance(const Receivers& receivers, std::size_t i, const glm::dvec3& from, Scratch& scratch) const {
     const Way way = way_from(from);
     rays_.all_crossings(from, way.direction, scratch.crossings);
     int count = 0;
@@ -100,21 +110,20 @@ class Tracer {
       const double middle = 0.5 * (double(crossing.entry) + double(crossing.exit));
       const bool own = !receivers.strands.empty() && crossing.strand == receivers.strands[i] &&
                        is_own(scratch.stretch, from, way.direction, crossing);
-      if (middle >= way.distance || own) continue;
-      scratch.occluder = std::min(scratch.occluder, std::max(0.0, double(crossing.entry)));
+      const bool holds_start = crossing.entry <= 0;
+      if (middle >= way.distance || own || holds_start) continue;
+      scratch.occluder = std::min(scratch.occluder, double(crossing.entry));
       ++count;
     }
     return std::pow(1 - casters_.alpha, count);
   }
 
   /// The part of its strand that does not shadow a receiver: as far as a ray from its disc may be inside.
-  OwnStretch stretch_of(const Receivers& receivers, std::size_t i, const glm::dvec3& direction) const {
+  OwnStretch stretch_of(const OwnVertex& own, const glm::dvec3& point, const glm::dvec3& direction) const {
     const strands::Groom& groom = *casters_.groom;
-    const auto own = own_vertex(groom, receivers, i);
-    if (!own) return {};
-    const double radius = double(groom.radii[own->vertex]);
-    return own_stretch(*own, radius_ + radius, 2 * radius, [&](std::uint32_t v) {
-      const glm::dvec3 away = glm::dvec3(groom.positions[v]) - glm::dvec3(receivers.points[i]);
+    const double radius = double(groom.radii[own.vertex]);
+    return own_stretch(own, radius_ + 2 * radius, 2 * radius, [&](std::uint32_t v) {
+      const glm::dvec3 away = glm::dvec3(groom.positions[v]) - point;
       return glm::length(away - glm::dot(away, direction) * direction);
     });
   }

@@ -159,9 +159,11 @@ std::vector<float> look_up(const Volume& volume, const Settings& settings, const
   for_each_index(values.size(), [&](std::size_t i) {
     thread_local std::vector<OwnCell> own;
     find_own_cells(volume, settings, asked, i, own);
+    const LookupPlace place =
+        lookup_place(asked, asked.receivers.points[i], own_vertex(asked.groom, asked.receivers, i), volume.axes);
+    const glm::vec3 from = place.point + place.held * direction;
     float sum = 0;
-    for (const glm::vec3& start : starts)
-      sum += std::exp(-optical_depth(volume, asked.receivers.points[i] + start, direction, own));
+    for (const glm::vec3& start : starts) sum += std::exp(-optical_depth(volume, from + start, direction, own));
     values[i] = sum / float(starts.size());
   });
   return values;

@@ -77,7 +77,10 @@ void main() {
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
   receiver = texelFetch(vertices, int(v)).xyz;
-  find_own_segments(segment_from(v), v, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
+  const uint s = segment_from(v);
+  const LookupPlace place = lookup_place(receiver, s, v);
+  const vec3 from = place.point - place.held * push.forward.xyz;
+  find_own_segments(s, v, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
                     placement.cell);
   precise float cells = push.filter_radius * placement.per_metre;
   const int count = ray_count(cells);
@@ -85,7 +88,7 @@ void main() {
   for (int i = 0; i < count; ++i) {
     const vec2 place = count == 1 ? vec2(0.0) : push.filter_radius * disc_point(uint(i), uint(count), 0.0);
     const vec3 start = place.x * push.right.xyz + place.y * push.up.xyz;
-    sum += transmittance_from(receiver + start, -push.forward.xyz);
+    sum += transmittance_from(from + start, -push.forward.xyz);
   }
   transmittance[v] = sum / float(count);
 }

@@ -21,8 +21,8 @@ Result<Study> declare_models(const StudyRequest& request, Progress& progress) {
   if (request.quick) {
     ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 16;
     ladder.samples = 8;
-    ladder.batches = 4;
-    models.table_size = 64;
+    ladder.batches = 2;  // each bakes the tables of its model
+    models.table_size = 32;
   }
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
   return models_study(device, models, progress);

@@ -13,8 +13,8 @@ namespace {
 Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
   const std::string& scene = request.options.at("scene");
   RenderRequest render;
-  CUTICLE_ASSIGN(render.scene,
-                 scene::load_scene(scene.empty() ? request.share + "/scenes/demo.json" : scene, plan::catalogue()));
+  CUTICLE_ASSIGN(render.scene, scene::load_scene(scene.empty() ? request.share + "/scenes/ladder/blond.json" : scene,
+                                                 plan::catalogue()));
   for (const std::string& name : split_commas(request.options.at("grooms"))) {
     if (request.quick) break;
     CUTICLE_ASSIGN(scene::Scene groom,
@@ -37,7 +37,7 @@ const StudyEntry& render_entry() {
   static const StudyEntry entry{
       .name = "render",
       .summary = "ways to draw a scene's hair against brute force: error against time",
-      .options = {{"scene", "", "scene file (JSON); without it that of the demo", true},
+      .options = {{"scene", "", "scene file (JSON); without it the long blond hair of the ladder", true},
                   {"grooms", "blond,curls,fur",
                    "further grooms of the ladder, still and moving, a,b,c; not with --quick"}},
       .declare = declare_render,

@@ -203,7 +203,7 @@ Result<Comparison> compare_with_truth(const ComparisonRequest& request, Progress
   const shadows::Casters casters{request.groom, request.alpha, to_light};
   CUTICLE_TRY(shadows::check(casters, {}));
   const Probes probes = probes_of(request);
-  const shadows::Receivers receivers{probes.points, probes.strands, {}, probes.vertices};
+  const shadows::Receivers receivers = probes.receivers();
   Comparison comparison = describe(request, probes.points.size());
   progress.message(fmt::format("truth: {} rays for each of {} receivers", request.rays, probes.points.size()));
   CUTICLE_ASSIGN(auto truth, evaluate_truth(request, casters, receivers, comparison.footprint_radius));

@@ -1,7 +1,6 @@
 // Reads scenes/shadow_marks/*.json (study/README.md describes them).
 #include <algorithm>
 #include <filesystem>
-#include <numbers>
 
 #include <fmt/core.h>
 
@@ -78,13 +77,10 @@ Result<strands::Groom> read_hair(const Json& json, const std::string& data, cons
 }
 
 /// `settings` maps a parameter to the texts that it takes in turn; every combination is a candidate.
-/// Where they are not given, lookups average the truth's footprint, and count fibres as far behind the receiver as its
-/// disc cuts them in the mean: pi/4 of their radius.
+/// Where no filter is given, lookups average the truth's footprint.
 Result<void> add_settings(const shadows::Method& method, const Json& settings, const MarksFile& file,
                           std::vector<Candidate>& candidates) {
-  const double cut = file.groom.radii.empty() ? 0 : std::numbers::pi / 4 * double(file.groom.radii.front());
-  const std::pair<std::string, double> defaults[] = {{"filter_radius_mm", 1e3 * file.footprint_radius},
-                                                     {"depth_offset_mm", 1e3 * cut}};
+  const std::string filter = "filter_radius_mm";
   std::vector<std::string> sets = {""};
   for (const auto& [name, texts] : settings.items()) {
     std::vector<std::string> longer;
@@ -95,8 +91,7 @@ Result<void> add_settings(const shadows::Method& method, const Json& settings, c
   }
   for (const std::string& set : sets) {
     CUTICLE_ASSIGN(auto values, registry::parse_assignments(method.entry.parameters, set));
-    for (const auto& [name, value] : defaults)
-      if (!settings.contains(name) && values.all().contains(name)) values.set(name, value);
+    if (!settings.contains(filter) && values.all().contains(filter)) values.set(filter, 1e3 * file.footprint_radius);
     candidates.push_back({&method, std::move(values)});
   }
   return {};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 #include "shadows/light_frame.h"
 // After the headers that include glm/matrix.hpp: the dialect defines Vec2 and Vec3.
 #include "shadows/light_frame.glslh"
@@ -102,11 +104,15 @@ Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, 
     const Seen& seen = picture.seen[i * found / wanted];
     add_probe(groom, seen.vertex, seen.strand, seen.fraction, probes);
   }
+  const strands::Bounds bounds = strands::bounds(groom);
+  const glm::dvec3 middle = 0.5 * glm::dvec3(bounds.lower + bounds.upper);
+  probes.seen_from = middle + 1e3 * double(glm::distance(bounds.lower, bounds.upper)) * to_camera;
   return probes;
 }
 
 Probes on_groom(const strands::Groom& groom, Probes probes) {
   Probes moved;
+  moved.seen_from = probes.seen_from;
   for (std::size_t i = 0; i < probes.points.size(); ++i)
     add_probe(groom, probes.vertices[i], probes.strands[i], probes.fractions[i], moved);
   return moved;
@@ -129,8 +135,10 @@ Result<shadows::Transmittance> evaluate_with_tents(const Candidate& candidate, c
     return usage_error("no tent weights of planes: not looked up per vertex");
   registry::ParameterValues values = candidate.values;
   values.set("weights", std::string("per_vertex"));
-  return candidate.method->evaluate(
-      casters, {probes.points, probes.strands, places_of(*casters.groom, probes), probes.vertices}, values);
+  const std::vector<shadows::SegmentPlace> places = places_of(*casters.groom, probes);
+  shadows::Receivers receivers = probes.receivers();
+  receivers.segments = places;
+  return candidate.method->evaluate(casters, receivers, values);
 }
 
 }  // namespace
@@ -138,15 +146,15 @@ Result<shadows::Transmittance> evaluate_with_tents(const Candidate& candidate, c
 Result<shadows::Transmittance> evaluate_at(const Candidate& candidate, const shadows::Casters& casters,
                                            const Probes& probes, Weights weights) {
   if (weights == Weights::tents_per_vertex) return evaluate_with_tents(candidate, casters, probes);
-  if (weights != Weights::per_vertex)
-    return candidate.method->evaluate(casters, {probes.points, probes.strands, {}, probes.vertices}, candidate.values);
+  if (weights != Weights::per_vertex) return candidate.method->evaluate(casters, probes.receivers(), candidate.values);
   std::vector<glm::vec3> ends;
   std::vector<std::uint32_t> strands;
   for (const shadows::SegmentPlace& place : places_of(*casters.groom, probes)) {
     ends.insert(ends.end(), {place.from, place.to});
     strands.insert(strands.end(), 2, probes.strands[strands.size() / 2]);
   }
-  CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, {ends, strands}, candidate.values));
+  const shadows::Receivers at_ends{.points = ends, .strands = strands, .seen_from = probes.seen_from};
+  CUTICLE_ASSIGN(auto result, candidate.method->evaluate(casters, at_ends, candidate.values));
   for (std::size_t i = 0; i < probes.points.size(); ++i)
     result.values[i] = std::lerp(result.values[2 * i], result.values[2 * i + 1], probes.fractions[i]);
   result.values.resize(probes.points.size());

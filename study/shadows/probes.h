@@ -1,6 +1,7 @@
 #pragma once
 // Points of a groom at which transmittance is compared.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -27,6 +28,11 @@ struct Probes {
   std::vector<glm::vec3> points;
   std::vector<std::uint32_t> vertices, strands;
   std::vector<float> fractions;
+  std::optional<glm::dvec3> seen_from = {};  ///< shadows::Receivers::seen_from
+
+  shadows::Receivers receivers() const {
+    return {.points = points, .strands = strands, .vertices = vertices, .seen_from = seen_from};
+  }
 };
 
 /// `count` of the groom's vertices, spread evenly over the list; all if there are fewer.
@@ -36,7 +42,8 @@ Probes spread_probes(const strands::Groom& groom, std::size_t count);
 Probes middle_probes(const strands::Groom& groom, std::size_t count);
 
 /// What an orthographic camera in the direction `to_camera` (unit) sees: in each pixel the point of a fibre's axis that
-/// is nearest to it; `count` of the pixels that see some, spread evenly over the picture; all if there are fewer.
+/// is nearest to it, seen from afar there; `count` of the pixels that see some, spread evenly over the picture; all if
+/// there are fewer.
 Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, std::size_t count);
 
 /// The same places on the strands of another groom of as many vertices.

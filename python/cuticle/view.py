@@ -1,0 +1,178 @@
+"""Views that turn: lobes, tables and strand states in a notebook or a window, by PyVista.
+
+Each function gives a `pyvista.Plotter`; `.show()` opens it, in a notebook in the browser where trame is installed. PyVista is not
+needed for the rest of the package: `pip install "pyvista[jupyter]"`. The same views without Python: `cuticle view`.
+"""
+import pathlib
+import xml.etree.ElementTree
+
+import numpy
+
+from . import _models
+from ._errors import Error
+
+__all__ = ["lobe_surface", "lobes", "lut", "shadow", "strands"]
+
+# The same as LOBE_COLORS of cuticle_report.
+_COLORS = {"R": (0.20, 0.47, 0.75), "TT": (0.93, 0.60, 0.13), "TRT": (0.75, 0.22, 0.27), "residual": (0.35, 0.62, 0.36)}
+_DIVERGING = {"stretch": 1.0, "twist": 0.0}
+_TITLES = {"stretch": "stretch [length / rest length]", "tension": "tension over mass per length [m^2/s^2]",
+           "curvature": "curvature [1/m]", "speed": "speed [m/s]"}
+
+
+def _pyvista():
+    try:
+        import pyvista
+    except ImportError as error:
+        raise Error(f"views in Python need PyVista: {error}", "no_device",
+                    'pip install "pyvista[jupyter]", or the program: cuticle view') from None
+    return pyvista
+
+
+def _averaged(model, lobe, set, theta, phi, **arguments):
+    """S as the mean over each column's azimuths, blended with its neighbours four times by 1:2:1."""
+    parts = 4
+    width = phi[0, 1] - phi[0, 0]
+    shifts = ((numpy.arange(parts) + 0.5) / parts - 0.5) * width
+    values = _models.eval(model, "S", lobe, set, theta_o_deg=theta[..., None], phi_deg=phi[..., None] + shifts,
+                          **arguments).mean(axis=(-2, -1))
+    for _ in range(4):
+        ring = values[:, :-1]
+        blended = (numpy.roll(ring, 1, axis=1) + 2 * ring + numpy.roll(ring, -1, axis=1)) / 4
+        values = numpy.concatenate([blended, blended[:, :1]], axis=1)
+    return values
+
+
+def _directions(rows, columns):
+    """theta_o and phi in degrees, (rows, columns) each."""
+    theta = numpy.linspace(-90, 90, rows)[:, None] * numpy.ones(columns)
+    return theta, numpy.linspace(-180, 180, columns)[None, :] * numpy.ones((rows, 1))
+
+
+def _surface(values, theta, phi, peak, log, decades=3.0):
+    with numpy.errstate(divide="ignore"):
+        radius = 1 + numpy.log10(values / peak) / decades if log else values / peak
+    radius = numpy.clip(radius, 0, 1)
+    theta, phi = numpy.radians(theta), numpy.radians(phi)
+    direction = numpy.stack([numpy.cos(theta) * numpy.cos(phi), numpy.cos(theta) * numpy.sin(phi), numpy.sin(theta)], axis=-1)
+    return radius[..., None] * direction
+
+
+def _peak(values) -> float:
+    return float(numpy.quantile(values, 0.999)) or 1.0
+
+
+def lobe_surface(model: str, lobe="sum", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, decades=3.0, log=True,
+                 rows=61, columns=121):
+    """S of a lobe as a polar surface, for light from theta_i_deg: positions (rows, columns, 3), S (rows, columns) in 1/sr, the mean of
+    r, g and b and over the column's azimuths and its neighbours' (a caustic is infinite), and the S at radius 1, the 99.9th
+    percentile. z is the fibre, x the light's side; the radius is log10 S over `decades` below that, or S over it. No PyVista needed."""
+    theta, phi = _directions(rows, columns)
+    values = _averaged(model, lobe, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+    return _surface(values, theta, phi, _peak(values), log, decades), values, _peak(values)
+
+
+def _grid(pyvista, points, arrays):
+    rows, columns = points.shape[:2]
+    grid = pyvista.StructuredGrid()
+    grid.points = points.reshape(-1, 3)
+    grid.dimensions = (columns, rows, 1)
+    for name, values in arrays.items():
+        grid[name] = values.ravel()
+    return grid
+
+
+def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, log=True, lobe="all", plotter=None):
+    """S of a model over the outgoing directions as surfaces, one a lobe, or `lobe` alone; `model`: a name, or several side by side."""
+    pyvista = _pyvista()
+    names = [model] if isinstance(model, str) else list(model)
+    plotter = plotter or pyvista.Plotter(shape=(1, len(names)), window_size=(700 * len(names), 700))
+    theta, phi = _directions(61, 121)
+    values = {name: {one: _averaged(name, one, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+                     for one in (_models.lobes(name) if lobe == "all" else [lobe])} for name in names}
+    peak = max(_peak(sum(of_model.values())) for of_model in values.values())
+    for place, name in enumerate(names):
+        plotter.subplot(0, place)
+        for shown, s in values[name].items():
+            plotter.add_mesh(_grid(pyvista, _surface(s, theta, phi, peak, log), {"S [1/sr]": s}), label=shown,
+                             color=_COLORS.get(shown, (0.5, 0.5, 0.5)), smooth_shading=True)
+        angle = numpy.radians(theta_i_deg)
+        plotter.add_mesh(pyvista.Line((0, 0, -1.2), (0, 0, 1.2)), color=(0.45, 0.36, 0.28), line_width=6)
+        plotter.add_mesh(pyvista.Line((0, 0, 0), (1.25 * numpy.cos(angle), 0, 1.25 * numpy.sin(angle))), color=(0.85, 0.65, 0.05),
+                         line_width=4)
+        plotter.add_text(f"{name}: S, light from theta_i = {theta_i_deg:g} deg", font_size=10)
+        plotter.camera_position = [(2.4, -4.6, 2.0), (0, 0, 0), (0, 0, 1)]
+    if len(names) > 1:
+        plotter.link_views()
+    return plotter
+
+
+def _frames(run) -> list:
+    """Files of a run: of a folder's states.pvd, of a .pvd, or the file itself."""
+    path = pathlib.Path(run)
+    if path.is_dir():
+        path = path / "states.pvd"
+    if path.suffix != ".pvd":
+        return [path]
+    try:
+        sets = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
+    except (OSError, xml.etree.ElementTree.ParseError) as error:
+        raise Error(f"{path}: {error}", "bad_input") from None
+    return [path.parent / one.get("file") for one in sets]
+
+
+def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2):
+    """A state of a run of `cuticle simulate` (a folder, a .pvd or a .vtp), coloured by a point array of it; "speed" is the length of
+    the velocity."""
+    pyvista = _pyvista()
+    files = _frames(run)
+    if not -len(files) <= frame < len(files):
+        raise Error(f"frame: {frame} is outside {-len(files)} .. {len(files) - 1}")
+    lines = pyvista.read(str(files[frame]))
+    if "velocity" in lines.point_data:
+        lines["speed"] = numpy.linalg.norm(lines["velocity"], axis=1)
+    if color not in lines.point_data:
+        raise Error(f"color: '{color}' is not in {files[frame].name}, which has {', '.join(sorted(lines.point_data.keys()))}")
+    plotter = plotter or pyvista.Plotter()
+    middle = _DIVERGING.get(color)
+    reach = None if middle is None else max(float(numpy.abs(lines[color] - middle).max()), 1e-6)
+    plotter.add_mesh(lines, scalars=color, line_width=line_width, cmap="viridis" if middle is None else "coolwarm",
+                     clim=None if middle is None else (middle - reach, middle + reach), lighting=False,
+                     scalar_bar_args={"title": _TITLES.get(color, color)})
+    plotter.add_text(files[frame].name, font_size=10)
+    plotter.camera_position = "xy"
+    return plotter
+
+
+def lut(values, *, title="", height=0.5, plotter=None):
+    """A table (rows, columns), such as a channel of `bake`, as a height field over its texture coordinates."""
+    pyvista = _pyvista()
+    values = numpy.asarray(values, dtype=float)
+    if values.ndim != 2 or min(values.shape) < 2:
+        raise Error(f"values: a table of two dimensions is needed, this has the shape {values.shape}")
+    rows, columns = values.shape
+    u, v = numpy.meshgrid((numpy.arange(columns) + 0.5) / columns, (numpy.arange(rows) + 0.5) / rows)
+    points = numpy.stack([u, v, height * values / max(float(numpy.abs(values).max()), 1e-30)], axis=-1)
+    plotter = plotter or pyvista.Plotter()
+    plotter.add_mesh(_grid(pyvista, points, {title or "value": values}), scalars=title or "value",
+                     cmap="viridis")
+    plotter.show_bounds(xtitle="u", ytitle="v", ztitle=f"{height:g} value / peak", location="outer")
+    plotter.camera_position = [(1.9, -2.2, 1.6), (0.5, 0.5, 0.15), (0, 0, 1)]
+    return plotter
+
+
+def shadow(groom, light=(0.5, 1, 0.6), *, method="deep_opacity", cells=40, alpha=0.4, plotter=None):
+    """Transmittance of a light through a groom as a volume over its bounds."""
+    from . import shadows
+    pyvista = _pyvista()
+    lower, upper = groom.positions.min(axis=0), groom.positions.max(axis=0)
+    step = float((upper - lower).max()) / cells
+    size = numpy.maximum(2, numpy.ceil((upper - lower) / step).astype(int) + 1)
+    grid = pyvista.ImageData(dimensions=tuple(int(n) for n in size), spacing=(step,) * 3, origin=tuple(float(x) for x in lower))
+    points = numpy.ascontiguousarray(grid.points, dtype=numpy.float32)
+    grid["transmittance"] = numpy.asarray(shadows.transmittance(groom, light, points, method, alpha=alpha))
+    plotter = plotter or pyvista.Plotter()
+    plotter.add_volume(grid, scalars="transmittance", cmap="viridis", opacity=[0.6, 0.3, 0.1, 0.0],
+                       scalar_bar_args={"title": f"transmittance ({method})"})
+    plotter.camera_position = "xy"
+    return plotter

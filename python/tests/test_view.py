@@ -1,0 +1,32 @@
+"""cuticle.view: surfaces as eval says, and a clear error where PyVista is missing."""
+import importlib.util
+import sys
+
+import cuticle
+import cuticle.view
+import numpy
+import pytest
+
+HAS_PYVISTA = importlib.util.find_spec("pyvista") is not None
+
+
+def test_LobeSurface_Radius_IsWhatEvalSays():
+    points, values, peak = cuticle.view.lobe_surface("marschner", "TT", theta_i_deg=40, log=False, rows=19, columns=37)
+    expected = cuticle.eval("marschner", "S", "TT", theta_i_deg=40, theta_o_deg=-40, phi_deg=170).mean()
+    assert values[5, 35] == pytest.approx(expected, rel=0.03)
+    assert numpy.linalg.norm(points[5, 35]) == pytest.approx(min(values[5, 35] / peak, 1))
+    assert points[5, 35, 2] == pytest.approx(numpy.linalg.norm(points[5, 35]) * numpy.sin(numpy.radians(-40)))
+
+
+def test_Lobes_WithoutPyVista_SayHowToGetIt(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyvista", None)
+    with pytest.raises(cuticle.Error, match="PyVista") as caught:
+        cuticle.view.lobes()
+    assert caught.value.kind == "no_device" and "pip install" in caught.value.hint
+
+
+@pytest.mark.skipif(not HAS_PYVISTA, reason="PyVista is not installed")
+def test_Lobes_TwoModels_AreTwoViews():
+    plotter = cuticle.view.lobes(["marschner", "chiang"], theta_i_deg=40)
+    assert plotter.shape == (1, 2)
+    assert len(plotter.renderers[0].actors) >= 5

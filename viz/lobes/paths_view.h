@@ -1,0 +1,31 @@
+#pragma once
+// The view of rays through a cross-section. Private to viz.
+#include <optional>
+
+#include "viz/draw/detail/plot.h"
+#include "viz/lobes/paths.h"
+#include "viz/window/detail/view.h"
+
+namespace cuticle::viz {
+
+class PathsPicture : public View {
+ public:
+  explicit PathsPicture(PathsView view) : view_(view) {}
+  std::string title() const override { return "cuticle view paths"; }
+  Result<void> fill(const WindowArea& area) override;
+  std::vector<Control> controls() override;
+  void turn(double degrees) override;
+  Result<void> write_files(const std::string& folder) override { return write_paths(view_, folder); }
+
+ private:
+  void update();
+  PlotContent section() const;
+  PlotContent azimuths() const;
+  Control control(const std::string& name, const std::string& unit, double lower, double upper, double& value,
+                  double unit_value);
+
+  PathsView view_;
+  std::optional<Plot> section_, azimuths_;
+};
+
+}  // namespace cuticle::viz
