@@ -45,9 +45,18 @@ Result<void> store_as(TableSet& set, const Format& format) {
   return {};
 }
 
+namespace {
+
+/// From the first texel's centre, in texels; NaN becomes the last texel, since fmin leaves it out.
+double texels_along(double coordinate, int texels) {
+  return std::fmax(0.0, std::fmin(coordinate * texels - 0.5, texels - 1.0));
+}
+
+}  // namespace
+
 double sample(const Image& image, int channel, double u, double v) {
   const int width = image.width, height = image.height;
-  const double x = std::clamp(u * width - 0.5, 0.0, width - 1.0), y = std::clamp(v * height - 0.5, 0.0, height - 1.0);
+  const double x = texels_along(u, width), y = texels_along(v, height);
   const int x0 = int(x), y0 = int(y), x1 = std::min(x0 + 1, width - 1), y1 = std::min(y0 + 1, height - 1);
   const auto row = [&](int j) {
     const double left = double(image.at(x0, j, channel));

@@ -154,7 +154,8 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
                    const Channel& channel, double u, double v);
 struct Format;  ///< how a file holds the numbers, lut/format.h
 struct Target;  ///< an engine's own files, lut/target.h
-/// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge.
+/// The value (stored times scale) at texture coordinates, filtered as an engine does: bilinear, clamped to the edge. A
+/// coordinate that is NaN reads the last texel.
 double sample(const Table& table, int channel, double u, double v);
 /// The same for a level's stored numbers, without the scale.
 double sample(const Image& image, int channel, double u, double v);

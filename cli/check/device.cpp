@@ -1,9 +1,10 @@
 #include <algorithm>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include "cli/check/check.h"
+#include "core/file.h"
+#include "core/instruction_set.h"
 #include "core/json/json.h"
 #include "tests/hard_cases/hard_case_runner.h"
 #ifdef CUTICLE_HAS_GPU
@@ -51,21 +52,33 @@ Result<Found> find_device(const Context& context) {
 Result<Found> find_device(const Context&) { return Found{}; }
 #endif
 
-const Verdict* find(const std::vector<Verdict>& verdicts, const std::string& id, Precision precision) {
-  for (const Verdict& verdict : verdicts)
-    if (verdict.id == id && verdict.precision == precision) return &verdict;
-  return nullptr;
-}
-
-const char* word(State state) { return state == State::passed ? "pass" : state == State::failed ? "FAIL" : "-"; }
-
-std::string cell(const std::vector<Verdict>& verdicts, const std::string& id, Precision precision) {
-  const Verdict* verdict = find(verdicts, id, precision);
-  return verdict != nullptr ? word(verdict->state) : "-";
-}
-
 std::size_t count(const std::vector<Verdict>& verdicts, State state) {
   return std::size_t(std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v.state == state; }));
+}
+
+/// What the cases of one family gave, over all precisions.
+struct Family {
+  std::string name;
+  std::size_t passed = 0, failed = 0, not_finite = 0;
+  const Verdict *worst = nullptr, *slowest = nullptr;
+};
+
+void add_to(Family& family, const Verdict& verdict) {
+  ++(verdict.state == State::passed ? family.passed : family.failed);
+  family.not_finite += verdict.not_finite;
+  if (family.worst == nullptr || verdict.used > family.worst->used) family.worst = &verdict;
+  if (family.slowest == nullptr || verdict.seconds > family.slowest->seconds) family.slowest = &verdict;
+}
+
+std::vector<Family> families_of(const std::vector<Verdict>& verdicts) {
+  std::vector<Family> families;
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.state == State::not_applicable) continue;
+    auto found = std::ranges::find(families, verdict.family, &Family::name);
+    if (found == families.end()) found = families.insert(found, Family{.name = verdict.family});
+    add_to(*found, verdict);
+  }
+  return families;
 }
 
 void print_facts(const Found& found) {
@@ -76,37 +89,60 @@ void print_facts(const Found& found) {
   for (const auto& [name, value] : found.chosen.items()) fmt::print("  {:<26} {}\n", name, value.dump());
 }
 
+std::string named(const Verdict& verdict) { return fmt::format("{} ({})", verdict.id, name_of(verdict.precision)); }
+
 void print_verdicts(const std::vector<Verdict>& verdicts) {
-  fmt::print("{:<34} {:<9} {:>5} {:>5} {:>5}\n", "case", "subject", "f32", "f64", "gpu");
-  for (const Verdict& verdict : verdicts) {
-    if (verdict.precision == Precision::f64)
-      fmt::print("{:<34} {:<9} {:>5} {:>5} {:>5}\n", verdict.id, verdict.subject, cell(verdicts, verdict.id, Precision::f32),
-                 word(verdict.state), cell(verdicts, verdict.id, Precision::gpu));
-  }
+  fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {}\n", "family", "passed", "failed", "NaN", "largest share of an allowed error",
+             "slowest");
+  for (const Family& family : families_of(verdicts))
+    fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {:.2f} s, {}\n", family.name, family.passed, family.failed, family.not_finite,
+               family.worst->used > 0 ? fmt::format("{:.2f} of {}", family.worst->used, named(*family.worst)) : "-",
+               family.slowest->seconds, named(*family.slowest));
   for (const Verdict& verdict : verdicts)
-    if (verdict.state == State::failed)
-      fmt::print("{} in {}: {} ({})\n", verdict.id, name_of(verdict.precision), verdict.detail, verdict.why);
+    if (verdict.state == State::failed) fmt::print("{}: {} ({})\n", named(verdict), verdict.detail, verdict.why);
   fmt::print("{} passed, {} failed\n", count(verdicts, State::passed), count(verdicts, State::failed));
 }
 
-Json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
-  Json cases = Json::list();
-  for (const Verdict& verdict : verdicts) {
-    if (verdict.state == State::not_applicable) continue;
-    cases.push_back({{"id", verdict.id}, {"subject", verdict.subject}, {"why", verdict.why},
-                     {"precision", name_of(verdict.precision)}, {"passed", verdict.state == State::passed}, {"detail", verdict.detail}});
-  }
-  return {{"devices", found.devices}, {"chosen", found.chosen}, {"passed", count(verdicts, State::passed)},
-          {"failed", count(verdicts, State::failed)}, {"cases", cases}};
+Json to_json(const Family& family) {
+  return {{"family", family.name}, {"passed", family.passed}, {"failed", family.failed}, {"not_finite", family.not_finite},
+          {"largest_used", family.worst->used}, {"largest_used_by", named(*family.worst)},
+          {"slowest_seconds", family.slowest->seconds}, {"slowest", named(*family.slowest)}};
 }
 
-int check_device(const std::string& subject, Context& context) {
+Json to_json(const Verdict& verdict) {
+  return {{"id", verdict.id}, {"family", verdict.family}, {"subject", verdict.subject}, {"why", verdict.why},
+          {"source", verdict.source}, {"precision", name_of(verdict.precision)}, {"passed", verdict.state == State::passed},
+          {"detail", verdict.detail}, {"used", verdict.used}, {"seconds", verdict.seconds}};
+}
+
+/// The certificate: which machine, driver and build, and what every case gave there.
+Json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
+  Json families = Json::list(), cases = Json::list();
+  for (const Family& family : families_of(verdicts)) families.push_back(to_json(family));
+  for (const Verdict& verdict : verdicts)
+    if (verdict.state != State::not_applicable) cases.push_back(to_json(verdict));
+  const Json build = {{"version", CUTICLE_VERSION}, {"compiler", __VERSION__}, {"instruction_set", name_of(widest(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512))}};
+  return {{"build", build}, {"devices", found.devices}, {"chosen", found.chosen}, {"passed", count(verdicts, State::passed)},
+          {"failed", count(verdicts, State::failed)}, {"families", families}, {"cases", cases}};
+}
+
+struct DeviceOptions {
+  hard_cases::Choice choice;
+  std::string certificate;
+};
+
+int check_device(const DeviceOptions& options, Context& context) {
   const Result<Found> found = find_device(context);
   if (!found) return report(found.error());
-  const auto verdicts = hard_cases::run_hard_cases(subject, found->device, *context.progress);
+  const auto verdicts = hard_cases::run_hard_cases(options.choice, found->device, *context.progress);
   if (!verdicts) return report(verdicts.error());
+  const Json certificate = to_json(*found, *verdicts);
+  if (!options.certificate.empty()) {
+    const auto written = write_text_file(options.certificate, certificate.dump(1) + "\n");
+    if (!written) return report(written.error());
+  }
   if (context.json) {
-    fmt::print("{}\n", to_json(*found, *verdicts).dump(2));
+    fmt::print("{}\n", certificate.dump(2));
   } else {
     print_facts(*found);
     print_verdicts(*verdicts);
@@ -118,9 +154,11 @@ int check_device(const std::string& subject, Context& context) {
 
 void add_check_device(CLI::App& check, Context& context) {
   auto* command = check.add_subcommand("device", "show what Vulkan offers, and run the hard cases in float, double and on the device");
-  auto subject = std::make_shared<std::string>();
-  command->add_option("--subject", *subject, "only the cases about function, model, lut, strands, shadow or motion");
-  command->callback([&context, subject] { context.action = [&context, subject] { return check_device(*subject, context); }; });
+  auto options = std::make_shared<DeviceOptions>();
+  command->add_option("--family", options->choice.family, "only the cases of one family, such as functions, marschner or drawing");
+  command->add_flag("--full", options->choice.full, "run the cases that take seconds too");
+  command->add_option("--certificate", options->certificate, "write machine, driver, build and every result to this JSON file");
+  command->callback([&context, options] { context.action = [&context, options] { return check_device(*options, context); }; });
 }
 
 }  // namespace cuticle::cli

@@ -14,7 +14,8 @@ namespace cuticle::strands {
 namespace {
 
 // Radii beyond these are no animal's fibre: many files hold a thickness for pictures, not for physics.
-constexpr double k_least_radius = 2e-6, k_greatest_radius = 5e-4;
+// As floats, as files hold them: 5e-4 itself is allowed.
+constexpr double k_least_radius = double(2e-6f), k_greatest_radius = double(5e-4f);
 
 Result<ParsedGroom> parse_file(const std::string& path, Damage damage) {
   CUTICLE_ASSIGN(const Format* format, format_of(path));
@@ -73,7 +74,7 @@ void apply_radius(GroomFile& file, const ReadOptions& options) {
   std::fill(radii.begin(), radii.end(), k_default_radius);
   const std::string reason = greatest == 0
                                  ? "the file gives no thickness"
-                                 : fmt::format("the file's thickness means a radius of {:.3g} m, not in {} .. {}",
+                                 : fmt::format("the file's thickness means a radius of {:.3g} m, not in {:.3g} .. {:.3g}",
                                                greatest, k_least_radius, k_greatest_radius);
   file.notes.push_back(fmt::format("{}: radius taken as {:.3g} m", reason, double(k_default_radius)));
 }

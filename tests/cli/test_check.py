@@ -8,7 +8,7 @@ from program import ROOT, refused, run
 
 @pytest.fixture(scope="module")
 def report():
-    done = run("check", "device", "--subject", "strands", "--json", "--device", "cpu")
+    done = run("check", "device", "--family", "strands", "--json", "--device", "cpu")
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 
@@ -23,8 +23,22 @@ def test_Device_Cases_AreThoseOfTheSubjectOnTheProcessorAndTheDevice(report):
     assert {case["subject"] for case in report["cases"]} == {"strands"}
 
 
-def test_Device_SubjectThatNoCaseHas_IsAUsageError():
-    assert "nonsense" in refused(2, "check", "device", "--subject", "nonsense", "--device", "cpu")
+def test_Device_Families_SayTheWorstTheSlowestAndHowManyNaN(report):
+    family, = report["families"]
+    assert family["family"] == "strands" and family["not_finite"] == 0 and family["failed"] == 0
+    assert 0 < family["largest_used"] <= 1 and family["slowest_seconds"] > 0
+
+
+def test_Device_Certificate_NamesMachineAndBuild(tmp_path):
+    path = tmp_path / "certificate.json"
+    done = run("check", "device", "--family", "functions", "--device", "cpu", "--certificate", path)
+    assert done.returncode == 0 and "functions" in done.stdout
+    certificate = json.loads(path.read_text())
+    assert certificate["chosen"]["driver"] and certificate["build"]["compiler"] and certificate["build"]["version"]
+
+
+def test_Device_FamilyThatNoCaseHas_IsAUsageError():
+    assert "nonsense" in refused(2, "check", "device", "--family", "nonsense", "--device", "cpu")
 
 
 def test_Device_ThatIsNotThere_IsExitCodeFour():

@@ -1,6 +1,6 @@
 #pragma once
-// The catalogue of hard cases (hard_cases.json, compiled in) and its runner: places where hair code is known to break, each with
-// what must hold there, through the public interfaces, in float, double and on the device.
+// Runs the catalogue of hard cases: places where hair code is known to break, each with what must hold there, through
+// the public interfaces, in float, double and on the device.
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,19 +22,29 @@ enum class State { passed, failed, not_applicable };
 
 /// What one case gave in one precision.
 struct Verdict {
-  std::string id, subject, why;  ///< of the case; `why` says what makes it hard
+  std::string id, family, subject;
+  std::string why, source;  ///< of the case: what makes it hard, and where that is described
   Precision precision = Precision::f64;
   State state = State::not_applicable;
-  std::string detail;            ///< what failed: the number, and what was allowed
+  std::string detail;          ///< what failed: the number, and what was allowed
+  double used = 0;             ///< the largest share of an allowed error that was used
+  std::size_t not_finite = 0;  ///< values that are infinite or NaN
+  double seconds = 0;
 };
 
-/// Runs every case in f32 and f64, and on `device` unless it is null. Values must be finite; beyond that each case names a reference
-/// value (mpmath, reference_values.py) with a tolerance per precision, bounds, agreement with f64, or the error that must come.
-/// `subject`: only the cases about it; empty: all. Errors: usage for a subject that no case has; internal, when the catalogue itself
-/// cannot be read.
-Result<std::vector<Verdict>> run_hard_cases(const std::string& subject, const std::shared_ptr<gpu::Device>& device, Progress& progress);
+/// Which cases run.
+struct Choice {
+  std::string family = {};  ///< of these alone; empty: of all
+  bool full = false;        ///< those that take seconds too
+};
 
-/// As run_hard_cases, on a catalogue given as JSON text.
-Result<std::vector<Verdict>> run_catalogue(const std::string& json, const std::shared_ptr<gpu::Device>& device, Progress& progress);
+/// Runs the cases in f32 and f64, and on `device` unless it is null. Values must be finite; beyond that each case names
+/// a reference value (mpmath, reference_values.py) with a tolerance per precision, bounds, agreement with f64, or the
+/// error that must come. Errors: usage for a family that no case has; internal, when the catalogue cannot be read.
+Result<std::vector<Verdict>> run_hard_cases(const Choice& choice, const std::shared_ptr<gpu::Device>& device,
+                                            Progress& progress);
+
+/// As run_hard_cases, on one document given as JSON text (catalogue.h).
+Result<std::vector<Verdict>> run_document(const std::string& json, const std::shared_ptr<gpu::Device>& device, Progress& progress);
 
 }  // namespace cuticle::hard_cases

@@ -1,9 +1,12 @@
 // The whole catalogue in every precision, and the runner itself on small catalogues with a known verdict.
+#include <cstdlib>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/hard_cases/catalogue.h"
 #include "tests/hard_cases/hard_case_runner.h"
 #ifdef CUTICLE_HAS_GPU
 #include "gpu/device.h"
@@ -24,9 +27,9 @@ std::shared_ptr<gpu::Device> device() {
 #endif
 }
 
-/// Run once for all tests.
+/// Run once for all tests; with the sweeps (scripts/test.sh --full), the cases that take seconds too.
 const std::vector<Verdict>& verdicts() {
-  static const std::vector<Verdict> all = run_hard_cases("", device(), silent_progress()).value();
+  static const std::vector<Verdict> all = run_hard_cases({.full = std::getenv("CUTICLE_SWEEPS") != nullptr}, device(), silent_progress()).value();
   return all;
 }
 
@@ -35,24 +38,33 @@ TEST(HardCases, EveryCaseInEveryPrecision_Holds) {
     EXPECT_NE(verdict.state, State::failed) << verdict.id << " in " << name_of(verdict.precision) << ": " << verdict.detail;
 }
 
-TEST(HardCases, Catalogue_HoldsAtLeastFortyCasesUnderNamesOfTheirOwn) {
+TEST(HardCases, Catalogue_HoldsCasesUnderNamesOfTheirOwnWithTheirSources) {
+  const std::vector<Case> cases = all_cases().value();
   std::multiset<std::string> ids;
-  for (const Verdict& verdict : verdicts())
-    if (verdict.precision == Precision::f32) ids.insert(verdict.id);
-  EXPECT_GE(ids.size(), 40u);
+  std::map<std::string, int> of_family;
+  for (const Case& item : cases) {
+    ids.insert(item.id);
+    ++of_family[item.family];
+    EXPECT_FALSE(item.why.empty() || item.source.empty()) << item.id;
+  }
+  EXPECT_GE(ids.size(), 400u);
+  EXPECT_GE(of_family["drawing"], 60);
+  EXPECT_GE(of_family["motion"], 60);
   for (const std::string& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;
 }
 
-TEST(HardCases, OfOneSubject_AreThoseOfTheCatalogue) {
-  const std::vector<Verdict> chosen = run_hard_cases("function", nullptr, silent_progress()).value();
-  for (const Verdict& verdict : chosen) EXPECT_EQ(verdict.subject, "function");
-  EXPECT_EQ(run_hard_cases("nonsense", nullptr, silent_progress()).error().kind, ErrorKind::usage);
+TEST(HardCases, OfOneFamily_AreThoseOfTheCatalogue) {
+  const std::vector<Verdict> chosen = run_hard_cases({.family = "functions"}, nullptr, silent_progress()).value();
+  for (const Verdict& verdict : chosen) EXPECT_EQ(verdict.family, "functions");
+  const auto refused = run_hard_cases({.family = "nonsense"}, nullptr, silent_progress());
+  EXPECT_EQ(refused.error().kind, ErrorKind::usage);
+  EXPECT_THAT(refused.error().hint, HasSubstr("functions, "));
 }
 
 Verdict verdict_of(const std::string& expect) {
   const std::string text = R"({"cases": [{"id": "x", "subject": "function", "why": "a test", "inputs": {"function": "exp", "x": 1},
     "expect": )" + expect + "}]}";
-  return run_catalogue(text, nullptr, silent_progress()).value().front();
+  return run_document(text, nullptr, silent_progress()).value().front();
 }
 
 TEST(HardCaseRunner, ValueWithinTolerance_Passes) {
@@ -65,19 +77,25 @@ TEST(HardCaseRunner, ValueOutsideTolerance_FailsAndSaysBoth) {
   EXPECT_THAT(verdict.detail, HasSubstr("2.7182818"));
 }
 
+TEST(HardCaseRunner, ValueOffByHalfOfWhatIsAllowed_UsesHalf) {
+  EXPECT_NEAR(verdict_of(R"({"value": 2.718281828459045, "absolute": 0, "relative": 1})").used, 0, 1e-12);
+  EXPECT_NEAR(verdict_of(R"({"value": 2.218281828459045, "absolute": 1})").used, 0.5, 1e-12);
+}
+
 TEST(HardCaseRunner, ValueOutsideBounds_Fails) { EXPECT_EQ(verdict_of(R"({"bounds": [0, 1]})").state, State::failed); }
 
 TEST(HardCaseRunner, ErrorThatDoesNotCome_Fails) { EXPECT_EQ(verdict_of(R"({"error": "bad_input"})").state, State::failed); }
 
 TEST(HardCaseRunner, NotANumber_Fails) {
-  const auto verdicts = run_catalogue(R"({"cases": [{"id": "x", "subject": "function", "why": "a test",
+  const auto verdicts = run_document(R"({"cases": [{"id": "x", "subject": "function", "why": "a test",
     "inputs": {"function": "sin", "x": "nan"}, "expect": {}}]})", nullptr, silent_progress()).value();
   EXPECT_EQ(verdicts.front().state, State::failed);
+  EXPECT_EQ(verdicts.front().not_finite, 1u);
 }
 
 TEST(HardCaseRunner, BrokenCatalogue_IsAnError) {
-  EXPECT_FALSE(run_catalogue("{", nullptr, silent_progress()));
-  EXPECT_FALSE(run_catalogue(R"({"cases": [{"id": "x"}]})", nullptr, silent_progress()));
+  EXPECT_FALSE(run_document("{", nullptr, silent_progress()));
+  EXPECT_FALSE(run_document(R"({"cases": [{"id": "x"}]})", nullptr, silent_progress()));
 }
 
 }  // namespace

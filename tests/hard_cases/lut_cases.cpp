@@ -1,4 +1,5 @@
 // Tables: {"model", "set", "layout", "size", "table", "channel"} sampled at every combination of "u" and "v".
+// "format": how the f32 values are stored, "exr" unless given.
 
 #include "core/json/json.h"
 #include "lut/format.h"
@@ -53,10 +54,11 @@ Result<lut::TableSet> baked(const Json& inputs) {
 
 }  // namespace
 
-/// As written to EXR: rounded to half.
+/// As the file stores it: to EXR, rounded to half.
 Result<Values> run_lut_stored(const Json& inputs, GpuSession*) {
   CUTICLE_ASSIGN(lut::TableSet set, baked(inputs));
-  CUTICLE_TRY(lut::certify(set, lut::half_exr(), silent_progress()));
+  CUTICLE_ASSIGN(const lut::Format* format, lut::find_format(inputs.value("format", std::string("exr"))));
+  CUTICLE_TRY(lut::store_as(set, *format));
   return sampled(set, inputs);
 }
 

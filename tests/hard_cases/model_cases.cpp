@@ -1,9 +1,8 @@
 // Fibre models: {"model", "set", "quantity", "lobe"} at every combination of the angles (degrees) and h given. The quantity "sample" draws a
 // direction for each by every number of "u", used for all eight: density and weight.
-#include <numbers>
-
 #include "bsdf/model.h"
 #include "core/json/json.h"
+#include "tests/hard_cases/model_points.h"
 #include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
 #include "tests/hard_cases/gpu_session.h"
@@ -20,31 +19,6 @@ struct Batch {
   std::vector<bsdf::Point> points;
   bsdf::Request request() const { return {quantity, lobe, points}; }
 };
-
-/// Every point so far, once for each number of the input.
-void spread(std::vector<bsdf::Point>& points, const Json& inputs, const char* key, double bsdf::Point::*member,
-            double unit) {
-  if (!inputs.contains(key)) return;
-  std::vector<bsdf::Point> all;
-  for (const bsdf::Point& point : points)
-    for (double value : numbers(inputs.at(key))) {
-      all.push_back(point);
-      all.back().*member = value * unit;
-    }
-  points = std::move(all);
-}
-
-std::vector<bsdf::Point> points_from(const Json& inputs) {
-  constexpr double degree = std::numbers::pi / 180;
-  std::vector<bsdf::Point> points(1);
-  spread(points, inputs, "theta_i_deg", &bsdf::Point::theta_i, degree);
-  spread(points, inputs, "theta_o_deg", &bsdf::Point::theta_o, degree);
-  spread(points, inputs, "theta_d_deg", &bsdf::Point::theta_d, degree);
-  spread(points, inputs, "phi_deg", &bsdf::Point::phi, degree);
-  spread(points, inputs, "h", &bsdf::Point::h, 1);
-  spread(points, inputs, "phi_o_deg", &bsdf::Point::phi_o, degree);
-  return points;
-}
 
 bool is_sample(const Json& inputs) { return inputs.at("quantity") == "sample"; }
 

@@ -1,4 +1,4 @@
-// Every solver, one after the other: {"groom", "solver": {name: settings}, "effects": {name: settings}, "colliders":
+// Every solver, or those of "solvers", one after the other: {"groom", "solver": {name: settings}, "effects": {name: settings}, "colliders":
 // [[x, y, z, radius]], "frames", "measure"}. A frame: {"duration", "turn_deg" about y, "move", "teleport", "repeat"}.
 // Measures: "stretch", "head_distance", "speed".
 #include <numbers>
@@ -28,7 +28,12 @@ Result<registry::ParameterValues> values_of(const std::string& effect, const std
   return registry::parse_assignments(entry->entry.parameters, settings);
 }
 
-constexpr std::string_view k_solvers[] = {"classic", "exact", "rod"};
+/// Not every effect acts on every solver.
+std::vector<std::string> solvers_of(const Json& inputs) {
+  std::vector<std::string> names;
+  for (const Json& name : inputs.value("solvers", Json::list({"classic", "exact", "rod"}))) names.push_back(name.text());
+  return names;
+}
 
 Result<Setting> setting_from(const Json& inputs, std::string_view solver) {
   Setting setting;
@@ -95,7 +100,7 @@ Result<void> run(sim::Solver& solver, const strands::Groom& rest, const Json& in
 
 Result<Values> run_motion_f32(const Json& inputs, GpuSession*) {
   Values values;
-  for (std::string_view name : k_solvers) {
+  for (const std::string& name : solvers_of(inputs)) {
     CUTICLE_ASSIGN(const Setting setting, setting_from(inputs, name));
     CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
     CUTICLE_ASSIGN(const std::unique_ptr<sim::Solver> solver,
@@ -108,7 +113,7 @@ Result<Values> run_motion_f32(const Json& inputs, GpuSession*) {
 #ifdef CUTICLE_HAS_GPU
 Result<Values> run_motion_gpu(const Json& inputs, GpuSession* session) {
   Values values;
-  for (std::string_view name : k_solvers) {
+  for (const std::string& name : solvers_of(inputs)) {
     CUTICLE_ASSIGN(const Setting setting, setting_from(inputs, name));
     CUTICLE_ASSIGN(const sim::GpuEffect* effect, sim::find_gpu_effect(name));
     CUTICLE_ASSIGN(const std::unique_ptr<sim::GpuSolver> solver,

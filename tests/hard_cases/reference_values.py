@@ -1,4 +1,4 @@
-"""Fills the reference values of hard_cases.json ("expect": {"reference": "mpmath"}) in 40 digits. Run by hand.
+"""Fills the reference values of catalogue/*.json ("expect": {"reference": "mpmath"}) in 40 digits. Run by hand.
 
 Written from the papers, apart from the C++: Fresnel's equations at the true angle of incidence on an inclined cylinder, roots of
 phi(p, h) = phi by bisection, M of d'Eon et al. 2011, equation 7. Only grey fibres and single points have references.
@@ -9,7 +9,7 @@ import pathlib
 import mpmath as mp
 
 mp.mp.dps = 40
-FILE = pathlib.Path(__file__).with_name("hard_cases.json")
+CATALOGUE = pathlib.Path(__file__).with_name("catalogue")
 LOBES = {"R": 0, "TT": 1, "TRT": 2}
 DEFAULTS = {"eta": "1.55", "sigma_a": "0.2", "beta": "0.2617993877991494", "alpha": "-0.1308996938995747"}
 
@@ -95,13 +95,25 @@ def reference(case):
     return model_value(inputs)
 
 
+def listed(items):
+    return ",\n".join("  " + item for item in items)
+
+
+def write(path, document):
+    lines = [f'{{"family": {json.dumps(document["family"])}, "source": {json.dumps(document["source"])},']
+    if "grooms" in document:
+        grooms = listed(f"{json.dumps(name)}: {json.dumps(groom)}" for name, groom in document["grooms"].items())
+        lines += [' "grooms": {', grooms + "},"]
+    path.write_text("\n".join([*lines, ' "cases": [', listed(map(json.dumps, document["cases"])), "]}"]) + "\n")
+
+
 def main():
-    catalogue = json.loads(FILE.read_text())
-    for case in catalogue["cases"]:
-        if case["expect"].get("reference") == "mpmath":
-            case["expect"]["value"] = float(reference(case))
-    lines = ",\n".join("  " + json.dumps(case) for case in catalogue["cases"])
-    FILE.write_text('{"cases": [\n' + lines + "\n]}\n")
+    for path in sorted(CATALOGUE.glob("*.json")):
+        document = json.loads(path.read_text())
+        for case in document["cases"]:
+            if case["expect"].get("reference") == "mpmath":
+                case["expect"]["value"] = float(reference(case))
+        write(path, document)
 
 
 if __name__ == "__main__":

@@ -40,6 +40,9 @@ Result<Values> run_motion_f32(const Json& inputs, GpuSession* session);
 Result<Values> run_motion_gpu(const Json& inputs, GpuSession* session);
 Result<Values> run_strands_f32(const Json& inputs, GpuSession* session);
 Result<Values> run_strands_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_drawing_f32(const Json& inputs, GpuSession* session);
+Result<Values> run_drawing_gpu(const Json& inputs, GpuSession* session);
+Result<Values> run_fit_f64(const Json& inputs, GpuSession* session);
 
 /// A number, a list of numbers, or {"from", "to", "count"}; "nan", "inf" and "-inf" are numbers here.
 std::vector<double> numbers(const Json& value);

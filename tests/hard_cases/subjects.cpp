@@ -5,6 +5,11 @@
 #else
 #define ON_GPU(run) nullptr
 #endif
+#ifdef CUTICLE_HAS_EMBREE
+#define WITH_EMBREE(run) run
+#else
+#define WITH_EMBREE(run) nullptr
+#endif
 
 namespace cuticle::hard_cases {
 
@@ -16,6 +21,8 @@ std::span<const Subject> subjects() {
       {"shadow", {run_shadow_f32, nullptr, ON_GPU(run_shadow_gpu)}},
       {"motion", {run_motion_f32, nullptr, ON_GPU(run_motion_gpu)}},
       {"strands", {run_strands_f32, nullptr, ON_GPU(run_strands_gpu)}},
+      {"drawing", {WITH_EMBREE(run_drawing_f32), nullptr, ON_GPU(run_drawing_gpu)}},
+      {"fit", {nullptr, run_fit_f64, nullptr}},
   };
   return table;
 }
