@@ -11,6 +11,14 @@ namespace {
 using registry::Fact;
 using registry::Stage;
 
+bool demands(const registry::Entry& entry, std::string_view fact) {
+  return std::ranges::find(entry.demands, fact) != entry.demands.end();
+}
+
+/// Light is asked for on the side of a strand that the camera sees (docs/conventions.md, "Transmittance"); the passes
+/// of the stage write into the same transmittance, one after the other.
+bool receives_by_view(const registry::Entry& entry) { return entry.stage == Stage::shadow; }
+
 /// The facts of the frame that this pass waits for, each with what it is called there.
 std::vector<std::pair<std::string_view, const Fact*>> waits_for(const registry::Entry& entry,
                                                                 const FrameMeasures& measures) {
@@ -22,9 +30,9 @@ std::vector<std::pair<std::string_view, const Fact*>> waits_for(const registry::
   std::vector<std::pair<std::string_view, const Fact*>> facts;
   if (needs_hair(entry)) facts.emplace_back("hair_seen", &measures.hair_seen);
   const bool made_of_hair = entry.stage == Stage::generate || entry.stage == Stage::shadow;
-  const bool of_surfaces_too = std::ranges::find(entry.demands, "surfaces") != entry.demands.end();
-  if (made_of_hair && !(of_surfaces_too && measures.surfaces_changed.holds))
-    facts.emplace_back("hair_changed", &measures.hair_changed);
+  const bool else_changed = (demands(entry, "surfaces") && measures.surfaces_changed.holds) ||
+                            (receives_by_view(entry) && measures.view_changed.holds);
+  if (made_of_hair && !else_changed) facts.emplace_back("hair_changed", &measures.hair_changed);
   return facts;
 }
 
@@ -48,7 +56,7 @@ FramePass judge(const PlannedPass& pass, const FrameMeasures& measures) {
 
 bool needs_hair(const registry::Entry& entry) {
   if (entry.stage == Stage::generate || entry.stage == Stage::shadow) return true;
-  return std::ranges::find(entry.demands, "strands") != entry.demands.end() && entry.stage != Stage::prepare;
+  return demands(entry, "strands") && entry.stage != Stage::prepare;
 }
 
 bool FramePlan::runs(std::string_view pass) const {

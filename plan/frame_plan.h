@@ -33,7 +33,8 @@ struct FramePlan {
 /// The passes of the plan, which must outlive the result, that a frame runs:
 /// - in the stage `simulate` where hair is awake, "colliders" where one is in reach;
 /// - of the picture none where neither hair, surfaces nor view changed;
-/// - those that need hair where it is seen; of these the stages up to `shadow` where hair changed.
+/// - those that need hair where it is seen; of these the stages up to `shadow` where hair changed, and the stage
+///   `shadow` where the view changed: it lights the side of a strand that is seen.
 FramePlan plan_frame(const Plan& plan, int frame, const FrameMeasures& measures);
 
 /// Whether a pass makes, shadows or draws hair, so that it has nothing to do where none is seen.

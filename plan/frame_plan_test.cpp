@@ -53,13 +53,13 @@ TEST(FramePlan, NothingChanged_PaintsNothing) {
   EXPECT_FALSE(frame.paints());
 }
 
-TEST(FramePlan, CameraAloneMoves_KeepsStrandsAndShadows) {
+TEST(FramePlan, CameraAloneMoves_KeepsStrands) {
   const Plan plan = full_plan();
   FrameMeasures measures = all_holds();
   measures.hair_changed = measures.surfaces_changed = {false, "as it was"};
   EXPECT_THAT(running(plan_frame(plan, 3, measures)),
-              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "head", "cull_strands", "lines",
-                                   "resolve"));
+              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "opacity_map", "head",
+                                   "cull_strands", "lines", "resolve"));
 }
 
 TEST(FramePlan, HairOutOfView_DrawsSurfacesAlone) {

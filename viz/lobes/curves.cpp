@@ -7,13 +7,10 @@
 #include <fmt/format.h>
 
 #include "lut/cell_average.h"
+#include "viz/lobes/numbers.h"
 
 namespace cuticle::viz {
 namespace {
-
-constexpr double k_degree = std::numbers::pi / 180;
-
-double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
 Result<std::vector<double>> values_of(const ShownModel& shown, bsdf::Quantity quantity, int lobe,
                                       std::span<const bsdf::Point> points) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "viz/color/ramp.h"
+#include "viz/lobes/numbers.h"
 #include "viz/lobes/surface.h"
 
 namespace cuticle::viz::lobe_surface_test {
@@ -14,8 +15,6 @@ ShownModel shown_model(const char* name, const char* settings = "") {
   const bsdf::Model* model = bsdf::find_model(name).value();
   return {model, bsdf::parse_settings(*model, "", settings).value()};
 }
-
-double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
 double value_of(const ShownModel& shown, bsdf::Quantity quantity, int lobe, const bsdf::Point& point) {
   glm::dvec3 value;

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "viz/lobes/lobes_view.h"
+#include "viz/lobes/numbers.h"
 
 namespace cuticle::viz {
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180;
 constexpr const char* k_components[] = {".r", ".g", ".b"};
 
 /// Angles are shown in degrees.

@@ -9,10 +9,10 @@
 #include <vtkCamera.h>
 #include <glm/geometric.hpp>
 
+#include "viz/lobes/numbers.h"
+
 namespace cuticle::viz {
 namespace {
-
-constexpr double k_degree = std::numbers::pi / 180;
 
 std::vector<std::pair<std::string, glm::dvec3>> colored_names(const LobeValues& values, const std::string& shown) {
   std::vector<std::pair<std::string, glm::dvec3>> names;

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "viz/lobes/numbers.h"
 #include "viz/lobes/surface.h"
 
 namespace cuticle::viz {
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180;
 constexpr const char* k_lobes[] = {"R", "TT", "TRT"};
 const glm::dvec2 k_gap(std::numeric_limits<double>::quiet_NaN());
 

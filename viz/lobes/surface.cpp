@@ -11,11 +11,10 @@
 
 #include "lut/cell_average.h"
 #include "viz/color/ramp.h"
+#include "viz/lobes/numbers.h"
 
 namespace cuticle::viz {
 namespace {
-
-double mean(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
 /// Weights of the columns around one (their spread is 1.2 columns): a ridge one column wide would show the grid.
 constexpr std::array<double, 7> k_weights = {1.0 / 64, 6.0 / 64, 15.0 / 64, 20.0 / 64, 15.0 / 64, 6.0 / 64, 1.0 / 64};
