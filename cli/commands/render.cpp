@@ -155,13 +155,20 @@ Result<Costs> render(const RenderOptions& options, gpu::Device& device, plan::Fr
   return costs;
 }
 
-/// What the scene or an option asks for and this way of drawing strands does not do.
-void tell_left_out(const plan::Plan& plan, Progress& progress) {
+/// Whether the scene or an option asks for what this pass makes.
+bool asks_for(const scene::Scene& scene, const plan::Plan& plan, std::string_view pass) {
+  if (pass == "aovs") return scene.outputs.aovs;
+  if (pass == "velocity") return scene.passes.contains(pass);
+  const auto fact = plan.facts.find(pass);
+  return fact != plan.facts.end() && fact->second.holds;
+}
+
+/// What is asked for and this way of drawing strands does not do.
+void tell_left_out(const scene::Scene& scene, const plan::Plan& plan, Progress& progress) {
   for (const plan::LeftOut& left : plan.left_out)
-    for (const char* prefix : {"", "output_"})
-      if (const auto asked = plan.facts.find(prefix + std::string(left.entry->name));
-          asked != plan.facts.end() && asked->second.holds)
-        progress.message(fmt::format("{}: asked for, but left out: {}", left.entry->name, left.reason));
+    if (asks_for(scene, plan, left.entry->name))
+      progress.message(fmt::format("{}: asked for, but left out: {}; strands are drawn by '{}'", left.entry->name,
+                                   left.reason, scene.render_method));
 }
 
 /// One item of --match as a parameter of the pass 'reference'. Errors: usage.
@@ -239,7 +246,7 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
-  tell_left_out(runner->plan(), *context.progress);
+  tell_left_out(scene, runner->plan(), *context.progress);
   CUTICLE_ASSIGN(RunFolder folder, RunFolder::open(options.out));
   CUTICLE_ASSIGN(const Costs costs, render(options, *device, *runner, scene, *context.progress, frames, folder));
   if (context.json)

@@ -30,13 +30,14 @@ def _pyvista():
 
 
 def _averaged(model, lobe, set, theta, phi, **arguments):
-    """S as the mean over each column's azimuths, blended with its neighbours four times by 1:2:1."""
+    """S as the mean over each column's azimuths, blended with its neighbours by 1:2:1, so often that the spread is about four degrees."""
     parts = 4
     width = phi[0, 1] - phi[0, 0]
+    times = round(2 * (4 / width) ** 2)
     shifts = ((numpy.arange(parts) + 0.5) / parts - 0.5) * width
     values = _models.eval(model, "S", lobe, set, theta_o_deg=theta[..., None], phi_deg=phi[..., None] + shifts,
                           **arguments).mean(axis=(-2, -1))
-    for _ in range(4):
+    for _ in range(times):
         ring = values[:, :-1]
         blended = (numpy.roll(ring, 1, axis=1) + 2 * ring + numpy.roll(ring, -1, axis=1)) / 4
         values = numpy.concatenate([blended, blended[:, :1]], axis=1)

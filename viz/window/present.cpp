@@ -4,7 +4,7 @@
 #include <vtkNew.h>
 
 #include "viz/window/detail/interaction.h"
-#include "viz/window/open_window.h"
+#include "viz/window/detail/open_window.h"
 #include "viz/window/picture.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)

@@ -13,7 +13,7 @@
 #include "viz/lobes/lobes_view.h"
 #include "viz/strands/strands_view.h"
 #include "viz/window/detail/interaction.h"
-#include "viz/window/open_window.h"
+#include "viz/window/detail/open_window.h"
 
 namespace cuticle::viz::window_test {
 namespace {
