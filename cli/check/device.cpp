@@ -53,7 +53,8 @@ Result<Found> find_device(const Context&) { return Found{}; }
 #endif
 
 std::size_t count(const std::vector<Verdict>& verdicts, State state) {
-  return std::size_t(std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v.state == state; }));
+  return std::size_t(
+      std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v.state == state; }));
 }
 
 /// What the cases of one family gave, over all precisions.
@@ -92,10 +93,11 @@ void print_facts(const Found& found) {
 std::string named(const Verdict& verdict) { return fmt::format("{} ({})", verdict.id, name_of(verdict.precision)); }
 
 void print_verdicts(const std::vector<Verdict>& verdicts) {
-  fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {}\n", "family", "passed", "failed", "NaN", "largest share of an allowed error",
-             "slowest");
+  fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {}\n", "family", "passed", "failed", "NaN",
+             "largest share of an allowed error", "slowest");
   for (const Family& family : families_of(verdicts))
-    fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {:.2f} s, {}\n", family.name, family.passed, family.failed, family.not_finite,
+    fmt::print("{:<14} {:>6} {:>6} {:>4}  {:<56} {:.2f} s, {}\n", family.name, family.passed, family.failed,
+               family.not_finite,
                family.worst->used > 0 ? fmt::format("{:.2f} of {}", family.worst->used, named(*family.worst)) : "-",
                family.slowest->seconds, named(*family.slowest));
   for (const Verdict& verdict : verdicts)
@@ -104,15 +106,27 @@ void print_verdicts(const std::vector<Verdict>& verdicts) {
 }
 
 Json to_json(const Family& family) {
-  return {{"family", family.name}, {"passed", family.passed}, {"failed", family.failed}, {"not_finite", family.not_finite},
-          {"largest_used", family.worst->used}, {"largest_used_by", named(*family.worst)},
-          {"slowest_seconds", family.slowest->seconds}, {"slowest", named(*family.slowest)}};
+  return {{"family", family.name},
+          {"passed", family.passed},
+          {"failed", family.failed},
+          {"not_finite", family.not_finite},
+          {"largest_used", family.worst->used},
+          {"largest_used_by", named(*family.worst)},
+          {"slowest_seconds", family.slowest->seconds},
+          {"slowest", named(*family.slowest)}};
 }
 
 Json to_json(const Verdict& verdict) {
-  return {{"id", verdict.id}, {"family", verdict.family}, {"subject", verdict.subject}, {"why", verdict.why},
-          {"source", verdict.source}, {"precision", name_of(verdict.precision)}, {"passed", verdict.state == State::passed},
-          {"detail", verdict.detail}, {"used", verdict.used}, {"seconds", verdict.seconds}};
+  return {{"id", verdict.id},
+          {"family", verdict.family},
+          {"subject", verdict.subject},
+          {"why", verdict.why},
+          {"source", verdict.source},
+          {"precision", name_of(verdict.precision)},
+          {"passed", verdict.state == State::passed},
+          {"detail", verdict.detail},
+          {"used", verdict.used},
+          {"seconds", verdict.seconds}};
 }
 
 /// The certificate: which machine, driver and build, and what every case gave there.
@@ -121,9 +135,17 @@ Json to_json(const Found& found, const std::vector<Verdict>& verdicts) {
   for (const Family& family : families_of(verdicts)) families.push_back(to_json(family));
   for (const Verdict& verdict : verdicts)
     if (verdict.state != State::not_applicable) cases.push_back(to_json(verdict));
-  const Json build = {{"version", CUTICLE_VERSION}, {"compiler", __VERSION__}, {"instruction_set", name_of(widest(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512))}};
-  return {{"build", build}, {"devices", found.devices}, {"chosen", found.chosen}, {"passed", count(verdicts, State::passed)},
-          {"failed", count(verdicts, State::failed)}, {"families", families}, {"cases", cases}};
+  const Json build = {
+      {"version", CUTICLE_VERSION},
+      {"compiler", __VERSION__},
+      {"instruction_set", name_of(widest(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512))}};
+  return {{"build", build},
+          {"devices", found.devices},
+          {"chosen", found.chosen},
+          {"passed", count(verdicts, State::passed)},
+          {"failed", count(verdicts, State::failed)},
+          {"families", families},
+          {"cases", cases}};
 }
 
 struct DeviceOptions {
@@ -153,12 +175,16 @@ int check_device(const DeviceOptions& options, Context& context) {
 }  // namespace
 
 void add_check_device(CLI::App& check, Context& context) {
-  auto* command = check.add_subcommand("device", "show what Vulkan offers, and run the hard cases in float, double and on the device");
+  auto* command = check.add_subcommand(
+      "device", "show what Vulkan offers, and run the hard cases in float, double and on the device");
   auto options = std::make_shared<DeviceOptions>();
-  command->add_option("--family", options->choice.family, "only the cases of one family, such as functions, marschner or drawing");
+  command->add_option("--family", options->choice.family,
+                      "only the cases of one family, such as functions, marschner or drawing");
   command->add_flag("--full", options->choice.full, "run the cases that take seconds too");
-  command->add_option("--certificate", options->certificate, "write machine, driver, build and every result to this JSON file");
-  command->callback([&context, options] { context.action = [&context, options] { return check_device(*options, context); }; });
+  command->add_option("--certificate", options->certificate,
+                      "write machine, driver, build and every result to this JSON file");
+  command->callback(
+      [&context, options] { context.action = [&context, options] { return check_device(*options, context); }; });
 }
 
 }  // namespace cuticle::cli

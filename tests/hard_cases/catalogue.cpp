@@ -41,7 +41,8 @@ Result<std::vector<Case>> all_cases() {
     try {
       for (Case& item : cases_of(document)) all.push_back(std::move(item));
     } catch (const Json::Mismatch& error) {
-      return internal_error(fmt::format("hard cases, family '{}': {}", document.value("family", std::string()), error.what()));
+      return internal_error(
+          fmt::format("hard cases, family '{}': {}", document.value("family", std::string()), error.what()));
     }
   }
   return all;

@@ -16,8 +16,8 @@ struct Case {
   Json inputs, expect;
 };
 
-/// The cases of one document: {"family", "source" (of cases that name none), "grooms": {name: groom}, "cases": [...]}; a
-/// case's "groom" may be one of these names. Throws Json::Mismatch.
+/// The cases of one document: {"family", "source" (of cases that name none), "grooms": {name: groom}, "cases": [...]};
+/// a case's "groom" may be one of these names. Throws Json::Mismatch.
 std::vector<Case> cases_of(const Json& document);
 
 /// Every case of the catalogue. Errors: internal, naming the document that cannot be read.

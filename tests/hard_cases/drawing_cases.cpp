@@ -1,6 +1,6 @@
-// Pictures: {"groom", "scene": parts of a scene file, "methods": ways of drawing on the device, "measure"}. On the CPU the
-// scene is path traced. Every pixel must be finite; measures, of each method one after the other: "coverage", the mean of
-// alpha; "alpha", its least and its largest; "color", the mean of red, green and blue.
+// Pictures: {"groom", "scene": parts of a scene file, "methods": ways of drawing on the device, "measure"}. On the CPU
+// the scene is path traced. Every pixel must be finite; measures, of each method one after the other: "coverage", the
+// mean of alpha; "alpha", its least and its largest; "color", the mean of red, green and blue.
 #include <algorithm>
 #include <cmath>
 #include <limits>

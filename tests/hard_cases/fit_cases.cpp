@@ -1,7 +1,7 @@
-// Parameters fitted to lobes: {"model", "truth" (settings that make the data), "start", "free": [names], "quantity", "lobe",
-// "theta_i_deg", "theta_o_deg", "theta_d_deg", "phi_deg", "scale", "add", "flip"} gives the fitted numbers, or "measure": "groups" the
-// number of groups of parameters that the data cannot tell apart. "scale", "add": what is done to the data; "flip": every
-// second one with the other sign of "add".
+// Parameters fitted to lobes: {"model", "truth" (settings that make the data), "start", "free": [names], "quantity",
+// "lobe", "theta_i_deg", "theta_o_deg", "theta_d_deg", "phi_deg", "scale", "add", "flip"} gives the fitted numbers, or
+// "measure": "groups" the number of groups of parameters that the data cannot tell apart. "scale", "add": what is done
+// to the data; "flip": every second one with the other sign of "add".
 #include "core/json/json.h"
 #include "lut/fit/model_fit.h"
 #include "tests/hard_cases/model_points.h"
@@ -33,7 +33,8 @@ Result<lut::Measurements> measurements_from(const Json& inputs, const bsdf::Mode
 Result<Values> run_fit_f64(const Json& inputs, GpuSession*) {
   lut::FitRequest request;
   CUTICLE_ASSIGN(request.model, bsdf::find_model(inputs.at("model").text()));
-  CUTICLE_ASSIGN(request.start, registry::parse_assignments(request.model->entry.parameters, inputs.value("start", std::string())));
+  CUTICLE_ASSIGN(request.start,
+                 registry::parse_assignments(request.model->entry.parameters, inputs.value("start", std::string())));
   for (const Json& name : inputs.at("free")) request.free.push_back(name.text());
   CUTICLE_ASSIGN(const lut::Measurements measurements, measurements_from(inputs, *request.model));
   CUTICLE_ASSIGN(const lut::ModelFit fit, lut::fit_model(request, measurements));

@@ -37,8 +37,13 @@ Verdict with_judgement(Verdict verdict, const Judgement& judgement) {
 
 /// Runs one case in one precision; `exact` receives the values of the first precision, the most exact one.
 Verdict run_case(const Case& item, Precision precision, GpuSession* session, Values& exact) {
-  Verdict verdict{.id = item.id, .family = item.family, .subject = item.subject, .why = item.why, .source = item.source,
-                  .precision = precision, .detail = {}};
+  Verdict verdict{.id = item.id,
+                  .family = item.family,
+                  .subject = item.subject,
+                  .why = item.why,
+                  .source = item.source,
+                  .precision = precision,
+                  .detail = {}};
   const Run run = run_of(item, precision);
   if (run == nullptr || (precision == Precision::gpu && session == nullptr)) return verdict;
   const auto begin = std::chrono::steady_clock::now();
@@ -46,7 +51,8 @@ Verdict run_case(const Case& item, Precision precision, GpuSession* session, Val
   verdict.seconds = seconds_since(begin);
   if (exact.empty() && values) exact = *values;
   if (!values && precision == Precision::gpu && item.expect.contains("cpu_alone")) return verdict;
-  return with_judgement(verdict, values ? judge(*values, item.expect, precision, exact) : judge(values.error(), item.expect));
+  return with_judgement(verdict,
+                        values ? judge(*values, item.expect, precision, exact) : judge(values.error(), item.expect));
 }
 
 std::vector<Verdict> run_cases(const std::vector<Case>& cases, GpuSession* session, Progress& progress) {
@@ -59,11 +65,11 @@ std::vector<Verdict> run_cases(const std::vector<Case>& cases, GpuSession* sessi
   return verdicts;
 }
 
-Result<std::vector<Verdict>> run_all(const std::vector<Case>& cases, [[maybe_unused]] const std::shared_ptr<gpu::Device>& device,
-                                     Progress& progress) {
+Result<std::vector<Verdict>> run_all(const std::vector<Case>& cases,
+                                     [[maybe_unused]] const std::shared_ptr<gpu::Device>& device, Progress& progress) {
   try {
 #ifdef CUTICLE_HAS_GPU
-    GpuSession session{device, {}};
+    GpuSession session{device, {}, {}};
     return run_cases(cases, device ? &session : nullptr, progress);
 #else
     return run_cases(cases, nullptr, progress);
@@ -84,14 +90,18 @@ std::vector<std::string> families_of(const std::vector<Case>& cases) {
 
 const char* name_of(Precision precision) {
   switch (precision) {
-    case Precision::f32: return "f32";
-    case Precision::f64: return "f64";
-    case Precision::gpu: break;
+    case Precision::f32:
+      return "f32";
+    case Precision::f64:
+      return "f64";
+    case Precision::gpu:
+      break;
   }
   return "gpu";
 }
 
-Result<std::vector<Verdict>> run_document(const std::string& text, const std::shared_ptr<gpu::Device>& device, Progress& progress) {
+Result<std::vector<Verdict>> run_document(const std::string& text, const std::shared_ptr<gpu::Device>& device,
+                                          Progress& progress) {
   CUTICLE_ASSIGN(const Json document, Json::parse(text));
   try {
     return run_all(cases_of(document), device, progress);
@@ -100,7 +110,8 @@ Result<std::vector<Verdict>> run_document(const std::string& text, const std::sh
   }
 }
 
-Result<std::vector<Verdict>> run_hard_cases(const Choice& choice, const std::shared_ptr<gpu::Device>& device, Progress& progress) {
+Result<std::vector<Verdict>> run_hard_cases(const Choice& choice, const std::shared_ptr<gpu::Device>& device,
+                                            Progress& progress) {
   CUTICLE_ASSIGN(const std::vector<Case> cases, all_cases());
   std::vector<Case> chosen;
   for (const Case& item : cases)

@@ -45,6 +45,7 @@ Result<std::vector<Verdict>> run_hard_cases(const Choice& choice, const std::sha
                                             Progress& progress);
 
 /// As run_hard_cases, on one document given as JSON text (catalogue.h).
-Result<std::vector<Verdict>> run_document(const std::string& json, const std::shared_ptr<gpu::Device>& device, Progress& progress);
+Result<std::vector<Verdict>> run_document(const std::string& json, const std::shared_ptr<gpu::Device>& device,
+                                          Progress& progress);
 
 }  // namespace cuticle::hard_cases

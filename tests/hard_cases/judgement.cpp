@@ -10,11 +10,16 @@ namespace {
 
 const char* name_of(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::usage: return "usage";
-    case ErrorKind::bad_input: return "bad_input";
-    case ErrorKind::no_device: return "no_device";
-    case ErrorKind::out_of_memory: return "out_of_memory";
-    case ErrorKind::internal: break;
+    case ErrorKind::usage:
+      return "usage";
+    case ErrorKind::bad_input:
+      return "bad_input";
+    case ErrorKind::no_device:
+      return "no_device";
+    case ErrorKind::out_of_memory:
+      return "out_of_memory";
+    case ErrorKind::internal:
+      break;
   }
   return "internal";
 }
@@ -51,10 +56,12 @@ void check_count(Judgement& judgement, const Values& values, const Json& expect)
 void check_reference(Judgement& judgement, const Values& values, const Json& expect, Precision precision) {
   if (!expect.contains("value")) return;
   const double reference = expect.at("value").number();
-  const double allowed = tolerance(expect, "absolute", precision) + tolerance(expect, "relative", precision) * std::abs(reference);
+  const double allowed =
+      tolerance(expect, "absolute", precision) + tolerance(expect, "relative", precision) * std::abs(reference);
   for (double value : values) {
     use(judgement, std::abs(value - reference), allowed);
-    if (!(std::abs(value - reference) <= allowed)) complain(judgement, fmt::format("{} is not {} +- {:.3g}", value, reference, allowed));
+    if (!(std::abs(value - reference) <= allowed))
+      complain(judgement, fmt::format("{} is not {} +- {:.3g}", value, reference, allowed));
   }
 }
 
@@ -62,11 +69,13 @@ void check_bounds(Judgement& judgement, const Values& values, const Json& expect
   if (!expect.contains("bounds")) return;
   const double lower = expect.at("bounds").at(0).number(), upper = expect.at("bounds").at(1).number();
   for (double value : values)
-    if (!(value >= lower && value <= upper)) complain(judgement, fmt::format("{} is outside {} .. {}", value, lower, upper));
+    if (!(value >= lower && value <= upper))
+      complain(judgement, fmt::format("{} is outside {} .. {}", value, lower, upper));
 }
 
 /// Agreement with the most exact precision, relative to the largest value of the case.
-void check_agreement(Judgement& judgement, const Values& values, const Json& expect, Precision precision, const Values& exact) {
+void check_agreement(Judgement& judgement, const Values& values, const Json& expect, Precision precision,
+                     const Values& exact) {
   if (!expect.contains("agree") || values.size() != exact.size()) return;
   double scale = 0, worst = 0;
   for (double value : exact) scale = std::max(scale, std::abs(value));
@@ -74,7 +83,8 @@ void check_agreement(Judgement& judgement, const Values& values, const Json& exp
   const double allowed = tolerance(expect, "agree", precision);
   use(judgement, worst, allowed * scale);
   if (!(worst <= allowed * scale))
-    complain(judgement, fmt::format("off the CPU by {:.3g} of the largest value, allowed {:.3g}", worst / scale, allowed));
+    complain(judgement,
+             fmt::format("off the CPU by {:.3g} of the largest value, allowed {:.3g}", worst / scale, allowed));
 }
 
 }  // namespace

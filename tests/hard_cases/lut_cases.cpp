@@ -23,7 +23,8 @@ struct Recipe {
 Result<Recipe> recipe_from(const Json& inputs) {
   Recipe recipe;
   CUTICLE_ASSIGN(recipe.model, bsdf::find_model(inputs.at("model").text()));
-  CUTICLE_ASSIGN(recipe.values, registry::parse_assignments(recipe.model->entry.parameters, inputs.value("set", std::string())));
+  CUTICLE_ASSIGN(recipe.values,
+                 registry::parse_assignments(recipe.model->entry.parameters, inputs.value("set", std::string())));
   CUTICLE_ASSIGN(recipe.layout, lut::find_layout(inputs.at("layout").text()));
   recipe.size = inputs.at("size").get<int>();
   return recipe;
@@ -70,8 +71,18 @@ Result<Values> run_lut_f64(const Json& inputs, GpuSession*) {
 #ifdef CUTICLE_HAS_GPU
 Result<Values> run_lut_gpu(const Json& inputs, GpuSession* session) {
   CUTICLE_ASSIGN(const Recipe recipe, recipe_from(inputs));
-  CUTICLE_ASSIGN(const lut::TableSet set, lut::bake_gpu(*session->device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
-  return sampled(set, inputs);
+  const std::string key = Json{
+      {"model", inputs.at("model")},
+      {"set", inputs.value("set", std::string())},
+      {"layout", inputs.at("layout")},
+      {"size", recipe.size}}.dump();
+  auto found = session->tables.find(key);
+  if (found == session->tables.end()) {
+    CUTICLE_ASSIGN(lut::TableSet set,
+                   lut::bake_gpu(*session->device, *recipe.model, recipe.values, *recipe.layout, recipe.size));
+    found = session->tables.emplace(key, std::move(set)).first;
+  }
+  return sampled(found->second, inputs);
 }
 #endif
 
