@@ -14,6 +14,8 @@ namespace {
 
 using Steps = std::vector<std::string>;
 constexpr int k_deepest = 16;
+constexpr std::size_t k_most_files = 256;   ///< read for one scene
+constexpr std::size_t k_most_keys = 10000;  ///< of an object that keys are looked up in: each look-up is linear
 
 Steps longer(Steps steps, std::string step) {
   steps.push_back(std::move(step));
@@ -41,8 +43,12 @@ class Including {
     if (!value.is_object()) return {};
     Steps keys;
     for (const auto& [key, item] : value.items()) keys.push_back(key);
-    for (const std::string& key : keys)
-      if (key != k_include) CUTICLE_TRY(expand(value[key], source, longer(own, key), longer(whole, key), depth));
+    std::size_t place = 0;
+    for (Json& item : value) {
+      const std::string& key = keys[place++];
+      if (key != k_include && (item.is_list() || item.is_object()))
+        CUTICLE_TRY(expand(item, source, longer(own, key), longer(whole, key), depth));
+    }
     const Json* asked = value.find(k_include);
     if (!asked) return {};
     const Json files = asked->is_list() ? *asked : Json::list({*asked});
@@ -67,6 +73,8 @@ class Including {
       return bad_input(
           fmt::format("{}: '{}' is the {}th file within another", place(source, own), file.text(), k_deepest),
           "a file that includes itself never ends");
+    if (into_.sources.size() > k_most_files)
+      return bad_input(fmt::format("{}: more than {} files are included", place(source, own), k_most_files));
     const std::filesystem::path path =
         (std::filesystem::path(into_.sources[source].folder) / file.text()).lexically_normal();
     const auto text = read_text_file(path.string());
@@ -81,19 +89,21 @@ class Including {
     std::swap(into_.origins, within);
     CUTICLE_TRY(expand(more, added, {}, whole, depth + 1));
     std::swap(into_.origins, within);
-    merge(value, more, {added, {}}, whole, within);
-    return {};
+    return merge(value, more, {added, {}}, whole, within);
   }
 
   /// Keys that the value does not have. `within`: origins of what the file included itself.
-  void merge(Json& value, const Json& more, const Origin& from, const Steps& whole,
-             const std::map<Steps, Origin>& within) {
+  Result<void> merge(Json& value, const Json& more, const Origin& from, const Steps& whole,
+                     const std::map<Steps, Origin>& within) {
+    if (std::max(value.size(), more.size()) > k_most_keys)
+      return bad_input(fmt::format("{}: {} keys in one object that includes or is included, allowed at most {}",
+                                   into_.sources[from.source].name, std::max(value.size(), more.size()), k_most_keys));
     for (const auto& [key, item] : more.items()) {
       const Steps here = longer(whole, key);
       const Origin there{from.source, longer(from.steps, key)};
       const Json* mine = value.find(key);
       if (mine && mine->is_object() && item.is_object()) {
-        merge(value[key], item, there, here, within);
+        CUTICLE_TRY(merge(value[key], item, there, here, within));
       } else if (!mine) {
         value[key] = item;
         into_.origins.emplace(here, there);
@@ -102,6 +112,7 @@ class Including {
             into_.origins.insert_or_assign(steps, origin);
       }
     }
+    return {};
   }
 
   IncludedJson& into_;

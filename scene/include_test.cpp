@@ -88,6 +88,22 @@ TEST_F(Include, FileThatIncludesItself_IsRefused) {
   expect_refused(R"({"schema_version": 1, "$include": "scene.json"})", {"16th file within another"});
 }
 
+TEST_F(Include, FilesThatMultiply_AreRefused) {
+  write("a.json", R"({"$include": ["b.json", "b.json", "b.json", "b.json", "b.json", "b.json", "b.json"]})");
+  write("b.json", R"({"$include": ["c.json", "c.json", "c.json", "c.json", "c.json", "c.json", "c.json"]})");
+  write("c.json", R"({"$include": ["d.json", "d.json", "d.json", "d.json", "d.json", "d.json", "d.json"]})");
+  write("d.json", "{}");
+  expect_refused(R"({"schema_version": 1, "$include": "a.json"})", {"c.json:1:2", "256 files"});
+}
+
+TEST_F(Include, ObjectOfTooManyKeys_IsRefused) {
+  std::string many = R"({"camera": {"fov_deg": 30)";
+  for (int k = 0; k < 10000; ++k) many += ", \"k" + std::to_string(k) + "\": 0";
+  write("many.json", many + "}}");
+  expect_refused(R"({"schema_version": 1, "$include": "many.json", "camera": {"fov_deg": 20}})",
+                 {"many.json", "10001 keys"});
+}
+
 TEST_F(Include, NewerVersion_IsRefusedWithWhatToDo) {
   expect_refused(R"({"schema_version": 2})", {"schema_version = 2", "newer"});
 }
