@@ -39,7 +39,6 @@ Result<scene::Scene> scene_from(const Json& inputs, const std::string& folder, c
   return scene::parse_scene(text.dump(), folder, "hard case", plan::catalogue());
 }
 
-/// Means over the pixels of a channel, with NaN where one pixel is not finite.
 double mean_of(const Image& image, int channel) {
   double sum = 0;
   for (int y = 0; y < image.height; ++y)
@@ -59,7 +58,7 @@ Values extremes(const Image& image, int channel) {
 
 constexpr int k_alpha = 3;
 
-/// A value that is no number is given as it is, so that the case says so.
+/// Where a pixel is not finite, its value alone: the case then fails and says so.
 Values measured(const Image& color, const std::string& measure) {
   const auto broken = std::ranges::find_if(color.pixels, [](float value) { return !std::isfinite(value); });
   if (broken != color.pixels.end()) return {double(*broken)};
