@@ -50,7 +50,7 @@ for (const blink of document.querySelectorAll("button.blink"))
 
 function ink() { return getComputedStyle(document.documentElement).getPropertyValue("--ink").trim(); }
 
-// A plot is drawn when it comes near the window: a page has dozens of them.
+// What the first screen shows is drawn at once; the other plots, of which a page has dozens, when they come near the window.
 function draw(plot) {
   if (plot.dataset.drawn) return;
   plot.dataset.drawn = "1";
@@ -60,7 +60,8 @@ function draw(plot) {
 }
 function drawAll() { for (const plot of document.querySelectorAll(".plot")) draw(plot); }
 const near = new IntersectionObserver(seen => { for (const each of seen) if (each.isIntersecting) { near.unobserve(each.target); draw(each.target); } }, { rootMargin: "600px" });
-for (const plot of document.querySelectorAll(".plot")) near.observe(plot);
+function onFirstScreen(plot) { const box = plot.getBoundingClientRect(); return box.width > 0 && box.top < window.innerHeight; }
+for (const plot of document.querySelectorAll(".plot")) onFirstScreen(plot) ? draw(plot) : near.observe(plot);
 window.addEventListener("beforeprint", drawAll);
 
 function colours() { for (const plot of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(plot, { "font.color": ink() }); }
