@@ -274,7 +274,7 @@ TEST(CheckScene, ManyMistakes_AreAllListedInTheirPlaces) {
   std::vector<std::string> messages;
   for (const Error& error : check_scene(path, catalogue())) messages.push_back(error.message);
   EXPECT_THAT(messages,
-              testing::ElementsAre(HasSubstr(":2:2: unknown key 'nonsense'"), HasSubstr(":4:13: lights[0].to_light"),
+              testing::ElementsAre(HasSubstr(":2:2: unknown key 'nonsense'"), HasSubstr(":4:14: lights[0].to_light"),
                                    HasSubstr("lights[0].irradiance[2]"), HasSubstr("camera.fov_deg = 300"),
                                    HasSubstr(":3:2: strand_count = -5")));
   std::ofstream(path) << R"({"schema_version": 1})";

@@ -127,13 +127,18 @@ def volume(study):
                       f"{percent(points['dual_quaternion'].errors['volume']['max'])}.", group_id(study, study.groups[0]))
 
 
+def state_words(point):
+    state = point.knobs["state"]
+    return f"a {state} {point.method}" if state in ("still", "moving") else f"{point.method} {state}"
+
+
 def plan(study):
     """What a still scene and hair out of view cost, and which feature is dearest."""
     groups = {group.raw["name"]: group for group in study.groups}
     if "frames" in groups:
-        parts = [f"{states.name(pair)} costs {percent(pair[1].seconds['value'] / pair[0].seconds['value'])}" for pair in states.pairs(groups["frames"])]
-        yield Finding(f"A frame in which nothing happens costs next to nothing; {', '.join(parts)}.", group_id(study, groups["frames"]))
-    if "features" in groups and (told := [pair for pair in states.pairs(groups["features"]) if states.is_told(pair)]):
+        parts = [f"{state_words(pair[1])} costs {percent(pair[1].seconds['value'] / pair[0].seconds['value'])} of {state_words(pair[0])}" for pair in states.pairs(groups["frames"])]
+        yield Finding(f"What does not change and what is not seen is left out: {', '.join(parts)}.", group_id(study, groups["frames"]))
+    if "features" in groups and (told := [pair for pair in states.pairs(groups["features"]) if states.is_told(pair) and states.saved(pair) > 0]):
         yield Finding(f"Of {len(states.pairs(groups['features']))} features, none runs a pass where it is off; leaving out {', '.join(states.name(pair) for pair in told[:3])} saves most of a frame: "
                       f"{', '.join(states.label(pair) for pair in told[:3])}.", group_id(study, groups["features"]))
 

@@ -5,8 +5,8 @@ import plotly.graph_objects as plotly
 from . import look, results
 from .pareto import files_of
 
-CAPTION = "A line for each thing that a scene may have, from the frame without it (ring) to the frame with it (disc); bars are 95 % intervals. Beside it: the share of the dearer frame that is saved."
-DEAR, CHEAP = look.COLORS[0], look.COLORS[1]
+CAPTION = "A line for each thing that a scene may have, from the frame without it (ring) to the frame with it (disc); bars are 95 % intervals. Beside it: the share of the frame that is saved without it, or how many times as long the frame takes without it."
+WITH, WITHOUT = look.COLORS[0], look.COLORS[1]
 
 
 def is_of_states(group):
@@ -14,26 +14,29 @@ def is_of_states(group):
 
 
 def pairs(group):
-    """Of each method the point that takes longer and the one that takes less, those that save most first; methods of one state are left out."""
+    """Of each method the point with and the point without (of other states the dearer first), those that save most first; methods of one state are left out."""
     by_method = {}
     for point in group.points:
         by_method.setdefault(point.method, []).append(point)
-    found = [sorted(points, key=lambda point: -point.seconds["value"]) for points in by_method.values() if len(points) == 2]
+    found = [sorted(points, key=lambda point: (point.knobs["state"] == "off", -point.seconds["value"])) for points in by_method.values() if len(points) == 2]
     return sorted(found, key=saved, reverse=True)
 
 
 def saved(pair):
+    """The share of the first frame's time that the second does not take; below 0: it takes more."""
     return 1 - pair[1].seconds["value"] / pair[0].seconds["value"]
 
 
 def is_told(pair):
     """Whether the intervals of the two times leave each other out."""
-    dear, cheap = (point.seconds for point in pair)
+    cheap, dear = sorted((point.seconds for point in pair), key=lambda seconds: seconds["value"])
     return None not in (dear["low"], cheap["high"]) and cheap["high"] < dear["low"]
 
 
 def label(pair):
-    return f"{results.shown(100 * saved(pair), 2)} %" if is_told(pair) else "not told apart"
+    if not is_told(pair):
+        return "not told apart"
+    return f"{results.shown(100 * saved(pair), 2)} %" if saved(pair) > 0 else f"{results.shown(1 - saved(pair), 2)} times"
 
 
 def name(pair):
@@ -62,7 +65,7 @@ def table(study, group):
 
 def sentences(group):
     told = [pair for pair in pairs(group) if is_told(pair)]
-    if not told or any(pair[0].knobs["state"] not in ("on", "off") for pair in told):
+    if not told or saved(told[0]) <= 0 or any(pair[0].knobs["state"] not in ("on", "off") for pair in told):
         return []
     return [f"Of {len(pairs(group))} features, {len(told)} change the time of a frame for certain; most is saved without {name(told[0])}: {label(told[0])} of the frame."]
 
@@ -81,7 +84,7 @@ def interactive(group, cost_label):
     figure = plotly.Figure()
     for height, pair in zip(heights, rows):
         figure.add_scatter(x=[point.seconds["value"] * factor for point in pair], y=[height, height], mode="lines", line={"color": look.OTHERS, "width": 3}, hoverinfo="skip")
-    for which, color, symbol in ((1, CHEAP, "circle-open"), (0, DEAR, "circle")):
+    for which, color, symbol in ((1, WITHOUT, "circle-open"), (0, WITH, "circle")):
         points = [pair[which] for pair in rows]
         x, up, down = spots(points, factor)
         figure.add_scatter(x=x, y=heights, mode="markers", marker={"size": 9, "color": color, "symbol": symbol, "line": {"width": 2}},
@@ -106,7 +109,7 @@ def printed(group, cost_label):
         for height, pair in zip(heights, rows):
             axes.plot([point.seconds["value"] * factor for point in pair], [height, height], "-", color="#bbbbbb", linewidth=1.5, zorder=0)
             axes.annotate(label(pair), (1, height), xycoords=("axes fraction", "data"), xytext=(3, 0), textcoords="offset points", fontsize=5.5, va="center")
-        for which, color, face in ((1, CHEAP, "white"), (0, DEAR, DEAR)):
+        for which, color, face in ((1, WITHOUT, "white"), (0, WITH, WITH)):
             x, up, down = spots([pair[which] for pair in rows], factor)
             axes.errorbar(x, heights, xerr=(down, up), fmt="o", color=color, markersize=3, markerfacecolor=face, linewidth=0.7)
         axes.set(xlabel=f"{cost_label}, {shown_unit}", ylim=(0.3, len(rows) + 0.7))
