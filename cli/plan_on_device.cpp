@@ -1,6 +1,7 @@
 #include "cli/plan_on_device.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/core.h>
 
@@ -88,7 +89,9 @@ Result<std::string> meet_budgets(scene::Scene& scene, Context& context) {
   }
   plan::BudgetChoice choice = plan::choose(scene, shape, costs.device, accuracy, *costs.table, memory);
   if (!choice.refused.empty()) return choice.refused;
-  context.progress->message("budgets are kept, as expected, by\n" + plan::to_text(choice, *scene.budgets));
+  context.progress->message("budgets are kept, as expected, by");
+  std::istringstream lines(plan::to_text(choice, *scene.budgets));
+  for (std::string line; std::getline(lines, line);) context.progress->message(line);
   scene = std::move(choice.scene);
   return std::string();
 }
