@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -9,6 +10,7 @@
 #include "cli/model_options.h"
 #include "cli/run_folder.h"
 #include "cli/shared_files.h"
+#include "cli/usd_files.h"
 #include "cli/viewer/page.h"
 #include "core/file.h"
 #include "lut/format.h"
@@ -22,9 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Strands that cover a head as they are, and how much fewer ones are drawn wider at first.
+constexpr std::size_t k_full_head = 40000;
+constexpr double k_most_widening = 12;
+
 struct ViewerRequest {
   std::string groom, out = "viewer", head, three;
-  double head_metres_per_unit = 1;
+  double head_metres_per_unit = 0;
   std::size_t strands = 20000;
   strands::ReadOptions read;
   ParameterRequest parameters;
@@ -92,14 +98,21 @@ Result<std::string> snippet_of(const bsdf::Model& model, const registry::Paramet
 Result<void> write_viewer(const ViewerRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const std::string three, three_folder(request.three));
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model("marschner"));
-  CUTICLE_ASSIGN(const registry::ParameterValues values, parameters_of(*model, request.parameters));
+  ParameterRequest asked = request.parameters;
+  if (asked.hair.empty() && asked.preset.empty() && asked.settings.empty()) asked.hair = "blond";
+  CUTICLE_ASSIGN(const registry::ParameterValues values, parameters_of(*model, asked));
   CUTICLE_ASSIGN(const bsdf::marschner::Parameters parameters, model_of(request.parameters, values));
-  CUTICLE_ASSIGN(const strands::Groom groom, load_groom(request.groom, request.read, progress));
+  CUTICLE_ASSIGN(const strands::GroomFile file, read_groom_file(request.groom, request.read));
+  for (const std::string& note : file.notes) progress.message(note);
+  const strands::Groom& groom = file.groom;
   strands::Mesh head;
   if (!request.head.empty()) {
-    CUTICLE_ASSIGN(head, strands::read_obj(request.head, request.head_metres_per_unit));
+    const double unit = request.head_metres_per_unit > 0 ? request.head_metres_per_unit : file.metres_per_unit;
+    CUTICLE_ASSIGN(head, strands::read_obj(request.head, unit));
   }
   CUTICLE_ASSIGN(const std::string snippet, snippet_of(*model, values, progress));
+  // A groom of guides alone would be too thin to look at.
+  const double widen = std::clamp(std::round(double(k_full_head) / double(groom.strand_count())), 1.0, k_most_widening);
   const strands::Groom shown = thinned(groom, request.strands);
   const std::string title = fs::path(request.groom).filename().string();
   const std::string words =
@@ -108,7 +121,8 @@ Result<void> write_viewer(const ViewerRequest& request, Progress& progress) {
           : fmt::format("{} of {} strands, as much wider", shown.strand_count(), groom.strand_count());
   CUTICLE_ASSIGN(const std::string page, viewer::page(three, snippet, title));
   CUTICLE_TRY(make_folder(request.out));
-  CUTICLE_TRY(write_text_file(request.out + "/hair.js", viewer::hair_script(shown, head, parameters, title, words)));
+  CUTICLE_TRY(
+      write_text_file(request.out + "/hair.js", viewer::hair_script(shown, head, parameters, title, words, widen)));
   return write_text_file(request.out + "/index.html", page);
 }
 
@@ -128,13 +142,14 @@ void add_viewer(CLI::App& app, Context& context) {
   command->add_option("groom", request->groom, groom_help(false))->required();
   command->add_option("--out", request->out, "folder to write (default: viewer)");
   command->add_option("--head", request->head, "mesh that the hair grows on (OBJ)");
-  command->add_option("--head-metres-per-unit", request->head_metres_per_unit, "scale of the head");
+  command->add_option("--head-metres-per-unit", request->head_metres_per_unit, "scale of the head; 0 = as the groom's")
+      ->check(CLI::Range(0.0, 1000.0));
   command->add_option("--strands", request->strands, "at most so many are shown, as much wider as they are fewer")
       ->check(CLI::Range(std::size_t(1), std::size_t(200000)))
       ->capture_default_str();
-  command->add_option(
-      "--three", request->three,
-      "folder of npm's package three, which the page takes in (default: CUTICLE_THREE, or node_modules here or above)");
+  command->add_option("--three", request->three,
+                      "folder of the npm package three, which the page takes in (default: CUTICLE_THREE, or "
+                      "node_modules here or above)");
   add_parameter_options(*command, request->parameters);
   add_groom_options(*command, request->read.metres_per_unit, request->read.radius);
   command->callback([&context, request] {

@@ -93,13 +93,15 @@ std::string address(std::string_view text) {
 }  // namespace
 
 std::string hair_script(const strands::Groom& groom, const strands::Mesh& head,
-                        const bsdf::marschner::Parameters& model, const std::string& title, const std::string& words) {
+                        const bsdf::marschner::Parameters& model, const std::string& title, const std::string& words,
+                        double widen) {
   const float greatest = *std::ranges::max_element(groom.radii);
   std::vector<std::uint16_t> radii;
   for (const float radius : groom.radii)
     radii.push_back(std::uint16_t(std::lround(k_steps * double(radius / greatest))));
   Json hair{{"title", title},
             {"words", words},
+            {"widen", widen},
             {"offsets", base64_of(groom.offsets)},
             {"positions", packed(groom.positions)},
             {"radii", base64_of(radii)},

@@ -20,7 +20,8 @@ extern const char* const k_model;
 /// hair.js: strands, head (without vertices where there is none), parameters and words, as one object. Positions take
 /// 16 bits of their box: at most 4 micrometres off on a head of half a metre.
 std::string hair_script(const strands::Groom& groom, const strands::Mesh& head,
-                        const bsdf::marschner::Parameters& model, const std::string& title, const std::string& words);
+                        const bsdf::marschner::Parameters& model, const std::string& title, const std::string& words,
+                        double widen);
 /// index.html, with three.js of that folder in it. Error: bad_input where the folder holds no three.js of this kind.
 Result<std::string> page(const std::string& three_folder, const std::string& snippet, const std::string& title);
 

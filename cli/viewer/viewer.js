@@ -55,7 +55,7 @@ class Viewer {
     const whole = strands.boundingSphere.clone();
     const head = hair.head ? headGeometry(hair.head) : null;
     this.light = new Light(whole);
-    this.values = { ...hair.parameters, light_azimuth: 40, light_height: 35, light: 1, exposure: 0, width: 1, shadow: 1, ambient: 0.35 };
+    this.values = { ...hair.parameters, light_azimuth: 40, light_height: 35, light: 1, exposure: 0, width: hair.widen, shadow: 1, ambient: 0.35 };
     this.makeMaterials();
     const scene = (hairMaterial, skin) => {
       const made = new THREE.Scene();
@@ -115,6 +115,7 @@ class Viewer {
     this.renderer.setSize(width, height, false);
     this.size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     this.camera.aspect = width / height;
+    this.shift = width > 700 ? 0.5 * 262 / width * this.size.x : 0;  // beside the panel
     this.uniforms.pixels.value.copy(this.size);
     for (const each of [this.one, this.sum]) each?.dispose();
     this.one = floats(this.size.x, this.size.y, { type: THREE.HalfFloatType });
@@ -163,7 +164,7 @@ class Viewer {
     const n = this.frames++;
     this.asking = 0;
     const part = (base) => { let f = 1, r = 0; for (let i = n + 1; i > 0; i = Math.floor(i / base)) r += (f /= base) * (i % base); return r - 0.5; };
-    this.camera.setViewOffset(this.size.x, this.size.y, part(2), part(3), this.size.x, this.size.y);
+    this.camera.setViewOffset(this.size.x, this.size.y, part(2) + this.shift, part(3), this.size.x, this.size.y);
     this.uniforms.frame.value = n;
     this.draw(this.one, this.scenes.view, this.camera, new THREE.Color().setRGB(0.035, 0.036, 0.04), 1);
     this.show.gathered.value = this.one.texture;
@@ -189,7 +190,7 @@ const SLIDERS = [
   ['Light', [
     ['light_azimuth', 'around (degrees)', -180, 180, 1, 'relight'], ['light_height', 'height (degrees)', -30, 89, 1, 'relight'],
     ['light', 'strength', 0, 4, 0.05, 'relight'], ['ambient', 'sky', 0, 2, 0.05, 'relight'],
-    ['shadow', 'shadow: share of the opacity', 0, 2, 0.05, 'relight'], ['width', 'width of the strands', 0.25, 4, 0.05, 'relight'],
+    ['shadow', 'shadow: share of the opacity', 0, 2, 0.05, 'relight'], ['width', 'width of the strands (times)', 0.25, 12, 0.05, 'relight'],
     ['exposure', 'exposure (stops)', -4, 4, 0.1, 'relight']]]];
 
 function addSlider(panel, viewer, [name, words, least, most, step, then]) {
