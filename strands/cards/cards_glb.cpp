@@ -10,8 +10,9 @@ namespace {
 
 /// Where a mask cuts the strands' coverage.
 constexpr double k_cutoff = 0.5;
-// Of the lobe along a strand; across it, the highlight of a fibre is as wide as can be.
-constexpr double k_roughness = 0.45, k_anisotropy = 0.9;
+// The picture is grey: brown hair, until a program is told another color. Roughness: of the lobe along a strand; across
+// it, the highlight of a fibre is as wide as can be.
+constexpr double k_roughness = 0.45, k_anisotropy = 0.9, k_quarter_turn = 1.5707963267948966;
 
 /// A value of each row at its two vertices.
 template <class T, class Value>
@@ -20,11 +21,6 @@ std::vector<T> at_both(const CardMesh& mesh, Value value) {
   values.reserve(2 * mesh.rows.size());
   for (const CardRow& row : mesh.rows) values.insert(values.end(), 2, value(row));
   return values;
-}
-
-/// glTF's bitangent, cross(n, t) w, points up the picture, whose top row lies at the roots: from tip to root.
-float handedness(const CardRow& row) {
-  return glm::dot(glm::cross(row.normal(), row.across), row.tangent) < 0 ? 1.0f : -1.0f;
 }
 
 std::vector<std::uint32_t> indices_of(const Mesh& mesh) {
@@ -38,24 +34,27 @@ Json attributes_of(GlbWriter& writer, const HairCards& cards) {
   const Mesh& mesh = cards.mesh.mesh;
   std::vector<glm::vec3> occlusion;
   for (const float value : cards.occlusion) occlusion.emplace_back(value);
-  const auto across = [](const CardRow& row) { return glm::vec4(row.across, handedness(row)); };
-  const auto along = [](const CardRow& row) { return row.tangent; };
+  const auto along = [](const CardRow& row) { return glm::vec4(row.tangent, 1.0f); };
   return {{"POSITION", writer.add_positions(mesh.positions)},
           {"NORMAL", writer.add(mesh.normals)},
-          {"TANGENT", writer.add(at_both<glm::vec4>(cards.mesh, across))},
+          {"TANGENT", writer.add(at_both<glm::vec4>(cards.mesh, along))},
           {"TEXCOORD_0", writer.add(mesh.uv)},
-          {"COLOR_0", writer.add(occlusion)},
-          {"_HAIR_TANGENT", writer.add(at_both<glm::vec3>(cards.mesh, along))}};
+          {"COLOR_0", writer.add(occlusion)}};
 }
 
 Json material_of(std::size_t texture) {
-  return {{"name", "hair"},
-          {"doubleSided", true},
-          {"alphaMode", "MASK"},
-          {"alphaCutoff", k_cutoff},
-          {"pbrMetallicRoughness",
-           {{"baseColorTexture", {{"index", texture}}}, {"metallicFactor", 0.0}, {"roughnessFactor", k_roughness}}},
-          {"extensions", {{"KHR_materials_anisotropy", {{"anisotropyStrength", k_anisotropy}}}}}};
+  return {
+      {"name", "hair"},
+      {"doubleSided", true},
+      {"alphaMode", "MASK"},
+      {"alphaCutoff", k_cutoff},
+      {"pbrMetallicRoughness",
+       {{"baseColorTexture", {{"index", texture}}},
+        {"baseColorFactor", Json::list({0.32, 0.2, 0.1, 1.0})},
+        {"metallicFactor", 0.0},
+        {"roughnessFactor", k_roughness}}},
+      {"extensions",
+       {{"KHR_materials_anisotropy", {{"anisotropyStrength", k_anisotropy}, {"anisotropyRotation", k_quarter_turn}}}}}};
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace cuticle::strands {
 Image card_picture(const CardTextures& textures);
 
 /// A .glb of the cards in metres, one double-sided mesh in the static order: POSITION, NORMAL, TEXCOORD_0, COLOR_0
-/// (ambient occlusion), TANGENT across the card (so that -w cross(NORMAL, TANGENT) runs from root to tip), and
-/// _HAIR_TANGENT, which says that direction itself. `picture`: a PNG of card_picture, which becomes the base color
-/// texture with its alpha masked at .5. KHR_materials_anisotropy stretches the highlight across the strands.
+/// (ambient occlusion) and TANGENT across the card, so that -w cross(NORMAL, TANGENT) runs from root to tip. No
+/// attributes of our own: Filament refuses a file with one. `picture`: a PNG of card_picture, which becomes the base
+/// color texture with its alpha masked at .5. KHR_materials_anisotropy stretches the highlight across the strands.
 /// Error: bad_input where the file would pass 4 GiB.
 Result<std::vector<std::byte>> cards_glb(const HairCards& cards, std::span<const std::byte> picture);
 

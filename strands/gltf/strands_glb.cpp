@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include "core/file.h"
 #include "strands/gltf/glb.h"
@@ -37,6 +38,19 @@ std::vector<glm::vec4> tangents_of(const Groom& groom) {
   return values;
 }
 
+std::vector<glm::vec2> radius_and_share(const Groom& groom) {
+  std::vector<glm::vec2> values(groom.vertex_count());
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+    const double length = std::max(strand_length(groom, s), 1e-30);
+    double passed = 0;
+    for (std::uint32_t v = groom.offsets[s]; v < groom.offsets[s + 1]; ++v) {
+      if (v > groom.offsets[s]) passed += double(glm::distance(groom.positions[v - 1], groom.positions[v]));
+      values[v] = {groom.radii[v], float(std::min(passed / length, 1.0))};
+    }
+  }
+  return values;
+}
+
 glm::vec3 color_at(const Attribute& color, std::size_t row) {
   return {color.values[3 * row], color.values[3 * row + 1], color.values[3 * row + 2]};
 }
@@ -63,15 +77,25 @@ std::vector<std::string> what_is_lost(const Groom& groom) {
 
 Json attributes_of(GlbWriter& writer, const Groom& groom) {
   Json attributes{{"POSITION", writer.add_positions(groom.positions)}, {"TANGENT", writer.add(tangents_of(groom))}};
+  attributes["TEXCOORD_0"] = writer.add(radius_and_share(groom));
   if (!groom.root_uv.empty())
-    attributes["TEXCOORD_0"] =
+    attributes["TEXCOORD_1"] =
         writer.add(at_vertices<glm::vec2>(groom, [&](std::size_t s) { return groom.root_uv[s]; }));
-  attributes["_RADIUS"] = writer.add(groom.radii);
-  attributes["_STRAND"] = writer.add(at_vertices<float>(groom, [](std::size_t s) { return float(s); }));
   const auto color = groom.attributes.find("color");
   if (color != groom.attributes.end() && is_color(color->first, color->second))
     attributes["COLOR_0"] = writer.add(colors_of(groom, color->second));
   return attributes;
+}
+
+/// Unlit, as the format has lines without normals (section 3.7.2.1): brown, unless the strands have a color.
+Json material_of(const Groom& groom) {
+  const auto color = groom.attributes.find("color");
+  const bool has_color = color != groom.attributes.end() && is_color(color->first, color->second);
+  const Json brown = Json::list({0.13, 0.07, 0.035, 1.0}), white = Json::list({1.0, 1.0, 1.0, 1.0});
+  return {{"name", "hair"},
+          {"pbrMetallicRoughness",
+           {{"baseColorFactor", has_color ? white : brown}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.4}}},
+          {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
 }
 
 }  // namespace
@@ -86,9 +110,9 @@ Result<std::vector<std::string>> write_strands_glb(const std::string& path, cons
   GlbWriter writer;
   Json primitive{{"mode", 1}, {"material", 0}, {"attributes", attributes_of(writer, scaled)}};
   primitive["indices"] = writer.add_indices(segments_of(scaled));
-  const Json material{{"name", "hair"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.4}}}};
+  writer.extensions = {"KHR_materials_unlit"};
   const std::string name = std::filesystem::path(path).stem().string();
-  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, writer.file(name, primitive, material, metres_per_unit));
+  CUTICLE_ASSIGN(const std::vector<std::byte> bytes, writer.file(name, primitive, material_of(groom), metres_per_unit));
   CUTICLE_TRY(write_file(path, bytes));
   return what_is_lost(groom);
 }
