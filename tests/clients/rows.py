@@ -227,13 +227,53 @@ def godot(folder, full):
     program = shutil.which("godot3-server")
     if not program:
         raise NotRun("godot3-server (Debian's package of that name)")
-    raise NotRun("the exported set is for Godot 4, which Debian 12 has not; Godot 3 does not know its shader and import settings")
+    project = folder / "godot"
+    project.mkdir()
+    work.must("bake", *work.MATERIAL, "--target", "godot", "--out", folder / "godot_lut")
+    (folder / "godot_lut/godot").rename(project / "hair")
+    (project / "project.godot").write_text('config_version=4\n[application]\nconfig/name="tables"\n')
+    shutil.copy(HERE / "godot_read.gd", project)
+    for arguments in (["-e", "--quit"], ["-s", "godot_read.gd"]):
+        done = subprocess.run([program, "--path", project, *arguments], capture_output=True, text=True, timeout=120)
+    row = Row("Godot 3 (headless)", done.stdout.split(" - ")[0].replace("Godot Engine ", ""), "the three tables (EXR) with their .import files")
+    channels = {14: 3, 15: 4}  # Image.FORMAT_RGBH, FORMAT_RGBAH
+    for name, wanted in lut_files.Tables(folder / "godot_lut").values.items():
+        path = next(project.glob(f"{name}_*.texels"))
+        kind = int(path.stem.split("_")[-1])
+        found = numpy.frombuffer(path.read_bytes(), "<f2").reshape(*wanted.shape[:2], channels[kind])[..., :wanted.shape[2]]
+        whole = abs(wanted) >= 2.0**-14  # Godot 3 does not keep smaller ones, which are subnormal
+        row.check(f"{name}: {wanted.shape[1]} x {wanted.shape[0]} halves, of {whole.sum()} normal ones {(found != wanted)[whole].sum()} differ; "
+                  f"of {(~whole).sum()} subnormal ones by {abs(found - wanted)[~whole].max(initial=0):.1g}",
+                  (found == wanted)[whole].all() and (abs(found - wanted) < 2.0**-14).all())
+        text = (project / f"hair/{name}.exr.import").read_text()
+        row.check(f"{name}: imported uncompressed, without mip maps, clamped, filtered",
+                  all(words in text for words in ("compress/mode=3", "flags/repeat=0", "flags/filter=true", "flags/mipmaps=false")))
+    row.notes.append("Godot 4, which the shaders are for: not run; Debian 12 has none")
+    return row
 
 
 def paraview(folder, full):
-    if not shutil.which("pvpython"):
-        raise NotRun("pvpython (Debian's package paraview)")
-    raise NotRun("no check is written")
+    program = shutil.which("pvpython")
+    if not program:
+        raise NotRun("pvpython (Debian's packages paraview and python3-paraview)")
+    work.must("simulate", work.ROOT / "scenes/head_turn.json", "--frames", "0:2", "--out", folder / "run")
+    work.must("view", "strands", folder / "groom.npz", "--export", folder / "view")
+    done = subprocess.run(["xvfb-run", "-a", program, "--force-offscreen-rendering", HERE / "paraview_open.py", next((folder / "view").glob("*.py")), folder,
+                           folder / "run/states.pvd"], capture_output=True, text=True, timeout=300)
+    if not (folder / "paraview.json").exists():
+        raise RuntimeError(done.stdout[-700:] + done.stderr[-700:])
+    found, arrays = json.loads((folder / "paraview.json").read_text()), numpy.load(folder / "paraview.npz")
+    row = Row("ParaView", ".".join(found["version"].strip("()").split(", ")), "states.pvd of a run, the state and strands of cuticle view --export",
+              pictures=[folder / "paraview.png"])
+    row.check(f"times {', '.join(f'{time:.4g}' for time in found['frames'])} s", numpy.allclose(found["frames"], [0, 1 / 30, 2 / 30]))
+    for k in range(3):
+        work.must("convert", folder / f"run/state_{k:04}.vtp", folder / f"state_{k}.npz", "--metres-per-unit", 1)
+        with numpy.load(folder / f"state_{k}.npz") as file:
+            wanted, strands = file["positions"], len(file["offsets"]) - 1
+        off = abs(arrays[f"points_{k}"] - wanted).max() if arrays[f"points_{k}"].shape == wanted.shape else numpy.inf
+        row.check(f"frame {k}: {arrays[f'lines_{k}']} strands, {len(wanted)} points, {off:.1g} m off", off == 0 and arrays[f"lines_{k}"] == strands)
+    row.check(f"state: {found['points']} points, arrays {', '.join(found['arrays'])}", found["points"] == len(work.groom(folder)["positions"]))
+    return row
 
 
 def alembic(folder, full):
