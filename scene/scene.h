@@ -181,6 +181,8 @@ inline bool draws_as_given(const Scene& scene) {
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue);
+/// All that is wrong with a scene file, the first 50 at most; empty: load_scene loads it.
+std::vector<Error> check_scene(const std::string& path, const Catalogue& catalogue);
 /// From text; `folder` resolves relative paths, `where` names the source in errors.
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue);
