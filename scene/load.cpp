@@ -120,7 +120,7 @@ Result<void> read_character(const Reader& root, Scene& scene) {
   CUTICLE_ASSIGN(character.file, reader.file("file", "character.file"));
   reader.get("clip", character.clip);
   reader.get("start_time_s", character.start_time);
-  std::string skinning = "dual_quaternion";
+  std::string skinning = "linear_blend";
   reader.get("skinning", skinning);
   character.dual_quaternions = skinning == "dual_quaternion";
   CUTICLE_ASSIGN(const std::string convention, reader.file("convention", "character.convention"));

@@ -62,7 +62,7 @@ struct MotionSource {
 struct CharacterSource {
   std::string file;  ///< glTF 2.0, absolute path
   std::string clip;  ///< repeats; empty: the character rests
-  bool dual_quaternions = true;
+  bool dual_quaternions = false;  ///< false: linear blending, as glTF prescribes
   double start_time = 0;           ///< seconds into the clip
   strands::Convention convention;  ///< of the file
 };
