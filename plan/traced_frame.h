@@ -29,7 +29,7 @@ struct TracedPlaces {
 Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                 const Camera& camera, const std::string& state, Progress& progress);
 
-/// The same picture with each of these seeds in turn; what it is made ready for is made once. Errors: those of
+/// The same picture with each of these seeds in turn; lookup tables are baked once. Errors: those of
 /// trace_frame.
 Result<std::vector<TracedFrame>> trace_frames(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                               const Camera& camera, std::span<const std::uint64_t> seeds,

@@ -9,6 +9,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "lut/table_set.h"
+
 namespace cuticle::render::reference {
 
 namespace {
@@ -161,15 +163,13 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   return hash.value();
 }
 
-namespace {
-
-/// By a scene that is ready. `key`: of the state, where there is one.
-Result<Picture> trace_ready(const Tracer& tracer, const TraceOptions& options, const Quality& quality,
-                            std::uint64_t key, Progress& progress) {
-  const TracedScene& scene = tracer.scene();
+Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
+                              Progress& progress) {
+  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
   Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
+  const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);
   if (!quality.state.empty()) CUTICLE_TRY(film.load(quality.state, key));
-  Rounds rounds(tracer, film, quality);
+  Rounds rounds(*tracer, film, quality);
   const Clock::time_point begin = Clock::now();
   Clock::time_point saved = begin;
   while (rounds.next()) {
@@ -183,23 +183,16 @@ Result<Picture> trace_ready(const Tracer& tracer, const TraceOptions& options, c
   return Picture{film.color(), film.layers(), rounds.most_samples(), rounds.error(), seconds_since(begin)};
 }
 
-}  // namespace
-
-Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
-                              Progress& progress) {
-  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
-  return trace_ready(*tracer, options, quality, quality.state.empty() ? 0 : key_of(scene, options), progress);
-}
-
 Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
                                             const Quality& quality, std::span<const std::uint64_t> seeds,
                                             Progress& progress) {
   CUTICLE_EXPECT(quality.state.empty(), "the state is of one picture");
-  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
+  TraceOptions of_seed = options;
+  if (of_seed.tables) of_seed.tables->kept = std::make_shared<lut::TableSet>();
   std::vector<Picture> pictures;
   for (const std::uint64_t seed : seeds) {
-    tracer->take_seed(seed);
-    CUTICLE_ASSIGN(pictures.emplace_back(), trace_ready(*tracer, options, quality, 0, progress));
+    of_seed.seed = seed;
+    CUTICLE_ASSIGN(pictures.emplace_back(), trace_picture(scene, of_seed, quality, progress));
   }
   return pictures;
 }

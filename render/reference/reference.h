@@ -30,8 +30,8 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options);
 /// Errors: those of Tracer and Film.
 Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
                               Progress& progress);
-/// The same with each of these seeds in turn, bit for bit as trace_picture draws them: the scene, with its tables and
-/// shadow maps, is made ready once. No state. Test: reference_test.cpp. Errors: those of trace_picture.
+/// The same with each of these seeds in turn, bit for bit as trace_picture draws them; lookup tables are baked once.
+/// No state. Test: reference_test.cpp. Errors: those of trace_picture.
 Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
                                             const Quality& quality, std::span<const std::uint64_t> seeds,
                                             Progress& progress);

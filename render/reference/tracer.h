@@ -55,8 +55,6 @@ class Tracer {
   /// TableScattering and VertexTransmittance.
   static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
   ~Tracer();
-  /// Other random numbers from here on; no path may be traced meanwhile.
-  void take_seed(std::uint64_t seed);
   /// The light of each path; `paths` and `light` have one size.
   void trace(std::span<const PathName> paths, std::span<PathLight> light) const;
   const TracedScene& scene() const;
