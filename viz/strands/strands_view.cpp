@@ -38,7 +38,6 @@ void add_length_bar(vtkRenderer& renderer, const strands::Bounds& box, double sc
 
 }  // namespace
 
-std::string StrandsPicture::title() const { return "cuticle view strands"; }
 int StrandsPicture::frame_count() const { return int(view_.runs.front().frames.size()); }
 
 Result<void> StrandsPicture::load(Part& part) {
@@ -93,7 +92,8 @@ Result<void> StrandsPicture::fill(const WindowArea& area) {
   for (Part& part : parts_) draw(part), draw_colliders(part);
   const double x0 = width * double(parts_.size());
   along_.emplace(*area.add_renderer(x0, 0.5, 1, 1), size_);
-  over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
+  over_time_renderer_ = area.add_renderer(x0, 0, 1, 0.5);
+  over_time_.emplace(*over_time_renderer_, size_);
   std::tie(strand_, vertex_) = largest();
   if (view_.strand)
     strand_ = std::min(*view_.strand, parts_[0].groom.strand_count() - 1),
@@ -162,7 +162,7 @@ Result<void> StrandsPicture::update_curves() {
     time.x.upper = std::max(k == 0 ? 1e-6 : time.x.upper, points.back().x);
     time.curves.push_back({parts_.size() == 2 ? part.run.name : "", std::move(points), colors[k]});
   }
-  if (time.curves.empty()) time.title = "a single state: no time";
+  over_time_renderer_->SetDraw(!time.curves.empty());
   fit_y(along);
   fit_y(time);
   along_->set(std::move(along));

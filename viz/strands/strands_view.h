@@ -12,10 +12,9 @@ namespace cuticle::viz {
 /// Strands drawn at most while the camera moves.
 inline constexpr std::size_t k_moving_strands = 8000;
 
-class StrandsPicture : public View {
+class StrandsPicture : public ViewOf<StrandsView> {
  public:
-  explicit StrandsPicture(StrandsView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit StrandsPicture(StrandsView view) : ViewOf("strands", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -47,12 +46,12 @@ class StrandsPicture : public View {
   void look();
   Result<void> set_color(std::size_t choice);
 
-  StrandsView view_;
   std::vector<Part> parts_;
   std::vector<std::string> color_names_;
   ColorScale scale_;
   std::optional<ColorBar> bar_;
   std::optional<Plot> along_, over_time_;
+  vtkSmartPointer<vtkRenderer> over_time_renderer_;
   std::size_t strand_ = 0, vertex_ = 0;  ///< picked
   double size_ = 1;
 };

@@ -2,6 +2,7 @@
 // What a view gives to the window, picture or movie that shows it. Private to viz.
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <vtkRenderWindow.h>
@@ -54,6 +55,20 @@ class View {
   virtual void set_moving(bool) {}
   /// Writes what is shown into a folder.
   virtual Result<void> write_files(const std::string& folder) = 0;
+};
+
+/// A view of `Shown`, the numbers and choices that it was asked for.
+template <class Shown>
+class ViewOf : public View {
+ public:
+  std::string title() const override { return std::string("cuticle view ") + name_; }
+
+ protected:
+  ViewOf(const char* name, Shown shown) : view_(std::move(shown)), name_(name) {}
+  Shown view_;
+
+ private:
+  const char* name_;
 };
 
 /// Draws the view into the target's files, or shows it in a window until that is closed. Errors: no_device without a
