@@ -51,7 +51,6 @@ class StrandsPicture : public ViewOf<StrandsView> {
   ColorScale scale_;
   std::optional<ColorBar> bar_;
   std::optional<Plot> along_, over_time_;
-  vtkSmartPointer<vtkRenderer> over_time_renderer_;
   std::size_t strand_ = 0, vertex_ = 0;  ///< picked
   double size_ = 1;
 };
