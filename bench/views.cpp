@@ -27,6 +27,7 @@ strands::Groom grown(double strands) {
 
 void turn(viz::StrandsPicture& picture, vtkRenderWindow& window, bool moving, int frames) {
   picture.set_moving(moving);
+  window.SetMultiSamples(moving ? 0 : viz::k_samples);
   window.Render();
   const auto began = std::chrono::steady_clock::now();
   const std::clock_t used = std::clock();
@@ -61,7 +62,7 @@ int run(double strands) {
   fmt::print("{} strands, {} vertices\n", groom.strand_count(), groom.vertex_count());
   for (int round = 0; round < 2; ++round) {
     turn(picture, *opened->window, true, 20);
-    turn(picture, *opened->window, false, 5);
+    turn(picture, *opened->window, false, 2);
   }
   return 0;
 }

@@ -10,7 +10,7 @@
 namespace cuticle::viz {
 
 /// Strands drawn at most while the camera moves.
-inline constexpr std::size_t k_moving_strands = 8000;
+inline constexpr std::size_t k_moving_strands = 4000;
 
 class StrandsPicture : public ViewOf<StrandsView> {
  public:

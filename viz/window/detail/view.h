@@ -34,6 +34,9 @@ struct WindowArea {
   vtkSmartPointer<vtkRenderer> add_renderer(double x0, double y0, double x1, double y1) const;
 };
 
+/// Samples of a pixel at rest. While the camera moves there is one: software OpenGL needs a third of the time.
+inline constexpr int k_samples = 8;
+
 class View {
  public:
   virtual ~View() = default;
