@@ -165,10 +165,11 @@ Result<std::vector<lut::ModelFit>> fit_measured(const FitOptions& options, const
     fmt::print("{}: {} measured directions, {} without a value; every second one is fitted, the others judge\n",
                options.measured, fibre.directions.size(), fibre.unmeasured);
   std::vector<lut::ModelFit> fits;
+  const std::vector<std::string> free = options.free.empty() ? std::vector<std::string>{} : split_list(options.free);
   for (const std::string& name : split_list(options.models)) {
     CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
     CUTICLE_ASSIGN(lut::MeasuredModel found,
-                   lut::fit_measured({model, split_list(options.free), options.preset, options.settings, loss}, fibre));
+                   lut::fit_measured({model, free, options.preset, options.settings, loss}, fibre));
     if (!context.json)
       fmt::print("{}: factor {:.4g}; rms error over rms: all {:.3f}, R {:.3f}, TT {:.3f}, TRT {:.3f}\n", name,
                  found.fit.scale, lut::judged_error(found, fibre), lut::judged_error(found, fibre, lut::LobeZone::r),

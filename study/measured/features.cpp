@@ -98,7 +98,7 @@ double walked_glint(double aspect, double phi_o, std::int64_t walks) {
 Result<double> azimuthal_glint(double aspect, double phi_o) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model("marschner"));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
-                 bsdf::parse_settings(*model, "", fmt::format("aspect={}", aspect)));
+                 bsdf::parse_settings(*model, "", fmt::format("aspect={},sigma_a=0.1/0.1/0.1", aspect)));
   CUTICLE_ASSIGN(const int lobe, bsdf::find_lobe(*model, "TRT"));
   std::vector<bsdf::Point> points;
   std::vector<double> x, y;

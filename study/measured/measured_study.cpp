@@ -19,6 +19,7 @@ namespace {
 using lut::LobeZone;
 using lut::MeasuredModel;
 
+constexpr double k_far = 4;         ///< times the best one's error: farther models are not drawn
 constexpr std::size_t k_shown = 5;  ///< models beside the measurement in a plot
 constexpr double k_degrees = 180 / std::numbers::pi;
 
@@ -171,6 +172,12 @@ std::vector<Cut> cuts_of(const bsdf::MeasuredFibre& fibre) {
   return cuts;
 }
 
+double largest(const bsdf::MeasuredFibre& fibre) {
+  double most = 0;
+  for (const bsdf::MeasuredDirection& at : fibre.directions) most = std::max(most, shown(at.value));
+  return most;
+}
+
 Plot plot_of(const Cut& cut, const bsdf::MeasuredFibre& fibre, const std::vector<const MeasuredModel*>& best) {
   const bsdf::MeasuredDirection& at = fibre.directions[cut.directions[0]];
   const std::string place =
@@ -181,11 +188,12 @@ Plot plot_of(const Cut& cut, const bsdf::MeasuredFibre& fibre, const std::vector
             cut.x_label, "measured units",
             false,       cut.name == "around",
             {}};
+  const double floor = 1e-4 * largest(fibre);
   const auto add = [&](const std::string& name, const auto& value) {
     Curve curve{name, {}, {}};
     for (const std::size_t i : cut.directions) {
       curve.x.push_back(fibre.directions[i].*cut.along * k_degrees);
-      curve.y.push_back(value(i));
+      curve.y.push_back(cut.name == "around" ? std::log10(std::max(value(i), floor)) : value(i));
     }
     plot.curves.push_back(std::move(curve));
   };
@@ -201,6 +209,8 @@ std::vector<const MeasuredModel*> best_models(const std::vector<MeasuredModel>& 
   for (const MeasuredModel& model : models) best.push_back(&model);
   std::ranges::sort(best, {}, [&](const MeasuredModel* model) { return lut::judged_error(*model, fibre); });
   best.resize(std::min(best.size(), k_shown));
+  while (best.size() > 1 && lut::judged_error(*best.back(), fibre) > k_far * lut::judged_error(*best.front(), fibre))
+    best.pop_back();
   return best;
 }
 
@@ -226,7 +236,7 @@ std::string about(const MeasuredRequest& request, const bsdf::MeasuredFibre& fib
   return fmt::format(
       "No file was given: {} by {} walks through a rough {} fibre (study/oracle), written and read in the format of "
       "Yan et al. "
-      "2015, which also gave it its noise. The factor found should be 1.",
+      "2015, which also gave it its noise. A model that were the fibre would find a factor of 1.",
       places, request.walks, request.hair);
 }
 
