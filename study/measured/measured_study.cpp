@@ -185,8 +185,8 @@ Plot plot_of(const Cut& cut, const bsdf::MeasuredFibre& fibre, const std::vector
           ? fmt::format("theta_i {:.0f}, theta_o {:.0f} degrees", at.theta_i * k_degrees, at.theta_o * k_degrees)
           : fmt::format("phi {:.0f}, theta_o {:.0f} degrees", at.phi * k_degrees, at.theta_o * k_degrees);
   Plot plot{cut.name,    fmt::format("Scattering {}: {}", cut.title, place),
-            cut.x_label, "measured units",
-            false,       cut.name == "around",
+            cut.x_label, cut.name == "around" ? "log10 of measured units" : "measured units",
+            false,       false,
             {}};
   const double floor = 1e-4 * largest(fibre);
   const auto add = [&](const std::string& name, const auto& value) {
