@@ -63,7 +63,7 @@ def scene(name, folder, sigma_a=COLOURS["blond"], size=240, to_light=TO_LIGHT, g
                                          "tolerance": 1e-3}},
                      "evaluate": "direct"},
         "lights": [{"name": "key", "to_light": list(to_light), "irradiance": [10, 10, 10]}],
-        "shadow": {"method": {"deep_opacity": {"layers": 16, "resolution": 1024, "filter_texels": 1}}, "fibre_alpha": 1},
+        "shadow": {"method": {"deep_shadow": {"resolution": 1024, "filter_texels": 1}}, "fibre_alpha": 1},
         "camera": {**(camera or GROOMS[name]["camera"]), "resolution_px": [size, size]},
         **GROOMS[name].get("strands", {}),
         "passes": {"resolve": {"background": [0, 0, 0]}, "lines": {"ambient": 0}},

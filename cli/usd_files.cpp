@@ -6,6 +6,7 @@
 
 #include "cli/shared_files.h"
 #include "core/output_file.h"
+#include "strands/gltf/strands_glb.h"
 
 namespace cuticle::cli {
 
@@ -56,6 +57,7 @@ Result<strands::GroomFile> read_groom_file(const std::string& path, const strand
 
 Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
                                                   double metres_per_unit) {
+  if (fs::path(path).extension() == ".glb") return strands::write_strands_glb(path, groom, metres_per_unit);
   if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
   CUTICLE_ASSIGN(const Temporary folder, folder_for_text());
   CUTICLE_ASSIGN(std::vector<std::string> lost, strands::write_groom(text_in(folder), groom, metres_per_unit));

@@ -141,6 +141,8 @@ TEST(LoneStrands, OfChannelsOfTheirOwnOpacity_AreLit) {
 }
 
 // What the fibre itself would take away, were it not left out: the tests above could not pass.
+// Measured at 512 x 512 texels, opaque: .78 (fourier) to .849 (exact_list). With the correction broken (OwnFibre::find
+// leaves at once) eight tests of this file fail, the finest maps by up to .26 (.735 for .995).
 TEST(LoneStrands, PointsThatKnowNoStrand_AreShadowedByIt) {
   for (const Setting& setting : map_settings())
     if (setting.method != "shadow_map") {

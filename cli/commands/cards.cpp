@@ -41,7 +41,7 @@ int act(const CardsRequest& request, const Context& context) {
 
 void add_cards(CLI::App& app, Context& context) {
   auto* command =
-      app.add_subcommand("cards", "make hair cards of a groom: mesh (OBJ), textures (PNG), and what the cards lose");
+      app.add_subcommand("cards", "make hair cards of a groom: mesh (OBJ, glTF), textures (PNG), and what the cards lose");
   auto request = std::make_shared<CardsRequest>();
   command->add_option("groom", request->groom, groom_help(false))->required();
   command->add_option("--out", request->out, "folder to write (default: cards)");

@@ -29,6 +29,11 @@ def plain_numbers(axis):
     axis.set_tick_params(which="minor", labelsize=8)
 
 
+def is_setting(study, x):
+    """Whether the axis has a few chosen values, which are its ticks."""
+    return x.key == study.point_label or study.by_resolution()
+
+
 def label_points(axes, labels):
     """Texts (x, y, text, color) beside points, each in the first corner where it covers no other; those that find none stay away."""
     axes.figure.canvas.draw()
@@ -58,7 +63,7 @@ def save_png(study, x, path):
     for (dash, _), (name, value) in zip(DASHES, study.baselines):
         axes.axhline(value, linestyle=dash, color="black", linewidth=1, label=f"{name}: {value:.3g}")
     axes.set(xlabel=x.label, ylabel=study.y.label, xscale=x.scale, yscale=study.y.scale)
-    if x.key == study.point_label:
+    if is_setting(study, x):
         settings = sorted({row[x.key] for row in study.raw["rows"]})
         axes.xaxis.set_major_locator(ticker.FixedLocator(settings))
         axes.xaxis.set_minor_locator(ticker.NullLocator())
@@ -67,7 +72,7 @@ def save_png(study, x, path):
     axes.set_title(study.title, fontsize=11, wrap=True)
     axes.grid(alpha=0.3, which="both")
     figure.legend(loc="outside right upper", fontsize=8)
-    if x.key != study.point_label:
+    if not is_setting(study, x):
         label_points(axes, labels)
     temporary = path.with_name(f".{path.stem}.{os.getpid()}.png")
     try:
@@ -86,7 +91,7 @@ def interactive(study, x):
     """The same as a plotly figure."""
     figure = plotly.Figure()
     for color, (name, rows) in zip(COLORS * 9, study.curves().items()):
-        is_labelled = x.key != study.point_label and len(study.raw["rows"]) <= MOST_LABELS
+        is_labelled = not is_setting(study, x) and len(study.raw["rows"]) <= MOST_LABELS
         labels = [str(row.get(study.point_label, "")) for row in rows] if is_labelled else None
         figure.add_scatter(x=[row[x.key] for row in rows], y=[row[study.y.key] for row in rows], name=name, text=labels,
                            mode="lines+markers+text" if labels else "lines+markers", textposition="top right", textfont={"size": 10},
@@ -102,6 +107,6 @@ def interactive(study, x):
     figure.update_layout(template="plotly_white", height=480, margin={"l": 70, "r": 20, "t": 30, "b": 60})
     figure.update_xaxes(title=x.label, type=x.scale, exponentformat="power")
     figure.update_yaxes(title=study.y.label, type=study.y.scale, exponentformat="power")
-    if x.key == study.point_label:
-        figure.update_xaxes(tickvals=sorted(set(values)))
+    if is_setting(study, x):
+        figure.update_xaxes(tickvals=sorted(set(values)), ticktext=[f"{value:g}" for value in sorted(set(values))])
     return figure

@@ -2,12 +2,12 @@
 import dataclasses
 import pathlib
 
-from . import ReportError, data, figures, page, pareto, receivers, results
+from . import ReportError, data, figures, look, page, pareto, receivers, results
 
 COLUMNS = ["method", "settings", "mean_error", "mean_interval", "p95_error", "max_error", "bias", "light_flicker", "motion_flicker", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
 
-MOST_CURVES = 16  # of one figure
+MOST_CURVES = 16  # of a figure along time
 LONG_SETTINGS = 60  # characters
 
 
@@ -40,7 +40,20 @@ class Study:
         """All but those without error, which a logarithmic axis has no place for: a reference beside itself."""
         return [row for row in self.raw["rows"] if row[self.y.key] > 0 or self.y.scale != "log"]
 
+    def by_resolution(self):
+        return self.x.key == "resolution"
+
     def curves(self):
+        """Name of each curve that is drawn and its rows; along a resolution six at most, the best of each method first."""
+        every = self.every_curve()
+        if not self.by_resolution() or len(every) <= look.MOST_CURVES:
+            return every
+        by_error = sorted(every, key=lambda name: min(row[self.y.key] for row in every[name]))
+        best = {every[name][0]["method"]: name for name in reversed(by_error)}.values()
+        kept = [*sorted(best, key=by_error.index), *(name for name in every if name not in best)][:look.MOST_CURVES]
+        return {name: every[name] for name in every if name in kept}
+
+    def every_curve(self):
         """Name of each curve and its rows, in the order of the column that labels the points."""
         series, named = self.raw["series"], {}
         for row in self.drawn_rows():
@@ -56,7 +69,7 @@ class Study:
     def named_by_settings(self, row):
         """The method, with what else tells its curves apart where one is drawn along a setting."""
         swept = [part for part in row.get("settings", "").split(",") if part and not part.startswith(f"{self.x.key}=")]
-        return ", ".join([row["method"], *swept]) if self.x.key == "resolution" else row["method"]
+        return ", ".join([row["method"], *swept]) if self.by_resolution() else row["method"]
 
     def front(self):
         """Rows that no other passes in both axes, by x."""
@@ -165,11 +178,39 @@ def verdict(study):
     return [page.Section("Asked for: " + " and ".join(limits), strong=found)]
 
 
+def rises(rows, key):
+    """Pairs of neighbours of a curve whose error grows by more than both half widths of their intervals."""
+    return [(a, b) for a, b in zip(rows, rows[1:]) if b[key] - a[key] > a.get("mean_interval", 0) + b.get("mean_interval", 0)]
+
+
+def along_resolution(study):
+    """What more texels bring, in sentences: of the curves with several resolutions."""
+    key, x = study.y.key, study.x.key
+    curves = {name: rows for name, rows in study.every_curve().items() if len(rows) > 1}
+    if not curves:
+        return ""
+    best = min(curves, key=lambda name: curves[name][-1][key])
+    first, last = curves[best][0], curves[best][-1]
+    falls = sum(all(b[key] < a[key] for a, b in zip(rows, rows[1:])) for rows in curves.values())
+    found = f"Finer maps: the error falls at every step of resolution for {falls} of {len(curves)} settings. The least at the finest maps is " \
+            f"{best}: {first[key]:.3g} at {first[x]}, {last[key]:.3g} at {last[x]}."
+    worse = [f"{name} from {a[x]} to {b[x]} ({a[key]:.3g} to {b[key]:.3g})" for name, rows in curves.items() for a, b in rises(rows, key)]
+    found += " It rises by more than its intervals: " + "; ".join(worse) + "." if worse else " It rises by more than its intervals for none."
+    floors = [name for name, rows in curves.items() if rows[-1][key] > dict(study.baselines).get("none", float("inf"))]
+    return found + (" Worse than no shadow at all even there: " + "; ".join(floors) + "." if floors else "")
+
+
+def left_out(study):
+    """The curves that the figure has no colour for."""
+    names = [name for name in study.every_curve() if name not in study.curves()]
+    return f" In the table alone, since a figure has six curves at most: {'; '.join(names)}." if study.by_resolution() and names else ""
+
+
 def make(folder):
     """Writes the plots and index.html into the folder; returns the title and the sections."""
     folder = pathlib.Path(folder)
     study = load(folder / "study.json")
-    by_resolution = study.x.key == "resolution"
+    by_resolution = study.by_resolution()
     axes = [study.x] * by_resolution + [study.label_axis()] * study.has_numeric_labels()
     axes = [axis for axis in axes if all(axis.key in row for row in study.raw["rows"])]
     for axis in axes:
@@ -178,7 +219,7 @@ def make(folder):
     drawn += [figures.interactive(study, axis) for axis in axes]
     columns, rows, chosen = table(study)
     heading = "Error against resolution and settings" if by_resolution else "Error against time and settings"
-    sections = verdict(study) + [page.Section(heading, words(study), figures=drawn),
+    sections = verdict(study) + [page.Section(heading, words(study) + left_out(study), figures=drawn, strong=along_resolution(study) if by_resolution else ""),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
     sections += receivers.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))

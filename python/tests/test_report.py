@@ -178,3 +178,23 @@ def test_Page_LongSettings_AreATableOfParameters():
     from cuticle_report import page
     text = page.render("t", [page.Section("s", columns=["model", "settings"], rows=[row, ["none", "slices=4,resolution=64"]])])
     assert "3 parameters" in text and "<td>sigma_a</td><td>0.1257/0.2091/0.411</td>" in text and "slices=4,resolution=64" in text
+
+
+def along_resolution(errors):
+    """A study of what a camera sees: a method of four errors for four resolutions each."""
+    raw = study_of([{"method": method, "settings": f"resolution={n}" + (f",{more}" if more else ""), "resolution": n, "mean_error": error, "mean_interval": 0.01,
+                     "total_ms": 1.0, "bytes": n * n} for (method, more), curve in errors.items() for n, error in zip((128, 256, 512, 1024), curve)])
+    return raw | {"x": {"key": "resolution", "label": "resolution", "scale": "log"}, "series": "layers", "label": "layers"}
+
+
+def test_ShadowPage_AlongResolution_SaysFirstWhatFinerMapsBring(tmp_path):
+    errors = {("deep_opacity", ""): (0.08, 0.06, 0.04, 0.02), ("opacity_map", ""): (0.6, 0.61, 0.65, 0.7)}
+    errors |= {("moments", f"basis=power_{k}"): (0.3 + k / 100, 0.2, 0.15, 0.1) for k in range(6)}
+    (tmp_path / "study.json").write_text(json.dumps(along_resolution(errors)))
+    assert report(tmp_path).returncode == 0
+    html = (tmp_path / "index.html").read_text()
+    said = re.search(r"<strong>(.*?)</strong>", html).group(1)
+    assert "falls at every step of resolution for 7 of 8 settings" in said and "deep_opacity: 0.08 at 128, 0.02 at 1024" in said
+    assert "rises by more than its intervals: opacity_map from 256 to 512 (0.61 to 0.65); opacity_map from 512 to 1024 (0.65 to 0.7)" in said
+    assert "Worse than no shadow at all even there: opacity_map." in said
+    assert "In the table alone, since a figure has six curves at most: moments, basis=power_4; moments, basis=power_5." in html

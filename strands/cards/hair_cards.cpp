@@ -7,6 +7,8 @@
 
 #include "core/file.h"
 #include "core/json/json.h"
+#include "core/mapped_file.h"
+#include "strands/cards/cards_glb.h"
 #include "strands/cards/occlusion.h"
 
 namespace cuticle::strands {
@@ -110,6 +112,10 @@ Result<void> write_cards(const std::string& folder, const HairCards& cards) {
   const Image& atlas = cards.textures.atlas;
   for (int c = 0; c < atlas.channels(); ++c)
     CUTICLE_TRY(write_png(fmt::format("{}/{}.png", folder, atlas.channel_names[std::size_t(c)]), channel(atlas, c)));
+  CUTICLE_TRY(write_png(folder + "/cards.png", card_picture(cards.textures)));
+  CUTICLE_ASSIGN(const FileBytes picture, map_file(folder + "/cards.png"));
+  CUTICLE_ASSIGN(const std::vector<std::byte> glb, cards_glb(cards, picture.span()));
+  CUTICLE_TRY(write_file(folder + "/cards.glb", glb));
   CUTICLE_TRY(write_text_file(folder + "/cards.mtl", k_material));
   CUTICLE_TRY(write_text_file(folder + "/cards.obj", obj_text(cards)));
   return write_text_file(folder + "/cards.json", card_report(cards));

@@ -16,7 +16,8 @@ struct HairCards {
 Result<HairCards> make_hair_cards(const Groom& groom, const Mesh* head, const CardParameters& parameters);
 
 /// Into a folder that exists: cards.obj (metres; occlusion as grey vertex colours; faces in the static order, one group
-/// for each part), cards.mtl, base.png, alpha.png, shift.png, mask.png (8 bits, values as they are), and cards.json
+/// for each part), cards.mtl, base.png, alpha.png, shift.png, mask.png (8 bits, values as they are), cards.png (base and alpha in one), cards.glb
+/// (cards_glb.h), and cards.json
 /// (sizes, kinds, error of cover).
 Result<void> write_cards(const std::string& folder, const HairCards& cards);
 /// The figures of cards.json.

@@ -63,10 +63,11 @@ function asData(texture) {
 }
 
 export async function loadHairLut(folder = new URL('.', import.meta.url).href) {
-  const manifest = await (await fetch(new URL('manifest.json', folder))).json();
+  const base = new URL(folder.endsWith('/') ? folder : folder + '/', globalThis.location?.href ?? import.meta.url);
+  const manifest = await (await fetch(new URL('manifest.json', base))).json();
   const uniforms = {};
   for (const table of manifest.tables) {
-    const texture = await READERS[manifest.format](new URL(table.file, folder).href);
+    const texture = await READERS[manifest.format](new URL(table.file, base).href);
     uniforms[`cuticle_${table.name}`] = { value: asData(texture) };
   }
   return { manifest, uniforms };

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
 #include "core/memory_limit.h"
 #include "strands/finite.h"
@@ -276,6 +277,16 @@ void add_pairs(std::string& text, std::string_view name, std::string_view type, 
         "uniform");
 }
 
+/// The box of the curves with their width, as UsdGeomBoundable asks for it; a number stays one that a float holds.
+Bounds extent_of(const Groom& groom) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  Bounds box = bounds(groom);
+  const float radius = groom.radii.empty() ? 0.0f : *std::ranges::max_element(groom.radii);
+  box.lower = glm::max(box.lower - radius, glm::vec3(-largest));
+  box.upper = glm::min(box.upper + radius, glm::vec3(largest));
+  return box;
+}
+
 Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per_unit) {
   std::vector<std::uint32_t> counts, ids;
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s) {
@@ -291,6 +302,9 @@ Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per
       "        int primvars:groom_version_major = 1\n        int primvars:groom_version_minor = 5\n"
       "        int[] curveVertexCounts = {}\n",
       metres_per_unit, list_of(counts));
+  const auto [lower, upper] = extent_of(groom);
+  fmt::format_to(std::back_inserter(text), "        float3[] extent = [({}, {}, {}), ({}, {}, {})]\n", lower.x, lower.y,
+                 lower.z, upper.x, upper.y, upper.z);
   fmt::format_to(std::back_inserter(text), "        point3f[] points = {}\n",
                  list_of({&groom.positions.front().x, 3 * groom.vertex_count()}, 3));
   add(text, "float[]", "widths", list_of(widths, 1), "vertex");

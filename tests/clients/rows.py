@@ -1,0 +1,286 @@
+"""A function a row: opens what Cuticle wrote in a program and compares. Each gives a Row, or raises NotRun with why."""
+import base64
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy
+
+import work
+import lut_files
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "browser"))
+
+
+class NotRun(Exception):
+    """The program is not here."""
+
+
+@dataclasses.dataclass
+class Row:
+    program: str
+    version: str
+    opened: str
+    compared: list = dataclasses.field(default_factory=list)  # (words, holds)
+    notes: list = dataclasses.field(default_factory=list)
+    pictures: list = dataclasses.field(default_factory=list)
+
+    def check(self, words, holds):
+        self.compared.append((words, bool(holds)))
+
+
+def modules(full):
+    """The npm packages of this folder; those of the browser tests hold three.js alone."""
+    own = HERE / "node_modules"
+    if full and not own.exists():
+        subprocess.run(["npm", "ci", "--prefix", HERE, "--silent", "--no-audit", "--no-fund"], check=True)
+    return own if own.exists() else HERE.parent / "browser/node_modules"
+
+
+def page(name, folder, full, needs):
+    packages = modules(full)
+    if not (packages / needs).exists():
+        raise NotRun(f"the npm package {needs} is installed by --full")
+    done = work.node(HERE.parent / "browser/run_page.mjs", HERE / "pages", name, f"lut={folder / 'lut/three'}", f"work={folder}", f"--modules={packages}")
+    if done.returncode:
+        raise RuntimeError(done.stderr[-1500:])
+    return json.loads(done.stdout), json.loads((packages / needs / "package.json").read_text())["version"]
+
+
+def save_pictures(row, found, folder, name):
+    for file, data in found["pictures"].items():
+        path = folder / f"{name}_{file.split('.')[0]}.png"
+        path.write_bytes(base64.b64decode(data.split(",")[1]))
+        row.pictures.append(path)
+
+
+def compare_mesh(row, found, folder, file):
+    wanted = work.glb(folder / file)
+    off = max(abs(numpy.array(found["lower"]) - wanted["POSITION"].min(axis=0)).max(), abs(numpy.array(found["upper"]) - wanted["POSITION"].max(axis=0)).max())
+    row.check(f"{file}: bounds {off:.1g} m off the file's", off < 1e-7)
+    if "vertices" in found:
+        row.check(f"{file}: {found['vertices']:.0f} vertices, {found['indices']} indices, as in the file",
+                  (found["vertices"], found["indices"]) == (len(wanted["POSITION"]), len(wanted["indices"])))
+    if "tangents" in found:
+        off = abs(numpy.array(found["tangents"]).reshape(-1, 4) - wanted["TANGENT"][:10]).max()
+        row.check(f"{file}: tangents {off:.1g} off", off < 1e-6)
+
+
+def compare_tables(row, found, folder):
+    """S of the engine's shader against `cuticle eval`, by what the manifest says of the tables."""
+    measured, wanted = numpy.array(found["measured"]), work.exact(folder)
+    row.check(f"{len(wanted)} directions: the set's probes read right", not measured[:, 3].any())
+    stated = json.loads((folder / "lut/manifest.json").read_text())["scattering"]
+    for c, name in enumerate("rgb"):
+        error = abs(measured[:, c] - wanted[:, c])
+        largest = stated[f"S.{name}"]["maximum"]
+        row.check(f"S.{name} against cuticle eval: largest {error.max():.2g}, rms {numpy.sqrt((error**2).mean()):.2g} (stated {largest:.2g})", error.max() < 1.2 * largest)
+
+
+def engine(folder, full, name, program, package, reads_tables=True):
+    found, version = page(f"{name}.html", folder, full, package)
+    row = Row(program, version, "strands.glb, cards.glb" + (", three tables (KTX2)" if reads_tables else ""))
+    if reads_tables:
+        compare_tables(row, found, folder)
+    else:
+        row.notes.append("tables: not run; a material that reads them needs the compiler matc, which npm has not")
+    for file in ("strands.glb", "cards.glb"):
+        compare_mesh(row, found[file], folder, file)
+    save_pictures(row, found, folder, name)
+    return row
+
+
+def three(folder, full):
+    return engine(folder, full, "three", "three.js (WebGL 2)", "three")
+
+
+def babylon(folder, full):
+    return engine(folder, full, "babylon", "Babylon.js (WebGL 2)", "@babylonjs/core")
+
+
+def playcanvas(folder, full):
+    return engine(folder, full, "playcanvas", "PlayCanvas (WebGL 2)", "playcanvas")
+
+
+def filament(folder, full):
+    return engine(folder, full, "filament", "Filament (WebGL 2)", "filament", False)
+
+
+def viewer(folder, full):
+    packages = modules(full)
+    model = ["--set", "eta=1.55,sigma_a=0.1/0.2/0.4,beta_deg=11,alpha_deg=-2.5"]
+    work.must("viewer", folder / "groom.npz", *model, "--strands", 6000, "--three", packages / "three", "--out", folder / "viewer")
+    work.must("bake", *model, "--layout", "nalu_theta", "--out", folder / "viewer_tables")
+    read = "({ words: document.querySelector('#panel p').textContent, tables: [0, 1, 2].map((k) => Array.from(cuticleViewer.tables.read(k))) })"
+    picture = folder / "viewer.png"
+    done = work.node(HERE.parent / "browser/run_page.mjs", folder / "viewer", "index.html?frames=6", "--file", "--ready=document.body.dataset.still", f"--result={read}",
+                     f"--screenshot={picture}")
+    if done.returncode:
+        raise RuntimeError(done.stderr[-1500:])
+    row = Row("cuticle viewer in Chromium, from disk", chromium(), "viewer/index.html", pictures=[picture])
+    found, baked = json.loads(done.stdout), lut_files.Tables(folder / "viewer_tables").values
+    row.check(f"shows {found['words']}", found["words"].startswith(f"6000 of {len(work.groom(folder)['offsets']) - 1} strands"))
+    for name, values in zip(("M", "N_TT_R", "N_TRT"), found["tables"]):
+        wanted = baked[name]
+        error = abs(numpy.reshape(values, (128, 128, 4))[..., :wanted.shape[2]] - wanted) / (wanted + 1e-3 * wanted.max())
+        row.check(f"{name} baked by the page against cuticle bake: largest difference {error.max():.2g} of the value", error.max() < 4e-3)
+    return row
+
+
+def chromium():
+    return subprocess.run([os.environ.get("CUTICLE_CHROMIUM", "/usr/bin/chromium"), "--version"], capture_output=True, text=True).stdout.strip()
+
+
+def validator(folder, full):
+    packages = modules(full)
+    if not (packages / "gltf-validator").exists():
+        raise NotRun("the npm package gltf-validator is installed by --full")
+    row = Row("Khronos glTF validator", json.loads((packages / "gltf-validator/package.json").read_text())["version"], "strands.glb, cards.glb")
+    for file in ("strands.glb", "cards.glb"):
+        script = ("const v = require(process.argv[1]); v.validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[2])))"
+                  ".then((r) => console.log(JSON.stringify(r.issues)))")
+        done = work.node("-e", script, packages / "gltf-validator/index.js", folder / file)
+        issues = json.loads(done.stdout)
+        said = ", ".join(sorted({each["code"].lower() for each in issues["messages"]})) or "nothing"
+        row.check(f"{file}: {issues['numErrors']} errors, {issues['numWarnings']} warnings; says {said}", issues["numErrors"] == 0)
+    return row
+
+
+def usd(folder, full):
+    try:
+        from pxr import Usd, UsdGeom, UsdValidation
+    except ImportError as error:
+        raise NotRun(f"usd-core: {error}") from error
+    row = Row("usd-core", ".".join(map(str, Usd.GetVersion())), "groom.usda")
+    stage = Usd.Stage.Open(str(folder / "groom.usda"))
+    curves = UsdGeom.BasisCurves(next(prim for prim in stage.Traverse() if prim.IsA(UsdGeom.BasisCurves)))
+    groom, points = work.groom(folder), numpy.array(curves.GetPointsAttr().Get())
+    counts = numpy.array(curves.GetCurveVertexCountsAttr().Get())
+    row.check(f"{len(counts)} curves, {len(points)} points, as in the groom", (counts == numpy.diff(groom["offsets"].astype(int))).all())
+    row.check(f"positions {abs(points - groom['positions']).max():.1g} m off", (points == groom["positions"]).all())
+    widths = numpy.array(curves.GetWidthsAttr().Get())
+    row.check(f"widths {abs(widths / 2 - groom['radii']).max():.1g} m off the radii", numpy.allclose(widths, 2 * groom["radii"], rtol=1e-6))
+    extent = numpy.array(curves.GetExtentAttr().Get())
+    row.check("extent holds every curve with its width", (extent[0] <= points.min(axis=0)).all() and (extent[1] >= points.max(axis=0)).all())
+    errors = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators()).Validate(stage)
+    row.check(f"UsdValidation: {len(errors)} errors", not errors)
+    return row
+
+
+def materialx(folder, full):
+    try:
+        import MaterialX as mx
+        import MaterialX.PyMaterialXGenGlsl as glsl
+        import MaterialX.PyMaterialXGenShader as gen
+    except ImportError as error:
+        raise NotRun(f"the Python package MaterialX (opt-in): {error}") from error
+    row = Row("MaterialX", mx.getVersionString(), "hair.mtlx (cuticle models --export chiang)")
+    document, library = mx.createDocument(), mx.createDocument()
+    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
+    mx.readFromXmlFile(document, str(folder / "hair.mtlx"))
+    document.setDataLibrary(library) if hasattr(document, "setDataLibrary") else document.importLibrary(library)
+    valid, message = document.validate()
+    row.check(f"validates{'' if valid else ': ' + message[:200]}", valid)
+    absorption = next(node for node in document.getNodes() if node.getCategory() == "chiang_hair_bsdf").getInput("absorption_coefficient").getValueString()
+    row.check(f"absorption {absorption} as it was given", absorption == "0.1257, 0.2, 0.3")
+    generator = glsl.GlslShaderGenerator.create()
+    context = gen.GenContext(generator)
+    context.registerSourceCodeSearchPath(mx.getDefaultDataSearchPath())
+    target = next(iter(document.getMaterialNodes()), None) or next(node for node in document.getNodes() if "hair" in node.getCategory())
+    shader = generator.generate(target.getName(), target, context)
+    row.check(f"GLSL is generated: {len(shader.getSourceCode('pixel'))} characters", "chiang_hair" in shader.getSourceCode("pixel"))
+    return row
+
+
+def blender(folder, full):
+    python = os.environ.get("CUTICLE_BPY_PYTHON")
+    if not python:
+        raise NotRun("CUTICLE_BPY_PYTHON names no Python that has bpy (pip install bpy==5.0.1 in an environment of its own)")
+    done = subprocess.run([python, HERE / "blender_open.py", folder], capture_output=True, text=True, timeout=900)
+    if not (folder / "blender.json").exists():
+        raise RuntimeError(done.stderr[-1500:])
+    found, groom = json.loads((folder / "blender.json").read_text()), work.groom(folder)
+    row = Row("Blender (bpy), Cycles", found["version"], "groom.usda, strands.glb, cards.glb, cards.obj",
+              pictures=[folder / "blender_chiang.png", folder / "blender_huang.png"])
+    curves = numpy.load(folder / "blender_curves.npz")
+    turned = groom["positions"] * [1, 1, -1]  # Blender's z is up: (x, y, z) of the file becomes (x, -z, y)
+    off = abs(curves["positions"][:, [0, 2, 1]] - turned).max() if len(curves["positions"]) == len(turned) else numpy.inf
+    row.check(f"groom.usda: {found['usda']['curves']} curves, {found['usda']['points']} points, positions {off:.1g} m off", off < 1e-7)
+    row.check("groom.usda: roots and counts of every curve", (curves["offsets"] == groom["offsets"]).all())
+    row.check(f"groom.usda: radii {abs(curves['radii'] - groom['radii']).max():.1g} m off", numpy.allclose(curves["radii"], groom["radii"], rtol=1e-6))
+    row.check("groom.usda: attributes " + ", ".join(name for name in found["usda"]["attributes"] if name.startswith("groom_")),
+              "groom_id" in found["usda"]["attributes"])
+    for file in ("strands.glb", "cards.glb", "cards.obj"):
+        mesh, wanted = found[file], work.glb(folder / file.replace("obj", "glb"))["POSITION"]
+        off = abs(numpy.array(mesh["lower"])[[0, 2]] - [wanted[:, 0].min(), wanted[:, 1].min()]).max()
+        row.check(f"{file}: {mesh['vertices']} vertices, {mesh['edges']} edges, {mesh['faces']} faces, bounds {off:.1g} m off",
+                  mesh["vertices"] == len(wanted) and off < 1e-6)
+    return row
+
+
+def godot(folder, full):
+    program = shutil.which("godot3-server")
+    if not program:
+        raise NotRun("godot3-server (Debian's package of that name)")
+    project = folder / "godot"
+    project.mkdir()
+    work.must("bake", *work.MATERIAL, "--target", "godot", "--out", folder / "godot_lut")
+    (folder / "godot_lut/godot").rename(project / "hair")
+    (project / "project.godot").write_text('config_version=4\n[application]\nconfig/name="tables"\n')
+    shutil.copy(HERE / "godot_read.gd", project)
+    for arguments in (["-e", "--quit"], ["-s", "godot_read.gd"]):
+        done = subprocess.run([program, "--path", project, *arguments], capture_output=True, text=True, timeout=120)
+    row = Row("Godot 3 (headless)", done.stdout.split(" - ")[0].replace("Godot Engine ", ""), "the three tables (EXR) with their .import files")
+    channels = {14: 3, 15: 4}  # Image.FORMAT_RGBH, FORMAT_RGBAH
+    for name, wanted in lut_files.Tables(folder / "godot_lut").values.items():
+        path = next(project.glob(f"{name}_*.texels"))
+        kind = int(path.stem.split("_")[-1])
+        found = numpy.frombuffer(path.read_bytes(), "<f2").reshape(*wanted.shape[:2], channels[kind])[..., :wanted.shape[2]]
+        whole = abs(wanted) >= 2.0**-14  # Godot 3 does not keep smaller ones, which are subnormal
+        row.check(f"{name}: {wanted.shape[1]} x {wanted.shape[0]} halves, of {whole.sum()} normal ones {(found != wanted)[whole].sum()} differ; "
+                  f"of {(~whole).sum()} subnormal ones by {abs(found - wanted)[~whole].max(initial=0):.1g}",
+                  (found == wanted)[whole].all() and (abs(found - wanted) < 2.0**-14).all())
+        text = (project / f"hair/{name}.exr.import").read_text()
+        row.check(f"{name}: imported uncompressed, without mip maps, clamped, filtered",
+                  all(words in text for words in ("compress/mode=3", "flags/repeat=0", "flags/filter=true", "flags/mipmaps=false")))
+    row.notes.append("Godot 4, which the shaders are for: not run; Debian 12 has none")
+    return row
+
+
+def paraview(folder, full):
+    program = shutil.which("pvpython")
+    if not program:
+        raise NotRun("pvpython (Debian's packages paraview and python3-paraview)")
+    work.must("simulate", work.ROOT / "scenes/head_turn.json", "--frames", "0:2", "--out", folder / "run")
+    work.must("view", "strands", folder / "groom.npz", "--export", folder / "view")
+    done = subprocess.run(["xvfb-run", "-a", program, "--force-offscreen-rendering", HERE / "paraview_open.py", next((folder / "view").glob("*.py")), folder,
+                           folder / "run/states.pvd"], capture_output=True, text=True, timeout=300)
+    if not (folder / "paraview.json").exists():
+        raise RuntimeError(done.stdout[-700:] + done.stderr[-700:])
+    found, arrays = json.loads((folder / "paraview.json").read_text()), numpy.load(folder / "paraview.npz")
+    row = Row("ParaView", ".".join(found["version"].strip("()").split(", ")), "states.pvd of a run, the state and strands of cuticle view --export",
+              pictures=[folder / "paraview.png"])
+    row.check(f"times {', '.join(f'{time:.4g}' for time in found['frames'])} s", numpy.allclose(found["frames"], [0, 1 / 30, 2 / 30]))
+    for k in range(3):
+        work.must("convert", folder / f"run/state_{k:04}.vtp", folder / f"state_{k}.npz", "--metres-per-unit", 1)
+        with numpy.load(folder / f"state_{k}.npz") as file:
+            wanted, strands = file["positions"], len(file["offsets"]) - 1
+        off = abs(arrays[f"points_{k}"] - wanted).max() if arrays[f"points_{k}"].shape == wanted.shape else numpy.inf
+        row.check(f"frame {k}: {arrays[f'lines_{k}']} strands, {len(wanted)} points, {off:.1g} m off", off == 0 and arrays[f"lines_{k}"] == strands)
+    row.check(f"state: {found['points']} points, arrays {', '.join(found['arrays'])}", found["points"] == len(work.groom(folder)["positions"]))
+    return row
+
+
+def alembic(folder, full):
+    raise NotRun("Cuticle writes no Alembic: Debian 12 has no package of the library, nor has the Python index; Blender and usd-core read .usda, .usdc")
+
+
+# Quick ones are those of continuous integration.
+ROWS = {"viewer": viewer, "three": three, "usd": usd, "validator": validator, "babylon": babylon, "playcanvas": playcanvas, "filament": filament,
+        "materialx": materialx, "blender": blender, "godot": godot, "paraview": paraview, "alembic": alembic}
+QUICK = ("three", "usd")
