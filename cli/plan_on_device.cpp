@@ -1,6 +1,7 @@
 #include "cli/plan_on_device.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/core.h>
 
@@ -40,6 +41,36 @@ Result<plan::Plan> run_planned_frame(const scene::Scene& scene, int frame, Conte
   return runner->plan();
 }
 
+namespace {
+
+double bytes_of(const plan::FrameRunner& runner) {
+  double bytes = 0;
+  for (const auto& [name, held] : runner.memory()) bytes += double(held);
+  return bytes;
+}
+
+/// Device memory of the scene's first frame with each setting in question, one part changed at a time.
+Result<plan::MemoryTable> measured_memory(const scene::Scene& scene, std::span<const plan::AccuracyRow> rows,
+                                          Context& context) {
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
+  const auto bytes_with = [&](const scene::Scene& changed) -> Result<double> {
+    CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, changed, silent_progress()));
+    CUTICLE_TRY(runner->run(0));
+    return bytes_of(*runner);
+  };
+  plan::MemoryTable memory;
+  CUTICLE_ASSIGN(memory.of_scene, bytes_with(scene));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    context.progress->update("memory of settings", k, rows.size());
+    CUTICLE_ASSIGN(const scene::Scene changed, plan::with_setting(scene, rows[k]));
+    CUTICLE_ASSIGN(const double bytes, bytes_with(changed));
+    memory.change[plan::memory_name(rows[k])] = bytes - memory.of_scene;
+  }
+  return memory;
+}
+
+}  // namespace
+
 Result<std::string> meet_budgets(scene::Scene& scene, Context& context) {
   if (!scene.budgets) return std::string();
   plan::PlanCosts costs = known_costs(context.device);
@@ -50,9 +81,17 @@ Result<std::string> meet_budgets(scene::Scene& scene, Context& context) {
   }
   CUTICLE_ASSIGN(const plan::AccuracyTable accuracy, plan::read_accuracy_table(share_file("scenes/accuracy.json")));
   CUTICLE_ASSIGN(const plan::StrandSet set, plan::build_strand_set(scene));
-  plan::BudgetChoice choice = plan::choose(scene, plan::shape_of(scene, set), costs.device, accuracy, *costs.table);
+  const registry::FrameShape shape = plan::shape_of(scene, set);
+  plan::MemoryTable memory;
+  if (scene.budgets->memory_mb > 0) {
+    CUTICLE_ASSIGN(memory,
+                   measured_memory(scene, plan::rows_in_question(scene, shape, costs.device, accuracy), context));
+  }
+  plan::BudgetChoice choice = plan::choose(scene, shape, costs.device, accuracy, *costs.table, memory);
   if (!choice.refused.empty()) return choice.refused;
-  context.progress->message("budgets are kept, as expected, by\n" + plan::to_text(choice, *scene.budgets));
+  context.progress->message("budgets are kept, as expected, by");
+  std::istringstream lines(plan::to_text(choice, *scene.budgets));
+  for (std::string line; std::getline(lines, line);) context.progress->message(line);
   scene = std::move(choice.scene);
   return std::string();
 }

@@ -67,6 +67,20 @@ std::string no_candidate(const AccuracyTable& accuracy, std::string_view part, d
                      wanted, best->method, best->settings, best->at_most);
 }
 
+/// The candidates of each part in question. What nobody limits stays as the scene has it, unless time or memory is
+/// short.
+std::vector<std::vector<AccuracyRow>> parts_of(const scene::Scene& scene, const Plan& plan,
+                                               const AccuracyTable& accuracy) {
+  std::vector<std::vector<AccuracyRow>> parts;
+  for (const Part& part : k_parts) {
+    const double wanted = *scene.budgets.*part.wanted;
+    if (!has_part(plan, scene, part.name) || (wanted == 0 && part.name == "motion")) continue;
+    if (wanted == 0 && scene.budgets->frame_ms == 0 && scene.budgets->memory_mb == 0) continue;
+    if (auto rows = candidates(scene, accuracy, part.name, wanted); !rows.empty()) parts.push_back(std::move(rows));
+  }
+  return parts;
+}
+
 registry::FrameShape shape_with(const scene::Scene& scene, registry::FrameShape shape) {
   if (!scene.simulation.solver) return shape;
   const auto solver = sim::find_effect(scene.simulation.solver->name);
@@ -112,8 +126,8 @@ bool is_better(const BudgetChoice& a, const BudgetChoice& b, const scene::Budget
 class Search {
  public:
   Search(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device,
-         const CostTable& costs)
-      : given_(scene), shape_(shape), device_(device), costs_(costs) {}
+         const CostTable& costs, const MemoryTable& memory)
+      : given_(scene), shape_(shape), device_(device), costs_(costs), memory_(memory) {}
 
   void walk(std::span<const std::vector<AccuracyRow>> parts, const scene::Scene& scene, std::vector<AccuracyRow> rows) {
     if (parts.empty()) {
@@ -131,31 +145,52 @@ class Search {
 
   BudgetChoice result() const {
     if (best_) return *best_;
-    BudgetChoice refused{given_, {}, {}, {}};
-    refused.refused = quickest_ == std::numeric_limits<double>::infinity()
-                          ? "the times of these settings are not measured on this device: cuticle plan --calibrate"
-                          : fmt::format("budgets.frame_ms = {:g}: the quickest settings take {:.3g} ms",
-                                        given_.budgets->frame_ms, quickest_);
+    BudgetChoice refused{given_, {}, {}, 0, {}};
+    const scene::Budgets& wanted = *given_.budgets;
+    if (quickest_ == k_endless)
+      refused.refused = "the times of these settings are not measured on this device: cuticle plan --calibrate";
+    else if (wanted.frame_ms > 0 && quickest_ > wanted.frame_ms)
+      refused.refused =
+          fmt::format("budgets.frame_ms = {:g}: the quickest settings take {:.3g} ms", wanted.frame_ms, quickest_);
+    else if (wanted.memory_mb > 0 && leanest_ > 1e6 * wanted.memory_mb)
+      refused.refused = fmt::format("budgets.memory_mb = {:g}: the leanest settings take {:.4g} MB", wanted.memory_mb,
+                                    1e-6 * leanest_);
+    else
+      refused.refused = fmt::format("budgets.frame_ms = {:g} and memory_mb = {:g}: no settings keep both",
+                                    wanted.frame_ms, wanted.memory_mb);
     return refused;
   }
 
  private:
   void weigh(const scene::Scene& scene, std::vector<AccuracyRow> rows) {
-    BudgetChoice choice{scene, std::move(rows), {}, {}};
+    BudgetChoice choice{scene, std::move(rows), {}, 0, {}};
     choice.expected_ms = expected_ms(scene, shape_, device_, costs_, choice.rows);
     if (!choice.expected_ms) return;
+    choice.expected_bytes = bytes_with(choice.rows);
     quickest_ = std::min(quickest_, *choice.expected_ms);
+    leanest_ = std::min(leanest_, choice.expected_bytes);
     const scene::Budgets& wanted = *given_.budgets;
     if (wanted.frame_ms > 0 && *choice.expected_ms > wanted.frame_ms) return;
+    if (wanted.memory_mb > 0 && choice.expected_bytes > 1e6 * wanted.memory_mb) return;
     if (!best_ || is_better(choice, *best_, wanted)) best_ = std::move(choice);
   }
 
+  double bytes_with(std::span<const AccuracyRow> rows) const {
+    double bytes = memory_.of_scene;
+    for (const AccuracyRow& row : rows)
+      if (const auto change = memory_.change.find(memory_name(row)); change != memory_.change.end())
+        bytes += change->second;
+    return bytes;
+  }
+
+  static constexpr double k_endless = std::numeric_limits<double>::infinity();
   const scene::Scene& given_;
   const registry::FrameShape& shape_;
   const DeviceTraits& device_;
   const CostTable& costs_;
+  const MemoryTable& memory_;
   std::optional<BudgetChoice> best_;
-  double quickest_ = std::numeric_limits<double>::infinity();
+  double quickest_ = k_endless, leanest_ = k_endless;
 };
 
 }  // namespace
@@ -215,22 +250,25 @@ Result<scene::Scene> with_setting(const scene::Scene& scene, const AccuracyRow& 
   return changed;
 }
 
+std::string memory_name(const AccuracyRow& row) { return fmt::format("{} {}", row.part, cost_name(row)); }
+
+std::vector<AccuracyRow> rows_in_question(const scene::Scene& scene, const registry::FrameShape& shape,
+                                          const DeviceTraits& device, const AccuracyTable& accuracy) {
+  std::vector<AccuracyRow> rows;
+  for (const std::vector<AccuracyRow>& part : parts_of(scene, make_plan(scene, shape, device), accuracy))
+    rows.insert(rows.end(), part.begin(), part.end());
+  return rows;
+}
+
 BudgetChoice choose(const scene::Scene& scene, const registry::FrameShape& shape, const DeviceTraits& device,
-                    const AccuracyTable& accuracy, const CostTable& costs) {
+                    const AccuracyTable& accuracy, const CostTable& costs, const MemoryTable& memory) {
   const Plan plan = make_plan(scene, shape, device);
-  std::vector<std::vector<AccuracyRow>> parts;
-  for (const Part& part : k_parts) {
-    const double wanted = *scene.budgets.*part.wanted;
-    if (!has_part(plan, scene, part.name) || (wanted == 0 && part.name == "motion")) continue;
-    // What nobody limits stays as the scene has it, unless time is short.
-    if (wanted == 0 && scene.budgets->frame_ms == 0) continue;
-    std::vector<AccuracyRow> rows = candidates(scene, accuracy, part.name, wanted);
-    if (rows.empty() && wanted == 0) continue;
-    if (rows.empty()) return {scene, {}, {}, no_candidate(accuracy, part.name, wanted)};
-    parts.push_back(std::move(rows));
-  }
-  Search search(scene, shape, device, costs);
-  search.walk(parts, scene, {});
+  for (const Part& part : k_parts)
+    if (const double wanted = *scene.budgets.*part.wanted;
+        wanted > 0 && has_part(plan, scene, part.name) && candidates(scene, accuracy, part.name, wanted).empty())
+      return {scene, {}, {}, 0, no_candidate(accuracy, part.name, wanted)};
+  Search search(scene, shape, device, costs, memory);
+  search.walk(parts_of(scene, plan, accuracy), scene, {});
   return search.result();
 }
 
@@ -240,8 +278,12 @@ std::string to_text(const BudgetChoice& choice, const scene::Budgets& wanted) {
   for (const AccuracyRow& row : choice.rows)
     text += fmt::format("{:<9} {} {}: error {:.3g} expected, below {:.3g} with 95 %\n", row.part, row.method,
                         row.settings, row.error, row.at_most);
-  return text + fmt::format("frame     {:.3g} ms expected{}\n", *choice.expected_ms,
-                            wanted.frame_ms > 0 ? fmt::format(", {:g} allowed", wanted.frame_ms) : std::string());
+  const auto line = [](std::string_view what, double expected, std::string_view unit, double allowed) {
+    return fmt::format("{:<9} {:.3g} {} expected{}\n", what, expected, unit,
+                       allowed > 0 ? fmt::format(", {:g} allowed", allowed) : std::string());
+  };
+  text += line("frame", *choice.expected_ms, "ms", wanted.frame_ms);
+  return wanted.memory_mb > 0 ? text + line("memory", 1e-6 * choice.expected_bytes, "MB", wanted.memory_mb) : text;
 }
 
 }  // namespace cuticle::plan

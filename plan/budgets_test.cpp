@@ -15,7 +15,8 @@ namespace {
 using testing::HasSubstr;
 
 scene::Scene scene_of(std::string_view fields) {
-  const auto scene = scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}}})", fields), "/", "test", catalogue());
+  const auto scene =
+      scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}}})", fields), "/", "test", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
   return *scene;
 }
@@ -62,13 +63,32 @@ TEST(Budgets, ErrorWanted_TakesTheQuickestThatKeepsIt) {
 }
 
 TEST(Budgets, ErrorThatNoneKeeps_IsRefusedWithTheNearest) {
-  EXPECT_THAT(chosen(R"({"error": {"shadow": 0.001}})").refused, HasSubstr("deep_opacity layers=16, stays below 0.007"));
+  EXPECT_THAT(chosen(R"({"error": {"shadow": 0.001}})").refused,
+              HasSubstr("deep_opacity layers=16, stays below 0.007"));
   EXPECT_THAT(chosen(R"({"error": {"coverage": 0.1}})").refused, HasSubstr("nothing of it"));
 }
 
 TEST(Budgets, TimeTooShort_IsRefusedWithTheQuickest) {
   const BudgetChoice choice = chosen(R"({"frame_ms": 0.5, "error": {"shadow": 0.02}})");
   EXPECT_THAT(choice.refused, HasSubstr("the quickest settings take"));
+}
+
+TEST(Budgets, MemoryWanted_TakesTheMostExactThatKeepsIt) {
+  const scene::Scene scene = scene_of(fmt::format(R"({}, "budgets": {{"memory_mb": 3}})", k_shadowed));
+  const MemoryTable memory{2e6,
+                           {{"shadow opacity_map slices=8", 0},
+                            {"shadow deep_opacity layers=8", 5e5},
+                            {"shadow deep_opacity layers=16", 2e6}}};
+  const BudgetChoice choice = choose(scene, shape(), {}, accuracy(), costs(), memory);
+  ASSERT_EQ(choice.refused, "");
+  EXPECT_EQ(cost_name(choice.rows.at(0)), "deep_opacity layers=8");
+  EXPECT_EQ(choice.expected_bytes, 2.5e6);
+}
+
+TEST(Budgets, MemoryTooLittle_IsRefusedWithTheLeanest) {
+  const scene::Scene scene = scene_of(fmt::format(R"({}, "budgets": {{"memory_mb": 1}})", k_shadowed));
+  EXPECT_THAT(choose(scene, shape(), {}, accuracy(), costs(), {2e6, {}}).refused,
+              HasSubstr("the leanest settings take 2 MB"));
 }
 
 TEST(Budgets, DeviceWithoutTimes_IsRefused) {

@@ -1,4 +1,4 @@
-// Walks a JSON value beside its specification and stops at the first thing that is wrong.
+// Walks a JSON value beside its specification and tells what is wrong.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -46,7 +46,20 @@ struct Place {
   }
 };
 
-Result<void> check_value(const Spec& spec, const Json& value, const Place& place);
+/// What was found wrong so far; the walk ends where so much was found.
+class Complaints {
+ public:
+  explicit Complaints(std::size_t most) : most_(most) {}
+  bool full() const { return found_.size() >= most_; }
+  void add(Error error) { found_.push_back(std::move(error)); }
+  std::vector<Error>& found() { return found_; }
+
+ private:
+  std::size_t most_;
+  std::vector<Error> found_;
+};
+
+void check_value(const Spec& spec, const Json& value, const Place& place, Complaints& complaints);
 
 Error wrong_type(const Place& place, std::string_view expected, const Json& value) {
   return bad_input(fmt::format("{}: expected {}, found {}", place.text(), expected, value.type_name()));
@@ -59,116 +72,121 @@ Error unknown_key(const Place& place, const std::string& key, std::span<const st
       near.empty() ? "" : fmt::format("write '{}'", near));
 }
 
-Result<void> check_number(const Spec& spec, const Json& value, const Place& place) {
+void check_number(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
   const bool whole = spec.kind == SpecKind::integer;
-  if (!value.is_number()) return wrong_type(place, whole ? "a whole number" : "a number", value);
+  if (!value.is_number()) return complaints.add(wrong_type(place, whole ? "a whole number" : "a number", value));
   const double number = value.number();
   if (whole && number != std::floor(number))
-    return bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number, spec.minimum,
-                                 spec.maximum));
-  if (!(number >= spec.minimum && number <= spec.maximum))
-    return bad_input(fmt::format("{} = {} is outside {} .. {}", place.text(), number, spec.minimum, spec.maximum));
-  return {};
+    complaints.add(bad_input(fmt::format("{} = {} is not a whole number; allowed: {} .. {}", place.text(), number,
+                                         spec.minimum, spec.maximum)));
+  else if (!(number >= spec.minimum && number <= spec.maximum))
+    complaints.add(
+        bad_input(fmt::format("{} = {} is outside {} .. {}", place.text(), number, spec.minimum, spec.maximum)));
 }
 
-Result<void> check_numbers(const Spec& spec, const Json& value, const Place& place) {
+void check_numbers(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
   if (!value.is_list() || value.size() != std::size_t(spec.count))
-    return bad_input(
-        fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum));
-  for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_number(spec, value[i], place.at(i)));
-  return {};
+    return complaints.add(bad_input(
+        fmt::format("{}: expected {} numbers in {} .. {}", place.text(), spec.count, spec.minimum, spec.maximum)));
+  for (std::size_t i = 0; i < value.size() && !complaints.full(); ++i)
+    check_number(spec, value[i], place.at(i), complaints);
 }
 
-Result<void> check_rgb(const Spec& spec, const Json& value, const Place& place) {
-  if (value.is_number()) return check_number(spec, value, place);
-  if (!value.is_list()) return wrong_type(place, "a number or [r, g, b]", value);
-  return check_numbers(spec, value, place);
+void check_rgb(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
+  if (value.is_number()) return check_number(spec, value, place, complaints);
+  if (!value.is_list()) return complaints.add(wrong_type(place, "a number or [r, g, b]", value));
+  check_numbers(spec, value, place, complaints);
 }
 
-Result<void> check_text(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_text()) return wrong_type(place, "a text", value);
+void check_text(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
+  if (!value.is_text()) return complaints.add(wrong_type(place, "a text", value));
   const auto text = value.text();
-  if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end()) return {};
-  return bad_input(
-      fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", ")));
+  if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end()) return;
+  complaints.add(
+      bad_input(fmt::format("{} = '{}' is not known; allowed: {}", place.text(), text, fmt::join(spec.choices, ", "))));
 }
 
-Result<void> check_parameters(registry::ParameterTable table, const Json& value, const Place& place) {
-  if (!value.is_object()) return wrong_type(place, "an object", value);
-  for (const auto& [key, item] : value.items())
+void check_parameters(registry::ParameterTable table, const Json& value, const Place& place, Complaints& complaints) {
+  if (!value.is_object()) return complaints.add(wrong_type(place, "an object", value));
+  for (const auto& [key, item] : value.items()) {
+    if (complaints.full()) return;
     if (auto read = registry::values_from_object(table, Json{{key, item}}, place.text_at(key)); !read)
-      return Error{ErrorKind::bad_input, read.error().message, read.error().hint};
-  return {};
+      complaints.add({ErrorKind::bad_input, read.error().message, read.error().hint});
+  }
 }
 
-Result<void> check_blocks(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_object()) return wrong_type(place, "an object of named blocks", value);
+void check_blocks(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
+  if (!value.is_object()) return complaints.add(wrong_type(place, "an object of named blocks", value));
   std::vector<std::string_view> known;
   for (const registry::Entry* entry : spec.entries) known.push_back(entry->name);
   if (spec.kind == SpecKind::block && value.size() != 1)
-    return bad_input(fmt::format("{}: expected exactly one of: {}", place.text(), fmt::join(known, ", ")));
+    return complaints.add(
+        bad_input(fmt::format("{}: expected exactly one of: {}", place.text(), fmt::join(known, ", "))));
   for (const auto& [key, block] : value.items()) {
+    if (complaints.full()) return;
     const auto found = std::ranges::find(spec.entries, key, &registry::Entry::name);
-    if (found == spec.entries.end()) return unknown_key(place, key, known);
-    CUTICLE_TRY(check_parameters((*found)->parameters, block, place.at(key)));
+    if (found == spec.entries.end())
+      complaints.add(unknown_key(place, key, known));
+    else
+      check_parameters((*found)->parameters, block, place.at(key), complaints);
   }
-  return {};
 }
 
-Result<void> check_known_keys(const Spec& spec, const Json& value, const Place& place) {
+void check_known_keys(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
   std::vector<std::string_view> known;
   for (const Spec& child : spec.children) known.push_back(child.key);
-  for (const auto& [key, unused] : value.items())
-    if (std::ranges::find(known, key) == known.end()) return unknown_key(place, key, known);
-  return {};
-}
-
-Result<void> check_object(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_object()) return wrong_type(place, "an object", value);
-  CUTICLE_TRY(check_known_keys(spec, value, place));
-  for (const Spec& child : spec.children) {
-    if (const Json* found = value.find(child.key))
-      CUTICLE_TRY(check_value(child, *found, place.at(child.key)));
-    else if (child.required)
-      return bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary));
+  for (const auto& [key, unused] : value.items()) {
+    if (complaints.full()) return;
+    if (std::ranges::find(known, key) == known.end()) complaints.add(unknown_key(place, key, known));
   }
-  return {};
 }
 
-Result<void> check_array(const Spec& spec, const Json& value, const Place& place) {
-  if (!value.is_list()) return wrong_type(place, "a list", value);
+void check_object(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
+  if (!value.is_object()) return complaints.add(wrong_type(place, "an object", value));
+  check_known_keys(spec, value, place, complaints);
+  for (const Spec& child : spec.children) {
+    if (complaints.full()) return;
+    if (const Json* found = value.find(child.key))
+      check_value(child, *found, place.at(child.key), complaints);
+    else if (child.required)
+      complaints.add(bad_input(fmt::format("{}: missing ({})", place.at(child.key).text(), child.summary)));
+  }
+}
+
+void check_array(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
+  if (!value.is_list()) return complaints.add(wrong_type(place, "a list", value));
   if (double(value.size()) > spec.maximum)
-    return bad_input(fmt::format("{}: {} items; allowed: 0 .. {}", place.text(), value.size(), spec.maximum));
-  for (std::size_t i = 0; i < value.size(); ++i) CUTICLE_TRY(check_value(spec.children[0], value[i], place.at(i)));
-  return {};
+    return complaints.add(
+        bad_input(fmt::format("{}: {} items; allowed: 0 .. {}", place.text(), value.size(), spec.maximum)));
+  for (std::size_t i = 0; i < value.size() && !complaints.full(); ++i)
+    check_value(spec.children[0], value[i], place.at(i), complaints);
 }
 
-Result<void> check_value(const Spec& spec, const Json& value, const Place& place) {
+void check_value(const Spec& spec, const Json& value, const Place& place, Complaints& complaints) {
   switch (spec.kind) {
     case SpecKind::object:
-      return check_object(spec, value, place);
+      return check_object(spec, value, place, complaints);
     case SpecKind::array:
-      return check_array(spec, value, place);
+      return check_array(spec, value, place, complaints);
     case SpecKind::block:
     case SpecKind::blocks:
-      return check_blocks(spec, value, place);
+      return check_blocks(spec, value, place, complaints);
     case SpecKind::parameters:
-      return check_parameters(spec.table, value, place);
+      return check_parameters(spec.table, value, place, complaints);
     case SpecKind::text:
     case SpecKind::file:
-      return check_text(spec, value, place);
+      return check_text(spec, value, place, complaints);
     case SpecKind::real:
     case SpecKind::integer:
-      return check_number(spec, value, place);
+      return check_number(spec, value, place, complaints);
     case SpecKind::numbers:
-      return check_numbers(spec, value, place);
+      return check_numbers(spec, value, place, complaints);
     case SpecKind::rgb:
-      return check_rgb(spec, value, place);
+      return check_rgb(spec, value, place, complaints);
     case SpecKind::boolean:
       break;
   }
-  if (!value.is_boolean()) return wrong_type(place, "true or false", value);
-  return {};
+  if (!value.is_boolean()) complaints.add(wrong_type(place, "true or false", value));
 }
 
 /// Files that an included file names are relative to it.
@@ -203,9 +221,21 @@ Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::s
                            const std::string& where) {
   CUTICLE_ASSIGN(IncludedJson whole, read_with_includes(json, folder, where));
   CUTICLE_TRY(check_version(whole));
-  CUTICLE_TRY(check_value(spec, whole.value, {&whole}));
+  Complaints complaints(1);
+  check_value(spec, whole.value, {&whole}, complaints);
+  if (complaints.full()) return complaints.found().front();
   resolve_files(spec, whole.value, {&whole});
   return std::move(whole.value);
+}
+
+std::vector<Error> complaints_about(const Spec& spec, std::string_view json, const std::string& folder,
+                                    const std::string& where, std::size_t most) {
+  const auto whole = read_with_includes(json, folder, where);
+  if (!whole) return {whole.error()};
+  if (const auto version = check_version(*whole); !version) return {version.error()};
+  Complaints complaints(most);
+  check_value(spec, whole->value, {&*whole}, complaints);
+  return std::move(complaints.found());
 }
 
 }  // namespace cuticle::scene

@@ -120,7 +120,7 @@ Result<void> read_character(const Reader& root, Scene& scene) {
   CUTICLE_ASSIGN(character.file, reader.file("file", "character.file"));
   reader.get("clip", character.clip);
   reader.get("start_time_s", character.start_time);
-  std::string skinning = "dual_quaternion";
+  std::string skinning = "linear_blend";
   reader.get("skinning", skinning);
   character.dual_quaternions = skinning == "dual_quaternion";
   CUTICLE_ASSIGN(const std::string convention, reader.file("convention", "character.convention"));
@@ -254,6 +254,11 @@ Result<Scene> read_scene(const Reader& root, const Catalogue& catalogue) {
   return scene;
 }
 
+std::string folder_of(const std::string& path) {
+  std::error_code code;
+  return std::filesystem::absolute(path, code).parent_path().string();
+}
+
 }  // namespace
 
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
@@ -264,9 +269,17 @@ Result<Scene> parse_scene(std::string_view json, const std::string& folder, cons
 
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
-  std::error_code code;
-  const std::filesystem::path folder = std::filesystem::absolute(path, code).parent_path();
-  return parse_scene(text, folder.string(), path, catalogue);
+  return parse_scene(text, folder_of(path), path, catalogue);
+}
+
+std::vector<Error> check_scene(const std::string& path, const Catalogue& catalogue) {
+  constexpr std::size_t k_most = 50;
+  const auto text = read_text_file(path);
+  if (!text) return {text.error()};
+  std::vector<Error> errors = complaints_about(specification(catalogue), *text, folder_of(path), path, k_most);
+  if (!errors.empty()) return errors;
+  if (const auto scene = parse_scene(*text, folder_of(path), path, catalogue); !scene) errors.push_back(scene.error());
+  return errors;
 }
 
 }  // namespace cuticle::scene

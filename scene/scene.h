@@ -62,7 +62,7 @@ struct MotionSource {
 struct CharacterSource {
   std::string file;  ///< glTF 2.0, absolute path
   std::string clip;  ///< repeats; empty: the character rests
-  bool dual_quaternions = true;
+  bool dual_quaternions = false;  ///< false: linear blending, as glTF prescribes
   double start_time = 0;           ///< seconds into the clip
   strands::Convention convention;  ///< of the file
 };
@@ -181,6 +181,8 @@ inline bool draws_as_given(const Scene& scene) {
 
 /// Loads and validates. Errors name file and key, the allowed range, and for an unknown key the nearest known one.
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue);
+/// All that is wrong with a scene file, the first 50 at most; empty: load_scene loads it.
+std::vector<Error> check_scene(const std::string& path, const Catalogue& catalogue);
 /// From text; `folder` resolves relative paths, `where` names the source in errors.
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue);

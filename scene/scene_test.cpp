@@ -266,6 +266,22 @@ TEST(Scene, Mistake_IsNamedWithLineAndColumn) {
               HasSubstr("s.json:2:14: camera.fov_deg = 300"));
 }
 
+TEST(CheckScene, ManyMistakes_AreAllListedInTheirPlaces) {
+  const std::string path = (std::filesystem::temp_directory_path() / "cuticle_many_mistakes.json").string();
+  std::ofstream(path) << "{\"schema_version\": 1,\n \"nonsense\": 3,\n \"strand_count\": -5,\n"
+                         " \"lights\": [{\"to_light\": [0, 1], \"irradiance\": [1, 1, \"x\"]}],\n"
+                         " \"camera\": {\"fov_deg\": 300}}";
+  std::vector<std::string> messages;
+  for (const Error& error : check_scene(path, catalogue())) messages.push_back(error.message);
+  EXPECT_THAT(messages,
+              testing::ElementsAre(HasSubstr(":2:2: unknown key 'nonsense'"), HasSubstr(":4:14: lights[0].to_light"),
+                                   HasSubstr("lights[0].irradiance[2]"), HasSubstr("camera.fov_deg = 300"),
+                                   HasSubstr(":3:2: strand_count = -5")));
+  std::ofstream(path) << R"({"schema_version": 1})";
+  EXPECT_TRUE(check_scene(path, catalogue()).empty());
+  std::filesystem::remove(path);
+}
+
 TEST(Scene, Comments_AreSkipped) {
   EXPECT_TRUE(parse_scene("{ // version\n\"schema_version\": 1}", "/", "s.json", catalogue()));
 }

@@ -121,7 +121,7 @@ Spec motion() {
 }
 
 Spec character() {
-  Spec skinning = text("skinning", "how joints move the mesh; dual_quaternion unless given");
+  Spec skinning = text("skinning", "how joints move the mesh; linear_blend, which glTF prescribes, unless given");
   skinning.choices = {"linear_blend", "dual_quaternion"};
   return object(
       "character", "a skinned growth mesh instead of a head; hair grows on all of it, or a groom file is bound to it",

@@ -35,4 +35,8 @@ Spec specification(const Catalogue& catalogue);
 Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
                            const std::string& where);
 
+/// All that parse_checked would complain about, one thing after the other, and no more than `most`.
+std::vector<Error> complaints_about(const Spec& spec, std::string_view json, const std::string& folder,
+                                    const std::string& where, std::size_t most);
+
 }  // namespace cuticle::scene

@@ -2,7 +2,7 @@
 import dataclasses
 import math
 
-from . import ladder as ladders, results
+from . import ladder as ladders, results, states
 
 
 @dataclasses.dataclass
@@ -127,11 +127,27 @@ def volume(study):
                       f"{percent(points['dual_quaternion'].errors['volume']['max'])}.", group_id(study, study.groups[0]))
 
 
-MAKERS = {"picture": ladder, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
+def state_words(point):
+    state = point.knobs["state"]
+    return f"a {state} {point.method}" if state in ("still", "moving") else f"{point.method} {state}"
+
+
+def plan(study):
+    """What a still scene and hair out of view cost, and which feature is dearest."""
+    groups = {group.raw["name"]: group for group in study.groups}
+    if "frames" in groups:
+        parts = [f"{state_words(pair[1])} costs {percent(pair[1].seconds['value'] / pair[0].seconds['value'])} of {state_words(pair[0])}" for pair in states.pairs(groups["frames"])]
+        yield Finding(f"What does not change and what is not seen is left out: {', '.join(parts)}.", group_id(study, groups["frames"]))
+    if "features" in groups and (told := [pair for pair in states.pairs(groups["features"]) if states.is_told(pair) and states.saved(pair) > 0]):
+        yield Finding(f"Of {len(states.pairs(groups['features']))} features, none runs a pass where it is off; leaving out {', '.join(states.name(pair) for pair in told[:3])} saves most of a frame: "
+                      f"{', '.join(states.label(pair) for pair in told[:3])}.", group_id(study, groups["features"]))
+
+
+MAKERS = {"picture": ladder, "plan": plan, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
           "shadows": lambda study: choices(study, 0.03, "Shadows: the cheapest setting whose mean error of transmittance is at most 3 % is", "for all vertices"),
           "motion": lambda study: choices(study, 0.03, "Motion: the cheapest solver that stays within 3 % of a strand's length for half a second is", "a strand and frame"),
           "render": lambda study: choices(study, 0.03, "Drawing: the cheapest way whose mean error of coverage is at most 3 % is", "a frame")}
-ORDER = ("picture", "luts", "shadows", "render", "motion", "models", "lobes", "skinning")
+ORDER = ("picture", "luts", "shadows", "render", "motion", "plan", "models", "lobes", "skinning")
 
 
 def find(studies, most=5):

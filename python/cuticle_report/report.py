@@ -9,7 +9,7 @@ import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, knobs, ladder, look, page, pareto, printed_curves, results
+from . import ReportError, curves, findings, flip, knobs, ladder, look, page, pareto, printed_curves, results, states
 
 HERE = pathlib.Path(__file__).parent
 LEAST_SPAN = 2  # of times that an exponent is told of
@@ -89,10 +89,19 @@ def downloads_of(folder, name, files, columns, rows):
     return downloads + [Download(f"{name}.csv", "data", uri("text/csv", csv_text(columns, rows).encode()))]
 
 
+def drawer_of(group):
+    """What draws the group."""
+    return ladder if ladder.is_ladder(group) else states if states.is_of_states(group) else pareto
+
+
+def table_of(study, group):
+    return states.table(study, group) if states.is_of_states(group) else group_table(study, group)
+
+
 def group_figure(study, group):
-    columns, rows = group_table(study, group)
+    columns, rows = table_of(study, group)
     name = findings.group_id(study, group)
-    drawer = ladder if ladder.is_ladder(group) else pareto
+    drawer = drawer_of(group)
     downloads = downloads_of(study.folder, name, drawer.printed(group, study.raw["cost_label"]), columns, rows)
     return Figure(name, group.raw["title"], f"Truth: {group.raw['truth']}. {drawer.CAPTION}", look.plot_html(drawer.interactive(group, study.raw["cost_label"])), downloads)
 
@@ -209,8 +218,10 @@ def section_of(study, everything=None):
     means = flip.measure(study)
     groups = []
     for group in study.groups:
-        groups.append({"group": group, "figure": group_figure(study, group) if len(group.drawable()) > 1 else None, "table": group_table(study, group),
-                       "conclusions": conclusions(study, group) if group.drawable() and not ladder.is_ladder(group) else None, "sentences": [] if ladder.is_ladder(group) else sentences(group), "identity": findings.group_id(study, group)})
+        drawer = drawer_of(group)
+        said = {ladder: lambda _: [], states: states.sentences, pareto: sentences}[drawer](group)
+        groups.append({"group": group, "figure": group_figure(study, group) if drawer is states or len(group.drawable()) > 1 else None, "table": table_of(study, group),
+                       "conclusions": conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "identity": findings.group_id(study, group)})
     curved, grids = knobs.plots(study) + [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
     for plot in curved:
         check(study, plot)

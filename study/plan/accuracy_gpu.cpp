@@ -12,6 +12,7 @@
 #include "lut/format.h"
 #include "lut/table_set.h"
 #include "plan/frame_runner_gpu.h"
+#include "shadows/light_frame.h"
 #include "sim/solver.h"
 #include "study/render/picture_error.h"
 #include "study/shadows/comparison.h"
@@ -24,16 +25,19 @@ using plan::AccuracyRow;
 struct Setting {
   std::string_view method, settings;
 };
-constexpr Setting k_shadows[] = {{"opacity_map", "slices=8,resolution=128"},
-                                 {"opacity_map", "slices=16,resolution=128"},
+constexpr Setting k_shadows[] = {{"opacity_map", "slices=16,resolution=256"},
                                  {"opacity_map", "slices=32,resolution=256"},
-                                 {"opacity_map", "slices=64,resolution=256"},
-                                 {"opacity_map", "slices=128,resolution=384"},
-                                 {"deep_opacity", "layers=4,resolution=128"},
+                                 {"opacity_map", "slices=32,resolution=512"},
+                                 {"opacity_map", "slices=64,resolution=512"},
+                                 {"deep_opacity", "layers=4,resolution=256"},
                                  {"deep_opacity", "layers=8,resolution=256"},
                                  {"deep_opacity", "layers=16,resolution=256"},
-                                 {"deep_opacity", "layers=16,resolution=384"},
-                                 {"deep_shadow", ""},
+                                 {"deep_opacity", "layers=8,resolution=512"},
+                                 {"deep_opacity", "layers=16,resolution=512"},
+                                 {"deep_opacity", "layers=16,resolution=1024"},
+                                 {"deep_shadow", "resolution=256"},
+                                 {"deep_shadow", "resolution=512"},
+                                 {"deep_shadow", "resolution=1024"},
                                  {"moments", ""},
                                  {"fourier", ""}};
 constexpr std::string_view k_draws[] = {"lines", "quads", "tiles"};
@@ -62,7 +66,15 @@ Result<std::vector<Candidate>> shadow_candidates() {
   return candidates;
 }
 
-/// Mean |T - truth| at the strands as drawn, to the scene's first light.
+/// Shadows are judged by the light of cells of a picture, this many across: whether single fibres of a pixel are lit is
+/// below what maps resolve, and below what is seen.
+constexpr int k_cells = 24;
+
+glm::dvec3 to_camera_of(const scene::Scene& scene) {
+  return glm::normalize(scene.camera.camera.position - scene.camera.camera.target);
+}
+
+/// At what the scene's camera sees of the strands as drawn, to the scene's first light.
 Result<Comparison> compare_shadows(const scene::Scene& scene, const strands::Groom& drawn,
                                    std::vector<Candidate> candidates, Progress& progress) {
   ComparisonRequest request;
@@ -70,10 +82,35 @@ Result<Comparison> compare_shadows(const scene::Scene& scene, const strands::Gro
   const glm::dvec3 alpha = scene.fibre_alpha.value_or(glm::dvec3(1));
   request.alpha = (alpha.x + alpha.y + alpha.z) / 3;
   if (!scene.lights.empty()) request.to_light = scene.lights.front().to_light;
-  request.receivers = 300;
-  request.rays = 128;
+  request.to_camera = to_camera_of(scene);
+  request.footprint_radius = pixel_footprint(drawn, *request.to_camera);
+  request.receivers = 6000;
+  request.rays = 32;
   request.candidates = std::move(candidates);
   return compare_with_truth(request, progress);
+}
+
+struct CellLight {
+  double error = 0;
+  int receivers = 0;
+};
+
+/// Mean over the picture of |mean T - mean true T|, means over cells.
+double cell_error(const scene::Scene& scene, const Comparison& compared, const std::vector<float>& transmittance) {
+  const shadows::LightAxes axes = shadows::light_axes(to_camera_of(scene));
+  const shadows::LightBox box = shadows::light_box(axes, compared.points);
+  const glm::vec3 size = box.upper - box.lower;
+  const float cells_a_metre = float(k_cells) / std::max({size.x, size.y, 1e-9f});
+  std::map<std::pair<int, int>, CellLight> cells;
+  for (std::size_t i = 0; i < compared.points.size(); ++i) {
+    const glm::vec3 at = (shadows::view_point(axes, compared.points[i]) - box.lower) * cells_a_metre;
+    CellLight& cell = cells[{int(at.x), int(at.y)}];
+    cell.error += double(transmittance[i]) - double(compared.truth[i]);
+    ++cell.receivers;
+  }
+  double sum = 0;
+  for (const auto& [place, cell] : cells) sum += std::abs(cell.error);
+  return sum / double(std::max<std::size_t>(1, compared.points.size()));
 }
 
 /// The first frame's strands, at rest.
@@ -156,8 +193,8 @@ class Errors {
   std::map<std::string, std::pair<AccuracyRow, std::vector<double>>> rows_;
 };
 
-Result<void> add_scene(const std::shared_ptr<gpu::Device>& device, const scene::Scene& given, Errors& errors,
-                       Progress& progress) {
+Result<void> add_scene(const std::shared_ptr<gpu::Device>& device, const scene::Scene& given, bool is_new_material,
+                       Errors& errors, Progress& progress) {
   scene::Scene scene = given;
   scene.simulation.solver.reset();
   scene.camera.camera.resolution = {256, 256};
@@ -167,13 +204,15 @@ Result<void> add_scene(const std::shared_ptr<gpu::Device>& device, const scene::
   CUTICLE_ASSIGN(auto candidates, shadow_candidates());
   CUTICLE_ASSIGN(const Comparison compared, compare_shadows(scene, drawn, std::move(candidates), progress));
   for (std::size_t k = 0; k < compared.rows.size(); ++k)
-    errors.add("shadow", k_shadows[k].method, k_shadows[k].settings, compared.rows[k].error.mean);
+    errors.add("shadow", k_shadows[k].method, k_shadows[k].settings,
+               cell_error(scene, compared, compared.rows[k].transmittance));
   CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));
   for (std::string_view draw : k_draws) {
     CUTICLE_ASSIGN(const double error, coverage_error(device, scene, draw, truth, progress));
     errors.add("coverage", draw, "", error);
   }
   for (int size : k_table_sizes) {
+    if (!is_new_material) break;
     CUTICLE_ASSIGN(const double error, table_error(scene, size, progress));
     errors.add("shading", "tables", fmt::format("lut_size={}", size), error);
   }
@@ -191,11 +230,14 @@ Result<void> add_scene(const std::shared_ptr<gpu::Device>& device, const scene::
 Result<plan::AccuracyTable> measure_accuracy(const std::shared_ptr<gpu::Device>& device,
                                              const std::vector<std::string>& scenes, Progress& progress) {
   Errors errors;
+  std::vector<scene::MaterialSource> materials;
   std::size_t done = 0;
   for (const std::string& file : scenes) {
     progress.update("scenes", done++, scenes.size());
     CUTICLE_ASSIGN(const scene::Scene scene, scene::load_scene(file, plan::catalogue()));
-    CUTICLE_TRY(add_scene(device, scene, errors, progress));
+    const bool is_new = std::ranges::find(materials, scene.material) == materials.end();
+    if (is_new) materials.push_back(scene.material);
+    CUTICLE_TRY(add_scene(device, scene, is_new, errors, progress));
   }
   return plan::AccuracyTable{fmt::format("cuticle study plan --accuracy: {} scenes", scenes.size()), errors.rows()};
 }
@@ -211,7 +253,7 @@ Result<std::vector<AccuracyRow>> measure_scene(const std::shared_ptr<gpu::Device
     CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(scene.shadow->name));
     CUTICLE_ASSIGN(const Comparison compared,
                    compare_shadows(scene, drawn, {{method, scene.shadow->values}}, progress));
-    add("shadow", method->entry.name, compared.rows.front().error.mean);
+    add("shadow", method->entry.name, cell_error(scene, compared, compared.rows.front().transmittance));
   }
   if (std::ranges::find(k_draws, scene.render_method) != std::end(k_draws)) {
     CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));

@@ -162,7 +162,7 @@ Result<Study> declare_plan(const StudyRequest& request, Progress& progress) {
               .title = "Only what the scene calls for",
               .question = "What does leaving a feature out save?",
               .cost_label = "time of a frame",
-              .wall_clock = true,
+              .wall_clock = !device->info().is_software,  // its kernels run on the processor
               .device = device->info().name,
               .driver = device->info().driver};
   if (request.quick) study.timing.rounds = 3;
@@ -170,7 +170,8 @@ Result<Study> declare_plan(const StudyRequest& request, Progress& progress) {
     std::vector<std::string> scenes;
     for (const char* name : {"blond", "curls", "fur"})
       scenes.push_back(fmt::format("{}/scenes/ladder/{}.json", request.share, name));
-    scenes.push_back(request.share + "/scenes/waves.json");
+    for (const char* name : {"waves", "straight", "curls"})
+      scenes.push_back(fmt::format("{}/scenes/{}.json", request.share, name));
     CUTICLE_ASSIGN(const plan::AccuracyTable table, measure_accuracy(device, scenes, progress));
     CUTICLE_TRY(plan::write_accuracy_table(file, table));
   }

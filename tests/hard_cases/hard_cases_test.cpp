@@ -27,16 +27,25 @@ std::shared_ptr<gpu::Device> device() {
 #endif
 }
 
-/// Run once for all tests; with the sweeps (scripts/test.sh --full), the cases that take seconds too.
-const std::vector<Verdict>& verdicts() {
-  static const std::vector<Verdict> all = run_hard_cases({.full = std::getenv("CUTICLE_SWEEPS") != nullptr}, device(), silent_progress()).value();
-  return all;
+std::vector<std::string> families() {
+  std::set<std::string> names;
+  const std::vector<Case> cases = all_cases().value();
+  for (const Case& item : cases) names.insert(item.family);
+  return {names.begin(), names.end()};
 }
 
-TEST(HardCases, EveryCaseInEveryPrecision_Holds) {
-  for (const Verdict& verdict : verdicts())
+/// With the sweeps (scripts/test.sh --full), the cases that take seconds too. mutate.py runs one family at a time.
+class HardCasesOf : public testing::TestWithParam<std::string> {};
+
+TEST_P(HardCasesOf, EveryCaseInEveryPrecision_Holds) {
+  static const std::shared_ptr<gpu::Device> shared = device();
+  const Choice choice{.family = GetParam(), .full = std::getenv("CUTICLE_SWEEPS") != nullptr};
+  const std::vector<Verdict> verdicts = run_hard_cases(choice, shared, silent_progress()).value();
+  EXPECT_FALSE(verdicts.empty());
+  for (const Verdict& verdict : verdicts)
     EXPECT_NE(verdict.state, State::failed) << verdict.id << " in " << name_of(verdict.precision) << ": " << verdict.detail;
 }
+INSTANTIATE_TEST_SUITE_P(Families, HardCasesOf, testing::ValuesIn(families()), [](const auto& tested) { return tested.param; });
 
 TEST(HardCases, Catalogue_HoldsCasesUnderNamesOfTheirOwnWithTheirSources) {
   const std::vector<Case> cases = all_cases().value();
