@@ -87,38 +87,79 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
   return options;
 }
 
+/// What `reference` is asked for.
+struct Traced {
+  render::reference::TracedScene scene;
+  render::reference::TraceOptions options;
+  render::reference::Quality quality;
+};
+
+Result<Traced> traced_of(const scene::Scene& scene, const StrandSet& set, TracedPlaces places, const Camera& camera) {
+  Traced traced;
+  traced.scene.hair = std::move(places.hair);
+  CUTICLE_ASSIGN(traced.scene.model, bsdf::find_model(scene.material.model.name));
+  traced.scene.values = scene.material.model.values;
+  traced.scene.camera = camera;
+  CUTICLE_TRY(add_lights(scene, traced.scene));
+  auto& surfaces = traced.scene.surfaces;
+  if (!set.head.triangles.empty()) surfaces.push_back(traced_head(scene, set, places));
+  if (scene.floor) surfaces.push_back(traced_floor(*scene.floor));
+  if (places.fins) surfaces.push_back(traced_fins(scene, set, *places.fins));
+  const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
+  CUTICLE_ASSIGN(traced.options, options_of(scene, camera, parameters));
+  traced.quality = {.samples = parameters.samples, .max_error = parameters.max_error};
+  return traced;
+}
+
+TracedFrame frame_of(const scene::Scene& scene, render::reference::Picture picture) {
+  render::resolve::add_background(picture.color,
+                                  render::parameters_of<render::resolve::Parameters>(scene.passes).background);
+  if (!scene.outputs.aovs) picture.layers = {};
+  return {std::move(picture.color), std::move(picture.layers),
+          fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
+                      "mean, {:.1f} s",
+                      picture.samples, 100 * picture.error, picture.seconds)};
+}
+
 }  // namespace
 
 Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                 const Camera& camera, const std::string& state, Progress& progress) {
-  render::reference::TracedScene traced;
-  traced.hair = std::move(places.hair);
-  CUTICLE_ASSIGN(traced.model, bsdf::find_model(scene.material.model.name));
-  traced.values = scene.material.model.values;
-  traced.camera = camera;
-  CUTICLE_TRY(add_lights(scene, traced));
-  if (!set.head.triangles.empty()) traced.surfaces.push_back(traced_head(scene, set, places));
-  if (scene.floor) traced.surfaces.push_back(traced_floor(*scene.floor));
-  if (places.fins) traced.surfaces.push_back(traced_fins(scene, set, *places.fins));
-  const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
-  CUTICLE_ASSIGN(const render::reference::TraceOptions options, options_of(scene, camera, parameters));
-  const render::reference::Quality quality{
-      .samples = parameters.samples, .max_error = parameters.max_error, .state = state};
+  CUTICLE_ASSIGN(Traced traced, traced_of(scene, set, std::move(places), camera));
+  traced.quality.state = state;
   CUTICLE_ASSIGN(render::reference::Picture picture,
-                 render::reference::trace_picture(traced, options, quality, progress));
-  render::resolve::add_background(picture.color,
-                                  render::parameters_of<render::resolve::Parameters>(scene.passes).background);
-  if (!scene.outputs.aovs) picture.layers = {};
-  return TracedFrame{std::move(picture.color), std::move(picture.layers),
-                     fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
-                                 "mean, {:.1f} s",
-                                 picture.samples, 100 * picture.error, picture.seconds)};
+                 render::reference::trace_picture(traced.scene, traced.options, traced.quality, progress));
+  return frame_of(scene, std::move(picture));
+}
+
+Result<std::vector<TracedFrame>> trace_frames(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
+                                              const Camera& camera, std::span<const std::uint64_t> seeds,
+                                              Progress& progress) {
+  CUTICLE_ASSIGN(const Traced traced, traced_of(scene, set, std::move(places), camera));
+  CUTICLE_ASSIGN(auto pictures,
+                 render::reference::trace_pictures(traced.scene, traced.options, traced.quality, seeds, progress));
+  std::vector<TracedFrame> frames;
+  for (render::reference::Picture& picture : pictures) frames.push_back(frame_of(scene, std::move(picture)));
+  return frames;
 }
 #else
-Result<TracedFrame> trace_frame(const scene::Scene&, const StrandSet&, TracedPlaces, const Camera&, const std::string&,
-                                Progress&) {
+namespace {
+
+Error without_embree() {
   return usage_error("the method 'reference' needs Embree, and this build has none",
                      "build with CUTICLE_EMBREE=ON, or choose another method");
+}
+
+}  // namespace
+
+Result<TracedFrame> trace_frame(const scene::Scene&, const StrandSet&, TracedPlaces, const Camera&, const std::string&,
+                                Progress&) {
+  return without_embree();
+}
+
+Result<std::vector<TracedFrame>> trace_frames(const scene::Scene&, const StrandSet&, TracedPlaces, const Camera&,
+                                              std::span<const std::uint64_t>, Progress&) {
+  return without_embree();
 }
 #endif
 

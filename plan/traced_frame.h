@@ -1,6 +1,9 @@
 #pragma once
 // A frame of the method 'reference', drawn by paths on the CPU.
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/image/image.h"
 #include "core/progress.h"
@@ -25,5 +28,11 @@ struct TracedPlaces {
 /// usage, where the build has no Embree; those of render::reference::trace_picture.
 Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                 const Camera& camera, const std::string& state, Progress& progress);
+
+/// The same picture with each of these seeds in turn; lookup tables are baked once. Errors: those of
+/// trace_frame.
+Result<std::vector<TracedFrame>> trace_frames(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
+                                              const Camera& camera, std::span<const std::uint64_t> seeds,
+                                              Progress& progress);
 
 }  // namespace cuticle::plan

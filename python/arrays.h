@@ -77,6 +77,7 @@ std::vector<Item> rows_of(const Array& array, const char* name) {
 }
 
 void add_batch(nb::module_& module);
+void add_cards(nb::module_& module);
 void add_check(nb::module_& module);
 void add_evaluate(nb::module_& module);
 void add_fitting(nb::module_& module);
@@ -90,5 +91,6 @@ void add_shadows(nb::module_& module);
 void add_simulation(nb::module_& module);
 void add_studies(nb::module_& module);
 void add_tables(nb::module_& module);
+void add_views(nb::module_& module);
 
 }  // namespace cuticle::python

@@ -20,6 +20,7 @@ NB_MODULE(_cuticle, module) {
   using namespace cuticle::python;
   add_errors(module);
   add_batch(module);
+  add_cards(module);
   add_check(module);
   module.def("version", [] { return CUTICLE_VERSION; });
   module.def("set_threads", &set_threads);
@@ -35,4 +36,5 @@ NB_MODULE(_cuticle, module) {
   add_simulation(module);
   add_studies(module);
   add_tables(module);
+  add_views(module);
 }

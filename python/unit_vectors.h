@@ -20,6 +20,7 @@ class UnitVectors {
   std::span<const float> plane(std::size_t k) const { return {planes_.data() + k * count_, count_}; }
 
   std::vector<float> planes_;  ///< x, y, z of the light and of the viewer, h
+  std::vector<double> zeros_;
   std::size_t count_ = 0;
 };
 

@@ -6,17 +6,20 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/trigonometric.hpp>
 
 #include "cli/command.h"
 #include "cli/eval/coordinates.h"
 #include "core/json/json.h"
-#include "lut/fit/model_fit.h"
+#include "lut/fit/measured_fit.h"
 
 namespace cuticle::cli {
 namespace {
 
 struct FitOptions {
   std::string file, models = "marschner", free, settings, preset, quantity = "S", lobe = "sum", loss = "squares";
+  std::string measured, format;
+  double theta_o_deg = -30;
 };
 
 /// Columns beyond those of `cuticle eval`, in this order after them.
@@ -153,8 +156,35 @@ void print_refusal(const lut::ModelFit& fit) {
   fmt::print(stderr, "cuticle: try: fix them with --set, or measure where they act\n");
 }
 
+/// A measured fibre: each model fitted to half of its directions, judged on the others.
+Result<std::vector<lut::ModelFit>> fit_measured(const FitOptions& options, const Context& context) {
+  CUTICLE_ASSIGN(const bsdf::MeasuredFibre fibre,
+                 bsdf::read_measured(options.measured, options.format, {glm::radians(options.theta_o_deg)}));
+  CUTICLE_ASSIGN(const lut::Loss loss, lut::find_loss(options.loss));
+  if (!context.json)
+    fmt::print("{}: {} measured directions, {} without a value; every second one is fitted, the others judge\n",
+               options.measured, fibre.directions.size(), fibre.unmeasured);
+  std::vector<lut::ModelFit> fits;
+  const std::vector<std::string> free = options.free.empty() ? std::vector<std::string>{} : split_list(options.free);
+  for (const std::string& name : split_list(options.models)) {
+    CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(name));
+    CUTICLE_ASSIGN(lut::MeasuredModel found,
+                   lut::fit_measured({model, free, options.preset, options.settings, loss}, fibre));
+    if (!context.json)
+      fmt::print("{}: factor {:.4g}; rms error over rms: all {:.3f}, R {:.3f}, TT {:.3f}, TRT {:.3f}\n", name,
+                 found.fit.scale, lut::judged_error(found, fibre), lut::judged_error(found, fibre, lut::LobeZone::r),
+                 lut::judged_error(found, fibre, lut::LobeZone::tt),
+                 lut::judged_error(found, fibre, lut::LobeZone::trt));
+    fits.push_back(std::move(found.fit));
+  }
+  return fits;
+}
+
 int fit(const FitOptions& options, const Context& context) {
-  const auto fits = fit_all(options);
+  if (options.measured.empty() == options.file.empty())
+    return report(usage_error("fit: one of DATA.csv and --measured FILE", "a goniometer's file is --measured FILE"));
+  if (options.measured.empty() && options.free.empty()) return report(usage_error("--free: no parameter is free"));
+  const auto fits = options.measured.empty() ? fit_all(options) : fit_measured(options, context);
   if (!fits) return report(fits.error());
   Json json = Json::list();
   bool refused = false;
@@ -179,13 +209,22 @@ int fit(const FitOptions& options, const Context& context) {
 void add_fit(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("fit", "fit a model's parameters to measured or simulated lobes");
   auto options = std::make_shared<FitOptions>();
+  command->add_option("data", options->file,
+                      "CSV as eval writes it: angles in degrees, lobe (optional), r,g,b or value, sigma (optional)");
+  command->add_option(
+      "--measured", options->measured,
+      "a measured fibre instead: goniometer text (phi theta value), CSV or a table of slices; models are "
+      "fitted up to a factor to half of its directions and judged on the others");
+  command->add_option("--format", options->format, "of --measured: gantry, csv or slices; else by the file's name");
   command
-      ->add_option("data", options->file,
-                   "CSV as eval writes it: angles in degrees, lobe (optional), r,g,b or value, sigma (optional)")
-      ->required();
+      ->add_option("--theta-o", options->theta_o_deg,
+                   "of a gantry's file: inclination of the arm that stands still, degrees")
+      ->check(CLI::Range(-89.9, 89.9))
+      ->capture_default_str();
   command->add_option("--model,--models", options->models, "models to fit and compare, a,b,c")->capture_default_str();
-  command->add_option("--free", options->free, "parameters to find, a,b,c; one list for each model as a,b;c,d")
-      ->required();
+  command->add_option(
+      "--free", options->free,
+      "parameters to find, a,b,c; one list for each model as a,b;c,d; with --measured, none: those that S tells");
   command->add_option("--set", options->settings, "fixed parameters and starting values, name=value,name=value");
   command->add_option("--preset", options->preset,
                       "the pigment of blond, brown or black hair over the model's defaults");

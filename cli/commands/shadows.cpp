@@ -4,11 +4,11 @@
 #include <fmt/core.h>
 
 #include "cli/groom_options.h"
-#include "cli/points_file.h"
 #include "cli/shadow_cut.h"
 #include "cli/shared_files.h"
 #include "core/file.h"
 #include "core/json/json.h"
+#include "core/points/points_file.h"
 #include "shadows/channels.h"
 #include "shadows/footprint.h"
 #include "shadows/light_frame.h"

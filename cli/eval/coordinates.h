@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bsdf/model.h"
-#include "cli/points_file.h"
+#include "core/points/points_file.h"
 
 namespace cuticle::cli {
 

@@ -34,6 +34,8 @@ Result<viz::StrandsView> view_of(const StrandsOptions& options) {
   for (const std::string& path : options.runs) {
     CUTICLE_ASSIGN(view.runs.emplace_back(), viz::find_run(path));
   }
+  if (view.runs.size() == 2 && view.runs[0].name == view.runs[1].name)
+    for (std::size_t k = 0; k < 2; ++k) view.runs[k].name = options.runs[k];
   if (options.frame >= 0) {
     CUTICLE_ASSIGN(view.frame, viz::frame_at(view.runs.front(), options.frame));
   } else {

@@ -17,7 +17,8 @@ namespace {
 /// blocks read.
 class Equations final : public ceres::EvaluationCallback {
  public:
-  Equations(const FitRequest& request, const Measurements& measurements, const JetModel& jet,
+  /// `jet`: null, where the request asks for differences.
+  Equations(const FitRequest& request, const Measurements& measurements, const JetModel* jet,
             std::vector<FreeParameter> free)
       : request_(request), measurements_(measurements), jet_(jet), free_(std::move(free)) {
     for (const FreeParameter& parameter : free_) x.push_back(parameter.get(request.start));
@@ -25,11 +26,15 @@ class Equations final : public ceres::EvaluationCallback {
     for (std::size_t k = 0; measurements.sigma_known && k < numbers(); ++k)
       weights_[k] = 1 / measurements.rows[k / channels()].sigma;
   }
-  void PrepareForEvaluation(bool, bool new_point) override {
-    if (new_point || residuals.empty()) evaluate();
+  void PrepareForEvaluation(bool jacobians, bool new_point) override {
+    if (new_point || residuals.empty() || (jacobians && !sloped_)) evaluate(jacobians);
   }
-  void evaluate() {
-    const Tangents tangents = evaluate_tangents(jet_, values(), free_, measurements_);
+  /// Differences are left out where nobody asks for derivatives.
+  void evaluate(bool sloped = true) {
+    sloped_ = sloped || jet_;
+    Tangents tangents = jet_ ? evaluate_tangents(*jet_, values(), free_, measurements_)
+                             : difference_tangents(*request_.model, values(), free_, measurements_, sloped_);
+    if (measurements_.relative) apply_scale(tangents);
     residuals.resize(numbers());
     gradients.resize(numbers() * free_.size());
     for (std::size_t k = 0; k < numbers(); ++k) {
@@ -53,14 +58,53 @@ class Equations final : public ceres::EvaluationCallback {
   std::size_t numbers() const { return measurements_.rows.size() * channels(); }
   const std::vector<FreeParameter>& free() const { return free_; }
 
+  double scale() const { return scale_; }
+
   std::vector<double> x, residuals, gradients;
 
  private:
+  /// Multiplies the model by the factor s = sum w^2 m v / sum w^2 m^2 of least squares, with what it adds to the
+  /// derivatives (variable projection, Golub and Pereyra 1973).
+  void apply_scale(Tangents& tangents) {
+    const std::size_t count = free_.size();
+    double across = 0, square = 0;
+    std::vector<double> slope_across(count), slope_square(count);
+    for_each_number(tangents, [&](double weight, double model, double measured, const double* slope) {
+      across += weight * model * measured;
+      square += weight * model * model;
+      for (std::size_t j = 0; j < count; ++j) {
+        slope_across[j] += weight * measured * slope[j];
+        slope_square[j] += 2 * weight * model * slope[j];
+      }
+    });
+    scale_ = square > 0 ? across / square : 1;
+    for (std::size_t k = 0; k < numbers(); ++k) {
+      const std::size_t row = k / channels(), c = k % channels();
+      double& value = tangents.values[row][int(c)];
+      for (std::size_t j = 0; j < count; ++j) {
+        const double of_scale = square > 0 ? (slope_across[j] - scale_ * slope_square[j]) / square : 0;
+        double& slope = tangents.gradients[(3 * row + c) * count + j];
+        slope = scale_ * slope + of_scale * value;
+      }
+      value *= scale_;
+    }
+  }
+  template <class Visit>
+  void for_each_number(const Tangents& tangents, const Visit& visit) const {
+    for (std::size_t k = 0; k < numbers(); ++k) {
+      const std::size_t row = k / channels(), c = k % channels();
+      visit(weights_[k] * weights_[k], tangents.values[row][int(c)], measurements_.rows[row].value[int(c)],
+            tangents.gradients.data() + (3 * row + c) * free_.size());
+    }
+  }
+
   const FitRequest& request_;
   const Measurements& measurements_;
-  const JetModel& jet_;
+  const JetModel* jet_;
   std::vector<FreeParameter> free_;
   std::vector<double> weights_;
+  bool sloped_ = false;  ///< whether the derivatives are those of x
+  double scale_ = 1;     ///< of relative measurements
 };
 
 /// One number's residual, read from the equations.
@@ -88,18 +132,18 @@ std::unique_ptr<ceres::LossFunction> make_loss(Loss loss) {
   return nullptr;
 }
 
-ceres::Solver::Options solver_options() {
+ceres::Solver::Options solver_options(double least_change) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-12;
+  options.max_num_iterations = least_change > 1e-9 ? 15 : 200;
+  options.function_tolerance = least_change;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-11;
   options.logging_type = ceres::SILENT;
   return options;
 }
 
-bool solve(Equations& equations, Loss loss) {
+bool solve(Equations& equations, Loss loss, double least_change) {
   const std::unique_ptr<ceres::LossFunction> loss_function = make_loss(loss);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &equations;
@@ -112,7 +156,7 @@ bool solve(Equations& equations, Loss loss) {
     problem.SetParameterUpperBound(equations.x.data(), int(j), equations.free()[j].parameter->maximum);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(), &problem, &summary);
+  ceres::Solve(solver_options(least_change), &problem, &summary);
   equations.evaluate();
   return summary.termination_type == ceres::CONVERGENCE;
 }
@@ -144,10 +188,10 @@ double deviance(const std::vector<double>& residuals, Loss loss) {
 }
 
 /// Akaike's criterion without what all models of the same data share; an unknown noise is one more parameter.
-double akaike(const Equations& equations, Loss loss, bool sigma_known, double scale) {
-  const double parameters = double(equations.x.size()), numbers = double(equations.numbers());
+double akaike(const Equations& equations, Loss loss, const Measurements& measurements, double scale) {
+  const double parameters = double(equations.x.size() + measurements.relative), numbers = double(equations.numbers());
   const double chi = deviance(equations.residuals, loss);
-  if (sigma_known) return chi + 2 * parameters;
+  if (measurements.sigma_known) return chi + 2 * parameters;
   return numbers * std::log(std::max(chi, 1e-300) * scale * scale / numbers) + 2 * (parameters + 1);
 }
 
@@ -181,9 +225,10 @@ ModelFit summarise(const FitRequest& request, const Measurements& measurements, 
   fit.model = request.model;
   fit.values = equations.values();
   const double noise = noise_of(equations, measurements.sigma_known, request.loss);
+  fit.scale = equations.scale();
   fit.numbers = equations.numbers();
   fit.residual = root_mean_square(equations.residuals) * scale;
-  fit.aic = akaike(equations, request.loss, measurements.sigma_known, scale);
+  fit.aic = akaike(equations, request.loss, measurements, scale);
   if (!measurements.sigma_known) {
     const boost::math::students_t student(double(fit.numbers - equations.x.size()));
     fit.interval = boost::math::quantile(student, 0.975);
@@ -202,18 +247,21 @@ Result<Loss> find_loss(std::string_view name) {
 }
 
 Result<ModelFit> fit_model(const FitRequest& request, const Measurements& measurements) {
-  CUTICLE_ASSIGN(const JetModel* jet, find_jet_model(*request.model));
+  const JetModel* jet = nullptr;
+  if (!request.by_differences) {
+    CUTICLE_ASSIGN(jet, find_jet_model(*request.model));
+  }
   CUTICLE_ASSIGN(std::vector<FreeParameter> free,
                  free_parameters(*request.model, request.free, measurements.one_number));
   CUTICLE_TRY(check_rows(request, measurements));
-  Equations equations(request, measurements, *jet, std::move(free));
+  Equations equations(request, measurements, jet, std::move(free));
   CUTICLE_TRY(check_counts(equations));
-  bool converged = solve(equations, Loss::squares);
+  bool converged = solve(equations, Loss::squares, request.least_change);
   double scale = 1;
   if (request.loss != Loss::squares) {
     scale = measurements.sigma_known ? 1 : robust_scale(equations.residuals);
     equations.rescale(scale);
-    converged = solve(equations, request.loss);
+    converged = solve(equations, request.loss, request.least_change);
   }
   ModelFit fit = summarise(request, measurements, equations, scale);
   fit.converged = converged;
@@ -221,8 +269,13 @@ Result<ModelFit> fit_model(const FitRequest& request, const Measurements& measur
 }
 
 Json to_json(const ModelFit& fit) {
-  Json json{{"model", fit.model->entry.name}, {"numbers", fit.numbers}, {"converged", fit.converged},
-            {"residual", fit.residual},       {"aic", fit.aic},         {"inseparable", fit.inseparable},
+  Json json{{"model", fit.model->entry.name},
+            {"numbers", fit.numbers},
+            {"converged", fit.converged},
+            {"residual", fit.residual},
+            {"aic", fit.aic},
+            {"scale", fit.scale},
+            {"inseparable", fit.inseparable},
             {"parameters", Json::list()}};
   if (!fit.inseparable.empty()) return json;
   for (const FittedParameter& p : fit.parameters)

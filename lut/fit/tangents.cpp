@@ -97,6 +97,25 @@ Result<void> add_free(const bsdf::Model& model, std::string name, bool grey, std
   return {};
 }
 
+/// Values of the rows, lobe by lobe.
+std::vector<glm::dvec3> values_of(const bsdf::Model& model, const registry::ParameterValues& values,
+                                  const Measurements& measurements) {
+  std::vector<glm::dvec3> all(measurements.rows.size());
+  for (int lobe = -1; lobe < int(model.lobes.size()); ++lobe) {
+    std::vector<bsdf::Point> points;
+    for (const Observation& row : measurements.rows)
+      if (row.lobe == lobe) points.push_back(row.point);
+    std::vector<glm::dvec3> out(points.size());
+    const auto evaluated =
+        bsdf::evaluate(model, values, bsdf::Precision::f64, {measurements.quantity, lobe, points}, out);
+    CUTICLE_EXPECT(evaluated.ok(), "rows are checked before the fit");
+    std::size_t next = 0;
+    for (std::size_t row = 0; row < all.size(); ++row)
+      if (measurements.rows[row].lobe == lobe) all[row] = out[next++];
+  }
+  return all;
+}
+
 }  // namespace
 
 double FreeParameter::get(const registry::ParameterValues& values) const {
@@ -145,6 +164,27 @@ Tangents evaluate_tangents(const JetModel& model, const registry::ParameterValue
       model.evaluate(*packed, int(measurements.quantity), seen.lobe, coordinates(seen.point).data(), rgb);
       store(rgb, row, first, free.size(), out);
     });
+  }
+  return out;
+}
+
+Tangents difference_tangents(const bsdf::Model& model, const registry::ParameterValues& values,
+                             const std::vector<FreeParameter>& free, const Measurements& measurements, bool sloped) {
+  constexpr double k_share = 1e-3;  // of the parameter's range, either way
+  const std::size_t rows = measurements.rows.size();
+  Tangents out{values_of(model, values, measurements), std::vector<double>(3 * rows * free.size())};
+  for (std::size_t j = 0; sloped && j < free.size(); ++j) {
+    const double value = free[j].get(values), step = k_share * std::min(free[j].range(), 1.0);
+    const double low = std::max(value - step, free[j].parameter->minimum),
+                 high = std::min(value + step, free[j].parameter->maximum);
+    registry::ParameterValues moved = values;
+    free[j].set(moved, low);
+    const std::vector<glm::dvec3> below = values_of(model, moved, measurements);
+    free[j].set(moved, high);
+    const std::vector<glm::dvec3> above = values_of(model, moved, measurements);
+    for (std::size_t row = 0; row < rows; ++row)
+      for (int c = 0; c < 3; ++c)
+        out.gradients[(3 * row + std::size_t(c)) * free.size() + j] = (above[row][c] - below[row][c]) / (high - low);
   }
   return out;
 }

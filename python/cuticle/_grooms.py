@@ -1,5 +1,6 @@
 """Hair as arrays: made, read, written, grown, shaped, bound to a mesh, checked."""
 import copyreg
+import json
 import typing
 
 import numpy
@@ -7,7 +8,7 @@ import numpy
 from . import _cuticle
 from ._cuticle import Groom
 from ._errors import Error
-from ._inputs import as_array, blocks, document, floats, indices, path, single
+from ._inputs import as_array, blocks, document, floats, indices, path, settings, single
 
 DEFAULT_RADIUS = 35e-6
 
@@ -119,6 +120,30 @@ def bind(groom: Groom, mesh, far=0.005) -> Binding:
 def carry(groom: Groom, mesh, binding: Binding, moved) -> Groom:
     """The groom where the mesh that it is bound to has moved: rigid in the frames of its roots. moved: (vertices, 3)."""
     return _cuticle.carry_groom(groom, _mesh(mesh), (binding.triangle, binding.weights), floats("moved", moved, 3))
+
+
+class Cards:
+    """Hair cards in the place of strands: textured strips of quads.
+
+    mesh: a Mesh, metres, triangles from inside to outside; uv: float32 (vertices, 2) in the atlas; occlusion: float32 (vertices); textures: float32
+    (height, width) by name ("base", "shift", "mask", "alpha"), row 0 at the roots; report: sizes, kinds, and the error of cover.
+    """
+
+    def __init__(self, made):
+        self._made = made
+        self.mesh, self.uv, self.occlusion = Mesh(*made._mesh()), made._uv(), made._occlusion()
+        self.textures = {name: made._atlas()[..., k] for k, name in enumerate(made._channels())}
+        self.report = json.loads(made._report())
+
+    def write(self, folder):
+        """cards.obj, cards.mtl, a PNG for each texture, and cards.json."""
+        self._made._write(path(folder))
+
+
+def make_cards(groom: Groom, set=None, head=None) -> Cards:
+    """Hair cards of a groom. set: parameters of `cuticle cards --set`, as {"cards": 300, "layers": 2}; head: the mesh that the hair grows on
+    (positions, triangles), which shades them."""
+    return Cards(_cuticle.make_cards(groom, settings(set), *(_mesh(head) if head is not None else (None, None))))
 
 
 def check_groom(groom: Groom) -> list:

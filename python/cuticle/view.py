@@ -8,10 +8,11 @@ import xml.etree.ElementTree
 
 import numpy
 
-from . import _models
+from . import _cuticle, _models
 from ._errors import Error
+from ._inputs import path as path_of
 
-__all__ = ["lobe_surface", "lobes", "lut", "shadow", "strands"]
+__all__ = ["lobe_surface", "lobes", "lut", "paths", "plan", "shadow", "strands"]
 
 # The same as LOBE_COLORS of cuticle_report.
 _COLORS = {"R": (0.20, 0.47, 0.75), "TT": (0.93, 0.60, 0.13), "TRT": (0.75, 0.22, 0.27), "residual": (0.35, 0.62, 0.36)}
@@ -105,6 +106,55 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
         plotter.camera_position = [(2.4, -4.6, 2.0), (0, 0, 0), (0, 0, 1)]
     if len(names) > 1:
         plotter.link_views()
+    return plotter
+
+
+def paths(theta_i_deg=0.0, *, eta=1.55, aspect=1.0, turned_deg=0.0, rays=25, plotter=None):
+    """Rays of R, TT and TRT through the cross-section of a fibre, round or elliptical (`aspect`: the axis across the light over that along it,
+    turned by turned_deg), with the ray of the caustic; the light comes from +x."""
+    pyvista = _pyvista()
+    if not (1 < eta and 0.1 <= aspect <= 10 and abs(theta_i_deg) < 90 and 1 <= rays <= 10000):
+        raise Error(f"eta {eta}, aspect {aspect}, theta_i_deg {theta_i_deg}, rays {rays}: outside (1, inf), .1 .. 10, -90 .. 90, 1 .. 10000")
+    offsets = 0.999 * numpy.linspace(-1, 1, rays) if rays > 1 else numpy.zeros(1)
+    section = (float(eta), *numpy.radians([theta_i_deg]).tolist(), float(aspect), float(numpy.radians(turned_deg)))
+    meets, leaves, phi, _, caustic = _cuticle.section_paths(*section, offsets)
+    plotter = plotter or pyvista.Plotter()
+    for k, lobe in enumerate(("R", "TT", "TRT")):
+        inside = numpy.concatenate([meets[:, :1] + [2.0, 0.0], meets[:, :k + 1], meets[:, k][:, None] + 1.2 * leaves[:, k][:, None]], axis=1)
+        lines = pyvista.MultiBlock([pyvista.lines_from_points(numpy.pad(ray, ((0, 0), (0, 1)))) for ray in inside])
+        plotter.add_mesh(lines, color=_COLORS[lobe], line_width=2, label=lobe)
+    around = numpy.radians(numpy.linspace(0, 360, 361))
+    along, across = (1 / aspect, 1.0) if aspect >= 1 else (1.0, aspect)
+    ring = numpy.stack([along * numpy.cos(around), across * numpy.sin(around)], axis=-1)
+    turn = numpy.radians(turned_deg)
+    ring = ring @ numpy.array([[numpy.cos(turn), numpy.sin(turn)], [-numpy.sin(turn), numpy.cos(turn)]])
+    plotter.add_mesh(pyvista.lines_from_points(numpy.pad(ring, ((0, 0), (0, 1)))), color=(0.3, 0.3, 0.3), line_width=3)
+    if caustic > 0:
+        at = _cuticle.section_paths(*section, numpy.array([caustic]))
+        leaving = at[0][0, 2] + numpy.array([[0.0], [2.0]]) * at[1][0, 2]
+        plotter.add_mesh(pyvista.lines_from_points(numpy.pad(leaving, ((0, 0), (0, 1)))), color=(0, 0, 0), line_width=4,
+                         label=f"caustic: h = {caustic:.3f}, phi = {abs(numpy.degrees(at[2][0, 2])):.1f} deg")
+    plotter.add_legend(bcolor=None)
+    plotter.view_xy()
+    return plotter
+
+
+def plan(picture, quantity="cost", *, tile=16, plotter=None):
+    """What each pixel ("cost", "samples"), tile ("tile_cost") or strand ("strand_cost") of a picture cost, in segments, from the layers of
+    FRAME.exr of `cuticle render --aovs`; the title says which shares of the pixels were shaded, culled and skipped."""
+    pyvista = _pyvista()
+    names = ("cost", "samples", "tile_cost", "strand_cost")
+    if quantity not in names:
+        raise Error(f"quantity: '{quantity}' is not one of {', '.join(names)}")
+    *maps, shares = _cuticle.cost_maps(path_of(picture), int(tile))
+    values = dict(zip(names, maps))[quantity]
+    side = float(tile) if quantity == "tile_cost" else 1.0
+    grid = pyvista.ImageData(dimensions=(values.shape[1] + 1, values.shape[0] + 1, 1), spacing=(side, side, 1.0))
+    grid.cell_data[quantity] = values.ravel()
+    plotter = plotter or pyvista.Plotter()
+    plotter.add_mesh(grid, scalars=quantity, cmap="viridis", lighting=False, scalar_bar_args={"title": f"{quantity} [segments]"})
+    plotter.add_text("pixels: {:.0f} % shaded, {:.0f} % culled, {:.0f} % skipped".format(*(100 * share for share in shares)), font_size=10)
+    plotter.view_xy()
     return plotter
 
 

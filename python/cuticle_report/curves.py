@@ -17,6 +17,8 @@ def looks_of(plot):
         lobe, _, rest = curve["name"].partition(" ")
         is_lobe = lobe in look.LOBE_COLORS and not is_crowded(plot)
         looks.append((look.LOBE_COLORS[lobe], "dash" if rest else "solid") if is_lobe else (colored.get(place, look.OTHERS), "solid"))
+    if any(curve["name"] == "measurement" for curve in plot["curves"]):
+        return [(look.SUBJECT_COLORS.get(curve["name"], found[0]), found[1]) for curve, found in zip(plot["curves"], looks)]
     return looks
 
 

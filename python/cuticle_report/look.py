@@ -11,6 +11,9 @@ OTHERS = "#8c8c8c"  # of what stands behind the six
 # Of the lobes of every model, in every figure; the same as lobe_color of viz/lobe_surface.cpp.
 LOBE_COLORS = {"R": "#3378bf", "TT": "#ed9921", "TRT": "#bf3845", "residual": "#599e5c", "TTs": "#f7cc85", "TRTs": "#db8c96",
                "specular": "#3378bf", "primary": "#3378bf", "diffuse": "#ed9921", "secondary": "#bf3845"}
+# Of a measured fibre and of fibre models, in every plot that sets them side by side.
+SUBJECT_COLORS = {"measurement": "#1f5fa8", "Monte Carlo": "#8c8c8c", "chiang": "#6b4fa0", "deon": "#2f8f4e", "hairworks": "#c77fb5", "huang": "#a8324a", "kajiya_kay": "#7fb0e6",
+                  "karis": "#d9730d", "marschner": "#8a6d3b", "scheuermann": "#8fd0a4", "yan_fur": "#3a8fa8"}
 FRONT = "rgba(128,128,128,0.3)"
 GRID = "rgba(128,128,128,0.2)"
 CLEAR = "rgba(0,0,0,0)"

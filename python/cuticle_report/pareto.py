@@ -81,7 +81,8 @@ def interactive(group, cost_label):
     """A plotly figure: curves labelled at their ends, the rest as grey points, the front as a broad line."""
     figure = plotly.Figure()
     factor, unit = results.unit_of([point.seconds["value"] for point in group.drawable()])
-    x, y = zip(*places(group, front_of(group), factor)) if group.front else ((), ())
+    front = places(group, front_of(group), factor)  # empty where all of it is without error or time
+    x, y = zip(*front) if front else ((), ())
     figure.add_scatter(x=x, y=y, mode="lines", hoverinfo="skip", line={"color": look.FRONT, "width": 9, "shape": "hv"})
     if rest := others(group):
         x, y = zip(*places(group, rest, factor))
@@ -117,8 +118,8 @@ def printed(group, cost_label):
     factor, unit = results.unit_of([point.seconds["value"] for point in group.drawable()])
     with pyplot.rc_context(look.PRINT):
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.4), layout="constrained")
-        if group.front:
-            axes.step(*zip(*places(group, front_of(group), factor)), where="post", color="#cccccc", linewidth=4, zorder=0)
+        if front := places(group, front_of(group), factor):
+            axes.step(*zip(*front), where="post", color="#cccccc", linewidth=4, zorder=0)
         if rest := others(group):
             axes.plot(*zip(*places(group, rest, factor)), "o", color="#bbbbbb", markersize=1.8)
         for color, points in zip(look.COLORS, curves(group).values()):

@@ -126,3 +126,18 @@ def test_Groom_Pickled_IsTheSame():
     for name in ("positions", "offsets", "radii", "root_uv"):
         assert numpy.array_equal(getattr(again, name), getattr(groom, name))
     assert {name: values.tolist() for name, values in again.attributes.items()} == {name: values.tolist() for name, values in groom.attributes.items()}
+
+
+def test_MakeCards_OfAGroom_AreThoseOfTheProgram(tmp_path):
+    hair = cuticle.grow(share=0.01)
+    cards = cuticle.make_cards(hair, {"cards": 20, "texture_width": 16, "texture_height": 32}, head=cuticle.make_head().mesh)
+    assert cards.mesh.positions.shape == (len(cards.occlusion), 3) and cards.uv.shape == (len(cards.occlusion), 2)
+    assert cards.mesh.triangles.max() < len(cards.occlusion) and 0 < cards.report["cards"] <= 20
+    assert set(cards.textures) == {"base", "shift", "mask", "alpha"} and cards.textures["alpha"].shape == tuple(cards.report["texture_px"][::-1])
+    assert 0 <= cards.occlusion.min() < cards.occlusion.max() <= 1 and 0.1 < cards.textures["alpha"].mean() <= 1
+    cards.write(tmp_path / "cards")
+    lines = (tmp_path / "cards/cards.obj").read_text().splitlines()
+    written = numpy.array([line.split()[1:4] for line in lines if line.startswith("v ")], numpy.float32)
+    assert numpy.array_equal(written, cards.mesh.positions)
+    with pytest.raises(cuticle.Error, match="cardz"):
+        cuticle.make_cards(hair, {"cardz": 20})

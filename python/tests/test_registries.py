@@ -85,13 +85,13 @@ def test_Layouts_EachOfThem_IsTakenByBake():
         assert "16 .. 1024" in refused(lambda: cuticle.bake("marschner", entry["name"], 4))
 
 
-# What reaches each subcommand's work from here: names of the package, with dots. A view of VTK is its own program part.
+# What reaches each subcommand's work from here: names of the package, with dots.
 REACHED = {"absorption": ["absorption_of_fibre", "absorption_of_assembly", "absorption_of_pigments"], "bake": ["bake", "fit_analytic"], "bind": ["bind", "carry"],
-           "cards": [], "check": ["check_model", "check_tables", "check_groom"], "convert": ["load_groom", "write"], "demo": ["sweep", "render", "study"],
+           "cards": ["make_cards"], "check": ["check_model", "check_tables", "check_groom"], "convert": ["load_groom", "write"], "demo": ["sweep", "render", "study"],
            "effects": ["effects", "solvers"], "eval": ["eval", "Batch", "sample", "gradients"], "fit": ["fit"], "gallery": ["render"], "grow": ["grow", "shape"],
            "info": ["load_groom", "check_groom"], "methods": ["methods"], "models": ["models"], "passes": ["passes"], "plan": ["plan"], "play": ["Renderer"],
            "render": ["render", "Renderer"], "shadows": ["shadows.transmittance", "shadows.truth"], "simulate": ["simulate"], "study": ["study", "studies"],
-           "sweep": ["sweep"], "view": []}
+           "sweep": ["sweep"], "view": []}  # views: below
 
 
 def subcommands(*words):
@@ -109,6 +109,11 @@ def test_Subcommands_OfTheProgram_AreReachableFromHere():
             for part in name.split("."):
                 value = getattr(value, part)
             assert callable(value) and value.__doc__, name
+
+
+def test_Views_OfTheProgram_AreHere():
+    views = subcommands("view")
+    assert len(views) >= 6 and set(views) <= set(cuticle.view.__all__)
 
 
 def test_Studies_OfTheProgram_AreHere():

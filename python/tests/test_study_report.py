@@ -173,3 +173,13 @@ def test_Pareto_PointsOfTwoKnobs_LieOnLinesAlongTheOneWithMostValues():
     from cuticle_report import pareto, results
     points = [results.Point(f"m layers={n} resolution={r}", "m", {"layers": str(n), "resolution": str(r)}, {}, 0) for r in (128, 256) for n in (2, 4, 8)]
     assert [[point.knobs["layers"] for point in line] for line in pareto.lines(points)] == [["2", "4", "8"], ["2", "4", "8"]]
+
+
+def test_Pareto_AFrontWithoutErrors_IsLeftOutOfThePlot(page):
+    from cuticle_report import pareto, results
+    group = results.load(page / "luts").groups[0]
+    for point in group.points:
+        if point.name in group.front:
+            point.errors[group.metric]["mean"]["value"] = 0
+    assert group.front and not pareto.front_of(group)
+    assert pareto.printed(group, "one S")["svg"] and not pareto.interactive(group, "one S").data[0].x

@@ -125,6 +125,14 @@ def test_Sweep_AFileThatChanged_IsAnotherItem(tmp_path):
     assert cuticle.sweep(plan, tmp_path / "store").table()["text"].to_pylist() == ["b"]
 
 
+def test_Sweep_ByAnotherBuildOfTheSameVersion_IsComputedAgain(tmp_path, monkeypatch):
+    plan = {"task": sweep_tasks.slow, "vary": {"number": [1, 2]}}
+    cuticle.sweep(plan, tmp_path)
+    assert cuticle.sweep(plan, tmp_path).computed == 0
+    monkeypatch.setattr(cuticle.sweeps.plan, "toolkit", lambda: "another")
+    assert cuticle.sweep(plan, tmp_path).computed == 2
+
+
 @pytest.mark.parametrize("on_cluster", [False, True])
 def test_Sweep_FailingItems_AreRetriedUnlessTheInputIsBad(tmp_path, request, on_cluster):
     marks = tmp_path / "marks"

@@ -9,6 +9,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "lut/table_set.h"
+
 namespace cuticle::render::reference {
 
 namespace {
@@ -179,6 +181,20 @@ Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& opti
   }
   if (!quality.state.empty()) CUTICLE_TRY(film.save(quality.state, key));
   return Picture{film.color(), film.layers(), rounds.most_samples(), rounds.error(), seconds_since(begin)};
+}
+
+Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
+                                            const Quality& quality, std::span<const std::uint64_t> seeds,
+                                            Progress& progress) {
+  CUTICLE_EXPECT(quality.state.empty(), "the state is of one picture");
+  TraceOptions of_seed = options;
+  if (of_seed.tables) of_seed.tables->kept = std::make_shared<lut::TableSet>();
+  std::vector<Picture> pictures;
+  for (const std::uint64_t seed : seeds) {
+    of_seed.seed = seed;
+    CUTICLE_ASSIGN(pictures.emplace_back(), trace_picture(scene, of_seed, quality, progress));
+  }
+  return pictures;
 }
 
 }  // namespace cuticle::render::reference

@@ -1,5 +1,8 @@
 #pragma once
 // A picture by path tracing, sample by sample until it is good enough.
+#include <span>
+#include <vector>
+
 #include "render/reference/film.h"
 
 namespace cuticle::render::reference {
@@ -27,5 +30,10 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options);
 /// Errors: those of Tracer and Film.
 Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
                               Progress& progress);
+/// The same with each of these seeds in turn, bit for bit as trace_picture draws them; lookup tables are baked once.
+/// No state. Test: reference_test.cpp. Errors: those of trace_picture.
+Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
+                                            const Quality& quality, std::span<const std::uint64_t> seeds,
+                                            Progress& progress);
 
 }  // namespace cuticle::render::reference

@@ -60,6 +60,17 @@ TEST(Reference, AnotherSeed_OtherPictureOfTheSameLight) {
   EXPECT_NEAR(of_a.color.x, of_b.color.x, 4 * (of_a.error.x + of_b.error.x));
 }
 
+TEST(Reference, SeveralSeedsAtOnce_ThePicturesOfEachAlone) {
+  TraceOptions options{.scatterings = 2, .tables = TablesInstead{"nalu", 16}};
+  const std::uint64_t seeds[] = {3, 0};
+  const auto pictures = trace_pictures(lit_ball(), options, {.samples = 8}, seeds, silent_progress());
+  ASSERT_TRUE(pictures);
+  for (std::size_t k = 0; k < 2; ++k) {
+    options.seed = seeds[k];
+    EXPECT_EQ((*pictures)[k].color.pixels, picture_of(lit_ball(), options, {.samples = 8}).color.pixels);
+  }
+}
+
 struct StateFile {
   std::string path = (std::filesystem::temp_directory_path() /
                       fmt::format("cuticle_reference_{}_{}", testing::UnitTest::GetInstance()->random_seed(),

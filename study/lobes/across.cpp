@@ -24,17 +24,6 @@ constexpr double k_slowest_rounds = 4e7;  ///< loop rounds of a tier, all points
 
 double inclination(int row, int rows) { return ((row + 0.5) / rows - 0.5) * pi; }
 
-/// A standard deviation of theta_i is that of twice the facets' slope, which for Gaussian slopes is alpha / sqrt 2.
-oracle::RoughFibre walked(const bsdf::Fibre& fibre) {
-  return {.eta = fibre.eta,
-          .sigma_a = fibre.sigma_a,
-          .surface = {oracle::Facets::beckmann, std::clamp(fibre.longitudinal_deviation / std::sqrt(2.0), 1e-3, 1.0)},
-          .tilt = fibre.scale_tilt,
-          .aspect = fibre.aspect,
-          .blocked = oracle::Blocked::followed,
-          .medulla = {fibre.medulla_ratio, fibre.medulla_scattering, glm::dvec3(fibre.medulla_absorption), fibre.medulla_anisotropy}};
-}
-
 /// Green S of each viewer and bin, mean over the bin's solid angle, and what another seed would change it by.
 struct Walks {
   std::vector<double> density, standard_error;
@@ -158,6 +147,16 @@ Group empty_group(const LobesRequest& request, const Walks& truth) {
 }
 
 }  // namespace
+
+oracle::RoughFibre walked(const bsdf::Fibre& fibre) {
+  return {.eta = fibre.eta,
+          .sigma_a = fibre.sigma_a,
+          .surface = {oracle::Facets::beckmann, std::clamp(fibre.longitudinal_deviation / std::sqrt(2.0), 1e-3, 1.0)},
+          .tilt = fibre.scale_tilt,
+          .aspect = fibre.aspect,
+          .blocked = oracle::Blocked::followed,
+          .medulla = {fibre.medulla_ratio, fibre.medulla_scattering, glm::dvec3(fibre.medulla_absorption), fibre.medulla_anisotropy}};
+}
 
 Result<Group> across_models(std::span<const bsdf::Model* const> models, const LobesRequest& request) {
   const auto truth = std::make_shared<const Walks>(walk_all(request.fibre, request.walks));

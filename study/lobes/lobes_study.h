@@ -7,6 +7,7 @@
 #include "bsdf/model.h"
 #include "core/progress.h"
 #include "study/engine/study.h"
+#include "study/oracle/rough_fibre.h"
 
 namespace cuticle::study {
 
@@ -40,6 +41,10 @@ struct LobesTier {
   std::string name, settings;
 };
 std::vector<LobesTier> tiers_of(const bsdf::Model& model, const std::string& settings);
+
+/// The fibre that light is walked through. A standard deviation of theta_i is that of twice the facets' slope, which for
+/// Gaussian slopes is alpha / sqrt 2.
+oracle::RoughFibre walked(const bsdf::Fibre& fibre);
 
 /// One group for all models: S in float, far field, of every tier that is not too slow, against the Monte Carlo fibre
 /// (study/oracle/rough_fibre.h); errors over bins of directions, and of the albedo. Error: what evaluation says.

@@ -21,7 +21,7 @@ Result<Study> declare_models(const StudyRequest& request, Progress& progress) {
   if (request.quick) {
     ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 16;
     ladder.samples = 8;
-    ladder.batches = 2;  // each bakes the tables of its model
+    ladder.batches = 8;  // as many as paths: the least noise
     models.table_size = 32;
   }
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));

@@ -1,6 +1,7 @@
 // Draws the rungs.
 #include <chrono>
 #include <ctime>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -48,14 +49,12 @@ Result<RungPicture> Stage::draw(const Rung& rung, const scene::Scene& scene) {
 
 Result<void> Stage::add_truth(Ladder& ladder, scene::Scene scene) {
   scene.outputs.aovs = true;
-  CUTICLE_ASSIGN(const plan::TracedFrame layered, trace_batch(scene, 0));
-  ladder.strands = first_strands(layered.layers);
+  CUTICLE_ASSIGN(const std::vector<plan::TracedFrame> layered, trace_batches(scene, 0, 1));
+  ladder.strands = first_strands(layered.front().layers);
   scene.outputs.aovs = false;
+  CUTICLE_ASSIGN(auto frames, trace_batches(scene, request_.batches, request_.batches));
   NoisyPicture again;
-  for (int k = 0; k < request_.batches; ++k) {
-    CUTICLE_ASSIGN(plan::TracedFrame frame, trace_batch(scene, request_.batches + k));
-    again.batches.push_back(std::move(frame.color));
-  }
+  for (plan::TracedFrame& frame : frames) again.batches.push_back(std::move(frame.color));
   ladder.again = mean_of(again);
   return {};
 }
@@ -67,18 +66,16 @@ Result<void> Stage::take_pose(const scene::Scene& scene) {
   return {};
 }
 
-Result<plan::TracedFrame> Stage::trace_batch(scene::Scene scene, int seed) {
-  auto& reference = scene.passes.at("reference");
-  reference.set("samples", std::int64_t(std::max(1, request_.samples / request_.batches)));
-  reference.set("seed", std::int64_t(seed));
-  return plan::trace_frame(pose_->at_rest(scene), {}, {.hair = pose_->drawn()}, pose_->camera(), "", progress_);
+Result<std::vector<plan::TracedFrame>> Stage::trace_batches(scene::Scene scene, int first, int count) {
+  scene.passes.at("reference").set("samples", std::int64_t(std::max(1, request_.samples / request_.batches)));
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(count));
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t(first));
+  return plan::trace_frames(pose_->at_rest(scene), {}, {.hair = pose_->drawn()}, pose_->camera(), seeds, progress_);
 }
 
 Result<void> Stage::trace(const scene::Scene& scene, RungPicture& picture) {
-  for (int k = 0; k < request_.batches; ++k) {
-    CUTICLE_ASSIGN(plan::TracedFrame frame, trace_batch(scene, k));
-    picture.picture.batches.push_back(std::move(frame.color));
-  }
+  CUTICLE_ASSIGN(auto frames, trace_batches(scene, 0, request_.batches));
+  for (plan::TracedFrame& frame : frames) picture.picture.batches.push_back(std::move(frame.color));
   return {};
 }
 

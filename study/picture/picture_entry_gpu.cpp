@@ -57,7 +57,7 @@ Result<Study> declare_picture(const StudyRequest& request, Progress& progress) {
               .wall_clock = !device->info().is_software,
               .device = device->info().name,
               .driver = device->info().driver};
-  study.timing.rounds = 5;
+  study.timing.rounds = request.quick ? 3 : 5;
   study.notes = {
       "Errors are of premultiplied linear radiance, over the pixels that hair covers in any rung. Times of traced "
       "rungs and of brute-force "

@@ -70,7 +70,8 @@ class Stage {
 
  private:
   Result<void> take_pose(const scene::Scene& scene);
-  Result<plan::TracedFrame> trace_batch(scene::Scene scene, int seed);
+  /// A picture for each of the seeds first, first + 1, ...
+  Result<std::vector<plan::TracedFrame>> trace_batches(scene::Scene scene, int first, int count);
   Result<void> trace(const scene::Scene& scene, RungPicture& picture);
   Result<void> run(const scene::Scene& scene, RungPicture& picture);
   double now() const;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/model.h"
 #include "strands/formats/formats.h"
 
 #ifndef _WIN32
@@ -46,8 +47,11 @@ Result<std::shared_ptr<Pose>> Pose::make(const std::shared_ptr<gpu::Device>& dev
   }
   scene::Scene plain = pose->at_rest(scene);
   plain.render_method = "lines";
-  plain.material.layout = "nalu";  // of the picture only the strands are used: the quickest tables
-  plain.material.lut_size = 16;
+  plain.passes.erase("dual_scattering");
+  // Of the picture only the strands are used: the quickest tables, whatever the model.
+  CUTICLE_ASSIGN(const bsdf::Model* quick, bsdf::find_model("marschner"));
+  plain.material = {
+      .model = {"marschner", registry::default_values(quick->entry.parameters)}, .layout = "nalu", .lut_size = 16};
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, plain, progress));
   CUTICLE_TRY(runner->run(0));
   CUTICLE_ASSIGN(pose->drawn_, runner->drawn_strands());

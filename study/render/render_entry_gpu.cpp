@@ -13,8 +13,8 @@ namespace {
 Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
   const std::string& scene = request.options.at("scene");
   RenderRequest render;
-  CUTICLE_ASSIGN(render.scene, scene::load_scene(scene.empty() ? request.share + "/scenes/ladder/blond.json" : scene,
-                                                 plan::catalogue()));
+  const std::string usual = request.share + (request.quick ? "/scenes/still.json" : "/scenes/ladder/blond.json");
+  CUTICLE_ASSIGN(render.scene, scene::load_scene(scene.empty() ? usual : scene, plan::catalogue()));
   for (const std::string& name : split_commas(request.options.at("grooms"))) {
     if (request.quick) break;
     CUTICLE_ASSIGN(scene::Scene groom,
@@ -23,9 +23,7 @@ Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
   }
   if (request.quick) {
     render.grows = false;
-    render.truth_samples = 16;
-    render.scene.camera.camera.resolution /= 4;
-    render.scene.strand_count = std::min(render.scene.strand_count, 1000);
+    render.rounds = 1;
   }
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
   return render_study(device, render, progress);
@@ -37,7 +35,9 @@ const StudyEntry& render_entry() {
   static const StudyEntry entry{
       .name = "render",
       .summary = "ways to draw a scene's hair against brute force: error against time",
-      .options = {{"scene", "", "scene file (JSON); without it the long blond hair of the ladder", true},
+      .options = {{"scene", "",
+                   "scene file (JSON); without it the long blond hair of the ladder, with --quick scenes/still.json",
+                   true},
                   {"grooms", "blond,curls,fur",
                    "further grooms of the ladder, still and moving, a,b,c; not with --quick"}},
       .declare = declare_render,

@@ -22,6 +22,7 @@ struct RenderRequest {
   scene::Scene scene = {};  ///< its first frame, at rest, without head
   int truth_samples = 32;   ///< a side; 16 are off by .01 to .02 where hair is a tenth of a pixel wide
   bool grows = true;        ///< every setting, and what a frame costs as strands, pixels and overlap grow
+  int rounds = 5;           ///< of timing
   std::vector<GroomInRender> grooms = {};
 };
 

@@ -116,7 +116,7 @@ def test_PublicHeaders_HoldNoHeavyType():
 
 def target_module(target):
     name = target.replace("cuticle::", "").replace("cuticle_", "", 1) if target.startswith("cuticle") else None
-    folders = {"core_image": "core/image", "render_reference": "render", "lut_fit": "lut", "strands_rays": "strands/rays", "strands_cards": "strands/cards", "study_oracle": "study/oracle", "viz_vtk": "viz"}
+    folders = {"core_image": "core/image", "core_points": "core", "bsdf_measured": "bsdf", "render_reference": "render", "lut_fit": "lut", "strands_rays": "strands/rays", "strands_cards": "strands/cards", "study_oracle": "study/oracle", "viz_vtk": "viz"}
     if name is None or name in ("", "warnings", "cuticle"):
         return None
     if name.startswith("study_") and name not in folders:

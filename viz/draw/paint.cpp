@@ -51,11 +51,11 @@ void draw_color_bar(vtkContext2D& painter, const ColorScale& colors, const Recta
     painter.DrawRect(float(place.left + k * place.width() / steps), float(place.bottom),
                      float(place.width() / steps + 0.6), float(place.height()));
   }
-  for (const double tick : bar_ticks(colors, 6)) {
+  for (const auto& [tick, text] : labelled(bar_ticks(colors, 6))) {
     const double x = place.left + colors.fraction(tick) * place.width();
     set_pen(painter, {.25, .25, .25}, scale);
     painter.DrawLine(float(x), float(place.bottom), float(x), float(place.bottom - 5 * scale));
-    draw_text(painter, {x, place.bottom - 8 * scale}, tick_text(tick), {14 * scale, 0, 1});
+    draw_text(painter, {x, place.bottom - 8 * scale}, text, {14 * scale, 0, 1});
   }
   draw_text(painter, {(place.left + place.right) / 2, place.top + 6 * scale}, colors.title, {15 * scale, 0, -1});
 }
@@ -68,11 +68,11 @@ void draw_upright_bar(vtkContext2D& painter, const ColorScale& colors, const Rec
     painter.DrawRect(float(place.left), float(place.bottom + k * place.height() / steps), float(place.width()),
                      float(place.height() / steps + 0.6));
   }
-  for (const double tick : bar_ticks(colors, 5)) {
+  for (const auto& [tick, text] : labelled(bar_ticks(colors, 5))) {
     const double y = place.bottom + colors.fraction(tick) * place.height();
     set_pen(painter, {.25, .25, .25}, scale);
     painter.DrawLine(float(place.right), float(y), float(place.right + 5 * scale), float(y));
-    draw_text(painter, {place.right + 8 * scale, y}, tick_text(tick), {13 * scale, -1, 0});
+    draw_text(painter, {place.right + 8 * scale, y}, text, {13 * scale, -1, 0});
   }
   draw_text(painter, {place.right + 50 * scale, (place.bottom + place.top) / 2}, colors.title,
             {14 * scale, 0, 1, false, true});

@@ -9,6 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
 
@@ -94,6 +95,36 @@ vtkSmartPointer<vtkActor> flat_actor(vtkPolyData* data, double line_width) {
 vtkSmartPointer<vtkActor> make_polyline(const std::vector<glm::dvec3>& points, const glm::dvec3& color, double width) {
   const auto actor = flat_actor(polyline_data({points}), width);
   actor->GetProperty()->SetColor(color.x, color.y, color.z);
+  return actor;
+}
+
+vtkSmartPointer<vtkPolyData> grid_data(const std::vector<glm::dvec3>& points, int columns,
+                                       const std::vector<glm::dvec3>& colors) {
+  vtkNew<vtkPoints> placed;
+  for (const glm::dvec3& p : points) placed->InsertNextPoint(p.x, p.y, p.z);
+  vtkNew<vtkCellArray> quads;
+  for (vtkIdType row = 0; row + 1 < vtkIdType(points.size()) / columns; ++row)
+    for (vtkIdType column = 0; column + 1 < columns; ++column) {
+      const vtkIdType first = row * columns + column;
+      quads->InsertNextCell({first, first + 1, first + 1 + columns, first + columns});
+    }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(placed);
+  data->SetPolys(quads);
+  data->GetPointData()->SetScalars(color_array(colors));
+  return data;
+}
+
+vtkSmartPointer<vtkActor> smooth_actor(vtkPolyData* data, double ambient) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(ambient);
   return actor;
 }
 

@@ -102,11 +102,11 @@ void PlotItem::paint_frame(vtkContext2D& painter) {
 
 void PlotItem::paint_x_axis(vtkContext2D& painter) {
   const int count = std::clamp(int(area_.width() / (75 * scale)), 2, 10);
-  for (const double tick : ticks_of(content_.x, count)) {
+  for (const auto& [tick, text] : labelled(ticks_of(content_.x, count))) {
     const double x = area_.left + x_fraction(tick) * area_.width();
     set_pen(painter, {.25, .25, .25}, 1 * scale);
     painter.DrawLine(float(x), float(area_.bottom), float(x), float(area_.bottom - 5 * scale));
-    draw_text(painter, {x, area_.bottom - 8 * scale}, tick_text(tick), {14 * scale, 0, 1});
+    draw_text(painter, {x, area_.bottom - 8 * scale}, text, {14 * scale, 0, 1});
   }
   draw_text(painter, {(area_.left + area_.right) / 2, area_.bottom - 29 * scale}, content_.x.title, {15 * scale, 0, 1});
 }
@@ -114,7 +114,7 @@ void PlotItem::paint_x_axis(vtkContext2D& painter) {
 void PlotItem::paint_y_axis(vtkContext2D& painter) {
   const int count = std::clamp(int(area_.height() / (42 * scale)), 2, 8);
   double widest = 0;
-  for (const double tick : ticks_of(content_.y, count)) {
+  for (const auto& [tick, text] : labelled(ticks_of(content_.y, count))) {
     const double y = area_.bottom + y_fraction(tick) * area_.height();
     if (!content_.image) {
       set_pen(painter, {.9, .9, .9}, 1 * scale);
@@ -122,8 +122,8 @@ void PlotItem::paint_y_axis(vtkContext2D& painter) {
     }
     set_pen(painter, {.25, .25, .25}, 1 * scale);
     painter.DrawLine(float(area_.left - 5 * scale), float(y), float(area_.left), float(y));
-    draw_text(painter, {area_.left - 8 * scale, y}, tick_text(tick), {14 * scale, 1, 0});
-    widest = std::max(widest, 7.6 * scale * double(tick_text(tick).size()));
+    draw_text(painter, {area_.left - 8 * scale, y}, text, {14 * scale, 1, 0});
+    widest = std::max(widest, 7.6 * scale * double(text.size()));
   }
   draw_text(painter, {area_.left - 16 * scale - widest, (area_.bottom + area_.top) / 2}, content_.y.title,
             {15 * scale, 0, -1, false, true});

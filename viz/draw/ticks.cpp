@@ -1,5 +1,6 @@
 #include "viz/draw/ticks.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -45,6 +46,15 @@ std::vector<double> degree_ticks(double lower, double upper, int count) {
   return multiples(180, lower, upper);
 }
 
-std::string tick_text(double value) { return fmt::format("{:.5g}", value); }
+std::vector<Tick> labelled(const std::vector<double>& ticks) {
+  std::vector<Tick> list;
+  for (int digits = 5; digits <= 17; ++digits) {
+    list.clear();
+    for (const double at : ticks) list.push_back({at, fmt::format("{:.{}g}", at, digits)});
+    const auto same = [](const Tick& a, const Tick& b) { return a.text == b.text; };
+    if (std::adjacent_find(list.begin(), list.end(), same) == list.end()) return list;
+  }
+  return list;
+}
 
 }  // namespace cuticle::viz

@@ -11,7 +11,10 @@ std::vector<double> ticks(double lower, double upper, int count);
 std::vector<double> logarithmic_ticks(double lower, double upper, int count);
 /// Multiples of 15, 30, 45 or 90 degrees.
 std::vector<double> degree_ticks(double lower, double upper, int count);
-/// The text of a tick: "0.25", "1e-05".
-std::string tick_text(double value);
+struct Tick {
+  double at = 0;
+  std::string text;  ///< "0.25", "1e-05"; five digits, or as many as tell it from its neighbours
+};
+std::vector<Tick> labelled(const std::vector<double>& ticks);
 
 }  // namespace cuticle::viz

@@ -1,5 +1,6 @@
 // The numbers behind a view of lobes.
 #include <cmath>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -67,8 +68,44 @@ TEST(MakeSurfaces, UnknownLobe_IsRefusedByName) {
   EXPECT_THAT(surfaces.error().message, testing::HasSubstr("R, TT, TRT"));
 }
 
-/// Without tilt, S of marschner is the same with light and eye exchanged, so that what leaves is the albedo of what comes
-/// in. (Of chiang, whose attenuation follows theta_o alone, the two differ by .009 at theta_i = .5.)
+/// Integral of S over the sphere of outgoing (or incoming) directions, the other one fixed, with the cosine that makes
+/// it energy: two-point Gauss in parts of the inclination, even steps in phi.
+double integral_of(const ShownModel& shown, double fixed, bool over_outgoing) {
+  constexpr int parts = 100, columns = 180;
+  const double node = 1 / std::sqrt(3.0);
+  std::vector<bsdf::Point> points;
+  std::vector<double> weights;
+  for (int part = 0; part < 2 * parts; ++part)
+    for (int column = 0; column < columns; ++column) {
+      const double place = (part / 2 + 0.5 + (part % 2 ? node : -node) / 2) / parts;
+      const double theta = (place - 0.5) * std::numbers::pi,
+                   phi = (2 * (column + 0.5) / columns - 1) * std::numbers::pi;
+      points.push_back(
+          {.theta_i = over_outgoing ? fixed : theta, .theta_o = over_outgoing ? theta : fixed, .phi = phi});
+      weights.push_back(std::cos(theta) * std::numbers::pi * std::numbers::pi / (parts * columns));
+    }
+  std::vector<glm::dvec3> values(points.size());
+  EXPECT_TRUE(
+      bsdf::evaluate(*shown.model, shown.values, bsdf::Precision::f64, {bsdf::Quantity::S, -1, points}, values).ok());
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) sum += weights[i] * mean(values[i]);
+  return sum;
+}
+
+/// A surface shows where one light's energy goes: over outgoing directions. The albedo is the energy that one viewer
+/// receives: over incoming ones. They are equal where light and eye may be exchanged. Attenuation of chiang follows
+/// theta_o alone, so that its two differ.
+TEST(Scattered, OfAModelWithoutReciprocity_IsItsOwnIntegralAndTheAlbedoTheOther) {
+  const ShownModel shown = shown_model("chiang", "alpha=0");
+  const double outgoing = integral_of(shown, 0.5, true), incoming = integral_of(shown, 0.5, false);
+  const LobeValues values = lobe_values(shown, {0.5}, {91, 181}, true).value();
+  EXPECT_NEAR(scattered(values.grid, values.sum()), outgoing, 2e-4);
+  EXPECT_NEAR(value_of(shown, bsdf::Quantity::albedo, -1, {.theta_o = 0.5}), incoming, 2e-4);
+  EXPECT_GT(std::abs(outgoing - incoming), 5e-3);
+}
+
+/// Without tilt, S of marschner is the same with light and eye exchanged, so that what leaves is the albedo of what
+/// comes in.
 void expect_albedo(const char* model, const char* settings, double theta_i, double bound) {
   const ShownModel shown = shown_model(model, settings);
   const LobeValues values = lobe_values(shown, {theta_i}, {91, 181}, true).value();

@@ -6,12 +6,6 @@
 #include <fmt/format.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
 
@@ -19,36 +13,6 @@ namespace cuticle::viz {
 namespace {
 
 const glm::dvec3 k_grey(0.6, 0.6, 0.6), k_light(0.85, 0.65, 0.05);
-
-vtkSmartPointer<vtkPolyData> data_of(const LobeSurface& surface, const DirectionGrid& grid) {
-  vtkNew<vtkPoints> points;
-  for (const glm::dvec3& p : surface.positions) points->InsertNextPoint(p.x, p.y, p.z);
-  vtkNew<vtkCellArray> quads;
-  for (int row = 0; row + 1 < grid.rows; ++row)
-    for (int column = 0; column + 1 < grid.columns; ++column) {
-      const vtkIdType first = vtkIdType(row) * grid.columns + column;
-      quads->InsertNextCell({first, first + 1, first + 1 + grid.columns, first + grid.columns});
-    }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(quads);
-  data->GetPointData()->SetScalars(color_array(surface.colors));
-  return data;
-}
-
-vtkSmartPointer<vtkActor> surface_actor(vtkPolyData* data) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(data);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.25);
-  actor->GetProperty()->SetSpecular(0.15);
-  return actor;
-}
 
 /// A circle about the fibre.
 std::vector<glm::dvec3> circle(double radius, double height) {
@@ -103,9 +67,11 @@ vtkSmartPointer<vtkProp> LobesScene::label(const std::string& text, const glm::d
 void LobesScene::set_surfaces(const std::vector<LobeSurface>& surfaces, const DirectionGrid& grid) {
   std::vector<vtkSmartPointer<vtkProp>> now;
   for (const LobeSurface& surface : surfaces) {
-    const auto data = data_of(surface, grid);
+    const auto data = grid_data(surface.positions, grid.columns, surface.colors);
     if (now.empty()) first_ = data;
-    now.push_back(surface_actor(data));
+    const auto actor = smooth_actor(data, 0.25);
+    actor->GetProperty()->SetSpecular(0.15);
+    now.push_back(actor);
   }
   replace(surfaces_, std::move(now));
 }

@@ -54,8 +54,6 @@ bool is_in(vtkRenderer& renderer, const glm::ivec2& pixel) { return renderer.IsI
 
 }  // namespace
 
-std::string LobesPicture::title() const { return "cuticle view lobes"; }
-
 void LobesPicture::lay_out(const WindowArea& area) {
   const bool two = view_.models.size() == 2 && !view_.difference;
   const auto plots_below = [&](double x0, double x1, double y0, double y1) {

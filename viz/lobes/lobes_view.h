@@ -9,10 +9,9 @@
 
 namespace cuticle::viz {
 
-class LobesPicture : public View {
+class LobesPicture : public ViewOf<LobesView> {
  public:
-  explicit LobesPicture(LobesView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit LobesPicture(LobesView view) : ViewOf("lobes", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -35,7 +34,6 @@ class LobesPicture : public View {
   bool shows_difference() const { return view_.difference && view_.models.size() == 2; }
   std::string words_of(const LobeValues& values) const;
 
-  LobesView view_;
   std::vector<std::unique_ptr<LobesScene>> scenes_;
   std::optional<Plot> longitudinal_, azimuthal_;
   std::optional<ColorBar> bar_;

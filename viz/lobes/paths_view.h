@@ -8,10 +8,9 @@
 
 namespace cuticle::viz {
 
-class PathsPicture : public View {
+class PathsPicture : public ViewOf<PathsView> {
  public:
-  explicit PathsPicture(PathsView view) : view_(view) {}
-  std::string title() const override { return "cuticle view paths"; }
+  explicit PathsPicture(PathsView view) : ViewOf("paths", view) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -24,7 +23,6 @@ class PathsPicture : public View {
   Control control(const std::string& name, const std::string& unit, double lower, double upper, double& value,
                   double unit_value);
 
-  PathsView view_;
   std::optional<Plot> section_, azimuths_;
 };
 

@@ -21,8 +21,6 @@ std::vector<glm::dvec3> greys(const Image& picture) {
 
 }  // namespace
 
-std::string PlanPicture::title() const { return "cuticle view plan"; }
-
 Result<void> PlanPicture::fill(const WindowArea& area) {
   for (int k = 0; k < 4; ++k) {
     const double x = 0.5 * (k % 2), y = k < 2 ? 0.5 : 0;

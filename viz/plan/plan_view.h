@@ -8,10 +8,9 @@
 
 namespace cuticle::viz {
 
-class PlanPicture : public View {
+class PlanPicture : public ViewOf<PlanView> {
  public:
-  explicit PlanPicture(PlanView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit PlanPicture(PlanView view) : ViewOf("plan", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double) override {}
@@ -22,7 +21,6 @@ class PlanPicture : public View {
   Result<void> update();
   void show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map, double pixels);
 
-  PlanView view_;
   PlanMaps maps_;
   std::vector<std::unique_ptr<Plot>> plots_;
 };

@@ -149,9 +149,11 @@ LightRay light_ray(const ShadowView& view) {
 
 Result<glm::dvec3> dark_place(const ShadowView& view) {
   std::vector<glm::vec3> points;
-  const std::size_t step = std::max<std::size_t>(1, view.groom.vertex_count() / 4000);
+  const std::size_t step = std::max<std::size_t>(1, view.groom.vertex_count() / 2000);
   for (std::size_t v = 0; v < view.groom.vertex_count(); v += step) points.push_back(view.groom.positions[v]);
-  CUTICLE_ASSIGN(const std::vector<float> values, transmittance_at(view, "deep_opacity", points));
+  // By truth where there is one: the darkest place of a map is where the map errs the most towards dark.
+  const char* const judge = shadows::find_method("truth") ? "truth" : "deep_opacity";
+  CUTICLE_ASSIGN(const std::vector<float> values, transmittance_at(view, judge, points));
   const auto darkest = std::min_element(values.begin(), values.end());
   return glm::dvec3(points[std::size_t(darkest - values.begin())]);
 }

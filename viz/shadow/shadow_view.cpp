@@ -69,8 +69,6 @@ vtkSmartPointer<vtkActor> hair_actor(const strands::Groom& groom, double width) 
 
 }  // namespace
 
-std::string ShadowPicture::title() const { return "cuticle view shadow"; }
-
 Result<void> ShadowPicture::fill(const WindowArea& area) {
   scale_ = area.scale;
   Part* const parts[] = {&opacity_, &deep_, &volume_};

@@ -9,10 +9,9 @@
 
 namespace cuticle::viz {
 
-class ShadowPicture : public View {
+class ShadowPicture : public ViewOf<ShadowView> {
  public:
-  explicit ShadowPicture(ShadowView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit ShadowPicture(ShadowView view) : ViewOf("shadow", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -34,7 +33,6 @@ class ShadowPicture : public View {
   Result<void> update_curves();
   void look();
 
-  ShadowView view_;
   Part opacity_, deep_, volume_;
   ColorScale depths_{Ramp::sequential, 0, 4, false, "optical depth before the layer"};
   ColorScale transmittances_{Ramp::sequential, 0, 1, false, "transmittance (deep opacity map)"};

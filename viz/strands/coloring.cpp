@@ -180,8 +180,12 @@ Result<ColoredStrands> color_strands(const Groom& groom, const StrandColoring& c
 }
 
 ColorScale scale_of(const ColoredStrands& colored) {
-  if (colored.diverging) return diverging_scale(colored.values, colored.neutral, colored.title);
-  return sequential_scale(colored.values, colored.title);
+  if (!colored.diverging) return sequential_scale(colored.values, colored.title);
+  ColorScale scale = diverging_scale(colored.values, colored.neutral, colored.title);
+  const double least = 1e-4 * std::abs(colored.neutral);  // rounding is no stretch
+  scale.lower = std::min(scale.lower, colored.neutral - least);
+  scale.upper = std::max(scale.upper, colored.neutral + least);
+  return scale;
 }
 
 }  // namespace cuticle::viz

@@ -18,7 +18,7 @@ std::vector<NamedArray> arrays_of(const strands::Groom& groom, const ColoredStra
                                     {"arc_length", "m", 1, arc_lengths(groom)}};
   for (const auto& [attribute, values] : groom.attributes)
     if (values.domain == strands::Attribute::Domain::vertex && attribute != name)
-      arrays.push_back({attribute, "", values.components, values.values});
+      arrays.push_back({attribute, std::string(strands::state_unit(attribute)), values.components, values.values});
   return arrays;
 }
 

@@ -18,22 +18,24 @@
 namespace cuticle::viz {
 namespace {
 
+/// Their vertices alone: software OpenGL works through all points of a data set, drawn or not.
 vtkSmartPointer<vtkPolyData> lines_of(const strands::Groom& groom, const std::vector<std::uint32_t>& strands,
                                       const std::vector<glm::dvec3>& colors) {
   vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(vtkIdType(groom.vertex_count()));
-  for (std::size_t v = 0; v < groom.vertex_count(); ++v)
-    points->SetPoint(vtkIdType(v), double(groom.positions[v].x), double(groom.positions[v].y),
-                     double(groom.positions[v].z));
   vtkNew<vtkCellArray> lines;
+  std::vector<glm::dvec3> own_colors;
   for (const std::uint32_t s : strands) {
     lines->InsertNextCell(int(groom.strand_size(s)));
-    for (std::size_t v = groom.offsets[s]; v < groom.offsets[s + 1]; ++v) lines->InsertCellPoint(vtkIdType(v));
+    for (std::size_t v = groom.offsets[s]; v < groom.offsets[s + 1]; ++v) {
+      const glm::dvec3 p(groom.positions[v]);
+      lines->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+      own_colors.push_back(colors[v]);
+    }
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetLines(lines);
-  data->GetPointData()->SetScalars(color_array(colors));
+  data->GetPointData()->SetScalars(color_array(own_colors));
   return data;
 }
 

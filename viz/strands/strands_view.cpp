@@ -38,7 +38,6 @@ void add_length_bar(vtkRenderer& renderer, const strands::Bounds& box, double sc
 
 }  // namespace
 
-std::string StrandsPicture::title() const { return "cuticle view strands"; }
 int StrandsPicture::frame_count() const { return int(view_.runs.front().frames.size()); }
 
 Result<void> StrandsPicture::load(Part& part) {
@@ -92,8 +91,10 @@ Result<void> StrandsPicture::fill(const WindowArea& area) {
   CUTICLE_TRY(fit_scale());
   for (Part& part : parts_) draw(part), draw_colliders(part);
   const double x0 = width * double(parts_.size());
-  along_.emplace(*area.add_renderer(x0, 0.5, 1, 1), size_);
-  over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
+  const auto is_series = [](const Part& part) { return part.run.frames.size() > 1; };
+  const bool has_time = std::any_of(parts_.begin(), parts_.end(), is_series);
+  along_.emplace(*area.add_renderer(x0, has_time ? 0.5 : 0.25, 1, 1), size_);
+  if (has_time) over_time_.emplace(*area.add_renderer(x0, 0, 1, 0.5), size_);
   std::tie(strand_, vertex_) = largest();
   if (view_.strand)
     strand_ = std::min(*view_.strand, parts_[0].groom.strand_count() - 1),
@@ -162,11 +163,11 @@ Result<void> StrandsPicture::update_curves() {
     time.x.upper = std::max(k == 0 ? 1e-6 : time.x.upper, points.back().x);
     time.curves.push_back({parts_.size() == 2 ? part.run.name : "", std::move(points), colors[k]});
   }
-  if (time.curves.empty()) time.title = "a single state: no time";
+  if (time.curves.empty()) time.title = "not over time: each frame's truth is traced anew";
   fit_y(along);
   fit_y(time);
   along_->set(std::move(along));
-  over_time_->set(std::move(time));
+  if (over_time_) over_time_->set(std::move(time));
   return {};
 }
 

@@ -10,12 +10,11 @@
 namespace cuticle::viz {
 
 /// Strands drawn at most while the camera moves.
-inline constexpr std::size_t k_moving_strands = 8000;
+inline constexpr std::size_t k_moving_strands = 4000;
 
-class StrandsPicture : public View {
+class StrandsPicture : public ViewOf<StrandsView> {
  public:
-  explicit StrandsPicture(StrandsView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit StrandsPicture(StrandsView view) : ViewOf("strands", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -47,7 +46,6 @@ class StrandsPicture : public View {
   void look();
   Result<void> set_color(std::size_t choice);
 
-  StrandsView view_;
   std::vector<Part> parts_;
   std::vector<std::string> color_names_;
   ColorScale scale_;

@@ -5,13 +5,6 @@
 
 #include <fmt/format.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
-#include <vtkProperty.h>
 
 namespace cuticle::viz {
 namespace {
@@ -24,40 +17,16 @@ PlotAxis axis_of(const std::string& title, double lower, double upper) {
   return {title, lower, upper, is_angle ? PlotAxis::Kind::degrees : PlotAxis::Kind::number};
 }
 
-vtkSmartPointer<vtkPolyData> field_data(const TableChannel& channel, const ColorScale& colors) {
-  vtkNew<vtkPoints> points;
-  std::vector<glm::dvec3> shades;
+vtkSmartPointer<vtkActor> field_actor(const TableChannel& channel, const ColorScale& colors) {
+  std::vector<glm::dvec3> points, shades;
   for (int y = 0; y < channel.height; ++y)
     for (int x = 0; x < channel.width; ++x) {
       const double value = double(channel.values[std::size_t(y) * std::size_t(channel.width) + std::size_t(x)]);
-      points->InsertNextPoint((x + 0.5) / channel.width, (y + 0.5) / channel.height,
-                              k_height * value / std::max(channel.peak, 1e-30));
+      points.emplace_back((x + 0.5) / channel.width, (y + 0.5) / channel.height,
+                          k_height * value / std::max(channel.peak, 1e-30));
       shades.push_back(colors.color(value));
     }
-  vtkNew<vtkCellArray> quads;
-  for (int y = 0; y + 1 < channel.height; ++y)
-    for (int x = 0; x + 1 < channel.width; ++x) {
-      const vtkIdType first = vtkIdType(y) * channel.width + x;
-      quads->InsertNextCell({first, first + 1, first + 1 + channel.width, first + channel.width});
-    }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(quads);
-  data->GetPointData()->SetScalars(color_array(shades));
-  return data;
-}
-
-vtkSmartPointer<vtkActor> field_actor(vtkPolyData* data) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(data);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.35);
-  return actor;
+  return smooth_actor(grid_data(points, channel.width, shades), 0.35);
 }
 
 void add_box(vtkRenderer& renderer, const TableChannel& channel, double scale) {
@@ -74,8 +43,6 @@ void add_box(vtkRenderer& renderer, const TableChannel& channel, double scale) {
 }
 
 }  // namespace
-
-std::string TablesPicture::title() const { return "cuticle view lut"; }
 
 Result<void> TablesPicture::fill(const WindowArea& area) {
   CUTICLE_ASSIGN(channels_, table_channels(view_));
@@ -110,7 +77,7 @@ void TablesPicture::show(Row& row) {
       sequential_scale(channel.values, channel.name + (channel.unit == "1" ? "" : " [" + channel.unit + "]"));
   row.field->RemoveAllViewProps();
   if (channel.height > 1) {
-    row.surface = field_actor(field_data(channel, image.colors));
+    row.surface = field_actor(channel, image.colors);
     row.field->AddViewProp(row.surface);
     add_box(*row.field, channel, scale_);
   }

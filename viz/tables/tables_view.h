@@ -10,10 +10,9 @@
 namespace cuticle::viz {
 
 /// A row a channel: image, height field, error map. Three rows at a time.
-class TablesPicture : public View {
+class TablesPicture : public ViewOf<TablesView> {
  public:
-  explicit TablesPicture(TablesView view) : view_(std::move(view)) {}
-  std::string title() const override;
+  explicit TablesPicture(TablesView view) : ViewOf("lut", std::move(view)) {}
   Result<void> fill(const WindowArea& area) override;
   std::vector<Control> controls() override;
   void turn(double degrees) override;
@@ -33,7 +32,6 @@ class TablesPicture : public View {
   Result<void> change_table(std::size_t index);
   std::string probe(const TableChannel& channel, const glm::dvec2& place) const;
 
-  TablesView view_;
   std::vector<TableChannel> channels_;
   std::vector<Row> rows_;
   std::size_t first_ = 0;

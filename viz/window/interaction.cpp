@@ -194,6 +194,7 @@ void Interaction::State::next_frame() {
 /// While the camera turns, its style alone hears of the mouse: a turn that ends where it began was a click.
 void Interaction::State::set_moving(bool moving) {
   view.set_moving(moving);
+  area.window->SetMultiSamples(moving ? 0 : k_samples);
   if (moving) return;
   const bool was_click = pressed_at && *pressed_at == mouse();
   pressed_at.reset();

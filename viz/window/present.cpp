@@ -21,7 +21,7 @@ vtkSmartPointer<vtkRenderWindow> make_window(const View& view, const ViewTarget&
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(!target.is_window());
   window->SetSize(target.size.x, target.size.y);
-  window->SetMultiSamples(8);
+  window->SetMultiSamples(k_samples);
   window->SetWindowName(view.title().c_str());
   return window;
 }

@@ -33,5 +33,9 @@ struct Tangents {
 };
 Tangents evaluate_tangents(const JetModel& model, const registry::ParameterValues& values,
                            const std::vector<FreeParameter>& free, const Measurements& measurements);
+/// The same by central differences of the model's values in double, within the parameters' ranges; derivatives of 0
+/// where they are not `sloped`.
+Tangents difference_tangents(const bsdf::Model& model, const registry::ParameterValues& values,
+                             const std::vector<FreeParameter>& free, const Measurements& measurements, bool sloped);
 
 }  // namespace cuticle::lut

@@ -1,5 +1,6 @@
 """What a sweep computes: a task, what all items share, and what varies."""
 import difflib
+import functools
 import hashlib
 import itertools
 import json
@@ -103,6 +104,14 @@ def _file_digest(path):
         while block := file.read(1 << 20):
             digest.update(block)
     return {"file": digest.hexdigest()}
+
+
+@functools.cache
+def toolkit() -> str:
+    """SHA-256 of the compiled half and of the package's own text: another build may give other results under the same version."""
+    package = pathlib.Path(__file__).parents[1]
+    digests = [_file_digest(path)["file"] for path in [_cuticle.__file__, *sorted(package.glob("*.py")), *sorted(package.glob("sweeps/*.py"))]]
+    return _hash([_cuticle.version(), digests])
 
 
 def _contents(value, folder, known):
@@ -227,16 +236,16 @@ class Plan:
         return parameters
 
     def key(self, index: int) -> str:
-        """What an item's result is stored under: SHA-256 of its task, the toolkit's version and all that goes in, files by what they hold."""
+        """What an item's result is stored under: SHA-256 of its task, the toolkit (`toolkit()`) and all that goes in, files by what they hold."""
         contents = dict(self._fixed_contents)
         for name, value in self.changes(index).items():
             _put(contents, name, _contents(value, self.folder, self._known_files))
-        return _hash({"task": self.task.identity, "version": _cuticle.version(), "parameters": contents})[:32]
+        return _hash({"task": self.task.identity, "toolkit": toolkit(), "parameters": contents})[:32]
 
     def _digest(self):
         """Of everything that the plan's items are made of."""
         axes = [[(axis.names, axis.values) for axis in block] for block in self._blocks]
-        return _hash({"task": self.task.identity, "version": _cuticle.version(), "fixed": self._fixed_contents,
+        return _hash({"task": self.task.identity, "toolkit": toolkit(), "fixed": self._fixed_contents,
                       "vary": _contents(axes, self.folder, self._known_files)})[:16]
 
     def describe(self) -> dict:

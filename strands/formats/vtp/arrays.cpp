@@ -1,8 +1,10 @@
 #include <iterator>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "strands/formats/vtp/detail/arrays.h"
+#include "strands/formats/vtp/vtp.h"
 
 namespace cuticle::strands {
 
@@ -16,11 +18,24 @@ void open_array(std::string& text, std::string_view type, std::string_view name,
 
 }  // namespace
 
+std::string_view state_unit(std::string_view array) {
+  constexpr std::pair<std::string_view, std::string_view> units[] = {{"position", "m"},    {"velocity", "m/s"},
+                                                                     {"stretch", "1"},     {"tension", "m^2/s^2"},
+                                                                     {"curvature", "1/m"}, {"radius", "m"}};
+  for (const auto& [name, unit] : units)
+    if (name == array) return unit;
+  return {};
+}
+
 void append_array(std::string& text, std::string_view name, int components, std::span<const float> values) {
   open_array(text, "Float32", name, components);
   for (std::size_t i = 0; i < values.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{:.9g}{}", values[i],
                    (i + 1) % std::size_t(components) == 0 ? '\n' : ' ');
+  // After the numbers: VTK reads those up to the first element.
+  if (const std::string_view unit = state_unit(name); !unit.empty())
+    fmt::format_to(std::back_inserter(text),
+                   "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>\n", unit);
   text += "</DataArray>\n";
 }
 

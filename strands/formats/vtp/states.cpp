@@ -22,11 +22,10 @@ std::vector<std::uint32_t> strand_ids(const Groom& groom) {
 std::string format_vtp(const StrandState& state) {
   const Groom& groom = *state.groom;
   const std::size_t points = groom.offsets.back();
-  CUTICLE_EXPECT(
-      state.positions.size() == points && state.velocities.size() == points && state.stretch.size() == points &&
-          (state.tension.empty() || state.tension.size() == points) &&
-          (state.curvature.empty() || state.curvature.size() == points),
-      "one entry per vertex");
+  CUTICLE_EXPECT(state.positions.size() == points && state.velocities.size() == points &&
+                     state.stretch.size() == points && (state.tension.empty() || state.tension.size() == points) &&
+                     (state.curvature.empty() || state.curvature.size() == points),
+                 "one entry per vertex");
   std::string text = open_piece(points, line_count(groom));
   text += "<PointData Scalars=\"stretch\" Vectors=\"velocity\">\n";
   append_array(text, "velocity", state.velocities);
@@ -43,7 +42,7 @@ std::string format_vtp(const StrandState& state) {
 }
 
 std::size_t vtp_bytes_at_most(const Groom& groom) {
-  constexpr std::size_t number = 16, index = 11, frame = 2048;  // -1.23456789e-05 and 4294967295, with what parts them
+  constexpr std::size_t number = 16, index = 11, frame = 4096;  // -1.23456789e-05 and 4294967295, with what parts them
   return frame + groom.offsets.back() * (9 * number + 2 * index) + groom.strand_count() * index;
 }
 

@@ -25,6 +25,11 @@ vtkSmartPointer<vtkActor> make_polyline(const std::vector<glm::dvec3>& points, c
 vtkSmartPointer<vtkPolyData> polyline_data(const std::vector<std::vector<glm::dvec3>>& lines);
 /// Lines or surfaces of given colours, without light.
 vtkSmartPointer<vtkActor> flat_actor(vtkPolyData* data, double line_width);
+/// A sheet of quads over rows of points, with a colour per point.
+vtkSmartPointer<vtkPolyData> grid_data(const std::vector<glm::dvec3>& points, int columns,
+                                       const std::vector<glm::dvec3>& colors);
+/// A lit surface with smooth normals; `ambient`: share of its colour without light.
+vtkSmartPointer<vtkActor> smooth_actor(vtkPolyData* data, double ambient);
 /// A colour per point, from the values.
 vtkSmartPointer<vtkUnsignedCharArray> color_array(const std::vector<glm::dvec3>& colors);
 

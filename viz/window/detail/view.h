@@ -2,6 +2,7 @@
 // What a view gives to the window, picture or movie that shows it. Private to viz.
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <vtkRenderWindow.h>
@@ -33,6 +34,9 @@ struct WindowArea {
   vtkSmartPointer<vtkRenderer> add_renderer(double x0, double y0, double x1, double y1) const;
 };
 
+/// Samples of a pixel at rest. While the camera moves there is one: software OpenGL needs a third of the time.
+inline constexpr int k_samples = 8;
+
 class View {
  public:
   virtual ~View() = default;
@@ -54,6 +58,20 @@ class View {
   virtual void set_moving(bool) {}
   /// Writes what is shown into a folder.
   virtual Result<void> write_files(const std::string& folder) = 0;
+};
+
+/// A view of `Shown`, the numbers and choices that it was asked for.
+template <class Shown>
+class ViewOf : public View {
+ public:
+  std::string title() const override { return std::string("cuticle view ") + name_; }
+
+ protected:
+  ViewOf(const char* name, Shown shown) : view_(std::move(shown)), name_(name) {}
+  Shown view_;
+
+ private:
+  const char* name_;
 };
 
 /// Draws the view into the target's files, or shows it in a window until that is closed. Errors: no_device without a

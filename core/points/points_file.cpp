@@ -1,4 +1,4 @@
-#include "cli/points_file.h"
+#include "core/points/points_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include "core/file.h"
 #include "core/registry/parameter.h"
 
-namespace cuticle::cli {
+namespace cuticle {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -118,4 +118,4 @@ Result<PointsTable> read_points(const std::string& path, std::span<const PointCo
   return parse_points(text, path, known);
 }
 
-}  // namespace cuticle::cli
+}  // namespace cuticle

@@ -1,9 +1,9 @@
-#include "cli/points_file.h"
+#include "core/points/points_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cuticle::cli::points_file_test {
+namespace cuticle::points_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(PointsFile, Missing_IsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace cuticle::cli::points_file_test
+}  // namespace cuticle::points_file_test

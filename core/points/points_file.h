@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 
-namespace cuticle::cli {
+namespace cuticle {
 
 /// A column that may occur, with the inclusive range of its numbers; or with its words, each standing for its place
 /// among them.
@@ -35,4 +35,4 @@ Result<PointsTable> parse_points(std::string_view text, std::string_view file, s
 /// The same from a file. Error: also bad_input where it cannot be read.
 Result<PointsTable> read_points(const std::string& path, std::span<const PointColumn> known);
 
-}  // namespace cuticle::cli
+}  // namespace cuticle
