@@ -106,11 +106,11 @@ Result<std::string> measured_errors(const scene::Scene& scene, Context& context)
 }
 
 Result<std::string> calibrate_device(Context& context) {
-  constexpr double k_most_seconds = 50;
+  constexpr double k_max_seconds = 50;
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   const auto accuracy = plan::read_accuracy_table(share_file("scenes/accuracy.json"));
   CUTICLE_ASSIGN(const plan::CostTable table,
-                 plan::calibrate(device, accuracy ? accuracy->rows : std::vector<plan::AccuracyRow>(), k_most_seconds,
+                 plan::calibrate(device, accuracy ? accuracy->rows : std::vector<plan::AccuracyRow>(), k_max_seconds,
                                  *context.progress));
   const std::string path = plan::cost_table_path(table.device, table.driver);
   CUTICLE_TRY(plan::write_cost_table(path, table));

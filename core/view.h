@@ -48,7 +48,7 @@ struct Light {
   std::optional<Lamp> lamp = {};
 };
 /// Lights of a scene, those of its environment with them.
-inline constexpr std::size_t k_most_lights = 8;
+inline constexpr std::size_t k_max_lights = 8;
 
 /// A square that lies level, its middle above or below the origin.
 struct Floor {

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int k_nodes = 17;  ///< of the 15-point rule, between the two ends
 constexpr double k_tolerance = 5e-6;
-constexpr int k_early = 8;                 ///< halvings after which what has not converged is a caustic
-constexpr int k_halvings = 36;             ///< at most: a cell of 0.01 rad is then cut near the spacing of double
-constexpr std::size_t k_most_pieces = 64;  ///< of each interval at one level: a term that is noise converges nowhere
+constexpr int k_early = 8;                ///< halvings after which what has not converged is a caustic
+constexpr int k_halvings = 36;            ///< at most: a cell of 0.01 rad is then cut near the spacing of double
+constexpr std::size_t k_max_pieces = 64;  ///< of each interval at one level: a term that is noise converges nowhere
 constexpr std::size_t k_pieces_at_once = 16384;
 
 /// Nodes on [-1, 1] with the weights of both rules (0 where a rule has no node). The ends have no weight: they show a
@@ -94,7 +94,7 @@ class Averager {
  private:
   Result<void> advance(int level) {
     const std::vector<Piece> pieces = std::exchange(pieces_, {});
-    const bool last = level >= k_halvings || pieces.size() > k_most_pieces * intervals_.size();
+    const bool last = level >= k_halvings || pieces.size() > k_max_pieces * intervals_.size();
     for (std::size_t first = 0; first < pieces.size(); first += k_pieces_at_once) {
       const auto part = std::span(pieces).subspan(first, std::min(k_pieces_at_once, pieces.size() - first));
       const Evaluate& evaluate = level > k_early ? source_.evaluate_in_double : source_.evaluate;

@@ -11,16 +11,15 @@
 namespace cuticle::lut {
 namespace {
 
-constexpr int k_most_points = 509;  ///< per axis; a prime, so that a large table is not met at its texels
+constexpr int k_max_points = 509;  ///< per axis; a prime, so that a large table is not met at its texels
 
 Result<ExactValues> exact_points(const Source& source, const Channel& channel, const TableLayout& layout, int size,
                                  const ComparisonGrid& grid) {
   std::vector<bsdf::Point> points;
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x)
-      points.push_back(
-          make_point(layout, axis_value(layout.u, size, grid.middle(x)), axis_value(layout.v, size, grid.row(y)), size,
-                     source.caustic_index));
+      points.push_back(make_point(layout, axis_value(layout.u, size, grid.middle(x)),
+                                  axis_value(layout.v, size, grid.row(y)), size, source.caustic_index));
   CUTICLE_ASSIGN(std::vector<glm::dvec3> values, held_values(source, layout, channel, points));
   return ExactValues{std::move(values), {}};
 }
@@ -100,7 +99,8 @@ bool touches_singular(const Table& table, double u_begin, double u_end, double v
 
 double filtered_value(const Table& table, int channel, const ComparisonGrid& grid, std::size_t i) {
   const int x = int(i % grid.columns), y = int(i / grid.columns);
-  if (table.layout->channels[channel].texel != Texel::cell_average) return sample(table, channel, grid.middle(x), grid.row(y));
+  if (table.layout->channels[channel].texel != Texel::cell_average)
+    return sample(table, channel, grid.middle(x), grid.row(y));
   return table_bin_mean(table, channel, grid.begin(x), grid.begin(x + 1), grid.row(y));
 }
 
@@ -142,10 +142,10 @@ ChannelError summarise(std::string_view name, const Comparison& comparison, std:
 }
 
 ComparisonGrid grid_for(const TableLayout& table, const Channel& channel, int size) {
-  if (channel.texel == Texel::cell_average) return {2 * size, std::min(size - 1, k_most_points)};
+  if (channel.texel == Texel::cell_average) return {2 * size, std::min(size - 1, k_max_points)};
   const glm::ivec2 texels = table_size(table, size);
   if (channel.source == ChannelSource::average_fibre) return {texels.x - 1, std::max(1, texels.y - 1)};
-  return {std::min(4 * texels.x, k_most_points), texels.y > 1 ? std::min(4 * texels.y, k_most_points) : 1};
+  return {std::min(4 * texels.x, k_max_points), texels.y > 1 ? std::min(4 * texels.y, k_max_points) : 1};
 }
 
 Result<ExactValues> exact_values(const Source& source, const Channel& channel, const Table& table,

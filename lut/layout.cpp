@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::string_view k_candidates[] = {"nalu_caustic", "nalu_theta", "deon"};  ///< the least bytes first
 constexpr std::string_view k_any_model = "factored";
-constexpr double k_most_error = 0.01;
+constexpr double k_max_error = 0.01;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Result<const Layout*> find_layout(std::string_view name, const bsdf::Model& mode
   if (name != k_best_layout) return find_layout(name);
   const Source source = cpu_source(model, values);
   CUTICLE_ASSIGN(const Layout* best, find_layout(k_any_model));
-  double least = k_most_error;
+  double least = k_max_error;
   for (const std::string_view candidate : k_candidates) {
     CUTICLE_ASSIGN(const Layout* layout, find_layout(candidate));
     if (!check_bakeable(source, values, *layout).ok()) continue;

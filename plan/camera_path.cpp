@@ -69,14 +69,14 @@ View at_keys(const std::vector<CameraKey>& keys, double time) {
 }
 
 /// Cubics may pass their keys.
-constexpr double k_least_field = 0.01, k_most_field = 3;
+constexpr double k_least_field = 0.01, k_max_field = 3;
 
 Camera at_time(const scene::CameraPath& path, double seconds) {
   Camera camera = path.camera;
   const View view = at_keys(path.keys, seconds);
   camera.position = view.position;
   camera.target = view.target;
-  camera.vertical_field_of_view = std::clamp(view.field_of_view, k_least_field, k_most_field);
+  camera.vertical_field_of_view = std::clamp(view.field_of_view, k_least_field, k_max_field);
   return camera;
 }
 

@@ -21,7 +21,7 @@ namespace cuticle::plan {
 namespace {
 
 constexpr std::uint64_t k_order_seed = 20050401;
-constexpr double k_widest_radius = 5e-4;  // metres
+constexpr double k_max_radius = 5e-4;  // metres
 
 double fibre_radius(const scene::Scene& scene, const strands::Groom& groom) {
   if (scene.groom.radius > 0) return scene.groom.radius;
@@ -117,7 +117,7 @@ void widen_and_taper(double stands_for, double taper, strands::Groom& groom) {
     const std::vector<float> fractions = fractions_of(groom.strand(s));
     for (std::size_t k = 0; k < fractions.size(); ++k) {
       float& radius = groom.radii[groom.offsets[s] + k];
-      const double wide = std::max(double(radius), std::min(k_widest_radius, double(radius) * stands_for));
+      const double wide = std::max(double(radius), std::min(k_max_radius, double(radius) * stands_for));
       radius = float(wide * (1 - taper * double(fractions[k])));
     }
   }
@@ -169,7 +169,7 @@ double crossing_opacity(const scene::Scene& scene, const strands::Groom& control
 
 float drawn_radius(const scene::Scene& scene, const strands::Groom& control, std::size_t strands) {
   const double fibre = fibre_radius(scene, control);
-  return float(std::max(fibre, std::min(k_widest_radius, fibre * fibres_each(scene, strands))));
+  return float(std::max(fibre, std::min(k_max_radius, fibre * fibres_each(scene, strands))));
 }
 
 void place_strands(const scene::Scene& scene, std::span<const strands::FollowHairs> follow_hairs, bool has_radii,

@@ -25,7 +25,7 @@ const render::Pass* pass_of(const registry::Entry& entry) {
   return found == render::passes().end() ? nullptr : *found;
 }
 
-constexpr int k_most_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
+constexpr int k_max_at_once = 4096, k_usual_chunk = 1024;  ///< pixels each way
 
 }  // namespace
 
@@ -56,7 +56,7 @@ Property Picture::planned(Property render::Pass::*property) const {
 
 Result<void> Picture::choose_chunks() {
   const glm::ivec2 all = resources_.get<render::FrameView>().camera.resolution;
-  const bool is_large = std::max(all.x, all.y) > k_most_at_once;
+  const bool is_large = std::max(all.x, all.y) > k_max_at_once;
   const auto chunk_px = planned(&render::Pass::chunk_px);
   int chunk = chunk_px ? chunk_px(resources_.parameters) : 0;
   if (chunk == 0 && is_large) chunk = k_usual_chunk;
@@ -66,7 +66,7 @@ Result<void> Picture::choose_chunks() {
       return bad_input(
           fmt::format("camera.resolution_px: {} x {} in chunks of {}: '{}' draws whole pictures only, of at "
                       "most {} pixels each way",
-                      all.x, all.y, chunk, pass->entry.name, k_most_at_once),
+                      all.x, all.y, chunk, pass->entry.name, k_max_at_once),
           "the method 'tiles' draws in chunks, without passes over the whole picture");
   constexpr int k_tile = int(render::tile_lists::k_tile);
   resources_.edit<render::FrameView>().part_size = glm::min(glm::ivec2((chunk + k_tile - 1) / k_tile * k_tile), all);
@@ -341,7 +341,8 @@ Result<Image> Picture::read_aovs(const Image& color) const {
     for (const DrawnPass& drawn : passes_) {
       const std::optional<render::FileLayer> layer = drawn.pass->layer(wanted, resources_);
       if (!layer) continue;
-      CUTICLE_ASSIGN(image, with_channels(*device_, image.pixels.empty() ? color : image, *layer->values, layer->channels));
+      CUTICLE_ASSIGN(image,
+                     with_channels(*device_, image.pixels.empty() ? color : image, *layer->values, layer->channels));
     }
   return image;
 }

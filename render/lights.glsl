@@ -1,7 +1,7 @@
 #ifndef CUTICLE_RENDER_LIGHTS_GLSL
 #define CUTICLE_RENDER_LIGHTS_GLSL
 // Lights as shaders read them; lights_gpu.h holds the same fields.
-const uint k_most_lights = 8u;
+const uint k_max_lights = 8u;
 
 struct LightRow {
   vec4 place;  // w = 0: unit direction to a distant light; 1: where a lamp stands, metres

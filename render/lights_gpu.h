@@ -15,9 +15,9 @@ namespace cuticle::render {
 struct LightRow {
   glm::vec4 place, power, cone;
 };
-using LightRows = std::array<LightRow, k_most_lights>;
+using LightRows = std::array<LightRow, k_max_lights>;
 
-/// The lights, places and directions moved by `transform`, which is rigid. Those beyond k_most_lights are left out.
+/// The lights, places and directions moved by `transform`, which is rigid. Those beyond k_max_lights are left out.
 LightRows light_rows(const std::vector<Light>& lights, const glm::dmat4& transform = glm::dmat4(1));
 
 /// A light as shadow methods take it.

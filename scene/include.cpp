@@ -14,8 +14,8 @@ namespace {
 
 using Steps = std::vector<std::string>;
 constexpr int k_deepest = 16;
-constexpr std::size_t k_most_files = 256;   ///< read for one scene
-constexpr std::size_t k_most_keys = 10000;  ///< of an object that keys are looked up in: each look-up is linear
+constexpr std::size_t k_max_files = 256;   ///< read for one scene
+constexpr std::size_t k_max_keys = 10000;  ///< of an object that keys are looked up in: each look-up is linear
 
 Steps longer(Steps steps, std::string step) {
   steps.push_back(std::move(step));
@@ -73,8 +73,8 @@ class Including {
       return bad_input(
           fmt::format("{}: '{}' is the {}th file within another", place(source, own), file.text(), k_deepest),
           "a file that includes itself never ends");
-    if (into_.sources.size() > k_most_files)
-      return bad_input(fmt::format("{}: more than {} files are included", place(source, own), k_most_files));
+    if (into_.sources.size() > k_max_files)
+      return bad_input(fmt::format("{}: more than {} files are included", place(source, own), k_max_files));
     const std::filesystem::path path =
         (std::filesystem::path(into_.sources[source].folder) / file.text()).lexically_normal();
     const auto text = read_text_file(path.string());
@@ -95,9 +95,9 @@ class Including {
   /// Keys that the value does not have. `within`: origins of what the file included itself.
   Result<void> merge(Json& value, const Json& more, const Origin& from, const Steps& whole,
                      const std::map<Steps, Origin>& within) {
-    if (std::max(value.size(), more.size()) > k_most_keys)
+    if (std::max(value.size(), more.size()) > k_max_keys)
       return bad_input(fmt::format("{}: {} keys in one object that includes or is included, allowed at most {}",
-                                   into_.sources[from.source].name, std::max(value.size(), more.size()), k_most_keys));
+                                   into_.sources[from.source].name, std::max(value.size(), more.size()), k_max_keys));
     for (const auto& [key, item] : more.items()) {
       const Steps here = longer(whole, key);
       const Origin there{from.source, longer(from.steps, key)};

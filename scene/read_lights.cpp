@@ -56,9 +56,9 @@ Result<void> read_lamps(const Reader& root, Scene& scene) {
     CUTICLE_ASSIGN(light.lamp, read_lamp(reader, fmt::format("lamps[{}]", count++)));
     scene.lights.push_back(light);
   }
-  if (scene.lights.size() <= k_most_lights) return {};
+  if (scene.lights.size() <= k_max_lights) return {};
   return bad_input(fmt::format("{}: lamps: {} beside {} of `lights`; allowed are {} in all", root.where, count,
-                               scene.lights.size() - count, k_most_lights));
+                               scene.lights.size() - count, k_max_lights));
 }
 
 /// The picture's name; empty for the built-in sky, which a scene may ask for where the file is not there.
@@ -78,9 +78,9 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   reader.get("lights", environment.lights);
   reader.get("turn_deg", environment.turn_degrees);
   reader.get("scale", environment.scale);
-  if (scene.lights.size() + std::size_t(environment.lights) > k_most_lights)
+  if (scene.lights.size() + std::size_t(environment.lights) > k_max_lights)
     return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
-                                 root.where, environment.lights, scene.lights.size(), k_most_lights));
+                                 root.where, environment.lights, scene.lights.size(), k_max_lights));
   CUTICLE_ASSIGN(const std::string name, surroundings_file(reader, scene));
   CUTICLE_ASSIGN(const Image picture, surroundings_of(name));
   const auto lights = environment_lights(picture, environment);

@@ -60,9 +60,9 @@ struct MotionSource {
   double metres_per_unit = 0;  ///< of the joint's travel away from the first frame; 0: the head turns where it is
 };
 struct CharacterSource {
-  std::string file;  ///< glTF 2.0, absolute path
-  std::string clip;  ///< repeats; empty: the character rests
-  bool dual_quaternions = false;  ///< false: linear blending, as glTF prescribes
+  std::string file;                ///< glTF 2.0, absolute path
+  std::string clip;                ///< repeats; empty: the character rests
+  bool dual_quaternions = false;   ///< false: linear blending, as glTF prescribes
   double start_time = 0;           ///< seconds into the clip
   strands::Convention convention;  ///< of the file
 };
@@ -157,7 +157,7 @@ struct Scene {
   double caster_share = 1;  ///< of the drawn strands that cast shadows, wider by as much
   CameraPath camera;
   double frames_per_second = 30;
-  int strand_vertices = 30;  ///< per drawn strand, 2 .. strands::k_most_vertices
+  int strand_vertices = 30;  ///< per drawn strand, 2 .. strands::k_max_vertices
   int strand_count = 4095;   ///< drawn strands
   double fibre_count = 0;    ///< fibres that the drawn strands stand for; they are as wide as these together; 0: not
                              ///< given, k_usual_fibre_count, or of a file that carries radii its strands

@@ -72,7 +72,7 @@ Spec required(Spec spec) {
 Spec follow_hairs() {
   return object("follow_hairs",
                 "hairs drawn beside each strand of a file or a specification; of a TressFX project in place of its own",
-                {required(integer("per_guide", 0, double(strands::k_most_follow_hairs), "beside each strand")),
+                {required(integer("per_guide", 0, double(strands::k_max_follow_hairs), "beside each strand")),
                  required(real("reach_m", 0, 1, "how far a root may lie from its guide's along each of two axes")),
                  real("tip_separation", -1, 1000,
                       "at the tip a hair is 1 + this times as far from its guide as at the root; below 0 they clump")});
@@ -199,7 +199,7 @@ Spec lights() {
                       {text("name", "for messages"),
                        required(numbers("to_light", 3, -1e6, 1e6, "direction from the scene to the light")),
                        required(numbers("irradiance", 3, 0, 1e6, "on a plane facing the light, linear Rec.709"))});
-  return array("lights", k_most_lights, "lights; none: no shading by light and no shadow", std::move(light));
+  return array("lights", k_max_lights, "lights; none: no shading by light and no shadow", std::move(light));
 }
 
 Spec lamps() {
@@ -213,7 +213,7 @@ Spec lamps() {
               required(numbers("intensity", 3, 0, 1e6,
                                "irradiance at 1 m, linear Rec.709; falls as 1 / distance^2, within 1 mm as at 1 mm")),
               std::move(spot)});
-  return array("lamps", k_most_lights, "lights with a place, eight with `lights` and `environment`", std::move(lamp));
+  return array("lamps", k_max_lights, "lights with a place, eight with `lights` and `environment`", std::move(lamp));
 }
 
 Spec environment() {
@@ -320,7 +320,7 @@ Spec specification(const Catalogue& catalogue) {
                "drawn strands of grown hair, and of groom.interpolate; those of a file or a grooming specification are "
                "all drawn"),
        integer(
-           "strand_vertices", 2, strands::k_most_vertices,
+           "strand_vertices", 2, strands::k_max_vertices,
            "vertices of each drawn strand, as strand_count; of a grooming specification's strands, absent: their own"),
        real("fibre_count", 1, 1e9,
             "fibres that the drawn strands stand for; they are as wide as these together, up to 1 mm; absent: 100000, "

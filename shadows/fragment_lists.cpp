@@ -13,7 +13,7 @@ namespace {
 
 using Word = std::uint32_t;
 
-constexpr std::uint64_t k_most_fragments = (2ull << 30) / sizeof(Fragment);
+constexpr std::uint64_t k_max_fragments = (2ull << 30) / sizeof(Fragment);
 
 /// visit(texel, fragment) for every deposit, on all threads; `sum` of the fragment is its own deposit.
 void for_each_fragment(const MapView& view, const strands::Groom& groom, std::span<const Word> table,
@@ -36,9 +36,9 @@ void sort_and_sum(std::span<Fragment> list) {
 /// Numbers of fragments become where each list begins. Error: usage, when they are too many.
 Result<void> begin_lists(std::string_view method, std::vector<Word>& first) {
   const std::uint64_t count = std::accumulate(first.begin(), first.end(), std::uint64_t(0));
-  if (count > k_most_fragments)
+  if (count > k_max_fragments)
     return usage_error(
-        fmt::format("{}: {} fragments in the lists, more than {} (2 GiB)", method, count, k_most_fragments),
+        fmt::format("{}: {} fragments in the lists, more than {} (2 GiB)", method, count, k_max_fragments),
         "a lower resolution");
   std::partial_sum(first.begin(), first.end(), first.begin());
   return {};

@@ -44,7 +44,7 @@ float transmittance_at(MapPlacement placement, vec3 position, uint s, uint v, fl
   const LookupPlace there = lookup_place(position, s, v);
   const vec3 seen = in_light_axes(there.point), point = place_in_map(placement, seen);
   const float texels = push.filter_radius * placement.scale.x * view_scale(seen, push.reach);
-  const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_widest_filter) : push.filter_texels;
+  const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_max_filter_radius) : push.filter_texels;
   if (!is_in_strip(point.y)) return -1.0;
   const float limit = float(max(columns, rows)) + 130.0;
   if (!(abs(point.x) < limit && abs(point.y) < limit) || !is_seen_by_light(seen, push.reach)) return 1.0;

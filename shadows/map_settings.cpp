@@ -10,7 +10,7 @@ namespace cuticle::shadows {
 
 namespace {
 
-constexpr std::uint64_t k_most_bytes = 2ull << 30;
+constexpr std::uint64_t k_max_bytes = 2ull << 30;
 
 }  // namespace
 
@@ -45,17 +45,17 @@ void describe_room(registry::Members& members, MapSettings& map) {
 Result<float> filter_in_texels(const MapSettings& settings, double texels_per_metre) {
   const double given =
       settings.filter_radius > 0 ? std::max(0.5, settings.filter_radius * texels_per_metre) : settings.filter_texels;
-  if (given <= double(k_widest_filter)) return float(given);
-  return usage_error(
-      fmt::format("{}: the filter's radius is {:.0f} texels, more than {}", settings.method, given, k_widest_filter),
-      "a smaller filter_radius_mm or a lower resolution");
+  if (given <= double(k_max_filter_radius)) return float(given);
+  return usage_error(fmt::format("{}: the filter's radius is {:.0f} texels, more than {}", settings.method, given,
+                                 k_max_filter_radius),
+                     "a smaller filter_radius_mm or a lower resolution");
 }
 
 Result<void> check_map_bytes(const MapSettings& settings, std::uint64_t numbers) {
   const std::uint64_t bytes = 4 * numbers * settings.resolution * settings.resolution;
-  if (bytes <= k_most_bytes) return {};
+  if (bytes <= k_max_bytes) return {};
   return usage_error(fmt::format("{}: {} numbers a texel at resolution {} need {} bytes, more than {}", settings.method,
-                                 numbers, settings.resolution, bytes, k_most_bytes),
+                                 numbers, settings.resolution, bytes, k_max_bytes),
                      "fewer planes or a lower resolution");
 }
 

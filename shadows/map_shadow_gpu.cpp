@@ -15,7 +15,7 @@ namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
 
-constexpr std::uint32_t k_most_strips = 64;
+constexpr std::uint32_t k_max_strips = 64;
 
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
@@ -37,7 +37,8 @@ struct Strips {
 };
 /// Rows beside a strip that its lookups read.
 std::uint32_t margin_of(const MapSettings& settings) {
-  return std::uint32_t(1 + disc_reach(settings.filter_radius > 0 ? k_widest_filter : float(settings.filter_texels)));
+  return std::uint32_t(1 +
+                       disc_reach(settings.filter_radius > 0 ? k_max_filter_radius : float(settings.filter_texels)));
 }
 /// As few as let `layers` words a texel stay below `most_bytes`; a map is at most 4 times as wide as its resolution.
 Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_t most_bytes) {
@@ -45,7 +46,7 @@ Strips strips_of(const MapSettings& settings, std::uint64_t layers, std::uint64_
   const std::uint32_t margin = margin_of(settings);
   const auto held = [&](std::uint64_t count) { return count == 1 ? all : all / count + (2 * margin + 2) * 4 * side; };
   std::uint32_t count = 1;
-  while (4 * layers * held(count) > most_bytes && count < k_most_strips) ++count;
+  while (4 * layers * held(count) > most_bytes && count < k_max_strips) ++count;
   if (4 * layers * held(count) > most_bytes) count = 1;  // too wide a filter: refused as a whole
   return {count, count == 1 ? 0 : margin, held(count)};
 }
@@ -305,8 +306,8 @@ bool MapShadowGpu::make_room(std::uint64_t needed) {
                       largest = device_->info().max_storage_buffer_bytes / need.item_bytes;
   const std::uint64_t room = std::min({wanted, need.most_room, largest});
   const bool has_grown = room > need.room && grow(room);
-  if (needed <= need.room || strips_.count == k_most_strips) return has_grown;
-  strips_.count = std::uint32_t(std::min<std::uint64_t>(k_most_strips, strips_.count * (wanted / need.room + 1)));
+  if (needed <= need.room || strips_.count == k_max_strips) return has_grown;
+  strips_.count = std::uint32_t(std::min<std::uint64_t>(k_max_strips, strips_.count * (wanted / need.room + 1)));
   strips_.margin = margin_of(description_.settings);
   return true;
 }

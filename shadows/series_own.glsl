@@ -1,4 +1,4 @@
-// The sums of a series without the receiver's own fibre. The shader that includes this says, as k_most_functions, how many
+// The sums of a series without the receiver's own fibre. The shader that includes this says, as k_max_functions, how many
 // sums a texel may have.
 #include "shadows/map_filter.glsl"
 #include "shadows/series.glslh"
@@ -7,7 +7,7 @@ layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposit
 layout(std430, binding = 4) readonly buffer Sums { int sums[]; };
 layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
 
-int sums_left[k_most_functions];
+int sums_left[k_max_functions];
 
 void own_deposit(uint covered, uint depth_step) {
   const uint weights = k_coverage_steps + 1u + min(depth_step, k_series_steps - 1u) * push.layers;

@@ -53,4 +53,15 @@ Result<const Effect*> find_effect(std::string_view name) {
                      nearest.empty() ? "`cuticle effects` lists them" : fmt::format("did you mean '{}'?", nearest));
 }
 
+Pushes effect_pushes(const EffectBlocks& blocks) {
+  Pushes pushes;
+  for (const Effect* effect : effects()) {
+    const auto block = blocks.find(effect->entry.name);
+    if (block == blocks.end()) continue;
+    if (effect->push) pushes.over_time.push_back(effect->push(block->second));
+    if (effect->weight_left) pushes.weight_left *= effect->weight_left(block->second);
+  }
+  return pushes;
+}
+
 }  // namespace cuticle::sim

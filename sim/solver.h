@@ -19,6 +19,7 @@
 #include "core/result.h"
 #include "core/rounded_box.h"
 #include "core/view.h"
+#include "sim/push.h"
 #include "strands/groom.h"
 
 namespace cuticle::sim {
@@ -106,6 +107,10 @@ struct Effect {
                                             const EffectBlocks& effects) = nullptr;
   /// Substeps that the solver takes for a frame of this duration (seconds): FrameShape::substeps. Null for effects.
   std::uint32_t (*substeps)(const registry::ParameterValues& solver, double duration) = nullptr;
+  /// What an effect does to all fibres alike ("wind", "water"); null for those that act otherwise.
+  PushOverTime (*push)(const registry::ParameterValues& effect) = nullptr;
+  /// The share of gravity that an effect leaves ("water"); null: all of it.
+  double (*weight_left)(const registry::ParameterValues& effect) = nullptr;
   /// Whether a solver does the work of its effects in its own dispatches, so that they make none.
   bool fuses_effects = false;
   /// Whether an effect acts by dispatches of its own on what a solver found in a frame ("control",
@@ -118,5 +123,8 @@ struct Effect {
 };
 std::span<const Effect* const> effects();
 Result<const Effect*> find_effect(std::string_view name);
+
+/// Of all simulated effects that push.
+Pushes effect_pushes(const EffectBlocks& effects);
 
 }  // namespace cuticle::sim

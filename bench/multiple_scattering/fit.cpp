@@ -65,8 +65,8 @@ std::array<double, k_factors> factors_at(const std::vector<double>& terms, const
   const double away = std::acos(std::clamp(double(seen[3]), -1.0, 1.0)) / k_pi;
   const FibreAverages<double> fibre{lobe_of(terms, 0, theta_i, channel), lobe_of(terms, 0, theta_d, channel),
                                     lobe_of(terms, 3, theta_d, channel), lobe_of(terms, 6, theta_d, channel)};
-  const double through = std::clamp(double(seen[4]), double(k_least_through), 1.0);
-  const ScatteredLight<double> light = scattered_light(fibre, through, theta_i, theta_o, away, k_bent);
+  const double transmittance = std::clamp(double(seen[4]), double(k_min_transmittance), 1.0);
+  const ScatteredLight<double> light = scattered_light(fibre, transmittance, theta_i, theta_o, away, k_bent);
   const double inclined = std::cos(theta_i) / (k_pi * std::max(std::cos(theta_d) * std::cos(theta_d), 1e-3));
   return {inclined * light.onward, inclined * (light.back + light.onward_back), 1 / (4 * k_pi)};
 }

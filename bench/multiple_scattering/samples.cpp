@@ -57,7 +57,7 @@ std::vector<float> at_vertices(const TracedScene& traced, const scene::Block& sh
 
 /// Rows of pixel, sin theta_i, sin theta_o, cos phi, transmittance: one for each ray of a pixel that meets hair.
 std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScene& rays,
-                               std::span<const glm::vec3> tangents, std::span<const float> through, int y,
+                               std::span<const glm::vec3> tangents, std::span<const float> transmittance, int y,
                                int per_pixel) {
   const render::reference::CameraRays camera(traced.camera);
   RandomStream random{std::uint64_t(y) + 1};
@@ -72,7 +72,7 @@ std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScen
     const glm::vec3 eye = point.local(-ray.direction), light = point.local(traced.lights[0].to_light);
     const float across = std::hypot(light.y, light.z) * std::hypot(eye.y, eye.z);
     const float cos_phi = across > 0 ? (light.y * eye.y + light.z * eye.z) / across : 0;
-    const float arrives = glm::mix(through[hit.vertex], through[hit.vertex + 1], float(point.share));
+    const float arrives = glm::mix(transmittance[hit.vertex], transmittance[hit.vertex + 1], float(point.share));
     seen.insert(seen.end(), {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, arrives});
   }
   return seen;
@@ -81,10 +81,11 @@ std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScen
 std::vector<float> seen_by_camera(const TracedScene& traced, const scene::Block& shadow, int per_pixel) {
   const auto tangents = strands::tangents(traced.hair);
   const auto rays = must(strands::RayScene::build(traced.hair, {}));
-  const std::vector<float> through = at_vertices(traced, shadow);
+  const std::vector<float> transmittance = at_vertices(traced, shadow);
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
-  tbb::parallel_for(std::size_t(0), rows.size(),
-                    [&](std::size_t y) { rows[y] = seen_by_row(traced, *rays, tangents, through, int(y), per_pixel); });
+  tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t y) {
+    rows[y] = seen_by_row(traced, *rays, tangents, transmittance, int(y), per_pixel);
+  });
   std::vector<float> seen;
   for (const auto& row : rows) seen.insert(seen.end(), row.begin(), row.end());
   return seen;

@@ -17,9 +17,9 @@ Between between(double steps, int rows) {
 
 }  // namespace
 
-Between between_depths(double through) {
-  const double deepest = -std::log(double(k_least_through)),
-               depth = -std::log(std::max(through, double(k_least_through)));
+Between between_depths(double transmittance) {
+  const double deepest = -std::log(double(k_min_transmittance)),
+               depth = -std::log(std::max(transmittance, double(k_min_transmittance)));
   return between(std::sqrt(std::max(depth, 0.0) / deepest) * (k_depths - 1), k_depths);
 }
 

@@ -8,7 +8,7 @@
 
 namespace cuticle::bsdf::dual_scattering {
 
-/// Optical depths ln(1 / T) of the rows: ln(1 / k_least_through) (k / (k_depths - 1))^2.
+/// Optical depths ln(1 / T) of the rows: ln(1 / k_min_transmittance) (k / (k_depths - 1))^2.
 constexpr int k_depths = 8;
 /// Even steps of sqrt(1 - albedo) from the first to the last, and of ln(thickness).
 constexpr int k_albedos = 5, k_thicknesses = 3;
@@ -32,7 +32,7 @@ struct Between {
   int below = 0;
   double share = 0;  ///< of the way to the next row
 };
-Between between_depths(double through);
+Between between_depths(double transmittance);
 Between between_albedos(double albedo);
 Between between_thicknesses(double thickness);
 

@@ -13,8 +13,8 @@ TEST(Corrections, Rows_AreWhereTheAxesSay) {
   EXPECT_EQ(between_depths(1).below, 0);
   EXPECT_EQ(between_depths(1).share, 0);
   for (int k = 0; k + 1 < k_depths; ++k) {
-    const double row = double(k) / (k_depths - 1), through = std::exp(std::log(1e-6) * row * row);
-    EXPECT_NEAR(between_depths(through).below + between_depths(through).share, k, 1e-6) << k;
+    const double row = double(k) / (k_depths - 1), transmittance = std::exp(std::log(1e-6) * row * row);
+    EXPECT_NEAR(between_depths(transmittance).below + between_depths(transmittance).share, k, 1e-6) << k;
   }
   EXPECT_NEAR(between_depths(0).below + between_depths(0).share, k_depths - 1, 1e-6);
   EXPECT_NEAR(between_thicknesses(3).below + between_thicknesses(3).share, 1, 1e-12);

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 /// Strands that cover a head as they are, and how much fewer ones are drawn wider at first.
 constexpr std::size_t k_full_head = 40000;
-constexpr double k_most_widening = 12;
+constexpr double k_max_widening = 12;
 
 struct ViewerRequest {
   std::string groom, out = "viewer", head, three;
@@ -112,7 +112,7 @@ Result<void> write_viewer(const ViewerRequest& request, Progress& progress) {
   }
   CUTICLE_ASSIGN(const std::string snippet, snippet_of(*model, values, progress));
   // A groom of guides alone would be too thin to look at.
-  const double widen = std::clamp(std::round(double(k_full_head) / double(groom.strand_count())), 1.0, k_most_widening);
+  const double widen = std::clamp(std::round(double(k_full_head) / double(groom.strand_count())), 1.0, k_max_widening);
   const strands::Groom shown = thinned(groom, request.strands);
   const std::string title = fs::path(request.groom).filename().string();
   const std::string words =

@@ -6,7 +6,7 @@
 namespace cuticle::gpu {
 namespace {
 
-constexpr std::size_t k_most_inline_bytes = 65536;  // of vkCmdUpdateBuffer
+constexpr std::size_t k_max_inline_bytes = 65536;  // of vkCmdUpdateBuffer
 
 // May an operation be recorded now? Keeps an error for submit if not.
 bool open_for_work(Commands::Impl& commands, std::string_view what) {
@@ -176,9 +176,9 @@ void Commands::write(const Buffer& to, std::span<const std::byte> data, std::siz
   if (!open_for_work(*impl_, "write") || data.empty()) return;
   const auto target = object_of(*impl_, &to);
   if (!target || !copy_fits(*impl_, target->size, offset, data.size())) return;
-  if (data.size() > k_most_inline_bytes || data.size() % 4 != 0 || offset % 4 != 0)
+  if (data.size() > k_max_inline_bytes || data.size() % 4 != 0 || offset % 4 != 0)
     return fail(*impl_, internal_error(fmt::format("gpu: {} bytes written at {}: at most {}, in multiples of 4",
-                                                   data.size(), offset, k_most_inline_bytes)));
+                                                   data.size(), offset, k_max_inline_bytes)));
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
   device.vk.vkCmdUpdateBuffer(impl_->buffer, target->handle, offset, data.size(), data.data());

@@ -39,7 +39,7 @@ const std::vector<Measurable>& measurable() {
 }
 
 /// Whether the model's values, twice a parameter, cost less than its derivatives, or it has none: chiang's far field is
-/// an adaptive integral, which vectors of derivatives make some twenty times as long.
+/// an adaptive integral, which vectors of derivatives make longer.
 bool by_differences(const bsdf::Model& model) {
   return model.entry.name == "chiang" ||
          std::ranges::none_of(jet_models(), [&](const JetModel& jet) { return jet.name == model.entry.name; });

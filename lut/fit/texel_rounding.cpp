@@ -5,13 +5,13 @@
 namespace cuticle::lut {
 namespace {
 
-constexpr int k_most_sweeps = 50;
+constexpr int k_max_sweeps = 50;
 
 }  // namespace
 
 void round_with_neighbours(const TexelProblem& problem, double (*round)(double), double scale, double largest,
                            std::vector<double>& texels) {
-  for (int sweep = 0, changes = 1; changes > 0 && sweep < k_most_sweeps; ++sweep) {
+  for (int sweep = 0, changes = 1; changes > 0 && sweep < k_max_sweeps; ++sweep) {
     changes = 0;
     for (int row = 0; row < problem.size; ++row)
       for (int column = 0; column < problem.size; ++column) {

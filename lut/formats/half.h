@@ -15,7 +15,7 @@ namespace cuticle::lut {
 inline constexpr double k_largest_half = 65504;
 inline constexpr std::size_t k_bytes_of_half_texel = 8;
 inline constexpr std::uint32_t k_largest_side = 16384;  ///< texels each way that readers accept
-inline constexpr std::uint32_t k_most_levels = 15;      ///< mip levels of that side
+inline constexpr std::uint32_t k_max_levels = 15;       ///< mip levels of that side
 
 inline double nearest_half(double stored) { return double(round_to_half(float(stored))); }
 

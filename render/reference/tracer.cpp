@@ -26,7 +26,7 @@ std::vector<std::string> split_names(const bsdf::Model& model) {
   std::vector<std::string> names = {"scatterings_1",     "scatterings_2",     "scatterings_3", "scatterings_4_7",
                                     "scatterings_8_15",  "scatterings_16_on", "single",        "multiple_forward",
                                     "multiple_backward", "multiple_other"};
-  for (int lobe = 0; lobe < k_most_lobes; ++lobe)
+  for (int lobe = 0; lobe < k_max_lobes; ++lobe)
     names.push_back(std::size_t(lobe) < model.lobes.size() ? "lobe_" + std::string(model.lobes[std::size_t(lobe)])
                                                            : std::string());
   return names;

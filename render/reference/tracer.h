@@ -29,7 +29,7 @@ struct TraceOptions {
 
 /// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the
 /// scattering that the camera sees. Each of the three sums to the whole.
-constexpr int k_counts = 6, k_turns = 4, k_most_lobes = 4, k_splits = k_counts + k_turns + k_most_lobes;
+constexpr int k_counts = 6, k_turns = 4, k_max_lobes = 4, k_splits = k_counts + k_turns + k_max_lobes;
 /// "scatterings_1", ..., "single", "forward", ..., and the model's lobes.
 std::vector<std::string> split_names(const bsdf::Model& model);
 

@@ -192,7 +192,7 @@ void Wave::add(std::uint32_t k, const glm::dvec3& light, const Way& way) {
   to.splits[std::size_t(count)] += light;
   const int turn = way.scatterings == 1 ? 0 : std::min(1 + way.backward, k_turns - 1);
   to.splits[std::size_t(k_counts + turn)] += light;
-  for (std::size_t lobe = 0; way.shares && lobe < k_most_lobes; ++lobe)
+  for (std::size_t lobe = 0; way.shares && lobe < k_max_lobes; ++lobe)
     to.splits[k_counts + k_turns + lobe] += light * (*way.shares)[lobe];
 }
 

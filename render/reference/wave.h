@@ -47,7 +47,7 @@ class Wave {
   void run();
 
  private:
-  using Shares = std::array<glm::dvec3, k_most_lobes>;
+  using Shares = std::array<glm::dvec3, k_max_lobes>;
   struct Path {
     glm::dvec3 origin, direction, throughput{1};
     double time = 0;  ///< of the shutter, 0 .. 1

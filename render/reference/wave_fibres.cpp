@@ -97,7 +97,7 @@ void Wave::find_shares(const VectorArray& to_light, std::vector<Shares>& shares)
   const TracedScene& traced = *scene_.scene;
   std::vector<glm::dvec3> sum(count, glm::dvec3(0)), value(count);
   shares.assign(count, Shares{});
-  const std::size_t lobes = std::min(traced.model->lobes.size(), std::size_t(k_most_lobes));
+  const std::size_t lobes = std::min(traced.model->lobes.size(), std::size_t(k_max_lobes));
   for (std::size_t lobe = 0; lobe < lobes; ++lobe) {
     const bsdf::Request request{bsdf::Quantity::S, int(lobe), points};
     must(bsdf::evaluate(*traced.model, traced.values, bsdf::Precision::f32, request, value));

@@ -13,7 +13,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   uint packed_vertices;                   // 1: strands/packing
   float opacity_of_radius;                // a strand's width over a line's, times depth, per metre; 0: lines are opaque
   vec2 caustic;                           // of an axis from the caustic: eta^2 - 1, gap
-  LightRow lights[k_most_lights];
+  LightRow lights[k_max_lights];
 };
 
 #include "render/visibility/segment_ends.glsl"

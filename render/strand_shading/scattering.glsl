@@ -20,16 +20,16 @@ vec3 scattering_of(Angles here, vec3 to_light, vec3 t, vec3 to_eye) {
                        coordinates_of(angles_of(to_light, normalize(t + tangent_below), to_eye)));
 }
 
-// Radiance by a light of which the share `through` of each channel arrives.
-vec3 shade(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
+// Radiance by a light of which the share `transmittance` of each channel arrives.
+vec3 shade(Arriving light, vec3 transmittance, vec3 t, vec3 to_eye) {
   Angles angles = angles_of(light.to_light, t, to_eye);
   float cos_i = sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0));
-  vec3 once = scattering_of(angles, light.to_light, t, to_eye) * through;
-  return (once + multiple.rgb * ambient_share(cos_i, through)) * light.irradiance;
+  vec3 once = scattering_of(angles, light.to_light, t, to_eye) * transmittance;
+  return (once + multiple.rgb * multiple_scattering_share(cos_i, transmittance)) * light.irradiance;
 }
 
 // The same of light that this fibre alone has scattered.
-vec3 shade_once(Arriving light, vec3 through, vec3 t, vec3 to_eye) {
+vec3 shade_single_scattering(Arriving light, vec3 transmittance, vec3 t, vec3 to_eye) {
   Angles angles = angles_of(light.to_light, t, to_eye);
-  return scattering_of(angles, light.to_light, t, to_eye) * through * light.irradiance;
+  return scattering_of(angles, light.to_light, t, to_eye) * transmittance * light.irradiance;
 }

@@ -48,7 +48,7 @@ std::uint32_t reading(const lut::TableSet& set) {
 
 Result<void> check_drawable(const lut::TableSet& set) {
   const std::span<const lut::Term> terms = set.layout->terms;
-  const bool read = !terms.empty() && terms.size() <= 4 && set.tables.size() <= k_most_tables &&
+  const bool read = !terms.empty() && terms.size() <= 4 && set.tables.size() <= k_max_tables &&
                     std::ranges::all_of(terms, [](const lut::Term& term) { return term.factors[2].empty(); });
   if (read) return {};
   return bad_input(fmt::format("material.layout = '{}': its tables do not make S of at most four tables and four "

@@ -10,16 +10,16 @@
 
 namespace cuticle::render::strand_shading {
 
-inline constexpr std::size_t k_most_tables = 4;  ///< of a layout
+inline constexpr std::size_t k_max_tables = 4;  ///< of a layout
 inline constexpr std::size_t k_drawn_textures =
     3;  ///< bound for them; those past the second lie in one, one below the other
 
 /// What the shaders are told of a set of tables.
 struct DrawnTables {
-  std::array<glm::vec4, k_most_tables> maps{};    ///< texture coordinate = value * xy + zw
-  std::array<glm::vec4, k_most_tables> scales{};  ///< value = stored * scale
-  glm::vec2 caustic{0};                           ///< eta^2 - 1 and gap of an axis from_caustic (lut/caustic.glslh)
-  std::array<std::uint32_t, 4> constants{};       ///< k_axes, k_terms, k_more_terms and k_reading of tables.glsl
+  std::array<glm::vec4, k_max_tables> maps{};    ///< texture coordinate = value * xy + zw
+  std::array<glm::vec4, k_max_tables> scales{};  ///< value = stored * scale
+  glm::vec2 caustic{0};                          ///< eta^2 - 1 and gap of an axis from_caustic (lut/caustic.glslh)
+  std::array<std::uint32_t, 4> constants{};      ///< k_axes, k_terms, k_more_terms and k_reading of tables.glsl
 };
 /// Error: bad_input for a layout whose tables do not make S, or of more than four tables or terms of two factors.
 Result<DrawnTables> drawn_tables(const lut::TableSet& set);

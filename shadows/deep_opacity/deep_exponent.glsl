@@ -31,7 +31,7 @@ void own_deposit(uint covered, uint depth_step) {
   is_farthest = is_farthest || depth_step >= range_farthest(own_range);
 }
 
-const uint k_exponents = k_coverage_steps + 1u + k_most_layers, k_thresholds = k_exponents + 256u;
+const uint k_exponents = k_coverage_steps + 1u + k_max_layers, k_thresholds = k_exponents + 256u;
 
 float exponent_of_code(uint code) { return uintBitsToFloat(texelFetch(table, int(k_exponents + code)).r); }
 
@@ -84,7 +84,7 @@ float stored_exponent(uint texel, float z) {
 
 /// At a vertex: the mean over the filter's disc of T, or of sigma.
 void look_up(MapPlacement placement, uint v) {
-  fibre_exponent = push.per_unit * float(texelFetch(table, int(texelFetch(layers, int(k_most_layers)).r)).r);
+  fibre_exponent = push.per_unit * float(texelFetch(table, int(texelFetch(layers, int(k_max_layers)).r)).r);
   const float through = transmittance_of_vertex(placement, v, k_deepest);
   if (through >= 0.0) transmittance[v] = through;
 }

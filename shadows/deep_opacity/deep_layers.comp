@@ -14,7 +14,7 @@ const uint k_lanes = 64u, k_steps_per_lane = k_depth_steps / k_lanes;
 const uint k_equal_opacity = 2u;  // k_equal_opacity_flag of deep_opacity_gpu.cpp
 shared uint before[k_lanes + 1u];  // the sum before each lane's steps, and the total
 shared uint deepest[k_lanes];
-shared uint crossing[k_most_layers];
+shared uint crossing[k_max_layers];
 shared LayerEnds ends;
 
 void sum_steps(uint lane) {
@@ -25,7 +25,7 @@ void sum_steps(uint lane) {
   }
   before[lane + 1u] = sum;
   deepest[lane] = last;
-  if (lane < k_most_layers) crossing[lane] = k_depth_steps;
+  if (lane < k_max_layers) crossing[lane] = k_depth_steps;
 }
 
 /// Each lane marks the targets that its own steps reach first.
@@ -47,8 +47,8 @@ void write_ends() {
     ends.end[i] = (push.flags & k_equal_opacity) != 0u ? crossing[i]
                                                          : shared_end(depth, table[k_coverage_steps + 1u + i]);
   ends = rising(ends);
-  for (uint i = 0u; i < k_most_layers; ++i) ends_of_layers[i] = ends.end[i];
-  ends_of_layers[k_most_layers] = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
+  for (uint i = 0u; i < k_max_layers; ++i) ends_of_layers[i] = ends.end[i];
+  ends_of_layers[k_max_layers] = fibre_coverage(histogram[k_weights], histogram[k_coverages]);
 }
 
 void main() {

@@ -107,7 +107,7 @@ void fill_layers(const strands::Groom& groom, std::span<const Word> depths, Map&
 /// What the receiver's own fibre has left in a texel: before the end of layer i, and whether it is the nearest or the
 /// farthest there.
 struct OwnLayers {
-  std::array<Word, k_most_layers> before{};
+  std::array<Word, k_max_layers> before{};
   bool is_nearest = false, is_farthest = false;
 };
 OwnLayers own_layers(const Map& map, std::span<const Layer> layers, Word range, std::span<const OwnDeposit> own) {

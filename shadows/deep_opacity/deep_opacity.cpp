@@ -30,7 +30,7 @@ bool is_proportional(const registry::ParameterValues& values) {
 }  // namespace
 
 void describe(registry::Members& members, Settings& settings) {
-  members(settings.layers, "layers", 1, k_most_layers, "layers behind the nearest fibre of a texel");
+  members(settings.layers, "layers", 1, k_max_layers, "layers behind the nearest fibre of a texel");
   describe(members, settings.map);
   members(settings.spacing, "spacing", k_spacings,
           "equal_opacity: layers of equal projected length of hair; geometric: growing by one ratio; equal: equally "

@@ -43,7 +43,7 @@ enum Own : int {
 AfterDeposits after_deposits(const Settings& settings) {
   return [settings](double, double scale) {
     std::vector<std::uint32_t> words = layer_shares(settings);
-    words.resize(k_most_layers);
+    words.resize(k_max_layers);
     if (!settings.bytes) return words;
     for (const float exponent : code_exponents()) words.push_back(std::bit_cast<std::uint32_t>(exponent));
     const std::vector<std::uint32_t> thresholds = code_thresholds(settings.map.accumulation.k, scale);
@@ -171,7 +171,7 @@ Map build_both(const strands::Groom& groom, double alpha, const LightAxes& axes,
 
 MapWords words_of(const Map& map, const Settings& settings) {
   MapWords words(k_stored_sums + 1);  // depths and histogram are not kept here
-  words[k_ends].assign(map.ends.end, map.ends.end + k_most_layers);
+  words[k_ends].assign(map.ends.end, map.ends.end + k_max_layers);
   words[k_ends].push_back(map.fibre);
   words[std::size_t(stored_of(settings).sums)] = map.sums;
   words[std::size_t(stored_of(settings).ranges)] = map.ranges;

@@ -11,7 +11,7 @@ layout(std430, binding = 1) readonly buffer Sums { uint sums[]; };
 layout(std430, binding = 2) writeonly buffer Codes { uint codes[]; };
 layout(std430, binding = 3) readonly buffer Box { uint least[6]; };
 
-const uint k_thresholds = k_coverage_steps + 1u + k_most_layers + 256u;
+const uint k_thresholds = k_coverage_steps + 1u + k_max_layers + 256u;
 
 /// How many of the 255 thresholds, which fall, are not below the sum.
 uint code_of(uint sum) {

@@ -48,7 +48,7 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, con
 }  // namespace
 
 void describe(registry::Members& members, Settings& settings) {
-  members(settings.pieces, "pieces", 1, k_most_pieces, "most straight pieces of a texel's function");
+  members(settings.pieces, "pieces", 1, k_max_pieces, "most straight pieces of a texel's function");
   members(settings.error_bound, "error_bound", "1", 0, 0.5,
           "largest error of a texel's visibility, where the pieces suffice");
   members(settings.storage, "storage", k_storages,

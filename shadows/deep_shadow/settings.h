@@ -8,7 +8,7 @@ namespace cuticle::shadows::deep_shadow {
 struct Settings {
   MapSettings map{.method = "deep_shadow"};
   double error_bound = 0.02;
-  std::size_t pieces = k_most_pieces;
+  std::size_t pieces = k_max_pieces;
   KnotStorage storage = KnotStorage::words;
 };
 void describe(registry::Members& members, Settings& settings);

@@ -29,7 +29,7 @@ enum class KnotStorage { words, halves };
 inline constexpr std::uint32_t k_tile_side = 8;
 inline constexpr std::uint32_t k_tile_texels = k_tile_side * k_tile_side;
 /// Most pieces of one texel: a tile's knots are counted in 16 bits.
-inline constexpr std::uint32_t k_most_pieces = 256;
+inline constexpr std::uint32_t k_max_pieces = 256;
 
 /// Where a tile's knots begin, and the table of where those of its texels do; a tile without knots has no such table.
 struct KnotTile {

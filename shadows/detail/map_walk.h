@@ -147,7 +147,8 @@ inline float depth_in_map(const MapView& view, const MapFilter& filter, float de
 /// The filter at a point of the light's view.
 inline MapFilter filter_there(const MapView& view, MapFilter filter, const glm::vec3& seen) {
   if (filter.metres > 0 && view.axes.reach > 0)
-    filter.radius = std::clamp(filter.metres * view.scale.x * view_scale(seen, view.axes.reach), 0.5f, k_widest_filter);
+    filter.radius =
+        std::clamp(filter.metres * view.scale.x * view_scale(seen, view.axes.reach), 0.5f, k_max_filter_radius);
   return filter;
 }
 

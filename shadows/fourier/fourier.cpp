@@ -12,7 +12,7 @@ constexpr registry::StudyCase k_cases[] = {
 }  // namespace
 
 void describe(registry::Members& members, Settings& settings) {
-  members(settings.harmonics, "harmonics", 1, k_most_harmonics,
+  members(settings.harmonics, "harmonics", 1, k_max_harmonics,
           "pairs of coefficients beside the constant: 2 harmonics + 1 numbers a texel");
   members(settings.smoothing, "smoothing", "1", 0, 10,
           "harmonic k is damped by exp(-smoothing (k / harmonics)^2): less ringing, more blur");

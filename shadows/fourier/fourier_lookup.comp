@@ -3,7 +3,7 @@
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma, from each texel's coefficients.
 layout(local_size_x = 64) in;
 #include "shadows/fourier/fourier.glslh"
-const uint k_most_functions = 2u * k_most_harmonics + 1u;
+const uint k_max_functions = 2u * k_max_harmonics + 1u;
 #include "shadows/series_own.glsl"
 
 float known_z = -1.0;  // the depth that `basis` is of: one for all texels of a lookup

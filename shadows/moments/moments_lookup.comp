@@ -3,7 +3,7 @@
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma, from each texel's moments.
 layout(local_size_x = 64) in;
 #include "shadows/moments/moments.glslh"
-const uint k_most_functions = 7u;
+const uint k_max_functions = 7u;
 #include "shadows/series_own.glsl"
 
 const uint k_trigonometric = 2u;  // k_trigonometric_flag of moments_gpu.cpp

@@ -40,16 +40,6 @@ glm::dvec3 unbalanced_gravity(const ChainSettings& settings, const glm::dmat3& r
   return balanced ? settings.gravity - rotation * settings.gravity : settings.gravity;
 }
 
-wind::Push fluid_push(const ChainSettings& settings, double time) {
-  wind::Push push = settings.wind ? wind::push_at(*settings.wind, time) : wind::Push{};
-  if (settings.water) {
-    const wind::Push current = wind::push_at(water::current(*settings.water), time);
-    push.acceleration += current.acceleration;
-    push.drag += current.drag;
-  }
-  return push;
-}
-
 }  // namespace
 
 std::uint32_t substeps(const ChainSettings& settings, double duration) {
@@ -59,9 +49,8 @@ std::uint32_t substeps(const ChainSettings& settings, double duration) {
 ChainSettings make_chain_settings(const ChainParameters& solver, const EffectBlocks& effects) {
   ChainSettings settings{solver};
   if (const auto gravity = find_effect<gravity::Gravity>(effects)) settings.gravity = gravity->acceleration;
-  settings.wind = find_effect<wind::Wind>(effects);
-  settings.water = find_effect<water::Water>(effects);
-  if (settings.water) settings.gravity *= 1 - water::buoyancy(*settings.water);
+  settings.pushes = effect_pushes(effects);
+  settings.gravity *= settings.pushes.weight_left;
   settings.contact = find_effect<colliders::ContactSettings>(effects);
   settings.interaction = find_effect<strand_interaction::Settings>(effects);
   settings.sleep = find_effect<sleep::Settings>(effects);
@@ -84,7 +73,7 @@ std::vector<ChainStep<Real>> ChainClock::steps(const ChainSettings& settings, st
     const double duration = double(part.duration);
     if (!(duration > 0)) continue;
     time_ += duration;
-    const wind::Push push = fluid_push(settings, time_);
+    const Push push = settings.pushes.at(time_);
     const glm::dmat3 end = matrix_of(part.rotation_end);
     ChainStep<Real> step{};
     set_scheme(step, duration, previous_duration_);
@@ -105,12 +94,12 @@ template std::vector<ChainStep<float>> ChainClock::steps<float>(const ChainSetti
 template std::vector<ChainStep<double>> ChainClock::steps<double>(const ChainSettings&, std::span<const Substep>);
 
 template <class Real>
-std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps) {
-  std::vector<sleep::Push> pushes;
+std::vector<Push> pushes_of(std::span<const ChainStep<Real>> steps) {
+  std::vector<Push> pushes;
   for (const ChainStep<Real>& step : steps) pushes.push_back({glm::dvec3(step.acceleration), double(step.drag)});
   return pushes;
 }
-template std::vector<sleep::Push> pushes_of<float>(std::span<const ChainStep<float>>);
-template std::vector<sleep::Push> pushes_of<double>(std::span<const ChainStep<double>>);
+template std::vector<Push> pushes_of<float>(std::span<const ChainStep<float>>);
+template std::vector<Push> pushes_of<double>(std::span<const ChainStep<double>>);
 
 }  // namespace cuticle::sim::chains

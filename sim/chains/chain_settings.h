@@ -11,8 +11,6 @@
 #include "sim/head_motion.h"
 #include "sim/sleep/sleep.h"
 #include "sim/strand_interaction/settings.h"
-#include "sim/water/water.h"
-#include "sim/wind/wind.h"
 
 namespace cuticle::sim::chains {
 
@@ -31,8 +29,7 @@ struct ChainSettings : ChainParameters {
   std::uint32_t clamped_vertices = 1;
   double shape_stiffness = 0, shape_tip = 0;
   glm::dvec3 gravity{0};                                         ///< m/s^2, less buoyancy; zero without the effect
-  std::optional<wind::Wind> wind = {};                           ///< present with the effect
-  std::optional<water::Water> water = {};                        ///< present with the effect
+  Pushes pushes = {};                                            ///< of "wind", "water" and such
   std::optional<colliders::ContactSettings> contact = {};        ///< present with the effect
   std::optional<strand_interaction::Settings> interaction = {};  ///< present with the effect
   std::optional<sleep::Settings> sleep = {};                     ///< present with the effect
@@ -61,6 +58,6 @@ class ChainClock {
 
 /// What sleep::Watch compares.
 template <class Real>
-std::vector<sleep::Push> pushes_of(std::span<const ChainStep<Real>> steps);
+std::vector<Push> pushes_of(std::span<const ChainStep<Real>> steps);
 
 }  // namespace cuticle::sim::chains

@@ -37,7 +37,7 @@ std::span<const std::uint32_t> constraints_code(const Sweep& sweep) {
 }
 
 /// Work groups that every device takes in one dispatch; the kernel of a group per strand walks on from there.
-constexpr std::uint32_t k_most_groups = 65535;
+constexpr std::uint32_t k_max_groups = 65535;
 
 class ClassicGpuSolver final : public GpuSolver {
  public:
@@ -157,7 +157,7 @@ class ClassicGpuSolver final : public GpuSolver {
     dispatch(commands, integrate_, constants, groups, skinned);
     constants.ends_substep = !touches;
     dispatch(commands, constraints_, constants,
-             settings_.sweep.order == Order::red_black ? std::min(strands, k_most_groups) : groups);
+             settings_.sweep.order == Order::red_black ? std::min(strands, k_max_groups) : groups);
     commands.end_pass();
     if (!touches) return;
     commands.begin_pass(colliders::k_contact_pass);

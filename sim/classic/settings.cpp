@@ -11,9 +11,18 @@ std::uint32_t substeps(const Settings& settings, double duration) {
   return inner_steps(duration, settings.inner_step, settings.max_substeps);
 }
 
+namespace {
+
+bool pushes(std::string_view effect) {
+  const auto found = find_effect(effect);
+  return found && (*found)->push;
+}
+
+}  // namespace
+
 Result<void> check_effects(const EffectBlocks& effects) {
   for (const auto& [name, values] : effects)
-    if (name != "gravity" && name != "colliders" && name != "wind" && name != "water" && name != "control")
+    if (name != "gravity" && name != "colliders" && name != "control" && !pushes(name))
       return usage_error("the solver 'classic' has no effect '" + name + "'", "choose the solver 'exact'");
   return {};
 }
@@ -22,11 +31,8 @@ Settings make_settings(const Classic& solver, const EffectBlocks& effects) {
   Settings settings{solver};
   settings.sag_free = solver.sag_free && solver.shape_stiffness > 0;
   if (const auto gravity = find_effect<gravity::Gravity>(effects)) settings.gravity = gravity->acceleration;
-  if (const auto wind = find_effect<wind::Wind>(effects)) settings.streams.push_back(*wind);
-  if (const auto water = find_effect<water::Water>(effects)) {
-    settings.streams.push_back(water::current(*water));
-    settings.gravity *= 1 - water::buoyancy(*water);
-  }
+  settings.pushes = effect_pushes(effects);
+  settings.gravity *= settings.pushes.weight_left;
   settings.contact = find_effect<colliders::ContactSettings>(effects);
   return settings;
 }
@@ -37,16 +43,6 @@ namespace {
 glm::dvec3 balancing_force(const Settings& settings, const glm::vec4& rotation) {
   const glm::dvec4 q(rotation);
   return settings.sag_free ? turned(settings.gravity, glm::dvec3(q), q.w) : glm::dvec3(0);
-}
-
-wind::Push push_of(const Settings& settings, double time) {
-  wind::Push push{.drag = settings.damping};
-  for (const wind::Wind& stream : settings.streams) {
-    const wind::Push one = wind::push_at(stream, time);
-    push.acceleration += one.acceleration;
-    push.drag += one.drag;
-  }
-  return push;
 }
 
 /// What drag leaves of an acceleration's gain in a step: so that a particle in a stream takes on its velocity, and
@@ -62,7 +58,8 @@ StepConstants make_step(const Settings& settings, const Substep& substep, std::u
   step.rotation_begin = substep.rotation_begin;
   step.rotation_end = substep.rotation_end;
   step.head_step = substep.translation_step;
-  const wind::Push push = push_of(settings, substep.time);
+  Push push = settings.pushes.at(substep.time);
+  push.drag += settings.damping;
   step.velocity_to_step = static_cast<float>(h * std::exp(-push.drag * h));
   const glm::dvec3 acceleration =
       settings.gravity - balancing_force(settings, substep.rotation_end) + push.acceleration;

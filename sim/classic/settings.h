@@ -6,7 +6,7 @@
 
 #include "sim/colliders/contact.h"
 #include "sim/head_motion.h"
-#include "sim/water/water.h"
+#include "sim/solver.h"
 
 namespace cuticle::sim::classic {
 
@@ -36,7 +36,7 @@ void describe(registry::Members& members, Classic& classic);
 /// Those, and what the effects that act in it have.
 struct Settings : Classic {
   glm::dvec3 gravity{0};                                   ///< m/s^2, less buoyancy; zero without the effect
-  std::vector<wind::Wind> streams = {};                    ///< of air and of water, those that the scene has
+  Pushes pushes = {};                                      ///< of "wind", "water" and such
   std::optional<colliders::ContactSettings> contact = {};  ///< present with the effect
 };
 /// Error: usage, naming an effect that this solver does not know.

@@ -107,9 +107,9 @@ Result<Grid> grid_around(const strands::Mesh& mesh, double spacing, const std::s
       upper = glm::max(upper, glm::dvec3(mesh.positions[corner]));
     }
   const glm::dvec3 cells = glm::ceil((upper - lower) / spacing) + 2.0 * k_margin, nodes = cells + 1.0;
-  if (!(nodes.x * nodes.y * nodes.z <= double(k_most_field_nodes)))
+  if (!(nodes.x * nodes.y * nodes.z <= double(k_max_field_nodes)))
     return bad_input(fmt::format("{}: spacing {} m makes {:.0f} x {:.0f} x {:.0f} nodes, allowed {} in all", where,
-                                 spacing, nodes.x, nodes.y, nodes.z, k_most_field_nodes),
+                                 spacing, nodes.x, nodes.y, nodes.z, k_max_field_nodes),
                      "choose a wider spacing");
   return Grid{(lower + upper - cells * spacing) / 2.0, spacing, glm::ivec3(nodes)};
 }

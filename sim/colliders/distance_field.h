@@ -22,7 +22,7 @@ struct DistanceField {
 };
 
 inline constexpr double k_largest_spacing = 1000;
-inline constexpr std::size_t k_most_field_nodes = std::size_t(1) << 24;
+inline constexpr std::size_t k_max_field_nodes = std::size_t(1) << 24;
 
 /// The distance from the nearest triangle; negative where the surface winds around a node, counted exactly along lines
 /// through the nodes, so that closed surfaces may overlap (their union) and may be turned inside out. mesh: metres,

@@ -9,13 +9,13 @@ const uint k_scratch_rows = scratch_row_count;
 // Tip to root.
 void predict(uint i, ChainStep s, StrandStep strand, inout TensionCarry below) {
   ChainVertex v = chain_vertex(i);
-  vec3 from = scheme_from(v, strand), coast = coasted(v, strand);
+  vec3 from = scheme_from(v, strand), inertial = inertial_displacement(v, strand);
 #if PULLS
   vec3 target = turned_to_end(s, target_of(i));
-  Displacement d = pulled_displacement(s, strand, coast, rest[rest_at(i, rest_row_pull)], target - from,
+  Displacement d = pulled_displacement(s, strand, inertial, rest[rest_at(i, rest_row_pull)], target - from,
                                        target - turned_to_begin(s, target_of(i)) + strand.root_step);
 #else
-  Displacement d = free_displacement(s, strand, coast);
+  Displacement d = free_displacement(s, strand, inertial);
 #endif
   TensionCarry carry;
   Led place = led(from + d.moved, rest[rest_at(i, rest_row_mass)] * d.inertia,

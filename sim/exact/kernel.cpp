@@ -13,16 +13,16 @@ template <bool Pulls, class Real>
 [[gnu::always_inline]] inline void predict(const VertexRows<Real>& v, const ChainStep<Real>& step,
                                            const StrandStep<Real>& strand, TensionCarry<Real>& below) {
   const ChainVertex<Real> vertex = chain_vertex(v);
-  const Vector<Real> from = scheme_from(vertex, strand), coast = coasted(vertex, strand);
+  const Vector<Real> from = scheme_from(vertex, strand), inertial = inertial_displacement(vertex, strand);
   Displacement<Real> d;
   Real inverse_mass = v.rest_at(rest_row::inverse_mass);
   if constexpr (Pulls) {
     const Vector<Real> rest = v.rest_vector(rest_row::target), target = turned_to_end(step, rest);
-    d = pulled_displacement(step, strand, coast, v.rest_at(rest_row::pull), target - from,
+    d = pulled_displacement(step, strand, inertial, v.rest_at(rest_row::pull), target - from,
                             target - turned_to_begin(step, rest) + strand.root_step);
     inverse_mass *= reciprocal(d.inertia);
   } else {
-    d = free_displacement(step, strand, coast);
+    d = free_displacement(step, strand, inertial);
   }
   TensionCarry<Real> carry;
   const Led<Real> place = led(from + d.moved, v.rest_at(rest_row::mass) * d.inertia,

@@ -62,10 +62,10 @@ struct RodVertex : VertexRows<Real> {
   [[gnu::always_inline]] BandRows<Real> band() const { return {nullptr, this->scratch + rod_row::band * Real::count}; }
 };
 
-/// Root to tip: where vertices coast, before as above the places of their parents.
+/// Root to tip: where vertices go by inertia, before as above the places of their parents.
 template <class Real>
 struct Coasting {
-  Vector<Real> here, place, coast, predicted;
+  Vector<Real> here, place, inertial, predicted;
 };
 /// From there to where the other forces, and spheres, would put the vertex.
 /// What forces other than bending move a vertex, and its mass against bending and lengths over its own, which is kept.
@@ -116,27 +116,27 @@ template <class Real, class Scalar>
 }
 
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline void coast(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
-                                         const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
-                                         Coasting<Real>& parent, Beside& beside) {
+[[gnu::always_inline]] inline void predict(const ChainBlock<Scalar>& block, int i, const ChainFrame<Scalar>& frame,
+                                           const ChainStep<Real>& step, const StrandStep<Real>& strand, Real arc,
+                                           Coasting<Real>& parent, Beside& beside) {
   const RodVertex<Real> v(block, i);
   const ChainVertex<Real> vertex = chain_vertex(v);
-  const Vector<Real> from = scheme_from(vertex, strand), drift = coasted(vertex, strand);
+  const Vector<Real> from = scheme_from(vertex, strand), drift = inertial_displacement(vertex, strand);
   const Displacement<Real> displaced = displacement<Pulls>(v, step, strand, from, drift);
   Vector<Real> fall = fall_of(step, strand.time);
   if constexpr (Pulls) fall = pulled_fall(fall, step, strand.time, displaced.inertia);
-  const Coast<Real> c = coast_of(vertex.here, from, drift, displaced.moved, fall, arc);
+  const InertialPrediction<Real> c = inertial_prediction(vertex.here, from, drift, displaced.moved, fall, arc);
   const Real length = v.rest_at(rest_row::length);
   const Vector<Real> before = (vertex.here - parent.here) * v.rest_at(rest_row::inverse_length),
                      direction = direction_or(c.place - parent.place, Real(1e-3) * length, before);
   const Vector<Real> here_above = parent.here;
-  parent = {vertex.here, c.place, parent.coast + direction * length, parent.predicted};
-  v.put_scratch(rod_row::coast, parent.coast);
+  parent = {vertex.here, c.place, parent.inertial + direction * length, parent.predicted};
+  v.put_scratch(rod_row::inertial, parent.inertial);
   v.put_scratch(scratch_row::direction, direction);
   if constexpr (Touches)
     parent.predicted = push(block, i, frame, step, {here_above, vertex.here}, parent.predicted,
                             vertex.here + c.moved + pull_of_links<Real>(block, i, strand.time), beside);
-  v.put_scratch(scratch_row::place, (vertex.here - parent.coast) + c.moved);
+  v.put_scratch(scratch_row::place, (vertex.here - parent.inertial) + c.moved);
   keep_before(v, vertex, strand, from);
 }
 
@@ -231,13 +231,13 @@ template <class Real, class Scalar>
                                   const ChainStep<Real>& step, const StrandStep<Real>& strand, Real mass) {
   const RodVertex<Real> v(block, i);
   const Vector<Real> here = v.state_vector(state_row::here), push = v.scratch_vector(scratch_row::normal),
-                     begin = v.state_vector(state_row::before), coast = v.scratch_vector(rod_row::coast);
+                     begin = v.state_vector(state_row::before), inertial = v.scratch_vector(rod_row::inertial);
   Vector<Real> carried = carried_by_head(step, here);
   if (frame.carries) carried = carried_by_moving(frame, carried, here, v.scratch_at(scratch_row::touched));
   const Vector<Real> pushed_to = v.scratch_vector(scratch_row::place) + pull_of_links<Real>(block, i, strand.time) +
                                  v.scratch_vector(rod_row::pushed);
   v.put_scratch(scratch_row::normal, direction_or(push, Real(0), Vector<Real>(Real(0))));
-  return gripped(pushed_to, carried - coast, push,
+  return gripped(pushed_to, carried - inertial, push,
                  v.state_vector(state_row::velocity_before) * step.duration - (carried - begin), mass, step.friction,
                  least_slide(step));
 }
@@ -302,13 +302,13 @@ template <class Real, class Scalar>
 }
 
 template <bool Pulls, bool Touches, class Real, class Scalar>
-[[gnu::always_inline]] inline Beside coast_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
-                                               const ChainStep<Real>& step, const StrandStep<Real>& strand) {
+[[gnu::always_inline]] inline Beside predict_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
+                                                 const ChainStep<Real>& step, const StrandStep<Real>& strand) {
   const Real arc = VertexRows<Real>(block, block.links).rest_at(rest_row::reach);
   const Vector<Real> zero(Real(0));
   Coasting<Real> parent{zero, zero, zero, zero};
   Beside beside;
-  for (int i = 1; i <= block.links; ++i) coast<Pulls, Touches>(block, i, frame, step, strand, arc, parent, beside);
+  for (int i = 1; i <= block.links; ++i) predict<Pulls, Touches>(block, i, frame, step, strand, arc, parent, beside);
   return beside;
 }
 
@@ -338,7 +338,7 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   begin_untwisted<Real>(block);
   const StrandStep<Real> strand = begin(block, step);
   if constexpr (Touches) place_colliders(block, step, frame);
-  const Beside beside = coast_all<Pulls, Touches>(block, frame, step, strand);
+  const Beside beside = predict_all<Pulls, Touches>(block, frame, step, strand);
   bend_all(block, step, strand.time);
   for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, frame, step, strand, beside);
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
@@ -348,7 +348,7 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
                now = next_tension(Real(0), -v.scratch_at(rod_row::right + 3), v.hinge_at(hinge_row::inverse_length),
                                   strand.inverse_time);
     v.put_state(state_row::tension, Touches ? before + (now - before) * tension_share(strand) : now);
-    return {v.scratch_vector(rod_row::coast) + v.scratch_vector(rod_row::right),
+    return {v.scratch_vector(rod_row::inertial) + v.scratch_vector(rod_row::right),
             v.scratch_vector(scratch_row::direction)};
   });
 }

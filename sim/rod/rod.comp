@@ -64,25 +64,25 @@ Grip grip(uint i, ChainStep s, StrandStep strand, float mass) {
   vec3 push = scratch_vector(i, scratch_row_normal), carried = carried_by_what_touches(s, i, state_vector(i, state_row_here)),
        pushed_to = scratch_vector(i, scratch_row_place) + pull_of_links(i, strand.time) + scratch_vector(i, rod_row_pushed);
   put_scratch(i, scratch_row_normal, direction_or(push, 0, vec3(0)));
-  return gripped(pushed_to, carried - scratch_vector(i, rod_row_coast), push,
+  return gripped(pushed_to, carried - scratch_vector(i, rod_row_inertial), push,
                  state_vector(i, state_row_velocity_before) * s.duration - (carried - state_vector(i, state_row_before)), mass,
                  s.friction, least_slide(s));
 }
 #endif
 
-void coast(uint i, uint links, ChainStep s, StrandStep strand) {
+void predict(uint i, uint links, ChainStep s, StrandStep strand) {
   ChainVertex v = chain_vertex(i);
-  vec3 from = scheme_from(v, strand), drift = coasted(v, strand);
+  vec3 from = scheme_from(v, strand), drift = inertial_displacement(v, strand);
   Displacement displaced = displacement(i, s, strand, from, drift);
   vec3 fall = fall_of(s, strand.time);
   if (k_pulls) fall = pulled_fall(fall, s, strand.time, displaced.inertia);
-  Coast c = coast_of(v.here, from, drift, displaced.moved, fall, rest[rest_at(links, rest_row_reach)]);
+  InertialPrediction c = inertial_prediction(v.here, from, drift, displaced.moved, fall, rest[rest_at(links, rest_row_reach)]);
   float rest_length = rest[rest_at(i, rest_row_length)];
   vec3 before = (v.here - state_vector(i - 1u, state_row_here)) * rest[rest_at(i, rest_row_inverse_length)];
-  vec3 direction = direction_or(c.place - scratch_vector(i - 1u, rod_row_coasted), 1e-3 * rest_length, before);
-  put_scratch(i, rod_row_coasted, c.place);
-  vec3 place = scratch_vector(i - 1u, rod_row_coast) + direction * rest_length;
-  put_scratch(i, rod_row_coast, place);
+  vec3 direction = direction_or(c.place - scratch_vector(i - 1u, rod_row_inertial_place), 1e-3 * rest_length, before);
+  put_scratch(i, rod_row_inertial_place, c.place);
+  vec3 place = scratch_vector(i - 1u, rod_row_inertial) + direction * rest_length;
+  put_scratch(i, rod_row_inertial, place);
   put_scratch(i, scratch_row_direction, direction);
 #if TOUCHES
   push(i, s, v.here + c.moved + pull_of_links(i, strand.time));
@@ -183,7 +183,7 @@ void substep(uint links, ChainStep s) {
   StrandStep strand = begun(s);
   put_scratch(0u, scratch_row_direction, turned_to_end(s, hinge_vector(0u, clamp_row_direction)));
   put_scratch(0u, rod_row_director, turned_to_end(s, hinge_vector(0u, clamp_row_director)));
-  for (uint i = 1u; i <= links; ++i) coast(i, links, s, strand);
+  for (uint i = 1u; i <= links; ++i) predict(i, links, s, strand);
   for (uint i = 1u; i <= links; ++i) bend(i);
   turn_angles(links);
   for (uint i = 1u; i <= links; ++i) pull(i, strand);
@@ -202,7 +202,7 @@ void substep(uint links, ChainStep s) {
     now = mix(state[state_at(i, state_row_tension)], now, tension_share(strand));
 #endif
     state[state_at(i, state_row_tension)] = now;
-    go_down(i, s, strand, scratch_vector(i, rod_row_coast) + scratch_vector(i, rod_row_right), scratch_vector(i, scratch_row_direction), f);
+    go_down(i, s, strand, scratch_vector(i, rod_row_inertial) + scratch_vector(i, rod_row_right), scratch_vector(i, scratch_row_direction), f);
   }
   ended(f);
 }

@@ -12,17 +12,10 @@ struct Settings {
 };
 void describe(registry::Members& members, Settings& sleep);
 
-/// What acts on all strands alike in a substep: m/s^2 and 1/s.
-struct Push {
-  glm::dvec3 acceleration{0};
-  double drag = 0;
-  bool operator==(const Push&) const = default;
-};
-
 /// Follows from frame to frame what acts on strands.
 class Watch {
  public:
-  /// Whether nothing in this frame differs from the frame before: the head stands where it stood, colliders and pushes
+  /// `pushes`: what acts on all strands alike, of each substep. Whether nothing in this frame differs from the frame before: the head stands where it stood, colliders and pushes
   /// are bit for bit what they were, and those that move by themselves rest, time passes, and it is no teleport. False
   /// for the first frame.
   bool is_still(const FrameInput& input, const std::vector<Push>& pushes);

@@ -14,9 +14,9 @@
 namespace cuticle::sim::strand_interaction {
 namespace {
 
-constexpr double k_most_nodes = 1 << 22;
-constexpr std::size_t k_most_vertices = std::size_t(1) << 26;
-constexpr double k_most_mass = (1 << 27) - 1;
+constexpr double k_max_nodes = 1 << 22;
+constexpr std::size_t k_max_vertices = std::size_t(1) << 26;
+constexpr double k_max_mass = (1 << 27) - 1;
 constexpr std::uint32_t k_slab = 2;  // layers of cells in a slab, so that its nodes touch the next slab's only
 
 std::vector<double> lengths_of_vertices(const strands::Groom& rest) {
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> whole_masses(const strands::Groom& rest) {
     total += length;
     longest = std::max(longest, length);
   }
-  const double unit = std::max(total / (k_most_mass - double(lengths.size())), longest / 65535);
+  const double unit = std::max(total / (k_max_mass - double(lengths.size())), longest / 65535);
   std::vector<std::uint32_t> masses;
   for (double length : lengths)
     masses.push_back(length > 0 ? std::uint32_t(std::clamp(std::floor(length / unit + 0.5), 1.0, 65535.0)) : 0);
@@ -58,16 +58,16 @@ strands::Bounds reach_of(const strands::Groom& rest) {
 }  // namespace
 
 Result<StrandGrid> make_strand_grid(const strands::Groom& rest, double cell) {
-  if (rest.vertex_count() > k_most_vertices)
-    return bad_input(fmt::format("strand_interaction: {} vertices; at most {}", rest.vertex_count(), k_most_vertices));
+  if (rest.vertex_count() > k_max_vertices)
+    return bad_input(fmt::format("strand_interaction: {} vertices; at most {}", rest.vertex_count(), k_max_vertices));
   const strands::Bounds reach = reach_of(rest);
   const glm::dvec3 cells = glm::ceil((glm::dvec3(reach.upper) - glm::dvec3(reach.lower)) / cell) + 2.0;
   const double count = (cells.x + 1) * (cells.y + 1) * (cells.z + 1);
-  if (!(count <= k_most_nodes))
+  if (!(count <= k_max_nodes))
     return bad_input(
         fmt::format("strand_interaction: cell: {} m makes {:.3g} nodes; at most {:.0f}: choose at least "
                     "{:.3g} m",
-                    cell, count, k_most_nodes, cell * std::cbrt(count / k_most_nodes)));
+                    cell, count, k_max_nodes, cell * std::cbrt(count / k_max_nodes)));
   StrandGrid grid{.origin = glm::vec3(glm::dvec3(reach.lower) - cell), .cell = cell, .masses = whole_masses(rest)};
   for (int c = 0; c < 3; ++c) grid.nodes[std::size_t(c)] = std::uint32_t(cells[c]) + 1;
   return grid;

@@ -7,6 +7,13 @@ namespace {
 constexpr std::string_view k_demands[] = {"simulation", "water"};
 constexpr std::string_view k_systems[] = {"N21"};
 
+PushOverTime push(const registry::ParameterValues& effect) {
+  return [current = current(registry::from_values<Water>(effect))](double time) { return push_at(current, time); };
+}
+double weight_left(const registry::ParameterValues& effect) {
+  return 1 - buoyancy(registry::from_values<Water>(effect));
+}
+
 }  // namespace
 
 void describe(registry::Members& members, Water& water) {
@@ -30,7 +37,9 @@ const Effect& entry() {
                 .parameters = registry::table_of<Water>(),
                 .demands = k_demands,
                 .stage = registry::Stage::simulate,
-                .systems = k_systems}};
+                .systems = k_systems},
+      .push = push,
+      .weight_left = weight_left};
   return effect;
 }
 

@@ -6,6 +6,10 @@ namespace {
 
 constexpr std::string_view k_demands[] = {"simulation", "wind"};
 
+PushOverTime push(const registry::ParameterValues& effect) {
+  return [wind = registry::from_values<Wind>(effect)](double time) { return push_at(wind, time); };
+}
+
 }  // namespace
 
 void describe(registry::Members& members, Wind& wind) {
@@ -23,7 +27,8 @@ const Effect& entry() {
                 .source = "linear drag by length; the resting chain is a straight line at tan phi = drag U / g",
                 .parameters = registry::table_of<Wind>(),
                 .demands = k_demands,
-                .stage = registry::Stage::simulate}};
+                .stage = registry::Stage::simulate},
+      .push = push};
   return effect;
 }
 

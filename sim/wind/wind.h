@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/registry/members.h"
+#include "sim/push.h"
 
 namespace cuticle::sim::wind {
 
@@ -14,11 +15,6 @@ struct Wind {
 };
 void describe(registry::Members& members, Wind& wind);
 
-/// What the air does to a fibre of velocity v at one time: acceleration - drag v.
-struct Push {
-  glm::dvec3 acceleration{0};  ///< m/s^2
-  double drag = 0;             ///< 1/s
-};
 /// time: seconds since the solver was made.
 Push push_at(const Wind& wind, double time);
 

@@ -82,7 +82,7 @@ class MeshMaker {
         if (are_near(made_.parts[swinging[i]], made_.parts[swinging[j]])) sets.join(swinging[j], swinging[i]);
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (std::uint32_t p : swinging) {
-      const auto number = std::min(std::uint32_t(numbers.size()) + 1, k_most_groups - 1);
+      const auto number = std::min(std::uint32_t(numbers.size()) + 1, k_max_groups - 1);
       made_.parts[p].group = numbers.try_emplace(sets.find(p), number).first->second;
     }
   }

@@ -21,7 +21,7 @@ struct CardPart {
   std::uint32_t group = 0;  ///< 0: on the head; from 1: parts that swing, those near each other alike
   std::uint32_t first_triangle = 0, triangle_count = 0;
 };
-inline constexpr std::uint32_t k_most_groups = 32;
+inline constexpr std::uint32_t k_max_groups = 32;
 
 /// Two vertices a row: 2 r at u = 0, 2 r + 1 at u = 1. Triangles look counter-clockwise from where the normals point
 /// to.

@@ -54,11 +54,11 @@ std::uint32_t representative(const Clusters& clusters, std::size_t kind, std::sp
   return nearest;
 }
 
-/// Draws with the least width at which the strands cover `fill`, as far as k_most_widening allows.
+/// Draws with the least width at which the strands cover `fill`, as far as k_max_widening allows.
 double draw_filled(StrandTexture& texture, double fill) {
   double low = 1, high = 1;
   texture.draw(high);
-  while (texture.mean_alpha() < fill && high < k_most_widening) {
+  while (texture.mean_alpha() < fill && high < k_max_widening) {
     low = high;
     high *= 2;
     texture.draw(high);

@@ -28,8 +28,8 @@ struct CardTextures {
 /// Cards whose strands cover them alike become one kind (`kinds`, k-means on 4 x 4 mean alphas), baked from the card
 /// nearest to their mean; sets `kind` of every card. Strands are drawn by their radii
 /// over their arc length, so that alpha is their coverage within 0.005 (cards_test, against random points); widened, at
-/// most k_most_widening times, until it is `fill`.
+/// most k_max_widening times, until it is `fill`.
 CardTextures bake_textures(const Groom& groom, CardSet& set, const CardParameters& parameters);
-inline constexpr double k_most_widening = 16;
+inline constexpr double k_max_widening = 16;
 
 }  // namespace cuticle::strands

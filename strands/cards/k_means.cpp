@@ -36,9 +36,9 @@ std::uint32_t nearest_centre(const float* point, const Points& centres) {
   return nearest;
 }
 
-/// At most k_most_trained of the points, evenly taken.
+/// At most k_max_trained of the points, evenly taken.
 std::vector<float> trained_points(const Points& all) {
-  const std::size_t count = std::min(all.size(), k_most_trained);
+  const std::size_t count = std::min(all.size(), k_max_trained);
   std::vector<float> taken;
   taken.reserve(count * all.dimensions);
   for (std::size_t k = 0; k < count; ++k) {

@@ -14,11 +14,11 @@
 namespace cuticle::strands::check {
 namespace {
 
-constexpr double k_least_length = 1e-3, k_greatest_length = 2;      // m, of the median strand
-constexpr double k_least_radius = 5e-6, k_greatest_radius = 1e-3;   // m, of the median vertex
-constexpr double k_greatest_ratio = 1000;                           // of a strand's segments
-constexpr double k_most_turned = 1e-3;                              // share of inner vertices
-constexpr double k_farthest = 10;                                   // over the distance of nine vertices in ten
+constexpr double k_least_length = 1e-3, k_greatest_length = 2;     // m, of the median strand
+constexpr double k_least_radius = 5e-6, k_greatest_radius = 1e-3;  // m, of the median vertex
+constexpr double k_greatest_ratio = 1000;                          // of a strand's segments
+constexpr double k_max_turned = 1e-3;                              // share of inner vertices
+constexpr double k_farthest = 10;                                  // over the distance of nine vertices in ten
 
 Verdict verdict(std::string check, bool passed, std::string measured, std::string mistake, std::string remedy) {
   if (passed) mistake = remedy = "";
@@ -27,9 +27,10 @@ Verdict verdict(std::string check, bool passed, std::string measured, std::strin
 
 Verdict units(const Groom& groom, const GroomStatistics& figures) {
   const double median = figures.length.median;
-  return verdict("units", median >= k_least_length && median <= k_greatest_length,
-                 fmt::format("the median strand is {:.3g} m long ({} .. {} m)", median, k_least_length, k_greatest_length),
-                 "wrong_unit", fmt::format("--metres-per-unit: {}", guess_units(groom).why));
+  return verdict(
+      "units", median >= k_least_length && median <= k_greatest_length,
+      fmt::format("the median strand is {:.3g} m long ({} .. {} m)", median, k_least_length, k_greatest_length),
+      "wrong_unit", fmt::format("--metres-per-unit: {}", guess_units(groom).why));
 }
 
 Verdict radius(const GroomStatistics& figures) {
@@ -41,10 +42,10 @@ Verdict radius(const GroomStatistics& figures) {
 
 Verdict lengths(const GroomStatistics& figures) {
   const auto without = std::ranges::count(figures.degenerate, false, &DegenerateStrand::has_length);
-  return verdict("lengths", figures.degenerate.empty(),
-                 fmt::format("{} strands with coinciding points, {} of them without length", figures.degenerate.size(),
-                             without),
-                 "repeated_points", "convert with --repair");
+  return verdict(
+      "lengths", figures.degenerate.empty(),
+      fmt::format("{} strands with coinciding points, {} of them without length", figures.degenerate.size(), without),
+      "repeated_points", "convert with --repair");
 }
 
 /// Longest over shortest segment of a strand; segments without length are another check's.
@@ -62,9 +63,10 @@ double segment_ratio(std::span<const glm::vec3> strand) {
 Verdict segments(const Groom& groom) {
   double worst = 1;
   for (std::size_t s = 0; s < groom.strand_count(); ++s) worst = std::max(worst, segment_ratio(groom.strand(s)));
-  return verdict("segments", worst <= k_greatest_ratio,
-                 fmt::format("longest over shortest segment of a strand: at most {:.3g} ({:g})", worst, k_greatest_ratio),
-                 "uneven_points", "points spread evenly along each strand, when it is exported");
+  return verdict(
+      "segments", worst <= k_greatest_ratio,
+      fmt::format("longest over shortest segment of a strand: at most {:.3g} ({:g})", worst, k_greatest_ratio),
+      "uneven_points", "points spread evenly along each strand, when it is exported");
 }
 
 /// Whether the strand turns back by more than 120 degrees at its vertex i.
@@ -83,7 +85,7 @@ Verdict order(const Groom& groom) {
       turned += turns_back(strand, i) ? 1 : 0;
     }
   }
-  return verdict("order", double(turned) <= k_most_turned * double(inner),
+  return verdict("order", double(turned) <= k_max_turned * double(inner),
                  fmt::format("{} of {} inner vertices turn back by more than 120 degrees (1 in 1000)", turned, inner),
                  "points_out_of_order", "each strand's points in their order, root to tip");
 }

@@ -11,7 +11,7 @@
 
 namespace cuticle::strands {
 
-inline constexpr std::size_t k_most_follow_hairs = 255;  ///< per guide hair
+inline constexpr std::size_t k_max_follow_hairs = 255;  ///< per guide hair
 /// Hairs that a format wants drawn beside each of its strands, which are guides (strands/spline/place.h makes them).
 struct FollowHairs {
   std::size_t first = 0, guides = 0;  ///< strands of the groom that have them

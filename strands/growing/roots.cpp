@@ -198,8 +198,8 @@ Result<PlacedRoots> place_roots(const Mesh& mesh, const RootRequest& request) {
   CUTICLE_TRY(check_request(mesh, request));
   const Carrier carrier = carrier_of(mesh, request.density_map);
   const double count = std::round(0.5 * carrier.total() * request.density * request.share);
-  if (!(count <= k_most_roots))
-    return bad_input(fmt::format("density: {:.4g} strands; allowed are 0 .. {:.0f}", count, k_most_roots),
+  if (!(count <= k_max_roots))
+    return bad_input(fmt::format("density: {:.4g} strands; allowed are 0 .. {:.0f}", count, k_max_roots),
                      "lower the density or the share of strands");
   return PlacedRoots{find_roots(mesh, carrier, request, std::size_t(count)), carrier.report};
 }

@@ -50,9 +50,9 @@ struct PlacedRoots {
   RootReport report;
 };
 /// H8: area x density x share strands, rounded; fewer where the map leaves no place. Error: bad_input where density or
-/// share is out of range or not a number, the map has not one entry a vertex, or the count passes k_most_roots.
+/// share is out of range or not a number, the map has not one entry a vertex, or the count passes k_max_roots.
 Result<PlacedRoots> place_roots(const Mesh& mesh, const RootRequest& request);
-inline constexpr double k_most_roots = 1e7;
+inline constexpr double k_max_roots = 1e7;
 
 /// How even roots lie in their triangles: all of them in one triangle.
 struct Evenness {

@@ -19,7 +19,7 @@ constexpr std::string_view k_interpolations[] = {"three_hairs", "nearest_hair"};
 
 constexpr std::string_view k_keys[] = {"schema_version", "name",    "growing", "strands",
                                        "regions",        "strokes", "bun",     "shaping"};
-constexpr std::size_t k_most_items = 256;  // of regions and of strokes
+constexpr std::size_t k_max_items = 256;  // of regions and of strokes
 
 Result<void> check_keys(const Json& object, const std::string& where) {
   for (const auto& [key, value] : object.items()) {
@@ -55,8 +55,8 @@ template <class Item>
 Result<void> read_list(const Json& root, const char* key, const std::string& where, std::vector<Item>& out) {
   if (!root.contains(key)) return {};
   const Json& list = root[key];
-  if (!list.is_list() || list.size() > k_most_items)
-    return bad_input(fmt::format("{}: {} is not a list of at most {} objects", where, key, k_most_items));
+  if (!list.is_list() || list.size() > k_max_items)
+    return bad_input(fmt::format("{}: {} is not a list of at most {} objects", where, key, k_max_items));
   for (std::size_t i = 0; i < list.size(); ++i) {
     CUTICLE_ASSIGN(out.emplace_back(), read<Item>(list[i], fmt::format("{}: {}[{}]", where, key, i)));
   }
@@ -91,7 +91,7 @@ Json table_schema(registry::ParameterTable table) {
 }
 
 Json list_schema(registry::ParameterTable table) {
-  return {{"type", "array"}, {"maxItems", k_most_items}, {"items", table_schema(table)}};
+  return {{"type", "array"}, {"maxItems", k_max_items}, {"items", table_schema(table)}};
 }
 
 Json shaping_schema() {
@@ -113,7 +113,7 @@ void describe(registry::Members& members, StrandParameters& strands) {
   members(strands.share, "share", "1", 0, 1, "Level of detail: share of the strands that is drawn");
   members(strands.hairline, "hairline", "1", 0, 1,
           "Share of the scalp's radius over which the density falls to nothing at its edge");
-  members(strands.vertices, "vertices", 2, k_most_vertices, "Vertices of a drawn strand");
+  members(strands.vertices, "vertices", 2, k_max_vertices, "Vertices of a drawn strand");
   members(strands.roots, "roots", k_root_rules, "How the place of a root is found");
   members(strands.curve, "curve", k_curves, "Curve through the control vertices");
   members(strands.nearest_hair, "interpolation", k_interpolations,

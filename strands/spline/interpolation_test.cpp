@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include "strands/spline/frames.h"
 #include "strands/spline/smooth.h"
 #include "tests/support/synthetic_grooms.h"
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 
 namespace cuticle::strands::interpolation_test {
 namespace {
@@ -98,7 +98,7 @@ TEST(Curves, StraightHair_DoesNotDeviate_BSplineDeviatesMost) {
   EXPECT_GT(of(Curve::bezier).mean, 0);
 }
 
-TEST(Curves, ManyVertices_AreAllowed) { EXPECT_EQ(smooth(ThreeHairs().hairs, k_most_vertices).vertex_count(), 768u); }
+TEST(Curves, ManyVertices_AreAllowed) { EXPECT_EQ(smooth(ThreeHairs().hairs, k_max_vertices).vertex_count(), 768u); }
 
 TEST(Attributes, SmoothAndInterpolate_BlendThem) {
   const ThreeHairs s;

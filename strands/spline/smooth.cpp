@@ -102,7 +102,7 @@ double distance_to_polyline(const glm::dvec3& point, Points line) {
 }  // namespace
 
 Groom smooth(const Groom& control, int vertices, Curve curve) {
-  CUTICLE_EXPECT(vertices >= 2 && vertices <= k_most_vertices, "vertices per strand outside 2 .. 256");
+  CUTICLE_EXPECT(vertices >= 2 && vertices <= k_max_vertices, "vertices per strand outside 2 .. 256");
   const auto count = std::uint32_t(vertices);
   Groom result;
   result.offsets = even_offsets(control.strand_count(), count);

@@ -15,9 +15,9 @@ namespace cuticle::strands {
 /// overshoots where segments are uneven; `catmull_rom` may; `b_spline` is smoothest and cuts corners.
 enum class Curve { bezier, catmull_rom, b_spline };
 
-inline constexpr int k_most_vertices = 256;  ///< of a drawn strand
+inline constexpr int k_max_vertices = 256;  ///< of a drawn strand
 
-/// Every strand of `control` resampled to `vertices` points (2 .. k_most_vertices; 7 -> 36 in the published system),
+/// Every strand of `control` resampled to `vertices` points (2 .. k_max_vertices; 7 -> 36 in the published system),
 /// uniform in curve parameter; end points kept. Strands of 1 vertex are repeated; strands of 2 stay straight. Radii and
 /// vertex attributes are linear between control vertices; what belongs to a strand is kept.
 Groom smooth(const Groom& control, int vertices, Curve curve = Curve::bezier);

@@ -41,9 +41,9 @@ Result<void> check_strand(const StrandGeneratorInput& input, std::size_t strand)
 
 Result<void> check(const StrandGeneratorInput& input) {
   CUTICLE_EXPECT(input.control != nullptr, "a generator needs control hairs");
-  if (input.vertices_per_strand < 2 || input.vertices_per_strand > k_most_vertices)
+  if (input.vertices_per_strand < 2 || input.vertices_per_strand > k_max_vertices)
     return bad_input(
-        fmt::format("vertices per strand {}: allowed are 2..{}", input.vertices_per_strand, k_most_vertices));
+        fmt::format("vertices per strand {}: allowed are 2..{}", input.vertices_per_strand, k_max_vertices));
   if (input.hairs.size() != input.weights.size())
     return bad_input(fmt::format("{} triples of hairs, but {} of weights", input.hairs.size(), input.weights.size()));
   for (std::size_t s = 0; s < input.control->strand_count(); ++s)

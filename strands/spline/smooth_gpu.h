@@ -24,7 +24,7 @@ struct StrandGeneratorInput {
 class StrandGenerator : public DrawnStrands {
  public:
   /// Errors: bad_input names the strand whose hair or weight is wrong, or vertices_per_strand
-  /// outside 2..k_most_vertices; out_of_memory names the device's limit where the drawn vertices (16 bytes each) pass
+  /// outside 2..k_max_vertices; out_of_memory names the device's limit where the drawn vertices (16 bytes each) pass
   /// its largest buffer.
   static Result<std::unique_ptr<StrandGenerator>> create(std::shared_ptr<gpu::Device> device,
                                                          const StrandGeneratorInput& input);

@@ -52,7 +52,7 @@ struct HairRows {
 /// A strand while it is made, in rows, so that the compiler makes vectors along it. Vertex i is at i + 1: each end has
 /// itself beside it, for the tangents.
 struct StrandRows {
-  float x[k_most_vertices + 2], y[k_most_vertices + 2], z[k_most_vertices + 2], fraction[k_most_vertices + 2];
+  float x[k_max_vertices + 2], y[k_max_vertices + 2], z[k_max_vertices + 2], fraction[k_max_vertices + 2];
 
   glm::vec3 point(std::size_t place) const { return {x[place], y[place], z[place]}; }
   void set_point(std::size_t place, const glm::vec3& p) { x[place] = p.x, y[place] = p.y, z[place] = p.z; }
@@ -81,8 +81,8 @@ struct StrandRows {
 Result<VertexStream> VertexStream::create(const Groom& control, int vertices_per_strand,
                                           std::span<const std::array<std::uint32_t, 3>> hairs,
                                           std::span<const glm::vec3> weights, float radius) {
-  if (vertices_per_strand < 2 || vertices_per_strand > k_most_vertices)
-    return bad_input(fmt::format("vertices per strand {}: allowed are 2 .. {}", vertices_per_strand, k_most_vertices));
+  if (vertices_per_strand < 2 || vertices_per_strand > k_max_vertices)
+    return bad_input(fmt::format("vertices per strand {}: allowed are 2 .. {}", vertices_per_strand, k_max_vertices));
   if (hairs.size() != weights.size())
     return bad_input(fmt::format("{} triples of hairs, but {} of weights", hairs.size(), weights.size()));
   for (std::size_t s = 0; s < control.strand_count(); ++s)

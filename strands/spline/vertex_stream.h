@@ -18,7 +18,7 @@ class VertexStream {
  public:
   /// `hairs`, `weights`: per drawn strand its three control strands, and their weights of sum 1. `radius`: of a drawn
   /// strand at its root, metres; half of it at the tip. Error: bad_input naming the strand whose hair is not there, a
-  /// control strand without a vertex, or `vertices_per_strand` outside 2 .. k_most_vertices.
+  /// control strand without a vertex, or `vertices_per_strand` outside 2 .. k_max_vertices.
   static Result<VertexStream> create(const Groom& control, int vertices_per_strand,
                                      std::span<const std::array<std::uint32_t, 3>> hairs,
                                      std::span<const glm::vec3> weights, float radius);

@@ -60,13 +60,13 @@ TEST(VertexStream, HairsOfOneVertexOrPlaceAndReversedOnes_AreThoseOfSmoothing) {
   control.radii.assign(control.vertex_count(), 1e-4f);
   const std::vector<std::array<std::uint32_t, 3>> corners{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 2, 0}};
   const std::vector<glm::vec3> weights{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0.5f, 0.25f, 0.25f}};
-  auto stream = VertexStream::create(control, k_most_vertices, corners, weights, 4e-5f);
+  auto stream = VertexStream::create(control, k_max_vertices, corners, weights, 4e-5f);
   ASSERT_TRUE(stream);
   stream->update(control.positions);
   const Mesh scalp{std::vector<glm::vec3>(4), {}, {}, corners};
   const std::vector<Root> roots{{0, weights[0]}, {1, weights[1]}, {2, weights[2]}, {3, weights[3]}};
   const std::vector<std::uint32_t> own{0, 1, 2, 3};
-  const Groom expected = interpolate(smooth(control, k_most_vertices), scalp, roots, own);
+  const Groom expected = interpolate(smooth(control, k_max_vertices), scalp, roots, own);
   const std::vector<glm::vec3> along = tangents(expected);
   for (std::size_t v = 0; v < expected.vertex_count(); ++v) {
     ASSERT_LT(glm::distance(glm::vec3(stream->vertices()[v]), expected.positions[v]), 1e-6f) << v;

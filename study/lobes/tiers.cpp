@@ -29,14 +29,14 @@ std::vector<bsdf::Point> random_points(std::size_t count) {
   return points;
 }
 
-constexpr double k_most_rounds = 3e7;  ///< loop rounds of a reference, all directions together
+constexpr double k_max_rounds = 3e7;  ///< loop rounds of a reference, all directions together
 constexpr std::size_t k_fewest_points = 16;
 
 /// How many directions: fewer where the model walks many paths.
 std::size_t points_of(const bsdf::Model& model, const registry::ParameterValues& values, std::size_t most) {
   const double rounds = model.loop_rounds ? double(model.loop_rounds(values, bsdf::Quantity::S)) : 0;
-  if (rounds * double(most) <= k_most_rounds) return most;
-  return std::min(most, std::max(k_fewest_points, std::size_t(k_most_rounds / rounds)));
+  if (rounds * double(most) <= k_max_rounds) return most;
+  return std::min(most, std::max(k_fewest_points, std::size_t(k_max_rounds / rounds)));
 }
 
 /// What a field's tiers are compared with.
@@ -94,7 +94,8 @@ Result<SharedReference> make_reference(const bsdf::Model& model, const LobesTier
   Reference reference{tier.name, random_points(most), {}};
   reference.points.resize(points_of(model, values, most));
   reference.values.resize(reference.points.size());
-  CUTICLE_TRY(bsdf::evaluate(model, values, Precision::f64, {bsdf::Quantity::S, -1, reference.points}, reference.values));
+  CUTICLE_TRY(
+      bsdf::evaluate(model, values, Precision::f64, {bsdf::Quantity::S, -1, reference.points}, reference.values));
   return SharedReference(std::make_shared<const Reference>(std::move(reference)));
 }
 
@@ -102,8 +103,9 @@ Group make_group(const bsdf::Model& model, bool near, const Reference& reference
   const std::string field = near ? "near field" : "far field";
   return {.name = fmt::format("{}, {}", model.entry.name, field),
           .title = fmt::format("{}, {}: tiers and precisions", model.entry.name, field),
-          .truth = fmt::format("the tier '{}' in double at {} random directions, where S is above 1e-6 of its largest value",
-                               reference.tier, reference.points.size()),
+          .truth =
+              fmt::format("the tier '{}' in double at {} random directions, where S is above 1e-6 of its largest value",
+                          reference.tier, reference.points.size()),
           .metrics = {{"S", "relative error of S"}},
           .item = "direction"};
 }
@@ -132,7 +134,8 @@ std::string finest_settings(const bsdf::Model& model, const std::string& setting
 std::string shown_settings(const bsdf::Model& model, const std::string& settings, std::size_t points) {
   const std::string finest = finest_settings(model, settings);
   const auto values = bsdf::parse_settings(model, "", finest);
-  const bool is_slow = values && model.loop_rounds && double(model.loop_rounds(*values, bsdf::Quantity::S)) * double(points) > 10 * k_most_rounds;
+  const bool is_slow = values && model.loop_rounds &&
+                       double(model.loop_rounds(*values, bsdf::Quantity::S)) * double(points) > 10 * k_max_rounds;
   return is_slow ? settings : finest;
 }
 

@@ -41,7 +41,7 @@ Result<std::vector<float>> transmittance_at(const ShadowView& view, std::string_
 }
 
 double depth_of(float transmittance) {
-  return transmittance > 0 ? std::min(-std::log(double(transmittance)), k_deepest_depth) : k_deepest_depth;
+  return transmittance > 0 ? std::min(-std::log(double(transmittance)), k_max_depth) : k_max_depth;
 }
 
 /// A place of a map as a world point: the inverse of to_map of a distant light.

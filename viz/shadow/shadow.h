@@ -57,8 +57,8 @@ struct LightRay {
 LightRay light_ray(const ShadowView& view);
 /// A vertex of the hair that little light reaches: what `through` is where nobody gave it.
 Result<glm::dvec3> dark_place(const ShadowView& view);
-/// Truth first. A T of 0 is drawn at `k_deepest_depth`.
-inline constexpr double k_deepest_depth = 12;
+/// Truth first. A T of 0 is drawn at `k_max_depth`.
+inline constexpr double k_max_depth = 12;
 Result<std::vector<DepthCurve>> depth_curves(const ShadowView& view);
 
 /// volume.vti (transmittance), opacity_map.vts and deep_opacity.vts (optical_depth), ray.csv. Error: bad_input.

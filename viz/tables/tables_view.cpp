@@ -10,7 +10,7 @@ namespace cuticle::viz {
 namespace {
 
 constexpr double k_height = 0.55;  // of the highest value over a table 1 wide
-constexpr std::size_t k_most_rows = 3;
+constexpr std::size_t k_max_rows = 3;
 
 PlotAxis axis_of(const std::string& title, double lower, double upper) {
   const bool is_angle = title.ends_with("[deg]");
@@ -47,7 +47,7 @@ void add_box(vtkRenderer& renderer, const TableChannel& channel, double scale) {
 Result<void> TablesPicture::fill(const WindowArea& area) {
   CUTICLE_ASSIGN(channels_, table_channels(view_));
   scale_ = area.scale * 0.9;
-  const std::size_t count = std::min(channels_.size(), k_most_rows);
+  const std::size_t count = std::min(channels_.size(), k_max_rows);
   for (std::size_t k = 0; k < count; ++k) {
     const double top = 1 - double(k) / double(count), bottom = 1 - double(k + 1) / double(count);
     Row row;

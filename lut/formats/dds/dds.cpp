@@ -67,7 +67,7 @@ Result<void> write(const std::string& path, const Image& image, const std::strin
 
 Result<int> levels(const std::string& path) {
   CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("dwMipMapCount", 28, 4, 0, k_most_levels));
+  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("dwMipMapCount", 28, 4, 0, k_max_levels));
   return std::max(int(count), 1);  // 0: the field is not used
 }
 

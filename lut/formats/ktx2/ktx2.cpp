@@ -109,7 +109,7 @@ Result<void> check_header(const FieldReader& fields) {
 
 Result<int> levels(const std::string& path) {
   CUTICLE_ASSIGN(const std::vector<std::byte> bytes, read_file(path));
-  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("levelCount", 40, 4, 0, k_most_levels));
+  CUTICLE_ASSIGN(const std::uint64_t count, FieldReader(bytes, path).within("levelCount", 40, 4, 0, k_max_levels));
   return std::max(int(count), 1);  // 0: the loader is asked to make them
 }
 

@@ -15,7 +15,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 shifts;     // primary, secondary; z: what the base texture is multiplied by
   vec4 multiple;   // of light scattered many times, per irradiance
   uint vertex_count;  // of what transmittance.glsl calls vertices: here the rows of all cards
-  LightRow lights[k_most_lights];
+  LightRow lights[k_max_lights];
 };
 layout(std430, set = 0, binding = 4) buffer Shaded { uint shaded_count[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Transmittance { float transmittance[]; };

@@ -27,7 +27,7 @@ struct CardFrame {
   std::uint32_t vertex_count, unused[3];
   LightRows lights;
 };
-static_assert(sizeof(CardFrame) == 64 + 16 * 8 + 16 * 3 * k_most_lights);
+static_assert(sizeof(CardFrame) == 64 + 16 * 8 + 16 * 3 * k_max_lights);
 
 /// What light scattered many times is taken from; cards_shade.glsl has the same numbers.
 enum class ScatteredBy : std::uint32_t { none, frame_multiple, dual_scattering };
@@ -55,7 +55,7 @@ void set_view(CardFrame& frame, const Resources& resources) {
   frame.lights = light_rows(lights.all);
 }
 
-constexpr std::size_t k_most_steps = 4;
+constexpr std::size_t k_max_steps = 4;
 
 /// One draw of all cards.
 struct Step {
@@ -80,7 +80,7 @@ class Cards : public GpuPass {
                    device_->make_texture({.size = {cards.textures.atlas.width, cards.textures.atlas.height}}));
     CUTICLE_TRY(device_->upload(texture_, cards.textures.atlas.pixels));
     CUTICLE_ASSIGN(frame_buffer_, device_->make_buffer(sizeof(CardFrame)));
-    CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_most_steps * sizeof(std::uint32_t)));
+    CUTICLE_ASSIGN(shaded_, device_->make_buffer(k_max_steps * sizeof(std::uint32_t)));
     CUTICLE_ASSIGN(const bsdf::scheuermann::Parameters material,
                    material_of(*resources.get<FibreMaterial>().model, *resources.get<FibreMaterial>().values));
     set_material(frame_, material);

@@ -46,7 +46,7 @@ Rows rows_at_pixel() {
   const uint row = uint(at);
   return Rows(row, min(row + 1u, vertex_count - 1u), at - float(row));
 }
-vec3 through_of(uint light) {
+vec3 transmittance_of_light(uint light) {
   if (!is_shadowed) return vec3(1.0);
   const Rows rows = rows_at_pixel();
   return mix(transmitted(light, rows.row), transmitted(light, rows.next), rows.share);
@@ -60,11 +60,11 @@ float past_surfaces(uint light) {
 }
 
 // Light scattered many times, as strands have it.
-vec3 scattered_often(vec3 to_light, vec3 through, float past, vec3 t, vec3 to_eye) {
+vec3 multiple_scattering(vec3 to_light, vec3 transmittance, float past, vec3 t, vec3 to_eye) {
   if (scattered_by == 0u) return vec3(0.0);
   const Angles angles = angles_of(to_light, t, to_eye);
-  if (scattered_by == k_dual_scattering) return dual_scattering(angles, through, past);
-  return multiple.rgb * ambient_share(sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0)), through);
+  if (scattered_by == k_dual_scattering) return dual_scattering(angles, transmittance, past);
+  return multiple.rgb * multiple_scattering_share(sqrt(max(1.0 - angles.sin_i * angles.sin_i, 0.0)), transmittance);
 }
 
 vec4 shaded(vec4 texel) {
@@ -78,9 +78,9 @@ vec4 shaded(vec4 texel) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < uint(diffuse.w); ++k) {
     const Arriving light = arriving_at(world, lights[k]);
-    const vec3 through = through_of(k);
-    sum += light.irradiance * (scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * through +
-                               scattered_often(light.to_light, through, past_surfaces(k), t, to_eye));
+    const vec3 transmittance = transmittance_of_light(k);
+    sum += light.irradiance * (scattering_at(m, half_vector_on_card(t, n, light.to_light, to_eye)) * transmittance +
+                               multiple_scattering(light.to_light, transmittance, past_surfaces(k), t, to_eye));
   }
   return vec4(held_by_halves(sum * shifts.z * texel.r * (is_shadowed_by_hair ? 1.0 : open)), is_opaque ? 1.0 : texel.a);
 }

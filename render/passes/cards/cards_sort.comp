@@ -12,8 +12,8 @@ layout(std430, set = 0, binding = 2) readonly buffer Indices { uint indices[]; }
 layout(std430, set = 0, binding = 3) writeonly buffer Sorted { uint sorted[]; };
 layout(push_constant) uniform Push { uint part_count; };
 
-const uint k_most_groups = 32u;  // strands/cards/card_mesh.h
-shared float group_depths[k_most_groups];
+const uint k_max_groups = 32u;  // strands/cards/card_mesh.h
+shared float group_depths[k_max_groups];
 
 // Mean over the group's parts by their rows.
 void take_group_depth(uint group) {
@@ -38,7 +38,7 @@ bool is_before(uint a, uint b) {
 }
 
 void main() {
-  if (gl_LocalInvocationIndex < k_most_groups) take_group_depth(gl_LocalInvocationIndex);
+  if (gl_LocalInvocationIndex < k_max_groups) take_group_depth(gl_LocalInvocationIndex);
   barrier();
   const uint part = invocation();
   if (part >= part_count) return;

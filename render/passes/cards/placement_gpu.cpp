@@ -52,7 +52,7 @@ class Rests {
  private:
   void add_followers(std::span<const std::uint32_t> members) {
     first_.push_back(std::uint32_t(followers.size()));
-    const std::size_t count = std::min(k_most_followers, members.size());
+    const std::size_t count = std::min(k_max_followers, members.size());
     for (std::size_t k = 0; k < count; ++k) followers.push_back(members[k * members.size() / count]);
     end_.push_back(std::uint32_t(followers.size()));
   }

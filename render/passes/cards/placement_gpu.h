@@ -17,7 +17,7 @@ struct CardRest {
 static_assert(sizeof(CardRest) == 80);
 
 /// Strands that a card follows: as many of its members, evenly taken.
-inline constexpr std::size_t k_most_followers = 8;
+inline constexpr std::size_t k_max_followers = 8;
 
 class Placement {
  public:

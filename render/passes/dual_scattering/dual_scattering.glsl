@@ -24,15 +24,15 @@ vec3 dual_term(uint which, float theta) {
 }
 
 // What the terms leave out, by the optical depth before the point (bsdf/dual_scattering/corrections.h).
-vec3 dual_correction(uint channel, float through) {
-  float at = sqrt(log(through) / log(k_least_through)) * float(k_dual_depths - 1u);
+vec3 dual_correction(uint channel, float transmittance) {
+  float at = sqrt(log(transmittance) / log(k_min_transmittance)) * float(k_dual_depths - 1u);
   uint below = min(uint(at), k_dual_depths - 2u), first = k_dual_corrections + channel * k_dual_depths + below;
   return mix(dual_terms[first], dual_terms[first + 1u], at - float(below)).xyz;
 }
 
 // Light that a point receives directly comes back from the fibres behind it; that of other fibres, smeared over the half
 // of the azimuths about the light and widened, is scattered by the fibre and comes back too.
-vec3 dual_scattering(Angles angles, vec3 through) {
+vec3 dual_scattering(Angles angles, vec3 transmittance) {
   float theta_i = asin(clamp(angles.sin_i, -1.0, 1.0)), theta_o = asin(clamp(angles.sin_o, -1.0, 1.0));
   float theta_d = 0.5 * (theta_o - theta_i), cos_d = cos(theta_d);
   float away = acos(clamp(angles.cos_phi, -1.0, 1.0)) / k_pi;
@@ -45,7 +45,7 @@ vec3 dual_scattering(Angles angles, vec3 through) {
                                         ScatteringLobe(local[0][c], local[1][c], local[2][c]),
                                         ScatteringLobe(local[3][c], local[4][c], local[5][c]),
                                         ScatteringLobe(local[6][c], local[7][c], local[8][c]));
-    float arrives = clamp(through[c], k_least_through, 1.0);
+    float arrives = clamp(transmittance[c], k_min_transmittance, 1.0);
     ScatteredLight light = scattered_light(fibre, arrives, theta_i, theta_o, away, direction_variance);
     vec3 correction = dual_correction(c, arrives);
     float back = backward_density * correction.y * (light.back + forward_density * light.onward_back);
@@ -57,6 +57,6 @@ vec3 dual_scattering(Angles angles, vec3 through) {
 
 // Where the share `past` of the light passes surfaces. What they take away no fibre has scattered: only what hair leaves
 // says how many fibres there were.
-vec3 dual_scattering(Angles angles, vec3 through, float past) {
-  return past <= 0.0 ? vec3(0.0) : past * dual_scattering(angles, min(through / past, vec3(1.0)));
+vec3 dual_scattering(Angles angles, vec3 transmittance, float past) {
+  return past <= 0.0 ? vec3(0.0) : past * dual_scattering(angles, min(transmittance / past, vec3(1.0)));
 }

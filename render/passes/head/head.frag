@@ -6,8 +6,8 @@
 #include "render/lights.glsl"
 layout(std430, set = 0, binding = 3) readonly buffer Frame {
   vec4 albedo_0, albedo_1;  // w of the first: wrap; of the second: number of lights
-  LightRow lights[k_most_lights];
-  mat4 rest_to_map[k_most_lights];  // of surface_shadow
+  LightRow lights[k_max_lights];
+  mat4 rest_to_map[k_max_lights];  // of surface_shadow
   float ambient;                    // share of the lights' sum that arrives from everywhere
   float through;                    // share of the light that comes through
   uint map_resolution, map_columns;  // 0: no hair casts

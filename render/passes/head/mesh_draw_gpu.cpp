@@ -16,12 +16,12 @@ namespace {
 struct DiffuseFrame {
   glm::vec4 albedo_0, albedo_1;
   LightRows lights;
-  std::array<glm::mat4, k_most_lights> rest_to_map;
+  std::array<glm::mat4, k_max_lights> rest_to_map;
   float ambient, through;
   std::uint32_t map_resolution, map_columns;
   float map_filter, bleed, unused[2];
 };
-static_assert(sizeof(DiffuseFrame) == 16 * (2 + 3 * k_most_lights) + 64 * k_most_lights + 32);
+static_assert(sizeof(DiffuseFrame) == 16 * (2 + 3 * k_max_lights) + 64 * k_max_lights + 32);
 
 void set_maps(DiffuseFrame& frame, const Resources& resources, const glm::dmat4& to_world) {
   const surface_shadow::Maps& maps = resources.get<surface_shadow::Maps>();

@@ -52,6 +52,6 @@ float opacity_of_radius(const Resources& resources, const visibility::DrawnPart&
   return float(2 * texels_at_a_metre(resources) * part.width / double(width));
 }
 
-float widened(float width, double factor) { return std::max(width, std::min(width * float(factor), k_widest_lines)); }
+float widened(float width, double factor) { return std::max(width, std::min(width * float(factor), k_max_line_width)); }
 
 }  // namespace cuticle::render::lines

@@ -49,9 +49,9 @@ void main() {
   vec3 to_eye = normalize(eye.xyz - position);
   vec3 sum = k_dual + k_direct != 0u ? max(often, 0.0) : vec3(0.0);
   for (uint k = 0u; k < light_count && k_direct == 0u; ++k) {
-    vec3 through = clamp(share_of(k), 0.0, 1.0);  // a sample beside the line extrapolates
+    vec3 transmittance = clamp(share_of(k), 0.0, 1.0);  // a sample beside the line extrapolates
     const Arriving arriving = arriving_at(position, lights[k]);
-    sum += k_dual == 0u ? shade(arriving, through, t, to_eye) : shade_once(arriving, through, t, to_eye);
+    sum += k_dual == 0u ? shade(arriving, transmittance, t, to_eye) : shade_single_scattering(arriving, transmittance, t, to_eye);
   }
   color = vec4(held_by_halves(sum * brightness), 1.0);
 #ifdef SAYS_SEEN

@@ -16,7 +16,7 @@ layout(std430, set = 0, binding = 2) readonly buffer Transmittance { float trans
 #include "render/strand_shading/angles.glsl"
 #define DUAL_CONSTANT 4
 #define DUAL_BINDING 4
-#include "render/passes/dual_scattering/scattered_often.glsl"
+#include "render/passes/dual_scattering/multiple_scattering.glsl"
 #include "render/strand_shading/ambient.glsl"
 layout(constant_id = 9) const uint k_direct = 0u;  // 1: light by `scattered`, for which fragments read no tables
 #define SCATTERED_BINDING 7
@@ -62,11 +62,11 @@ bool has_numbers(uint vertex) {
   return is_finite(packed_vertices == 0u ? vertices[vertex] : vec4(position_of(vertex), 0.0));
 }
 
-vec3 light_scattered_often(uint vertex) {
+vec3 multiple_scattering_of_lights(uint vertex) {
   const vec3 t = normalize(tangent), to_eye = normalize(eye.xyz - position);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k)
-    sum += scattered_often(arriving_at(position, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
+    sum += multiple_scattering(arriving_at(position, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
   return sum;
 }
 
@@ -76,10 +76,10 @@ vec3 light_by_formulas(uint vertex) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
     const Arriving arriving = arriving_at(position, lights[k]);
-    const vec3 through = transmitted(k, vertex);
+    const vec3 transmittance = transmitted(k, vertex);
     const float sin_i = dot(arriving.to_light, t), cos_i = sqrt(max(1.0 - sin_i * sin_i, 0.0));
-    const vec3 unshared = k_dual == 0u ? multiple.rgb * ambient_share(cos_i, through) : vec3(0.0);
-    sum += (scattered_at(k, vertex) * through + unshared) * arriving.irradiance;
+    const vec3 unshared = k_dual == 0u ? multiple.rgb * multiple_scattering_share(cos_i, transmittance) : vec3(0.0);
+    sum += (scattered_at(k, vertex) * transmittance + unshared) * arriving.irradiance;
   }
   return sum;
 }
@@ -95,7 +95,7 @@ void main() {
     const vec3 share = k < light_count ? transmitted(k, vertex) : vec3(0.0);
     for (uint c = 0u, n = CHANNELS * k; c < CHANNELS; ++c, ++n) reached[n >> 2][n & 3u] = share[c];
   }
-  often = k_dual == 0u ? vec3(0.0) : light_scattered_often(vertex);
+  often = k_dual == 0u ? vec3(0.0) : multiple_scattering_of_lights(vertex);
   if (k_direct != 0u) often += light_by_formulas(vertex);
   // A segment of a tip that chance cuts away, and one with numbers that are none, lie outside the view.
   const uint other = vertex_of(strand, begin + 1u - (uint(gl_VertexIndex) & 1u));

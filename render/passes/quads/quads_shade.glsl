@@ -38,10 +38,10 @@ vec3 radiance_of(uint segment, vec2 middle, vec2 size) {
   vec3 place = mix(vertices[first].xyz, vertices[last].xyz, share), to_eye = normalize(eye.xyz - place);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < light_count; ++k) {
-    vec3 through = mix(transmitted(k, first), transmitted(k, last), share);
+    vec3 transmittance = mix(transmitted(k, first), transmitted(k, last), share);
     if (k_direct != 0u) evaluated = mix(scattered_at(k, first), scattered_at(k, last), share);
     float past = mix(past_surfaces(k, first), past_surfaces(k, last), share);
-    sum += lit(arriving_at(place, lights[k]), through, past, t, to_eye);
+    sum += lit(arriving_at(place, lights[k]), transmittance, past, t, to_eye);
   }
   return sum * brightness_of(strand, variation);
 }

@@ -40,9 +40,9 @@ registry::ParameterValues material(const std::string& text) {
 struct Settings {
   double distance = 1, point_px = 0, lower = 0;
   bool dual = false;
-  float through = 1;  ///< hair's transmittance of every vertex
-  float past = 1;     ///< what surfaces leave
-  double spread = 0;  ///< of the fibres' directions, for dual scattering
+  float transmittance = 1;  ///< hair's transmittance of every vertex
+  float past = 1;           ///< what surfaces leave
+  double spread = 0;        ///< of the fibres' directions, for dual scattering
   const char* material = k_blond;
 };
 
@@ -74,7 +74,7 @@ class Field {
 
   Shaded shade(const Settings& settings) const {
     const gpu::Buffer vertices = upload(points_), segments = upload(segments_), tangents = upload(tangents_),
-                      reached = upload(std::vector<float>(points_.size(), settings.through * settings.past));
+                      reached = upload(std::vector<float>(points_.size(), settings.transmittance * settings.past));
     surface_shadow::Maps maps;
     maps.visibility = upload(std::vector<float>(points_.size(), settings.past));
     const lut::TableSet set =
@@ -200,7 +200,7 @@ TEST(ShadeStrands, VerticesBetweenPoints_AreNearTheirOwnShading) {
 
 /// By dual scattering where a fifth of the light arrives; its terms take seconds.
 const Shaded& deep_in_hair() {
-  static const Shaded shaded = Field().shade({.dual = true, .through = 0.2f});
+  static const Shaded shaded = Field().shade({.dual = true, .transmittance = 0.2f});
   return shaded;
 }
 
@@ -211,7 +211,7 @@ double brightness(const Shaded& shaded) {
 }
 
 /// Dual scattering in double, from the averages at the very angles: beside the direct S, radiance per irradiance.
-glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, double through, double spread) {
+glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, double transmittance, double spread) {
   const registry::ParameterValues values = material(k_blond);
   const double theta_i = std::asin(glm::dot(k_to_light, t)), theta_o = std::asin(glm::dot(to_eye, t)),
                theta_d = (theta_o - theta_i) / 2, pi = std::numbers::pi;
@@ -220,10 +220,10 @@ glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, dou
   const bsdf::AverageScattering path = *bsdf::average_scattering(model(), values, theta_i),
                                 local = *bsdf::average_scattering(model(), values, theta_d);
   const bsdf::MultipleBackscattering multiple = *bsdf::multiple_backscattering(local);
-  const double met = std::log(1 / through);
+  const double met = std::log(1 / transmittance);
   glm::dvec3 result;
   for (int c = 0; c < 3; ++c) {
-    const double sent = std::pow(through, 1 - path.forward.share[c]) - through,
+    const double sent = std::pow(transmittance, 1 - path.forward.share[c]) - transmittance,
                  // Scatterings of light that is scattered at least once: of a Poisson number.
         mean = met * path.forward.share[c], events = mean / (1 - std::exp(-mean)),
                  wider = events * (path.forward.deviation[c] * path.forward.deviation[c] + spread * spread);
@@ -238,7 +238,7 @@ glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, dou
       return k_density * (1 - phi / pi) *
              lobe(multiple.attenuation[c], multiple.shift[c], multiple.deviation[c], more + spread * spread);
     };
-    result[c] = (through * back(0) + k_density * sent * (once + back(wider))) * std::cos(theta_i) /
+    result[c] = (transmittance * back(0) + k_density * sent * (once + back(wider))) * std::cos(theta_i) /
                 (pi * std::cos(theta_d) * std::cos(theta_d));
   }
   return result;
@@ -249,16 +249,16 @@ glm::dvec3 dual_scattering_at(const glm::dvec3& t, const glm::dvec3& to_eye, dou
 TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
   const Field field;
   double gain = 0;
-  for (const auto& [through, spread] : {std::pair{0.9f, 0.0}, {0.2f, 0.4}, {0.2f, 0.0}}) {
-    const Shaded with = through == 0.2f && spread == 0
+  for (const auto& [transmittance, spread] : {std::pair{0.9f, 0.0}, {0.2f, 0.4}, {0.2f, 0.0}}) {
+    const Shaded with = transmittance == 0.2f && spread == 0
                             ? deep_in_hair()
-                            : field.shade({.dual = true, .through = through, .spread = spread}),
-                 without = field.shade({.through = through});
+                            : field.shade({.dual = true, .transmittance = transmittance, .spread = spread}),
+                 without = field.shade({.transmittance = transmittance});
     double worst = 0, brightest = 0;
     for (std::size_t k = 5; k < with.colors.size(); k += 311) {
       const glm::dvec3 to_eye = glm::normalize(glm::dvec3(0, 0, 1) - glm::dvec3(field.point(k)));
       const glm::dvec3 exact =
-          k_irradiance * dual_scattering_at(glm::dvec3(field.tangent(k)), to_eye, double(through), spread);
+          k_irradiance * dual_scattering_at(glm::dvec3(field.tangent(k)), to_eye, double(transmittance), spread);
       const glm::dvec3 more = glm::dvec3(with.colors[k]) - glm::dvec3(without.colors[k]);
       for (int c = 0; c < 3; ++c) {
         worst = std::max(worst, std::abs(more[c] - exact[c]));
@@ -266,8 +266,8 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
       }
     }
     gain = brightness(with) / brightness(without);
-    std::printf("transmittance %g, directions %g: off by %.5f of %.5f, %.3f times as bright\n", double(through), spread,
-                worst, brightest, gain);
+    std::printf("transmittance %g, directions %g: off by %.5f of %.5f, %.3f times as bright\n", double(transmittance),
+                spread, worst, brightest, gain);
     EXPECT_LT(worst, 0.015 * brightest);
   }
   EXPECT_GT(gain, 2) << "blond, where a fifth of the light arrives directly";
@@ -275,7 +275,7 @@ TEST(ShadeStrands, DualScattering_IsThatOfTheAveragesAtEachPoint) {
 
 // No fibre scatters what a surface took away: a quarter of the light is a quarter of the radiance.
 TEST(ShadeStrands, DualScattering_OfLightHalfBehindSurfaces_IsThatOfLessLight) {
-  const Shaded &all = deep_in_hair(), part = Field().shade({.dual = true, .through = 0.2f, .past = 0.25f});
+  const Shaded &all = deep_in_hair(), part = Field().shade({.dual = true, .transmittance = 0.2f, .past = 0.25f});
   for (std::size_t k = 0; k < all.colors.size(); ++k)
     EXPECT_LT(glm::distance(glm::vec3(part.colors[k]), 0.25f * glm::vec3(all.colors[k])),
               2e-3f * glm::length(glm::vec3(all.colors[k])));
@@ -284,8 +284,8 @@ TEST(ShadeStrands, DualScattering_OfLightHalfBehindSurfaces_IsThatOfLessLight) {
 TEST(ShadeStrands, DualScattering_LeavesBlackHairAlone) {
   constexpr const char* k_black = "sigma_a=50/50/50,beta=0.2";
   const Field field;
-  const double gain = brightness(field.shade({.dual = true, .through = 0.2f, .material = k_black})) /
-                      brightness(field.shade({.through = 0.2f, .material = k_black}));
+  const double gain = brightness(field.shade({.dual = true, .transmittance = 0.2f, .material = k_black})) /
+                      brightness(field.shade({.transmittance = 0.2f, .material = k_black}));
   std::printf("black: %.3f times as bright\n", gain);
   EXPECT_NEAR(gain, 1, 0.1);
 }

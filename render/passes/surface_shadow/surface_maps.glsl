@@ -1,9 +1,9 @@
 // The lights' maps side by side; surface_shadow_gpu.h holds the same fields. Before this: MAPS_BINDING.
 #include "render/lights.glsl"
 layout(std430, set = 0, binding = MAPS_BINDING) readonly buffer Maps {
-  mat4 world_to_map[k_most_lights];
-  vec4 map_sight[k_most_lights];  // xyz + w * point: away from the light, of any length
-  float map_bias[k_most_lights];  // of depth at distance 1
+  mat4 world_to_map[k_max_lights];
+  vec4 map_sight[k_max_lights];  // xyz + w * point: away from the light, of any length
+  float map_bias[k_max_lights];  // of depth at distance 1
   vec2 map_texture_size;
   uint map_resolution, map_columns;
 };

@@ -23,7 +23,7 @@ namespace cuticle::render::surface_shadow {
 
 namespace {
 
-constexpr int k_most_columns = 4;
+constexpr int k_max_columns = 4;
 constexpr double k_margin = 2;  // texels between what casts and the border of a map
 
 /// As the shaders read them.
@@ -52,7 +52,7 @@ struct Settings {
   double bias;          ///< metres
   float strand_filter;  ///< texels
   double hair_share;
-  int columns() const { return std::min(lights, k_most_columns); }
+  int columns() const { return std::min(lights, k_max_columns); }
   glm::ivec2 texture_size() const { return resolution * glm::ivec2(columns(), (lights + columns() - 1) / columns()); }
 };
 

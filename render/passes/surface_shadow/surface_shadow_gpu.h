@@ -9,9 +9,9 @@ namespace cuticle::render::surface_shadow {
 
 /// As surface_maps.glsl has it.
 struct MapsFrame {
-  std::array<glm::mat4, k_most_lights> world_to_map;  ///< x, y in texels of the texture, z depth 0 .. 1, over w
-  std::array<glm::vec4, k_most_lights> sight;         ///< xyz + w * point: away from the light, of any length
-  std::array<float, k_most_lights> bias;              ///< of depth, over w^2
+  std::array<glm::mat4, k_max_lights> world_to_map;  ///< x, y in texels of the texture, z depth 0 .. 1, over w
+  std::array<glm::vec4, k_max_lights> sight;         ///< xyz + w * point: away from the light, of any length
+  std::array<float, k_max_lights> bias;              ///< of depth, over w^2
   glm::vec2 texture_size;
   std::uint32_t resolution, columns;
 };

@@ -12,9 +12,9 @@ layout(binding = 1) uniform usamplerBuffer entries;  // 1 / depth, first vertex:
 layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
 layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
-const uint k_lanes = 8u, k_most_bins = 512u;
+const uint k_lanes = 8u, k_max_bins = 512u;
 const uint k_insertion = 16u;  // entries that one gap more does not pay for
-shared uint bins[k_most_bins];
+shared uint bins[k_max_bins];
 shared float nearest_of[k_lanes], farthest_of[k_lanes];
 shared uint sum_of[k_lanes], most_of[k_lanes];
 
@@ -123,7 +123,7 @@ void main() {
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);
   if (lane == 0u) depth_ranges[tile] = range;
-  uint bins_of_lane = min(((push.slices > 0u ? push.slices : end - begin) + 7u) / 8u, k_most_bins / k_lanes);
+  uint bins_of_lane = min(((push.slices > 0u ? push.slices : end - begin) + 7u) / 8u, k_max_bins / k_lanes);
   uint count = k_lanes * bins_of_lane;
   used_bins = push.slices > 0u ? push.slices : count;
   nearest = range.x;

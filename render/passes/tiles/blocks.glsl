@@ -1,11 +1,11 @@
 // A workgroup of eight per tile, each invocation a block of 2 x 4 pixels, on which it draws segments in the order of the
 // tile's list. Loops over few are unrolled: the loops of an invocation may make 65,535 turns together on lavapipe, after
-// which it leaves them. The shader that includes this defines set_aside() and take(), and includes exchange_shared.glsl
+// which it leaves them. The shader that includes this defines depth_culled() and take(), and includes exchange_shared.glsl
 // or exchange_records.glsl, and areas.glsl or spans.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tile_lists/tile_of_group.glsl"
-#include "render/passes/tiles/stroke.glsl"
+#include "render/passes/tiles/projected_segment.glsl"
 #include "render/visibility/seen.glsl"
 
 layout(constant_id = 0) const uint k_says_seen = 0u;  // 1: `seen` is wanted
@@ -19,13 +19,13 @@ layout(std430, binding = 7) writeonly buffer SeenSegments { Seen seen[]; };
 
 const float k_opaque = 1.0 / 1024.0;  // what lies behind so little transmittance is left out
 
-// Of the block's pixels: what is let through, the scene's depth, what has been blended.
-float through[k_block], scene[k_block], depth[k_block], most_seen[k_block];
+// Of the block's pixels: what is let transmittance, the scene's depth, what has been blended.
+float transmittance[k_block], scene[k_block], depth[k_block], most_seen[k_block];
 vec3 light[k_block];
 uint seen_vertex[k_block], samples[k_block], looked_at;
 
 // Whether a segment whose 1 / depth in the tile lies between the two is left out of what is being drawn.
-bool set_aside(float least, float most);
+bool depth_culled(float least, float most);
 
 // A segment covers a share of a pixel of the block, in front of the scene.
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth);
@@ -36,12 +36,12 @@ uint vertex_of(uint entry) { return texelFetch(ordered, int(2u * entry + 1u)).r;
 Prepared set_up(uint entry, uint end, vec2 tile_middle) {
   bool used = entry < end;
   uint vertex = vertex_of(min(entry, end - 1u));
-  Stroke own = stroke_from(vertex);
+  ProjectedSegment own = segment_from_vertex(vertex);
   float half_length = own.half_length, len = 2.0 * half_length, reach = 0.7072 * float(k_tile);
   float s = dot(tile_middle, own.axis.xy) + own.axis.w;
   float half_width = own.half_width + own.width_slope * clamp(s, -half_length, half_length);
   vec2 ends = own.inverse_depth + own.depth_slope * clamp(vec2(s - reach, s + reach), -half_length, half_length);
-  used = used && !set_aside(min(ends.x, ends.y), max(ends.x, ends.y));
+  used = used && !depth_culled(min(ends.x, ends.y), max(ends.x, ends.y));
   float per_pixel = len > k_shortest ? 1.0 / len : 0.0;
   return Prepared(own.axis,
                   vec4(half_width + 0.5, used ? min(1.0, 2.0 * half_width) * push.opacity : 0.0, half_length + 0.5,
@@ -61,7 +61,7 @@ void begin_block(uvec2 block) {
   empty_spans();
   [[unroll]] for (int k = 0; k < k_block; ++k) {
     uvec2 at = min(block + in_block(k), push.part - 1u);
-    through[k] = 1.0;
+    transmittance[k] = 1.0;
     depth[k] = most_seen[k] = 0.0;
     scene[k] = scene_depth[at.y * push.part.x + at.x];
     light[k] = vec3(0.0);
@@ -71,7 +71,7 @@ void begin_block(uvec2 block) {
 
 float most_through() {
   float most = 0.0;
-  [[unroll]] for (int k = 0; k < k_block; ++k) most = max(most, through[k]);
+  [[unroll]] for (int k = 0; k < k_block; ++k) most = max(most, transmittance[k]);
   return most;
 }
 
@@ -83,7 +83,7 @@ void end_block(uvec2 block) {
     uvec2 at = block + in_block(k);
     if (at.x < push.part.x && at.y < push.part.y) {
       uint pixel = at.y * push.part.x + at.x;
-      float alpha = 1.0 - through[k];
+      float alpha = 1.0 - transmittance[k];
       picture[pixel] = uvec2(packHalf2x16(light[k].rg), packHalf2x16(vec2(light[k].b, alpha)));
       mean_depth[pixel] = alpha > 0.0 ? depth[k] / alpha : 0.0;
       uint first = seen_vertex[k], last = samples[k] > 0u ? first + 1u : first;

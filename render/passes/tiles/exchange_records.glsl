@@ -6,13 +6,13 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
 #include "render/passes/tiles/prepared.glsl"
-#include "render/passes/tiles/stroke.glsl"
+#include "render/passes/tiles/projected_segment.glsl"
 
 layout(binding = 0) uniform usamplerBuffer records;
 
-Stroke stroke_from(uint vertex) {
+ProjectedSegment segment_from_vertex(uint vertex) {
   int first = int(k_record_texels * vertex);
-  return recorded_stroke(texelFetch(records, first), texelFetch(records, first + 1), texelFetch(records, first + 2));
+  return recorded_segment(texelFetch(records, first), texelFetch(records, first + 1), texelFetch(records, first + 2));
 }
 
 uint own_lane() { return gl_SubgroupInvocationID; }
@@ -25,7 +25,7 @@ shared float values[k_lanes];
 shared uint blocks_of_four[k_lanes];  // of 4 segments of the chunk each: which blocks they may cover, 8 bits for each
 
 // Bit b: the segment may cover pixels of block b of a tile.
-uint covered_blocks(Stroke own, vec2 tile_corner) {
+uint covered_blocks(ProjectedSegment own, vec2 tile_corner) {
   vec2 along = own.axis.xy, block = vec2(block_size()), size = 0.5 * (block - 1.0), start = tile_corner + 0.5 * block;
   vec2 reach = vec2(own.half_width + abs(own.width_slope) * own.half_length, own.half_length) + 0.5;
   reach += vec2(dot(abs(along.yx), size), dot(abs(along), size)) + k_margin;
@@ -45,7 +45,7 @@ uint own_segments(uint first, uint end, vec2 tile_corner) {
   uint lane = own_lane(), told = 0u, own = 0u;
   [[unroll]] for (uint k = 0u; k < k_entries_each; ++k) {
     uint entry = first + k_entries_each * lane + k;
-    uint blocks = covered_blocks(stroke_from(vertex_of(min(entry, end - 1u))), tile_corner);
+    uint blocks = covered_blocks(segment_from_vertex(vertex_of(min(entry, end - 1u))), tile_corner);
     told |= entry < end ? blocks << (8u * k) : 0u;
   }
   blocks_of_four[lane] = told;

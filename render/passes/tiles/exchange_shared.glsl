@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tiles/prepared.glsl"
-#include "render/passes/tiles/stroke_vertices.glsl"
+#include "render/passes/tiles/projected_segment_vertices.glsl"
 
 shared vec4 axis[k_lanes], extent[k_lanes], shade[k_lanes], slope[k_lanes];
 shared uint first_vertex[k_lanes];

@@ -20,7 +20,7 @@ void choose_turn(uint begin, uint end) {
   float lean = 0.0;
   [[unroll]] for (uint k = 0u; k < 4u; ++k) {
     uint entry = begin + 4u * own_lane() + k;
-    Stroke own = stroke_from(vertex_of(min(entry, end - 1u)));
+    ProjectedSegment own = segment_from_vertex(vertex_of(min(entry, end - 1u)));
     float area = own.half_width * min(own.half_length, float(k_tile));
     lean += entry < end ? area * (abs(own.axis.x) - abs(own.axis.y)) : 0.0;
   }

@@ -4,7 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
-#include "render/passes/tiles/stroke_vertices.glsl"
+#include "render/passes/tiles/projected_segment_vertices.glsl"
 
 layout(binding = 2) uniform usamplerBuffer segments;
 layout(std430, binding = 3) writeonly buffer Records { uvec4 records[]; };
@@ -13,7 +13,7 @@ void main() {
   uint segment = invocation();
   if (segment >= push.segment_count) return;
   uint vertex = texelFetch(segments, int(segment)).r;
-  uvec4 record[k_record_texels] = record_of(stroke_from(vertex));
+  uvec4 record[k_record_texels] = record_of(segment_from_vertex(vertex));
   [[unroll]] for (uint texel = 0u; texel < k_record_texels; ++texel)
     records[k_record_texels * vertex + texel] = record[texel];
 }

@@ -23,7 +23,7 @@ uint slice_of(float inverse_depth) {
 
 uint place_of(uint slice, int k) { return (slice * uint(k_block) + uint(k)) * k_lanes + own_lane(); }
 
-bool set_aside(float least, float most) {
+bool depth_culled(float least, float most) {
   return slice_of(most) >= first_slice + k_at_once || slice_of(least) < first_slice;
 }
 
@@ -55,13 +55,13 @@ void blend_slices() {
     [[unroll]] for (int k = 0; k < k_block; ++k) {
       uint place = place_of(slice, k);
       vec4 own = slice_light[place];
-      light[k] += through[k] * own.rgb;
-      depth[k] += through[k] * slice_depth[place];
-      if (k_says_seen != 0u && through[k] * slice_seen[place].x > most_seen[k]) {
-        most_seen[k] = through[k] * slice_seen[place].x;
+      light[k] += transmittance[k] * own.rgb;
+      depth[k] += transmittance[k] * slice_depth[place];
+      if (k_says_seen != 0u && transmittance[k] * slice_seen[place].x > most_seen[k]) {
+        most_seen[k] = transmittance[k] * slice_seen[place].x;
         seen_vertex[k] = floatBitsToUint(slice_seen[place].y);
       }
-      through[k] *= own.w;
+      transmittance[k] *= own.w;
     }
 }
 

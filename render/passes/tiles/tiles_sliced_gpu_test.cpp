@@ -64,11 +64,11 @@ glm::dvec3 blend_of_lists(const Drawing& drawing, double x) {
   std::vector<std::vector<std::size_t>> lists(std::size_t(drawing.slices));
   for (std::size_t k : order) lists[std::size_t(slice_of(inverse_depth(k, x)))].push_back(k);
   glm::dvec3 light(0);
-  double through = 1;
+  double transmittance = 1;
   for (const auto& list : lists)
     for (std::size_t k : list) {
-      light += through * drawing.opacity * glm::dvec3(drawing.colors[2 * k]);
-      through *= 1 - drawing.opacity;
+      light += transmittance * drawing.opacity * glm::dvec3(drawing.colors[2 * k]);
+      transmittance *= 1 - drawing.opacity;
     }
   return light;
 }

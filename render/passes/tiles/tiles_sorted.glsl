@@ -1,12 +1,12 @@
 // Fine rasteriser: blends each tile's segments from near to far, as they were sorted, with pixels in registers.
 
-bool set_aside(float least, float most) { return false; }
+bool depth_culled(float least, float most) { return false; }
 
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
-  float weight = seen_share(through[k], covered);
+  float weight = seen_share(transmittance[k], covered);
   light[k] += weight * color;
   depth[k] += weight * inverse_depth;
-  through[k] -= weight;
+  transmittance[k] -= weight;
   if (k_says_seen != 0u) {
     samples[k] += weight > 0.0 ? 1u : 0u;
     seen_vertex[k] = weight > most_seen[k] ? vertex : seen_vertex[k];

@@ -34,14 +34,14 @@ class ZipError {
 };
 
 // Deflate shrinks by 1032 at most: what claims more is no true size, and must not be allocated.
-constexpr std::uint64_t k_most_shrinking = 1032, k_least_bytes = 64;
+constexpr std::uint64_t k_max_shrinking = 1032, k_least_bytes = 64;
 constexpr std::uint64_t k_at_once = std::uint64_t(1) << 28;  // inflating counts in 32 bits
 
 Result<Member> read_member(zip_t* archive, std::uint64_t index, std::uint64_t archive_bytes, const std::string& where) {
   zip_stat_t stat;
   if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) || !(stat.valid & ZIP_STAT_NAME))
     return bad_input(fmt::format("{}: member {}: {}", where, index, zip_strerror(archive)));
-  if (stat.size > k_most_shrinking * archive_bytes + k_least_bytes)
+  if (stat.size > k_max_shrinking * archive_bytes + k_least_bytes)
     return bad_input(
         fmt::format("{}: member {} claims {} bytes, more than the file can hold", where, stat.name, stat.size));
   CUTICLE_TRY(require_memory(fmt::format("{}: member {}", where, stat.name), {stat.size}));
@@ -93,7 +93,7 @@ Result<std::vector<Member>> read_archive(std::span<const std::byte> bytes, const
   for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
     CUTICLE_ASSIGN(Member member, read_member(archive.get(), zip_uint64_t(i), bytes.size(), where));
     total += member.bytes.size();
-    if (total > k_most_shrinking * bytes.size() + k_least_bytes)
+    if (total > k_max_shrinking * bytes.size() + k_least_bytes)
       return bad_input(fmt::format("{}: members claim {} bytes, more than the file can hold", where, total));
     CUTICLE_TRY(require_memory(fmt::format("{}: what its members hold", where), {total}));
     members.push_back(std::move(member));

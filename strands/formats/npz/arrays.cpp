@@ -14,7 +14,7 @@ namespace cuticle::strands::npz {
 namespace {
 
 constexpr std::string_view k_magic = "\x93NUMPY";
-constexpr std::size_t k_most_axes = 8;
+constexpr std::size_t k_max_axes = 8;
 
 /// The text after `key` in the header's dictionary, past its colon; empty where there is none.
 std::string_view value_of(std::string_view header, std::string_view key) {
@@ -88,7 +88,7 @@ class Parser {
       if (word.empty()) continue;
       const std::optional<double> extent = to_number(word);
       if (!extent || !(*extent >= 0 && *extent < 1e15) || *extent != std::floor(*extent) ||
-          header_.shape.size() == k_most_axes)
+          header_.shape.size() == k_max_axes)
         return error("shape", fmt::format("'{}'", word.substr(0, 40)));
       header_.shape.push_back(std::uint64_t(*extent));
     }

@@ -48,7 +48,7 @@ Result<double> read_number(std::string_view& line, std::string_view what, double
 /// How many per guide hair, how far from it, and how much farther at the tip.
 Result<FollowHairs> read_follow_hairs(std::string_view line, const std::string& where, int number) {
   FollowHairs hairs;
-  CUTICLE_ASSIGN(const double count, read_number(line, "follow hairs", 0, double(k_most_follow_hairs), where, number));
+  CUTICLE_ASSIGN(const double count, read_number(line, "follow hairs", 0, double(k_max_follow_hairs), where, number));
   CUTICLE_ASSIGN(hairs.reach, read_number(line, "follow hairs' radius", 0, 1e6, where, number));
   CUTICLE_ASSIGN(hairs.tip_separation, read_number(line, "tip separation", -1, 1e3, where, number));
   hairs.per_guide = std::size_t(count);

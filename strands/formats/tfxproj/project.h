@@ -17,7 +17,7 @@ struct ProjectParts {
 
 /// Parses a project's text; settings of the simulation, spheres and the mesh are skipped. Error: bad_input naming the
 /// line: no version 1 <= version < 5, a part outside the project's folder, a part named twice, follow hairs past their
-/// range (k_most_follow_hairs; a reach of 0 .. 1e6, a tip separation of -1 .. 1e3), or no part at all.
+/// range (k_max_follow_hairs; a reach of 0 .. 1e6, a tip separation of -1 .. 1e3), or no part at all.
 Result<ProjectParts> parse_project(std::string_view text, const std::string& where);
 
 /// All parts of a project as one groom, in file units, in the order of the file; notes say what each part holds. Root

@@ -19,7 +19,7 @@ namespace cuticle::strands::vtp {
 
 namespace {
 
-constexpr std::uint64_t k_most_shrinking = 1032;  // of deflate: what claims more is no true size
+constexpr std::uint64_t k_max_shrinking = 1032;  // of deflate: what claims more is no true size
 constexpr std::uint64_t k_huge = std::uint64_t(1) << 56;
 
 int base64_digit(char c) {
@@ -121,7 +121,7 @@ std::optional<Stored> take_blocks(Source& source, std::size_t width) {
     sum += size;
     const bool is_last = stored.unfolded.size() + 1 == stored.packed.size();
     stored.unfolded.push_back(is_last && counts[2] > 0 ? counts[2] : counts[1]);
-    if (stored.unfolded.back() > k_most_shrinking * (size + 1)) return {};
+    if (stored.unfolded.back() > k_max_shrinking * (size + 1)) return {};
   }
   auto data = source.take(sum);
   if (!data) return {};

@@ -11,6 +11,6 @@ float past_surfaces(uint light, uint vertex) {
   return k_dual == 0u || k_surfaces == 0u ? 1.0 : visibility[light * vertex_count + vertex];
 }
 
-vec3 scattered_often(Arriving arriving, vec3 through, float past, vec3 t, vec3 to_eye) {
-  return dual_scattering(angles_of(arriving.to_light, t, to_eye), through, past) * arriving.irradiance;
+vec3 multiple_scattering(Arriving arriving, vec3 transmittance, float past, vec3 t, vec3 to_eye) {
+  return dual_scattering(angles_of(arriving.to_light, t, to_eye), transmittance, past) * arriving.irradiance;
 }

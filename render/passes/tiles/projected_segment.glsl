@@ -5,34 +5,34 @@
 
 // The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Widths and 1 / depth are at its middle,
 // and change per pixel; colours are at its ends.
-struct Stroke {
+struct ProjectedSegment {
   vec4 axis;
   float half_length, half_width, width_slope, inverse_depth, depth_slope;
   vec3 first, last;
 };
 
 // The segment that begins with a vertex; `first` and `last` are the colours of its vertices.
-Stroke projected_stroke(vec4 a, vec4 b, vec3 first, vec3 last) {
+ProjectedSegment projected_segment(vec4 a, vec4 b, vec3 first, vec3 last) {
   Projected p;
   project(a, b, p);
-  return Stroke(vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle)),
+  return ProjectedSegment(vec4(p.direction, p.direction.y * p.middle.x - p.direction.x * p.middle.y, -dot(p.direction, p.middle)),
                 p.half_length, p.half_width, p.width_slope, p.inverse_depth, p.depth_slope,
                 mix(first, last, p.shares.x), mix(first, last, p.shares.y));
 }
 
 // As three texels of a buffer; colours as halves, which they are at vertices.
 const uint k_record_texels = 3u;
-uvec4[k_record_texels] record_of(Stroke own) {
+uvec4[k_record_texels] record_of(ProjectedSegment own) {
   return uvec4[k_record_texels](
       floatBitsToUint(own.axis),
       floatBitsToUint(vec4(own.half_length, own.half_width, own.width_slope, own.inverse_depth)),
       uvec4(floatBitsToUint(own.depth_slope), packHalf2x16(own.first.rg), packHalf2x16(vec2(own.first.b, own.last.r)),
             packHalf2x16(own.last.gb)));
 }
-Stroke recorded_stroke(uvec4 a, uvec4 b, uvec4 c) {
+ProjectedSegment recorded_segment(uvec4 a, uvec4 b, uvec4 c) {
   vec4 sizes = uintBitsToFloat(b);
   vec2 middle = unpackHalf2x16(c.z);
-  return Stroke(uintBitsToFloat(a), sizes.x, sizes.y, sizes.z, sizes.w, uintBitsToFloat(c.x),
+  return ProjectedSegment(uintBitsToFloat(a), sizes.x, sizes.y, sizes.z, sizes.w, uintBitsToFloat(c.x),
                 vec3(unpackHalf2x16(c.y), middle.x), vec3(middle.y, unpackHalf2x16(c.w)));
 }
 #endif
