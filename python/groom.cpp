@@ -8,6 +8,7 @@
 
 #include "strands/check/groom_check.h"
 #include "strands/formats/formats.h"
+#include "strands/gltf/strands_glb.h"
 
 #include "python/arrays.h"
 
@@ -67,7 +68,8 @@ GroomFile from_arrays(const Floats& points, const Indices& counts, const Floats&
 std::vector<std::string> write(const GroomFile& file, const std::string& path, double metres_per_unit) {
   auto written = [&] {
     nb::gil_scoped_release released;
-    return strands::write_groom(path, file.groom, metres_per_unit);
+    return path.ends_with(".glb") ? strands::write_strands_glb(path, file.groom, metres_per_unit)
+                                  : strands::write_groom(path, file.groom, metres_per_unit);
   }();
   return value_or_raise(std::move(written));
 }

@@ -77,7 +77,7 @@ def load_groom(path_of_file, metres_per_unit=0.0, radius=0.0, repair=False) -> G
 
 
 def write(groom: Groom, path_of_file, metres_per_unit=1.0) -> list:
-    """Writes a groom by the file's ending; gives what the format cannot hold, one sentence each."""
+    """Writes a groom by the file's ending (those of `formats`, or .glb); gives what the format cannot hold, one sentence each."""
     return groom._write(path(path_of_file), metres_per_unit)
 
 

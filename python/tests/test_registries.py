@@ -76,7 +76,13 @@ def test_Formats_OfTheProgramsHelp_AreHere():
     help_text = subprocess.run([PROGRAM, "convert", "--help"], capture_output=True, text=True, check=True).stdout
     endings = {ending for entry in cuticle.formats() for ending in entry["extensions"] + entry["read_only"]}
     named = {word.strip(".,:;()") for word in help_text.split() if word.startswith(".") and word.strip(".,:;()").isalnum()}
-    assert named - endings <= {"usd", "usdc", "usdz", "abc"} and endings & named
+    assert named - endings <= {"usd", "usdc", "usdz", "abc", "glb"} and endings & named
+
+
+def test_Write_Glb_IsBinaryGltf(tmp_path):
+    """Which is written alone, and stands beside the formats."""
+    cuticle.write(STRANDS, tmp_path / "strands.glb")
+    assert (tmp_path / "strands.glb").read_bytes()[:4] == b"glTF"
 
 
 def test_Layouts_EachOfThem_IsTakenByBake():
@@ -91,7 +97,8 @@ REACHED = {"absorption": ["absorption_of_fibre", "absorption_of_assembly", "abso
            "effects": ["effects", "solvers"], "eval": ["eval", "Batch", "sample", "gradients"], "fit": ["fit"], "gallery": ["render"], "grow": ["grow", "shape"],
            "info": ["load_groom", "check_groom"], "methods": ["methods"], "models": ["models"], "passes": ["passes"], "plan": ["plan"], "play": ["Renderer"],
            "render": ["render", "Renderer"], "shadows": ["shadows.transmittance", "shadows.truth"], "simulate": ["simulate"], "study": ["study", "studies"],
-           "sweep": ["sweep"], "view": []}  # views: below
+           "sweep": ["sweep"], "view": [],  # views: below
+           "viewer": ["bake", "write"]}  # what its page holds; the page itself is the program's alone
 
 
 def subcommands(*words):
