@@ -75,6 +75,8 @@ left.axhline(1, color="black", linestyle=":")
 left.set(title="mean brightness over the reference's")
 right.bar(list(matching), list(matching.values()), color="#ed9921")
 right.set(title="correlation with the reference", ylim=(0, 1))
+for axes in (left, right):
+    axes.set_xticks(range(len(mean)), [way.replace(", ", ",\n") for way in mean])
 figure.savefig(figures / "against_reference.png", dpi=130)
 
 # %% [markdown]
