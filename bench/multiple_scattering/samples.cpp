@@ -50,7 +50,8 @@ std::vector<float> at_vertices(const TracedScene& traced, const scene::Block& sh
       strand_of.push_back(s);
       vertices.push_back(v);
     }
-  const shadows::Receivers receivers{.points = hair.positions, .strands = strand_of, .vertices = vertices};
+  const shadows::Receivers receivers{
+      .points = hair.positions, .strands = strand_of, .vertices = vertices, .seen_from = traced.camera.position};
   const shadows::Casters casters{.groom = &hair, .alpha = 1, .to_light = traced.lights[0].to_light};
   return must(must(shadows::find_method(shadow.name))->evaluate(casters, receivers, shadow.values)).values;
 }
