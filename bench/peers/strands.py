@@ -1,6 +1,6 @@
 """Strands that fall and strands that bend, by Cuticle's solvers and by two Python packages, one thread each.
 
-  python -m venv peers; peers/bin/pip install -r bench/peers/requirements.txt
+  python -m venv peers; peers/bin/pip install -r bench/peers/requirements_strands.txt
   OMP_NUM_THREADS=1 PYTHONPATH=build/release/python peers/bin/python bench/peers/strands.py [--only swing,cantilever] [--strands 1000]
 
 swing: strands of 32 links and 30 cm, let go level, one second of 60 frames. pyPBD (PositionBasedDynamics) has distance constraints of XPBD there;
