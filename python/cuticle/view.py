@@ -109,6 +109,7 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
         plotter.add_mesh(pyvista.Line((0, 0, 0), (1.25 * numpy.cos(angle), 0, 1.25 * numpy.sin(angle))), color=(0.85, 0.65, 0.05),
                          line_width=4)
         plotter.add_text(f"{name}: S, light from theta_i = {theta_i_deg:g} deg", font_size=10)
+        plotter.add_legend(bcolor=None, face="rectangle", size=(0.16, 0.16))
         plotter.camera_position = [(2.4, -4.6, 2.0), (0, 0, 0), (0, 0, 1)]
     if len(names) > 1:
         plotter.link_views()
@@ -219,7 +220,7 @@ def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2, densi
     reach = None if middle is None else max(float(numpy.abs(lines[color] - middle).max()), 1e-6)
     plotter.add_mesh(lines, scalars=color, line_width=line_width, cmap="viridis" if middle is None else "coolwarm",
                      clim=None if middle is None else (middle - reach, middle + reach), lighting=False,
-                     scalar_bar_args={"title": _TITLES.get(color, color)})
+                     scalar_bar_args={"title": _TITLES.get(color, color) + "\n"})
     if files[frame].suffix == ".vtp":
         _surroundings(pyvista, plotter, files[frame], density, _cuticle.load_groom(str(files[frame]), 1.0, 0.0, False))
     plotter.add_text(files[frame].name, font_size=10)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <vtkCamera.h>
@@ -132,9 +133,10 @@ Result<void> ShadowPicture::update_curves() {
   PlotContent plot{"optical depth -ln T along the marked ray",
                    {"distance from where the ray enters the hair [mm]"},
                    {"optical depth"}};
-  const glm::dvec3 colors[] = {{0, 0, 0}, {.16, .42, .68}, {.80, .40, .10}, {.30, .55, .25}, {.55, .30, .60}};
+  const glm::dvec3 colors[] = {{0, 0, 0},       {.16, .42, .68}, {.80, .40, .10}, {.30, .55, .25},
+                               {.55, .30, .60}, {.75, .10, .15}, {.10, .60, .62}, {.55, .45, .15}};
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    Curve curve{curves[k].method, {}, colors[k % 5], curves[k].method == "truth" ? 3.5 : 2};
+    Curve curve{curves[k].method, {}, colors[k % std::size(colors)], curves[k].method == "truth" ? 3.5 : 2};
     for (const auto& point : curves[k].points) curve.points.emplace_back(1e3 * point[0], point[1]);
     plot.x.upper = std::max(k == 0 ? 1e-6 : plot.x.upper, curve.points.back().x);
     plot.curves.push_back(std::move(curve));
