@@ -10,8 +10,9 @@
 
 namespace cuticle::plan {
 
-/// At most about `seconds`: what was not reached is not in the table. Each time is the least of three frames. `settings`:
-/// of shadow methods, timed as well, as cost_name names them. Error: of the device.
+/// At most about `seconds`: what was not reached is not in the table. Each time is the least of up to three frames;
+/// frames of further scenes tell how far expectations are off. `settings`: of shadow methods, timed as well, as
+/// cost_name names them. Error: of the device.
 Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
                             Progress& progress);
 
