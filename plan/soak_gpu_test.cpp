@@ -33,7 +33,8 @@ scene::Scene scene_with(double wind) {
       R"("simulation": {{"solver": {{"exact": {{}}}}, "effects": {{"gravity": {{}}, "colliders": {{}}, "wind": {{"velocity": [{}, 0, 0]}},
          "strand_interaction": {{}}, "clumping": {{}}}}}})",
       wind);
-  const std::string motion = fmt::format(R"("motion": {{"bvh": "{}", "joint": "Head", "metres_per_unit": 1}})", motion_file());
+  const std::string motion =
+      fmt::format(R"("motion": {{"bvh": "{}", "joint": "Head", "metres_per_unit": 1}})", motion_file());
   return scene_of(
       {k_light, k_shadow, k_tiles, simulation, motion, R"("strand_count": 60)", R"("strand_vertices": 8)",
        R"("colliders": {"head": true, "spheres": [{"center_m": [0, 0, 0], "radius_m": 0.05, "motion": {"keys":
@@ -79,7 +80,9 @@ TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
         ASSERT_TRUE(std::isfinite(place.x + place.y + place.z)) << "frame " << frame;
       for (float value : result.color.pixels) ASSERT_TRUE(std::isfinite(value)) << "frame " << frame;
       ASSERT_EQ(result.state.guards_fired, 0u) << "frame " << frame;
-      if (frame % 16 == 0) ASSERT_LT(longest_stretch(runner, result), 1 + 1e-3) << "frame " << frame;
+      if (frame % 16 == 0) {
+        ASSERT_LT(longest_stretch(runner, result), 1 + 1e-3) << "frame " << frame;
+      }
       if (frame % 60 == 59) {  // a change of the picture's parameters keeps the hair where it is
         scene::Scene next = scene_with(1);
         next.material.lut_size = frame % 120 == 59 ? 16 : 32;
