@@ -33,7 +33,7 @@ Result<plan::Plan> run_planned_frame(const scene::Scene& scene, int frame, Conte
   // The frame before is drawn as well, so that this one may keep what did not change.
   plan::FrameResult result;
   for (int k = std::max(0, frame - 1); k <= frame; ++k) {
-    CUTICLE_ASSIGN(result, runner->run(k));
+    CUTICLE_ASSIGN(result, plan::timed_frame(*runner, *device, k, false));
   }
   for (const gpu::PassCost& pass : result.cost.passes) costs.measured_ms[pass.name] = pass.gpu_ms;
   costs.bytes = runner->memory();
@@ -104,7 +104,7 @@ Result<double> frame_time(const std::shared_ptr<gpu::Device>& device, const scen
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress));
   double least = std::numeric_limits<double>::infinity();
   for (int frame = 0; frame < 3; ++frame) {
-    CUTICLE_ASSIGN(const plan::FrameResult result, runner->run(frame, {.everything = true}));
+    CUTICLE_ASSIGN(const plan::FrameResult result, plan::timed_frame(*runner, *device, frame, true));
     double ms = 0;
     for (const gpu::PassCost& pass : result.cost.passes) ms += pass.gpu_ms;
     if (frame > 0) least = std::min(least, ms);

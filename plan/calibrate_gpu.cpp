@@ -8,8 +8,6 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
-#include "plan/frame_runner_gpu.h"
-
 namespace cuticle::plan {
 
 namespace {
@@ -102,7 +100,7 @@ class Calibration {
     std::map<std::string, double> least;
     const double begin = spent();
     for (int frame = 0; frame < 3 && spent() - begin < k_seconds_of_frames; ++frame) {
-      CUTICLE_ASSIGN(const FrameResult result, runner.run(frame, {.everything = true}));
+      CUTICLE_ASSIGN(const FrameResult result, timed_frame(runner, *device_, frame, true));
       for (const gpu::PassCost& pass : result.cost.passes) {
         const auto [at, is_new] = least.emplace(pass.name, pass.gpu_ms);
         if (!is_new) at->second = std::min(at->second, pass.gpu_ms);
@@ -180,6 +178,15 @@ class Calibration {
 };
 
 }  // namespace
+
+Result<FrameResult> timed_frame(FrameRunner& runner, const gpu::Device& device, int frame, bool everything) {
+  const std::clock_t begin = std::clock();
+  CUTICLE_ASSIGN(FrameResult result, runner.run(frame, {.everything = everything}));
+  if (!device.info().is_software || result.clock_ms <= 0) return result;
+  const double processor_ms = 1000 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+  for (gpu::PassCost& pass : result.cost.passes) pass.gpu_ms *= processor_ms / result.clock_ms;
+  return result;
+}
 
 Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
                             Progress& progress) {
