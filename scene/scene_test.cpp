@@ -169,31 +169,6 @@ TEST(Scene, OtherVersion_IsRefused) {
   EXPECT_THAT(scene.error().message, HasSubstr("schema_version = 2 is newer than 1"));
 }
 
-TEST(Scene, EarlierVersion_IsBroughtUpAndSaysWhatChanged) {
-  const auto scene = parse_scene(R"({"schema_version": 0, "strands": {"count": 321, "vertices": 7}, "name": "old"})",
-                                 "/", "s.json", catalogue());
-  ASSERT_TRUE(scene) << scene.error().message;
-  EXPECT_EQ(scene->strand_count, 321);
-  EXPECT_EQ(scene->strand_vertices, 7);
-  EXPECT_THAT(scene->notes, testing::ElementsAre("the scene is of format 0; it is read as format 1",
-                                                 "'strands.count' is called 'strand_count' now",
-                                                 "'strands.vertices' is called 'strand_vertices' now"));
-  const auto as_now = parse_scene(R"({"schema_version": 1, "strand_count": 321, "strand_vertices": 7, "name": "old"})",
-                                  "/", "s.json", catalogue());
-  EXPECT_EQ(as_now->strand_count, scene->strand_count);
-  EXPECT_TRUE(as_now->notes.empty());
-}
-
-TEST(Scene, KeyOfAnEarlierVersion_IsRefusedInThisOneAndBesideItsNewName) {
-  for (const char* text : {R"({"schema_version": 1, "strands": {"count": 3}})",
-                           R"({"schema_version": 0, "strands": {"count": 3}, "strand_count": 5})",
-                           R"({"schema_version": 0, "strands": {"count": 3, "colour": 5}})",
-                           R"({"schema_version": -1, "strands": {"count": 3}})"}) {
-    const auto scene = parse_scene(text, "/", "s.json", catalogue());
-    ASSERT_FALSE(scene) << text;
-  }
-}
-
 TEST(Scene, CameraKeys_TakeWhatIsAbsentFromTheKeyAbove) {
   const Scene scene = parsed(R"("camera": {"target_m": [0, 1, 0], "keys": [
       {"time_s": 0, "position_m": [0, 1, 2], "fov_deg": 45}, {"time_s": 2, "target_m": [0, 1.5, 0]}]})")
