@@ -41,7 +41,7 @@ struct Arrays {
   OutputSpans out(std::size_t n) { return {std::span(x).first(n), std::span(y).first(n), std::span(z).first(n)}; }
 };
 
-constexpr std::size_t most_points = 4096;
+constexpr std::size_t most_points = 16384;
 
 /// Random directions, as vectors for arrays and as angles for scalar formulas.
 struct Directions {

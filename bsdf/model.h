@@ -95,6 +95,9 @@ struct Model {
   bool (*near_field)(const registry::ParameterValues&) = nullptr;
   /// A physical fibre in this model's parameters, with the mapping in words; null: it has none.
   FibreMapping (*from_fibre)(const Fibre&) = nullptr;
+  /// Names of the parameters that S of one fibre tells, up to a factor: those that a fit to measurements leaves free. A
+  /// colour that multiplies all of S is none: the factor holds it.
+  std::span<const std::string_view> measurable = {};
   std::span<const Exception> exceptions = {};
   /// Loop rounds that one point's kernel may take; null: far below 65,536, where Mesa's software Vulkan ends the loops
   /// of an invocation without a word.

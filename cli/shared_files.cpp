@@ -89,6 +89,12 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
   return run_program(all);
 }
 
+int run_script(const std::string& file, const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {python_program(), "-I", file};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return run_program(all);
+}
+
 int run_self(const std::vector<std::string>& arguments, bool needs_display) {
   std::vector<std::string> all;
   if (needs_display && !std::getenv("DISPLAY")) all = {"xvfb-run", "-a"};

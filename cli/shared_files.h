@@ -14,6 +14,9 @@ std::string share_file(const std::string& name);
 /// among the arguments must be absolute. Its exit code; 127 where Python cannot be started.
 int run_python(const std::string& module, const std::vector<std::string>& arguments);
 
+/// Runs a Python file in isolated mode, in the root of the file system. Exit codes: as run_python.
+int run_script(const std::string& file, const std::vector<std::string>& arguments);
+
 /// Runs this program with other arguments, its stdout dropped, in the root of the file system: paths must be absolute.
 /// `needs_display`: under xvfb-run where there is no display. Its exit code; 127 where it cannot be started.
 int run_self(const std::vector<std::string>& arguments, bool needs_display = false);

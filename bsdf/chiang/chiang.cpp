@@ -13,6 +13,7 @@ namespace cuticle::bsdf::chiang {
 namespace {
 
 constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
+constexpr std::array<std::string_view, 4> measurable = {"sigma_a", "beta_m", "beta_n", "alpha"};
 constexpr std::array<std::string_view, 2> fields = {"near", "far"};
 
 constexpr std::array<registry::StudyCase, 5> tiers = {{
@@ -67,6 +68,7 @@ Model table() {
       .presets = pigment_presets,
       .near_field = near_field,
       .from_fibre = from_fibre,
+      .measurable = measurable,
       .exceptions = exceptions};
 }
 

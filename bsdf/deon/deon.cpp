@@ -12,6 +12,7 @@ namespace cuticle::bsdf::deon {
 namespace {
 
 constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
+constexpr std::array<std::string_view, 4> measurable = {"sigma_a", "beta_m", "beta_n", "alpha"};
 constexpr std::array<std::string_view, 2> r_lobes = {"separable", "non_separable"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "theta_d"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
@@ -89,6 +90,7 @@ Model table() {
           .conventions = conventions_of_shift("far", "standard deviation in theta_i and in phi"),
           .presets = pigment_presets,
           .from_fibre = from_fibre,
+          .measurable = measurable,
           .exceptions = exceptions};
 }
 

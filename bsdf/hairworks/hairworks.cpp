@@ -13,6 +13,8 @@ namespace cuticle::bsdf::hairworks {
 namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
+constexpr std::array<std::string_view, 5> measurable = {"specular_color", "exponent", "secondary_scale",
+                                                        "secondary_width", "secondary_shift"};
 constexpr std::array<std::string_view, 2> system_rows = {"H13", "H14"};
 using std::numbers::pi;
 
@@ -118,6 +120,7 @@ Model table() {
            .absorption = "none: colours instead"},
       .presets = presets,
       .from_fibre = from_fibre,
+      .measurable = measurable,
       .exceptions = exceptions};
 }
 

@@ -12,6 +12,7 @@ namespace cuticle::bsdf::huang {
 namespace {
 
 constexpr std::array<std::string_view, 4> lobe_names = {"R", "TT", "TRT", "residual"};
+constexpr std::array<std::string_view, 3> measurable = {"sigma_a", "roughness", "tilt"};
 constexpr std::array<std::string_view, 2> fields = {"far", "near"};
 constexpr std::array<std::string_view, 2> facets = {"multiple", "single"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
@@ -71,8 +72,9 @@ Huang<double> prepare(const Parameters& p) {
 /// sqrt(2) alpha.
 FibreMapping map_fibre(const Fibre& fibre) {
   const double roughness = std::clamp(fibre.longitudinal_deviation / std::sqrt(2.0), 1e-3, 1.0);
-  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},roughness={:.15g},tilt={:.15g},aspect={:.15g}", fibre.eta, fibre.sigma_a.x,
-                      fibre.sigma_a.y, fibre.sigma_a.z, roughness, fibre.scale_tilt, std::max(fibre.aspect, 0.2)),
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},roughness={:.15g},tilt={:.15g},aspect={:.15g}",
+                      fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, roughness, fibre.scale_tilt,
+                      std::max(fibre.aspect, 0.2)),
           fmt::format(
               "roughness {:.4g} is the longitudinal deviation over sqrt 2, that of R from Gaussian slopes of this "
               "alpha; the same "
@@ -107,6 +109,7 @@ Model table() {
       .presets = pigment_presets,
       .near_field = is_near,
       .from_fibre = map_fibre,
+      .measurable = measurable,
       .loop_rounds = loop_rounds};
 }
 

@@ -13,6 +13,7 @@ namespace cuticle::bsdf::kajiya_kay {
 namespace {
 
 constexpr std::array<std::string_view, 2> lobe_names = {"diffuse", "specular"};
+constexpr std::array<std::string_view, 2> measurable = {"specular", "exponent"};
 using std::numbers::pi;
 
 struct Parameters {
@@ -72,6 +73,7 @@ Model table() {
                           .absorption = "none: colours instead"},
           .presets = presets,
           .from_fibre = from_fibre,
+          .measurable = measurable,
           .exceptions = exceptions};
 }
 

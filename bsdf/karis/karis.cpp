@@ -12,6 +12,7 @@ namespace cuticle::bsdf::karis {
 namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
+constexpr std::array<std::string_view, 3> measurable = {"color", "roughness", "shift"};
 
 struct Parameters {
   glm::dvec3 color{0.449328964117222};
@@ -71,6 +72,7 @@ Model table() {
                           .absorption = "color = exp(-4 sigma_a), sigma_a per fibre radius"},
           .presets = presets,
           .from_fibre = from_fibre,
+          .measurable = measurable,
           .exceptions = exceptions};
 }
 

@@ -13,6 +13,7 @@ namespace cuticle::bsdf::marschner {
 namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
+constexpr std::array<std::string_view, 3> measurable = {"sigma_a", "beta", "alpha"};
 constexpr std::array<std::string_view, 2> variants = {"corrected", "literal"};
 constexpr std::array<std::string_view, 2> caustics = {"exact", "smoothed"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_d", "theta_o"};
@@ -133,6 +134,7 @@ Model table() {
           .conventions = conventions_of_shift("far", "standard deviation in theta_i"),
           .presets = pigment_presets,
           .from_fibre = from_fibre,
+          .measurable = measurable,
           .exceptions = exceptions,
           .azimuthal_means = azimuthal_means,
           .caustic_index = caustic_index};

@@ -19,6 +19,7 @@ struct Setting {
   const char* settings;
   double theta_o;
   int lobe;
+  double phi_o = 0;
 };
 
 /// The density at many azimuths of one theta_i.
@@ -88,6 +89,7 @@ std::vector<Sample> draw(const Setting& s, int count, Precision precision) {
   std::vector<SampleQuery> queries(static_cast<std::size_t>(count));
   for (SampleQuery& query : queries) {
     query.theta_o = s.theta_o;
+    query.phi_o = s.phi_o;
     for (double& u : query.u) u = double(random()) / 4294967296.0;
   }
   std::vector<Sample> out(queries.size());
@@ -153,7 +155,7 @@ Weights weights_of(const Setting& s, Precision precision) {
   return {mean, std::sqrt(squares / double(drawn.size()) - mean * mean)};
 }
 double albedo_of(const Setting& s) {
-  const Point point{.theta_o = s.theta_o};
+  const Point point{.theta_o = s.theta_o, .phi_o = s.phi_o};
   std::vector<glm::dvec3> out(1);
   model().evaluate_f64(*parse_settings(model(), "", s.settings), {Quantity::albedo, -1, {&point, 1}}, out);
   return out[0].x;
@@ -162,16 +164,17 @@ double albedo_of(const Setting& s) {
 struct Estimate {
   const char* settings;
   double theta_o, most_deviation;  ///< of a weight, relative to the mean
+  double phi_o = 0;
 };
 class MarschnerWeights : public testing::TestWithParam<Estimate> {};
 INSTANTIATE_TEST_SUITE_P(
     Settings, MarschnerWeights,
     testing::Values(Estimate{"", 0.3, 0.6}, Estimate{"beta=0.02", -0.7, 0.85}, Estimate{"sigma_a=5,eta=1.4", 1.2, 1.2},
                     Estimate{"beta=1,alpha=0.17", 0.2, 0.35}, Estimate{"caustic=smoothed", 0.3, 0.65},
-                    Estimate{"aspect=0.85", 0.3, 0.95}, Estimate{"caustic=smoothed,aspect=0.9", 0.3, 0.65},
+                    Estimate{"aspect=0.85", 0.3, 0.95, pi / 2}, Estimate{"caustic=smoothed,aspect=0.9", 0.3, 0.65},
                     Estimate{"attenuation_angle=theta_o", -0.7, 0.6}, Estimate{"variant=literal", 0.3, 1.8}));
 TEST_P(MarschnerWeights, Mean_IsTheAlbedo) {
-  const Setting s{GetParam().settings, GetParam().theta_o, -1};
+  const Setting s{GetParam().settings, GetParam().theta_o, -1, GetParam().phi_o};
   for (Precision precision : {Precision::f64, Precision::f32}) {
     const Weights weights = weights_of(s, precision);
     const double albedo = albedo_of(s);

@@ -13,6 +13,8 @@ namespace cuticle::bsdf::scheuermann {
 namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"diffuse", "primary", "secondary"};
+constexpr std::array<std::string_view, 6> measurable = {"primary",   "primary_exponent",   "primary_shift",
+                                                        "secondary", "secondary_exponent", "secondary_shift"};
 constexpr std::array<std::string_view, 3> system_rows = {"A4", "A5", "A6"};
 using std::numbers::pi;
 
@@ -94,6 +96,7 @@ Model table() {
                       .absorption = "none: colours instead"},
       .presets = presets,
       .from_fibre = from_fibre,
+      .measurable = measurable,
       .exceptions = exceptions};
 }
 

@@ -14,6 +14,8 @@ namespace cuticle::bsdf::yan_fur {
 namespace {
 
 constexpr std::array<std::string_view, 6> lobe_names = {"R", "TT", "TRT", "TTs", "TRTs", "residual"};
+constexpr std::array<std::string_view, 7> measurable = {"sigma_a", "beta_m",   "beta_n", "alpha",
+                                                        "kappa",   "sigma_ms", "layers"};
 constexpr std::array<std::string_view, 2> fields = {"far", "near"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_o", "theta_d"};
 constexpr std::array<std::string_view, 1> system_rows = {"G7"};
@@ -121,14 +123,14 @@ bool is_near(const registry::ParameterValues& values) {
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
-  return {
-      fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/{:.15g},kappa={:.15g},sigma_ms={:.15g},sigma_ma={:.15g},g={:.15g},layers=1,"
-                  "beta_m={:.15g},beta_n={:.15g},alpha={:.15g}",
-                  fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, std::min(fibre.medulla_ratio, 0.99),
-                  fibre.medulla_scattering, fibre.medulla_absorption,
-                  std::clamp(fibre.medulla_anisotropy, -largest_anisotropy, largest_anisotropy),
-                  fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
-      "deviations, tilt and medulla as they are, with one layer of cuticle; the cross-section is a circle"};
+  return {fmt::format("eta={:.15g},sigma_a={:.15g}/{:.15g}/"
+                      "{:.15g},kappa={:.15g},sigma_ms={:.15g},sigma_ma={:.15g},g={:.15g},layers=1,"
+                      "beta_m={:.15g},beta_n={:.15g},alpha={:.15g}",
+                      fibre.eta, fibre.sigma_a.x, fibre.sigma_a.y, fibre.sigma_a.z, std::min(fibre.medulla_ratio, 0.99),
+                      fibre.medulla_scattering, fibre.medulla_absorption,
+                      std::clamp(fibre.medulla_anisotropy, -largest_anisotropy, largest_anisotropy),
+                      fibre.longitudinal_deviation, fibre.azimuthal_deviation, -fibre.scale_tilt),
+          "deviations, tilt and medulla as they are, with one layer of cuticle; the cross-section is a circle"};
 }
 
 Model table() {
@@ -144,6 +146,7 @@ Model table() {
           .presets = pigment_presets,
           .near_field = is_near,
           .from_fibre = from_fibre,
+          .measurable = measurable,
           .exceptions = exceptions};
 }
 

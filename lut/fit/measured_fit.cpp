@@ -18,26 +18,6 @@ namespace {
 constexpr std::size_t k_slow = 120;  ///< directions at most that models are fitted to by differences
 constexpr std::size_t k_few = 60;    ///< directions that choose among the starts
 
-/// A factor that S is known up to and a colour that multiplies all of S are one: such a colour stays.
-struct Measurable {
-  std::string_view model;
-  std::vector<std::string> names;
-};
-const std::vector<Measurable>& measurable() {
-  static const std::vector<Measurable> all = {
-      {"chiang", {"sigma_a", "beta_m", "beta_n", "alpha"}},
-      {"deon", {"sigma_a", "beta_m", "beta_n", "alpha"}},
-      {"hairworks", {"specular_color", "exponent", "secondary_scale", "secondary_width", "secondary_shift"}},
-      {"huang", {"sigma_a", "roughness", "tilt"}},
-      {"kajiya_kay", {"specular", "exponent"}},
-      {"karis", {"color", "roughness", "shift"}},
-      {"marschner", {"sigma_a", "beta", "alpha"}},
-      {"scheuermann",
-       {"primary", "primary_exponent", "primary_shift", "secondary", "secondary_exponent", "secondary_shift"}},
-      {"yan_fur", {"sigma_a", "beta_m", "beta_n", "alpha", "kappa", "sigma_ms", "layers"}}};
-  return all;
-}
-
 /// Whether the model's values, twice a parameter, cost less than its derivatives, or it has none: chiang's far field is
 /// an adaptive integral, which vectors of derivatives make longer.
 bool by_differences(const bsdf::Model& model) {
@@ -169,16 +149,11 @@ LobeZone zone_of(const bsdf::MeasuredDirection& direction) {
   return direction.theta_i + direction.theta_o < 0 ? LobeZone::r : LobeZone::trt;
 }
 
-std::vector<std::string> measurable_parameters(const bsdf::Model& model) {
-  for (const Measurable& known : measurable())
-    if (known.model == model.entry.name) return known.names;
-  return {};
-}
-
 Result<MeasuredModel> fit_measured(const MeasuredFitRequest& request, const bsdf::MeasuredFibre& fibre) {
   if (fibre.directions.size() < 8)
     return bad_input(fmt::format("{} measured directions; a fit that is judged needs 8", fibre.directions.size()));
-  const std::vector<std::string> free = request.free.empty() ? measurable_parameters(*request.model) : request.free;
+  std::vector<std::string> free = request.free;
+  if (free.empty()) free.assign(request.model->measurable.begin(), request.model->measurable.end());
   if (free.empty())
     return usage_error(fmt::format("{}: no parameters are known to be measurable", request.model->entry.name),
                        "name them with --free");

@@ -16,12 +16,9 @@ inline bool fits(std::size_t direction) { return direction % 2 == 0; }
 enum class LobeZone { r, tt, trt };
 LobeZone zone_of(const bsdf::MeasuredDirection& direction);
 
-/// The parameters that S of one fibre tells of this model, up to a factor. Empty: of a model that is not known here.
-std::vector<std::string> measurable_parameters(const bsdf::Model& model);
-
 struct MeasuredFitRequest {
   const bsdf::Model* model = nullptr;
-  std::vector<std::string> free = {};  ///< empty: measurable_parameters
+  std::vector<std::string> free = {};  ///< empty: those that the model calls measurable
   std::string preset = {},
               settings = {};  ///< fixed values, and where the search begins; empty: it begins at several fibres
   Loss loss = Loss::squares;

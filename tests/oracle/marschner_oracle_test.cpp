@@ -1,4 +1,5 @@
 // The azimuthal term and the energy of marschner against rays walked through a dielectric cylinder.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 
 #include "bsdf/model.h"
 #include "study/oracle/dielectric_cylinder.h"
+#include "study/oracle/rough_fibre.h"
 
 namespace cuticle::marschner_oracle_test {
 namespace {
@@ -123,6 +125,39 @@ TEST_P(MarschnerOracle, Attenuation_IsThatOfTheRay) {
       const double value = evaluate(c, bsdf::Quantity::A, lobe, {{.theta_d = c.theta_d_deg * degree, .h = h}})[0].x;
       EXPECT_NEAR(value, truth, 1e-13) << lobe << " " << h;
     }
+}
+
+/// Degrees from the way back to where TRT is brightest, by walks through a smooth ellipse, in bins of two degrees.
+double walked_glint(double aspect, double phi_o) {
+  study::oracle::RoughFibre fibre;
+  fibre.sigma_a = glm::dvec3(0.1);
+  fibre.surface.roughness = 0;
+  fibre.aspect = aspect;
+  const auto orders = study::oracle::scattering_of(fibre, {0, phi_o, {}}, {1, 180}, 3, 100000, 5);
+  const auto& bins = orders[2].density;
+  const auto brighter = [](const auto& a, const auto& b) { return a.mean.x < b.mean.x; };
+  return double(std::max_element(bins.begin() + 90, bins.end(), brighter) - bins.begin() - 90) * 2 + 1;
+}
+
+/// The same of marschner, whose largest value stands at its caustic.
+double glint(double aspect, double phi_o) {
+  const bsdf::Model* model = *bsdf::find_model("marschner");
+  const auto values =
+      *registry::parse_assignments(model->entry.parameters, fmt::format("eta=1.55,sigma_a=0.1,aspect={}", aspect));
+  std::vector<bsdf::Point> points;
+  for (double degrees = 0.05; degrees < 180; degrees += 0.1)
+    points.push_back({.phi = degrees * degree, .phi_o = phi_o});
+  std::vector<glm::dvec3> out(points.size());
+  EXPECT_TRUE(bsdf::evaluate(*model, values, bsdf::Precision::f64, {bsdf::Quantity::N, 2, points}, out).ok());
+  const auto darker = [](const glm::dvec3& a, const glm::dvec3& b) { return a.x < b.x; };
+  return double(std::max_element(out.begin(), out.end(), darker) - out.begin()) * 0.1 + 0.05;
+}
+
+// The paper's index is an approximation: it puts the glint within 8 degrees. The other axis is 40 degrees away.
+TEST(MarschnerEllipse, SeenAlongAnAxis_GlintsWhereWalksGlint) {
+  for (double aspect : {1.0, 0.9, 0.85})
+    for (double phi_o : {0.0, std::numbers::pi / 2})
+      EXPECT_NEAR(glint(aspect, phi_o), walked_glint(aspect, phi_o), 8) << aspect << " " << phi_o;
 }
 
 }  // namespace

@@ -100,10 +100,10 @@ class Path:
 
 
 def elliptical_index(eta, aspect, phi, phi_o):
-    along = 2 * (eta - 1) * aspect ** 2 - eta + 2
-    across = 2 * (eta - 1) / aspect ** 2 - eta + 2
+    along_minor = 2 * (eta - 1) * aspect ** 2 - eta + 2
+    along_major = 2 * (eta - 1) / aspect ** 2 - eta + 2
     phi_h = ((phi_o - phi) + phi_o) / 2
-    return ((along + across) + cos(2 * phi_h) * (along - across)) / 2
+    return ((along_major + along_minor) + cos(2 * phi_h) * (along_major - along_minor)) / 2
 
 
 def longitudinal(beta, alpha, lobe, theta_i, theta_o):
