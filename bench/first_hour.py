@@ -70,7 +70,7 @@ def commands():
 # What an import does to the pixels of a table, colour and alpha between 0 and 1.
 SPOILT = {
     "srgb_with_linear_alpha": "pixels[..., :3] = np.where(colour <= .04045, colour / 12.92, ((colour + .055) / 1.055) ** 2.4)",
-    "premultiplied_alpha": "pixels[..., :3] = colour * pixels[..., 3:]",
+    "premultiplied_alpha": "if pixels.shape[-1] == 4: pixels[..., :3] = colour * pixels[..., 3:]",
     "channels_swapped": "pixels[..., :3] = colour[..., ::-1]",
     "channel_dropped": "pixels[..., 2] = 0",
     "flipped": "pixels = pixels[::-1]",
