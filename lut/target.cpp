@@ -41,7 +41,7 @@ Result<void> check_readable(const Manifest& manifest, std::string_view target,
   if (std::find(formats.begin(), formats.end(), manifest.format) != formats.end()) return {};
   return usage_error(
       fmt::format("target {}: it cannot read {}; allowed: {}", target, manifest.format, fmt::join(formats, ", ")),
-      "--format exr");
+      fmt::format("--format {}", formats.front()));
 }
 
 std::string names_of_tables(const Manifest& manifest) {

@@ -61,4 +61,10 @@ std::vector<Refusal> refusals(const Groom& groom) {
   return list;
 }
 
+std::vector<Refusal> missing(const Groom& groom) {
+  std::vector<Refusal> list;
+  if (groom.root_uv.empty()) list.push_back({"unreal", "no root UV: it finds roots on the skin by distance"});
+  return list;
+}
+
 }  // namespace cuticle::strands

@@ -12,7 +12,8 @@
 namespace cuticle::cli {
 namespace {
 
-Json to_json(const std::string& path, std::span<const strands::check::Verdict> verdicts, std::span<const strands::Refusal> refusals) {
+Json to_json(const std::string& path, std::span<const strands::check::Verdict> verdicts,
+             std::span<const strands::Refusal> refusals, std::span<const strands::Refusal> missing) {
   Json checks = Json::list(), refused = Json::list();
   for (const strands::check::Verdict& v : verdicts)
     checks.push_back({{"check", v.check},
@@ -21,7 +22,9 @@ Json to_json(const std::string& path, std::span<const strands::check::Verdict> v
                       {"mistake", v.mistake},
                       {"remedy", v.remedy}});
   for (const auto& [engine, what] : refusals) refused.push_back({{"engine", engine}, {"what", what}});
-  return {{"file", path}, {"checks", checks}, {"refused_by", refused}};
+  Json filled_in = Json::list();
+  for (const auto& [engine, what] : missing) filled_in.push_back({{"engine", engine}, {"what", what}});
+  return {{"file", path}, {"checks", checks}, {"refused_by", refused}, {"filled_in_by", filled_in}};
 }
 
 void print(const strands::check::Verdict& verdict) {
@@ -29,18 +32,41 @@ void print(const strands::check::Verdict& verdict) {
   if (!verdict.passed) fmt::print("{:<12}        {}: {}\n", "", verdict.mistake, verdict.remedy);
 }
 
-int check_groom(const std::string& path, const strands::ReadOptions& options, const Context& context) {
-  const auto file = read_groom_file(path, options);
+struct CheckGroomRequest {
+  std::string path;
+  strands::ReadOptions options;
+  std::vector<std::string> importers;  ///< empty: what every one refuses is said, and is no failure
+};
+
+/// Of the importers asked for.
+std::vector<strands::Refusal> asked_for(std::vector<strands::Refusal> all, const std::vector<std::string>& importers) {
+  if (!importers.empty())
+    std::erase_if(all, [&](const strands::Refusal& refusal) {
+      return std::ranges::find(importers, refusal.engine) == importers.end();
+    });
+  return all;
+}
+
+int check_groom(const CheckGroomRequest& request, const Context& context) {
+  const std::string& path = request.path;
+  const auto file = read_groom_file(path, request.options);
   if (!file) return report(file.error());
   const auto verdicts = strands::check::check_groom(file->groom);
-  const std::vector<strands::Refusal> refusals = strands::refusals(file->groom);
+  const auto refusals = asked_for(strands::refusals(file->groom), request.importers);
+  std::vector<strands::Refusal> missing;
+  if (!request.importers.empty()) missing = asked_for(strands::missing(file->groom), request.importers);
   if (context.json) {
-    fmt::print("{}\n", to_json(path, verdicts, refusals).dump(2));
+    fmt::print("{}\n", to_json(path, verdicts, refusals, missing).dump(2));
   } else {
     for (const strands::check::Verdict& verdict : verdicts) print(verdict);
     for (const auto& [engine, what] : refusals) fmt::print("{:<12} refuses it: {}\n", engine, what);
+    for (const auto& [engine, what] : missing) fmt::print("{:<12} takes it with {}\n", engine, what);
+    for (const std::string& importer : request.importers)
+      if (std::ranges::find(refusals, importer, &strands::Refusal::engine) == refusals.end())
+        fmt::print("{:<12} refuses nothing that is known\n", importer);
   }
-  return std::ranges::all_of(verdicts, &strands::check::Verdict::passed) ? Exit::ok : Exit::check_failed;
+  const bool holds = std::ranges::all_of(verdicts, &strands::check::Verdict::passed);
+  return holds && (request.importers.empty() || refusals.empty()) ? Exit::ok : Exit::check_failed;
 }
 
 }  // namespace
@@ -48,14 +74,19 @@ int check_groom(const std::string& path, const strands::ReadOptions& options, co
 void add_check_groom(CLI::App& check, Context& context) {
   auto* command = check.add_subcommand(
       "groom", "check units, widths, order and copies of a groom's strands; names the mistake of an export");
-  auto path = std::make_shared<std::string>();
-  auto options = std::make_shared<strands::ReadOptions>();
-  command->add_option("file", *path, groom_help(false))->required();
-  command->add_option("--metres-per-unit", options->metres_per_unit, "scale of the file; 0 = guess");
-  command->add_option("--radius", options->radius, "fibre radius in metres; 0 = the file's own");
-  command->callback([&context, path, options] {
-    context.action = [&context, path, options] { return check_groom(*path, *options, context); };
-  });
+  auto request = std::make_shared<CheckGroomRequest>();
+  command->add_option("file", request->path, groom_help(false))->required();
+  command
+      ->add_option(
+          "--for", request->importers,
+          "programs that it is meant for, by commas: what they refuse fails the check, what they fill in is said")
+      ->delimiter(',')
+      ->check(
+          CLI::IsMember(std::vector<std::string>(std::begin(strands::k_importers), std::end(strands::k_importers))));
+  command->add_option("--metres-per-unit", request->options.metres_per_unit, "scale of the file; 0 = guess");
+  command->add_option("--radius", request->options.radius, "fibre radius in metres; 0 = the file's own");
+  command->callback(
+      [&context, request] { context.action = [&context, request] { return check_groom(*request, context); }; });
 }
 
 }  // namespace cuticle::cli

@@ -257,7 +257,7 @@ void add_bake(CLI::App& app, Context& context) {
                    "rms (over rms), max or p99 (over the peak), of the worst channel and of S")
       ->capture_default_str();
   command->add_option("--format", options->format, "exr, ktx2 or dds (half), png8 or png16")->capture_default_str();
-  command->add_option("--target", options->targets, "engines to write a folder for, with a hair material: unity,godot,unreal,three");
+  command->add_option("--target", options->targets, "engines to write a folder for, with a hair material: unity,godot,unreal,three; babylon,playcanvas with --format ktx2");
   command->add_option("--on", options->processor, "cpu or gpu")
       ->check(CLI::IsMember({"cpu", "gpu"}))
       ->capture_default_str();

@@ -94,3 +94,23 @@ def test_Groom_InTheWrongUnit_IsNamedWithExitCodeOfAFailedCheck(tmp_path):
 
 def test_Groom_ThatIsNotThere_IsExitCodeThree(tmp_path):
     assert "nothing.hair" in refused(3, "check", "groom", tmp_path / "nothing.hair")
+
+
+def test_Groom_ForAProgramThatRefusesIt_FailsAndForAnotherPasses(tmp_path):
+    """300 points a strand: past Unreal's 255, which Blender does not limit."""
+    file = tmp_path / "long.usda"
+    points = ", ".join(f"({s * 0.01}, {0.001 * v}, 0)" for s in range(70) for v in range(300))
+    file.write_text(f"""#usda 1.0
+(metersPerUnit = 1)
+def BasisCurves "hair" {{
+    uniform token type = "linear"
+    int[] curveVertexCounts = [{", ".join(["300"] * 70)}]
+    point3f[] points = [{points}]
+    float[] widths = [0.00007] (interpolation = "constant")
+}}
+""")
+    refuses = run("check", "groom", file, "--for", "unreal,blender")
+    assert refuses.returncode == 1 and "points of a strand 300, allowed 2 .. 255" in refuses.stdout and "blender      refuses nothing" in refuses.stdout
+    assert "no root UV" in refuses.stdout
+    assert run("check", "groom", file, "--for", "blender").returncode == 0
+    assert "unrael" in refused(2, "check", "groom", file, "--for", "unrael")

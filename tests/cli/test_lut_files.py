@@ -181,6 +181,16 @@ def test_Unreal_Script_ImportsEveryTableAsData(targets, monkeypatch):
     assert {value.name for name, value in log if name == "address_x"} == {"TextureAddress.TA_CLAMP"}
 
 
+@pytest.mark.parametrize("engine", ["babylon", "playcanvas"])
+def test_EngineOfTheBrowser_WithoutAReaderOfExr_SaysWhichFormatAndWritesItsModules(tmp_path, engine):
+    assert "--format ktx2" in refused(2, "bake", *HAIR, "--size", 16, "--target", engine, "--out", tmp_path / "x")
+    assert run("bake", *HAIR, "--size", 16, "--format", "ktx2", "--target", engine, "--out", tmp_path / "y").returncode == 0
+    made = tmp_path / "y" / engine
+    assert re.findall(r"^(\d)\. ", (made / "README.md").read_text(), re.M) == ["1", "2", "3"]
+    assert "cuticle_hair_scattering(" in (made / "hairMaterial.js").read_text() and "verifyHairLut" in (made / "hairLut.js").read_text()
+    assert run("check", "lut", made).returncode == 0
+
+
 def test_Check_OfAFolderWithTargets_Passes(targets):
     for folder in (targets, *(targets / name for name in ENGINES)):
         assert run("check", "lut", folder).returncode == 0, folder

@@ -46,7 +46,7 @@ def page(name, folder, full, needs):
     packages = modules(full)
     if not (packages / needs).exists():
         raise NotRun(f"the npm package {needs} is installed by --full")
-    done = work.node(HERE.parent / "browser/run_page.mjs", HERE / "pages", name, f"lut={folder / 'lut/three'}", f"work={folder}", f"--modules={packages}")
+    done = work.node(HERE.parent / "browser/run_page.mjs", HERE / "pages", name, f"lut={folder / 'lut' / (name.split('.')[0] if name.split('.')[0] in work.TARGETS else 'three')}", f"work={folder}", f"--modules={packages}")
     if done.returncode:
         raise RuntimeError(done.stderr[-1500:])
     return json.loads(done.stdout), json.loads((packages / needs / "package.json").read_text())["version"]
@@ -87,6 +87,8 @@ def engine(folder, full, name, program, package, reads_tables=True):
     row = Row(program, version, "strands.glb, cards.glb" + (", three tables (KTX2)" if reads_tables else ""))
     if reads_tables:
         compare_tables(row, found, folder)
+        if "verified" in found:
+            row.check(f"verifyHairLut gives {found['verified']:.0f}", found["verified"] == 0)
     else:
         row.notes.append("tables: not run; a material that reads them needs the compiler matc, which npm has not")
     for file in ("strands.glb", "cards.glb"):

@@ -17,6 +17,7 @@ from program import rows, run  # noqa: E402
 
 MATERIAL = ["--model", "marschner", "--preset", "blond"]
 PAIRS = 500
+TARGETS = ("three", "babylon", "playcanvas")
 
 
 def must(*arguments):
@@ -53,7 +54,7 @@ def make(folder, strands):
     must("cards", folder / "groom.npz", "--out", folder / "cards")
     for name in ("cards.glb", "cards.obj", "cards.mtl", "base.png", "alpha.png"):
         (folder / name).write_bytes((folder / "cards" / name).read_bytes())
-    must("bake", *MATERIAL, "--size", 128, "--format", "ktx2", "--target", "three", "--out", folder / "lut")
+    must("bake", *MATERIAL, "--size", 128, "--format", "ktx2", "--target", ",".join(TARGETS), "--out", folder / "lut")
     must("models", "--export", "chiang", "--set", "sigma_a=0.1257/0.2/0.3", "--out", folder / "hair.mtlx")
     numbers = random.Random(5)
     pairs = [{name: random_direction(numbers) for name in ("tangent", "light", "eye")} for _ in range(PAIRS)]

@@ -1,8 +1,5 @@
 // An ES module for three.js and WebGL 2.
-#include <fmt/format.h>
-
-#include "lut/snippets/snippet.h"
-#include "lut/target.h"
+#include "lut/targets/browser.h"
 
 namespace cuticle::lut::three {
 namespace {
@@ -22,12 +19,10 @@ import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 export const hairLutGlsl = `
 @GLSL@`;
 
-// Level 0 of the uncompressed half floats that cuticle writes; `sizeAt`: offsets of width and height.
-function halfTexture(bytes, sizeAt, texelsAt) {
-  const view = new DataView(bytes);
-  const [width, height] = sizeAt.map((offset) => view.getUint32(offset, true));
-  return new DataTexture(new Uint16Array(bytes.slice(texelsAt(view), texelsAt(view) + width * height * 8)), width, height,
-                         RGBAFormat, HalfFloatType);
+@READ@
+async function halfTexture(url, format) {
+  const { width, height, halves } = await halfTable(url, format);
+  return new DataTexture(halves, width, height, RGBAFormat, HalfFloatType);
 }
 
 // EXRLoader gives the bottom row first; a table's first row is v = 0.
@@ -38,16 +33,10 @@ function topRowFirst(texture) {
   return new DataTexture(turned, width, height, texture.format, texture.type);
 }
 
-async function bytesOf(url) {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return response.arrayBuffer();
-}
-
 const READERS = {
   exr: async (url) => topRowFirst(await new EXRLoader().setDataType(HalfFloatType).loadAsync(url)),
-  ktx2: async (url) => halfTexture(await bytesOf(url), [20, 24], (view) => Number(view.getBigUint64(80, true))),
-  dds: async (url) => halfTexture(await bytesOf(url), [16, 12], () => 148),
+  ktx2: (url) => halfTexture(url, 'ktx2'),
+  dds: (url) => halfTexture(url, 'dds'),
   png8: (url) => new TextureLoader().loadAsync(url),
 };
 
@@ -63,8 +52,7 @@ function asData(texture) {
 }
 
 export async function loadHairLut(folder = new URL('.', import.meta.url).href) {
-  const base = new URL(folder.endsWith('/') ? folder : folder + '/', globalThis.location?.href ?? import.meta.url);
-  const manifest = await (await fetch(new URL('manifest.json', base))).json();
+  const base = addressOf(folder, import.meta.url), manifest = await manifestOf(base);
   const uniforms = {};
   for (const table of manifest.tables) {
     const texture = await READERS[manifest.format](new URL(table.file, base).href);
@@ -144,17 +132,7 @@ inclination.
 )";
 
 Result<std::vector<TextFile>> files(const Manifest& manifest) {
-  CUTICLE_TRY(check_readable(manifest, "three", k_readable));
-  CUTICLE_ASSIGN(const snippets::Dialect* glsl, snippets::find_dialect("glsl"));
-  CUTICLE_ASSIGN(const std::string snippet, engine_snippet(manifest, "glsl", snippets::declarations(manifest, *glsl)));
-  const std::pair<std::string_view, std::string> values[] = {{"VERSION", manifest.tool_version},
-                                                             {"GLSL", snippet},
-                                                             {"MODEL", manifest.model},
-                                                             {"TABLES", names_of_tables(manifest)}};
-  std::vector<TextFile> made = {{"hairLut.js", filled(k_module, values)}, {"README.md", filled(k_readme, values)}};
-  // Tables that do not make S shade nothing by themselves.
-  if (!manifest.terms.empty()) made.push_back({"hairMaterial.js", filled(k_material, values)});
-  return made;
+  return browser::files_of(manifest, "three", k_readable, k_module, k_material, k_readme);
 }
 
 }  // namespace

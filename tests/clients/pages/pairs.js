@@ -1,13 +1,6 @@
-// What the pages of all engines share: a texture's texels out of a KTX2 of halves that cuticle wrote, and the work to be done.
+// What the pages of all engines share: the work to be done, and what the pictures are lit by.
 export async function loadWork() {
   return (await fetch('/work/pairs.json')).json();
-}
-
-// RGBA halves of level 0 (KTX 2.0, section 3: width and height at 20, the level's offset at 80).
-export async function ktx2(url) {
-  const bytes = await (await fetch(url)).arrayBuffer(), view = new DataView(bytes);
-  const width = view.getUint32(20, true), height = view.getUint32(24, true), at = Number(view.getBigUint64(80, true));
-  return { width, height, halves: new Uint16Array(bytes.slice(at, at + 8 * width * height)) };
 }
 
 // Tangent, light and eye of each pair: three texels of a row.
@@ -15,21 +8,16 @@ export function pairTexels(pairs) {
   return { width: 3, height: pairs.length, floats: Float32Array.from(pairs.flatMap((pair) => ['tangent', 'light', 'eye'].flatMap((n) => [...pair[n], 0]))) };
 }
 
-// The snippet, out of the module for three.js (which imports it).
-export async function snippet() {
-  const text = await (await fetch('/lut/hairLut.js')).text();
-  return text.match(/hairLutGlsl = `\n([^`]*)`/)[1];
-}
-
 export const MEASURE = `
   vec3 tangent = texelFetch(pairs, ivec2(0, row), 0).xyz, light = texelFetch(pairs, ivec2(1, row), 0).xyz, eye = texelFetch(pairs, ivec2(2, row), 0).xyz;
   vec4 found = vec4(cuticle_hair_scattering(light, eye, tangent), float(cuticle_verify_probes()));`;
 
 // From the side and above, as the pictures show it.
-export const TO_LIGHT = [0.55, 0.55, 0.63], IRRADIANCE = [3.9, 3.65, 3.3];
+export const TO_LIGHT = [0.55, 0.55, 0.63], IRRADIANCE = [7.02, 6.57, 5.94], AMBIENT = [0.06, 0.043, 0.025];
+// For three.js, whose material has no tone curve.
 export const SHADE = `
   float sine = dot(toLight, along);
-  vec3 lit = vec3(0.06, 0.043, 0.025) + 1.8 * irradiance * cuticle_hair_scattering(toLight, normalize(toEye), along) * sqrt(max(1.0 - sine * sine, 0.0));
+  vec3 lit = vec3(${AMBIENT}) + irradiance * cuticle_hair_scattering(toLight, normalize(toEye), along) * sqrt(max(1.0 - sine * sine, 0.0));
   vec3 shown = pow(lit / (1.0 + lit), vec3(1.0 / 2.2));`;
 
 // Bounds and number of a position list.
