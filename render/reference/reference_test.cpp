@@ -133,12 +133,12 @@ TEST(Reference, ClampIndirect_LimitsWhatScatteredMoreThanOnce) {
   const TracedScene scene = lit_ball();
   const Picture free = picture_of(scene, {.layers = true}, {.samples = 1});
   const Picture limited = picture_of(scene, {.layers = true, .clamp_indirect = 0.01}, {.samples = 1});
-  const auto& names = free.layers.channels;
+  const auto& names = free.layers.channel_names;
   const auto channel = std::size_t(std::ranges::find(names, "scatterings_1.G") - names.begin());
   double without = 0, with = 0;
   for (std::size_t p = 0; p < free.layers.pixels.size(); p += names.size()) {
     EXPECT_EQ(free.layers.pixels[p + channel], limited.layers.pixels[p + channel]);
-    without += free.layers.pixels[p + 1], with += limited.layers.pixels[p + 1];
+    without += double(free.layers.pixels[p + 1]), with += double(limited.layers.pixels[p + 1]);
   }
   EXPECT_LT(with, 0.95 * without);
   EXPECT_GT(with, 0.1 * without);
