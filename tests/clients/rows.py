@@ -225,6 +225,28 @@ def blender(folder, full):
     return row
 
 
+def blender_addon(folder, full):
+    """clients/blender in Blender: a groom in, out, simulated, with a collider; tables baked."""
+    python = os.environ.get("CUTICLE_BPY_PYTHON")
+    if not python:
+        raise NotRun("CUTICLE_BPY_PYTHON names no Python that has bpy (see blender)")
+    made = folder / "addon"
+    made.mkdir()
+    done = subprocess.run([python, HERE / "blender_addon.py", folder / "groom.npz", made, made / "found.json"], capture_output=True, text=True, timeout=900,
+                          env={**os.environ, "PYTHONPATH": os.environ.get("CUTICLE_MODULE", str(work.ROOT / "build/release/python"))})
+    if not (made / "found.json").exists():
+        raise RuntimeError(done.stdout[-500:] + done.stderr[-1000:])
+    found = json.loads((made / "found.json").read_text())
+    row = Row("Blender (bpy): the add-on", found["version"], "clients/blender/cuticle_hair", pictures=[made / "blender_addon.png"])
+    row.check(f"in and out: positions {found['places_off']:.1g} m off, radii {found['radii_off']:.1g} m", found["places_off"] < 1e-6 and found["radii_off"] < 1e-9)
+    row.check(f"20 frames of a head turn: {found['from_module']:.1g} m from the module's own motion, roots {found['root_off']:.1g} m off, links {100 * found['stretched']:.1g} % longer",
+              found["from_module"] < 1e-6 and found["root_off"] < 1e-6 and found["stretched"] < 1e-3 and found["moved"] > 0.01)
+    row.check(f"a ball of 3 cm in the hair: {found['inside_before']} points inside before, {found['inside']} afterwards", found["inside_before"] > 50 > 10 * found["inside"])
+    row.check("forgotten: as before", found["forgotten"] == 0)
+    row.check("tables baked: " + ", ".join(name for name in found["baked"] if name.endswith(".exr")), "manifest.json" in found["baked"])
+    return row
+
+
 def blender_skin(folder, full):
     """Roots of fur on a character that linear blending moves, against the skin that Blender draws."""
     python, data = os.environ.get("CUTICLE_BPY_PYTHON"), os.environ.get("CUTICLE_TEST_DATA")
@@ -307,5 +329,5 @@ def alembic(folder, full):
 
 # Quick ones are those of continuous integration.
 ROWS = {"viewer": viewer, "three": three, "usd": usd, "validator": validator, "babylon": babylon, "playcanvas": playcanvas, "filament": filament,
-        "materialx": materialx, "blender": blender, "blender_skin": blender_skin, "godot": godot, "paraview": paraview, "alembic": alembic}
+        "materialx": materialx, "blender": blender, "blender_addon": blender_addon, "blender_skin": blender_skin, "godot": godot, "paraview": paraview, "alembic": alembic}
 QUICK = ("three", "usd")
