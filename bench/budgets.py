@@ -6,6 +6,7 @@
 import argparse
 import json
 import pathlib
+import re
 import subprocess
 import tempfile
 
@@ -19,17 +20,21 @@ def run(*command):
 
 
 def chosen(text):
-    """What the program says of its choice, or why there is none."""
-    lines = text.splitlines()
-    return [line for line in lines if "expected" in line]
+    """What the program says of its choice."""
+    return [line for line in text.splitlines() if " expected, " in line]
 
 
-def frame_time(program, scene, folder):
-    """The passes of a frame, in the mean of four."""
-    code, out, errors = run(program, "--json", "render", scene, "--frames", "0:4", "--out", f"{folder}/frames")
-    if code:
-        return errors.strip()
-    return f"{sum(one['timestamp_ms_per_frame'] for one in json.loads(out)['passes']):.3g} ms measured"
+def numbers(line):
+    return [float(word) for word in re.findall(r"\b\d[\d.]*(?:e[+-]?\d+)?", line)]
+
+
+def verdict(promised, measured):
+    """Whether a measured line keeps what was promised: 'A expected, below B with 95 %[, C allowed]'."""
+    value, (_, below, *rest) = numbers(measured)[-1], numbers(promised.split(": error")[-1].split("frame")[-1])
+    words = [f"{'below' if value <= below else 'ABOVE'} {below:g}"]
+    if len(rest) > 1:  # after the 95 of '95 %'
+        words.append(f"{'within' if value <= rest[1] else 'OVER'} {rest[1]:g}")
+    return ", ".join(words)
 
 
 def report(program, name, budgets, folder):
@@ -40,9 +45,14 @@ def report(program, name, budgets, folder):
     if code:
         print(f"  refused: {errors.strip().splitlines()[-1]}\n", flush=True)
         return
-    for line in chosen(errors) + [line for line in out.splitlines() if "measured on this hair" in line]:
+    promised = {line.split()[0]: line for line in chosen(errors)}
+    for line in promised.values():
         print(f"  {line}")
-    print(f"  frame     {frame_time(program, scene, folder)}\n", flush=True)
+    for line in out.splitlines():
+        if "measured on this hair" in line:
+            part = line.split()[0]
+            print(f"  {line}{': ' + verdict(promised[part], line) if part in promised else ''}")
+    print(flush=True)
 
 
 def main():

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include <fcntl.h>
@@ -60,14 +61,41 @@ RunFolder::~RunFolder() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-Result<void> RunFolder::finish(const std::string& command, bool is_complete, Progress& progress) {
-  std::vector<std::string> stale;
-  for (const std::string& name : listed_files(folder_)) {
-    std::error_code none;
-    if (std::ranges::find(files_, name) == files_.end() &&
-        fs::exists(fs::path(folder_) / fs::path(name).filename(), none))
-      stale.push_back(name);
+namespace {
+
+/// A name whose numbers are left open: "state_#.vtp".
+std::string without_numbers(const std::string& name) {
+  std::string open;
+  for (char c : name)
+    if (c < '0' || c > '9')
+      open += c;
+    else if (!open.ends_with('#'))
+      open += '#';
+  return open;
+}
+
+/// Files in a folder that a run did not write but an earlier one did: its list names them, or, where that run was
+/// killed before it wrote one, they are numbered as this run's.
+std::vector<std::string> files_of_earlier_runs(const std::string& folder, const std::vector<std::string>& own) {
+  std::set<std::string> kinds, earlier;
+  for (const std::string& name : own) kinds.insert(without_numbers(name));
+  for (const std::string& name : listed_files(folder)) earlier.insert(fs::path(name).filename().string());
+  std::vector<std::string> left;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_numbered =
+        without_numbers(name).find('#') != std::string::npos && kinds.contains(without_numbers(name));
+    if (std::ranges::find(own, name) == own.end() && (is_numbered || earlier.contains(name))) left.push_back(name);
   }
+  std::ranges::sort(left);
+  return left;
+}
+
+}  // namespace
+
+Result<void> RunFolder::finish(const std::string& command, bool is_complete, Progress& progress) {
+  const std::vector<std::string> stale = files_of_earlier_runs(folder_, files_);
   if (!stale.empty())
     progress.message(
         fmt::format("{}: {} files of an earlier run are left, {} .. {}; files.json lists those of this run", folder_,

@@ -1,7 +1,6 @@
 #include "plan/budgets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <fmt/core.h>
@@ -145,13 +144,14 @@ class Search {
 
   BudgetChoice result() const {
     if (best_) return *best_;
-    BudgetChoice refused{given_, {}, {}, 0, {}};
+    BudgetChoice refused{given_, {}, {}, 0, 0, {}};
     const scene::Budgets& wanted = *given_.budgets;
-    if (quickest_ == k_endless)
+    if (quickest_.at_most == k_endless)
       refused.refused = "the times of these settings are not measured on this device: cuticle plan --calibrate";
-    else if (wanted.frame_ms > 0 && quickest_ > wanted.frame_ms)
+    else if (wanted.frame_ms > 0 && quickest_.at_most > wanted.frame_ms)
       refused.refused =
-          fmt::format("budgets.frame_ms = {:g}: the quickest settings take {:.3g} ms", wanted.frame_ms, quickest_);
+          fmt::format("budgets.frame_ms = {:g}: the quickest settings take {:.3g} ms, below {:.3g} with 95 %",
+                      wanted.frame_ms, quickest_.expected, quickest_.at_most);
     else if (wanted.memory_mb > 0 && leanest_ > 1e6 * wanted.memory_mb)
       refused.refused = fmt::format("budgets.memory_mb = {:g}: the leanest settings take {:.4g} MB", wanted.memory_mb,
                                     1e-6 * leanest_);
@@ -163,14 +163,15 @@ class Search {
 
  private:
   void weigh(const scene::Scene& scene, std::vector<AccuracyRow> rows) {
-    BudgetChoice choice{scene, std::move(rows), {}, 0, {}};
+    BudgetChoice choice{scene, std::move(rows), {}, 0, 0, {}};
     choice.expected_ms = expected_ms(scene, shape_, device_, costs_, choice.rows);
     if (!choice.expected_ms) return;
+    choice.at_most_ms = *choice.expected_ms * costs_.most_over_expected;
     choice.expected_bytes = bytes_with(choice.rows);
-    quickest_ = std::min(quickest_, *choice.expected_ms);
+    if (choice.at_most_ms < quickest_.at_most) quickest_ = {*choice.expected_ms, choice.at_most_ms};
     leanest_ = std::min(leanest_, choice.expected_bytes);
     const scene::Budgets& wanted = *given_.budgets;
-    if (wanted.frame_ms > 0 && *choice.expected_ms > wanted.frame_ms) return;
+    if (wanted.frame_ms > 0 && choice.at_most_ms > wanted.frame_ms) return;
     if (wanted.memory_mb > 0 && choice.expected_bytes > 1e6 * wanted.memory_mb) return;
     if (!best_ || is_better(choice, *best_, wanted)) best_ = std::move(choice);
   }
@@ -190,21 +191,13 @@ class Search {
   const CostTable& costs_;
   const MemoryTable& memory_;
   std::optional<BudgetChoice> best_;
-  double quickest_ = k_endless, leanest_ = k_endless;
+  struct {
+    double expected = k_endless, at_most = k_endless;
+  } quickest_;
+  double leanest_ = k_endless;
 };
 
 }  // namespace
-
-double upper_bound(std::span<const double> errors) {
-  constexpr double k_student[] = {6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860};  // one-sided 95 %
-  const double n = double(errors.size());
-  double mean = 0, squares = 0;
-  for (double error : errors) mean += error / n;
-  for (double error : errors) squares += (error - mean) * (error - mean);
-  if (errors.size() < 2) return std::numeric_limits<double>::infinity();
-  const double t = k_student[std::min(errors.size() - 2, std::size(k_student) - 1)];
-  return mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n));
-}
 
 Result<AccuracyTable> read_accuracy_table(const std::string& path) {
   CUTICLE_ASSIGN(const std::string text, read_text_file(path));
@@ -266,7 +259,7 @@ BudgetChoice choose(const scene::Scene& scene, const registry::FrameShape& shape
   for (const Part& part : k_parts)
     if (const double wanted = *scene.budgets.*part.wanted;
         wanted > 0 && has_part(plan, scene, part.name) && candidates(scene, accuracy, part.name, wanted).empty())
-      return {scene, {}, {}, 0, no_candidate(accuracy, part.name, wanted)};
+      return {scene, {}, {}, 0, 0, no_candidate(accuracy, part.name, wanted)};
   Search search(scene, shape, device, costs, memory);
   search.walk(parts_of(scene, plan, accuracy), scene, {});
   return search.result();
@@ -278,12 +271,13 @@ std::string to_text(const BudgetChoice& choice, const scene::Budgets& wanted) {
   for (const AccuracyRow& row : choice.rows)
     text += fmt::format("{:<9} {} {}: error {:.3g} expected, below {:.3g} with 95 %\n", row.part, row.method,
                         row.settings, row.error, row.at_most);
-  const auto line = [](std::string_view what, double expected, std::string_view unit, double allowed) {
-    return fmt::format("{:<9} {:.3g} {} expected{}\n", what, expected, unit,
-                       allowed > 0 ? fmt::format(", {:g} allowed", allowed) : std::string());
-  };
-  text += line("frame", *choice.expected_ms, "ms", wanted.frame_ms);
-  return wanted.memory_mb > 0 ? text + line("memory", 1e-6 * choice.expected_bytes, "MB", wanted.memory_mb) : text;
+  text += fmt::format("{:<9} {:.3g} ms expected, below {:.3g} with 95 %{}\n", "frame", *choice.expected_ms,
+                      choice.at_most_ms,
+                      wanted.frame_ms > 0 ? fmt::format(", {:g} allowed", wanted.frame_ms) : std::string());
+  if (wanted.memory_mb > 0)
+    text += fmt::format("{:<9} {:.3g} MB expected, {:g} allowed\n", "memory", 1e-6 * choice.expected_bytes,
+                        wanted.memory_mb);
+  return text;
 }
 
 }  // namespace cuticle::plan

@@ -21,8 +21,6 @@ struct AccuracyTable {
   std::string made;  ///< by which command, of which grooms
   std::vector<AccuracyRow> rows;
 };
-/// What an error on a groom that was not measured stays below with 95 %: mean + t s sqrt(1 + 1 / n), of at least two.
-double upper_bound(std::span<const double> errors);
 
 Result<AccuracyTable> read_accuracy_table(const std::string& path);
 Result<void> write_accuracy_table(const std::string& path, const AccuracyTable& table);
@@ -47,6 +45,7 @@ struct BudgetChoice {
   scene::Scene scene;                 ///< with the settings chosen; as given where it refuses
   std::vector<AccuracyRow> rows;      ///< chosen, one for each part that the scene has
   std::optional<double> expected_ms;  ///< of a frame; none: some pass has no time
+  double at_most_ms = 0;              ///< with 95 %: CostTable::most_over_expected
   double expected_bytes = 0;          ///< of the device; 0: no budget for it
   std::string refused;                ///< why no settings do; empty: these do
 };

@@ -8,8 +8,6 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
-#include "plan/frame_runner_gpu.h"
-
 namespace cuticle::plan {
 
 namespace {
@@ -18,6 +16,10 @@ struct Size {
   int strands, pixels_each_way;
 };
 constexpr Size k_sizes[] = {{1000, 128}, {4000, 128}, {1000, 256}};
+/// Of scenes that are asked afterwards whether their frames take what was expected.
+constexpr Size k_unseen = {2500, 192};
+constexpr double k_seconds_of_unseen = 6;
+constexpr double k_seconds_of_frames = 0.4;
 
 constexpr std::string_view k_lights = R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [3, 3, 3]}])";
 
@@ -57,7 +59,8 @@ class Calibration {
 
   Result<void> run() {
     const std::vector<std::string> all = features();
-    const std::size_t steps = all.size() * std::size(k_sizes) + catalogue().methods.size() + settings_.size();
+    const std::vector<AccuracyRow> rows = rows_of_methods();
+    const std::size_t steps = all.size() * (std::size(k_sizes) + 1) + rows.size();
     std::size_t done = 0;
     for (const std::string& feature : all)
       for (const Size& size : k_sizes) {
@@ -67,11 +70,16 @@ class Calibration {
         CUTICLE_TRY(time(*runner, size));
         progress_.update("scenes timed", ++done, steps);
       }
-    return time_methods(done, steps);
+    CUTICLE_TRY(time_methods(rows, done, steps));
+    for (const std::string& feature : all) {
+      CUTICLE_TRY(ask_unseen(feature));
+      progress_.update("scenes timed", ++done, steps);
+    }
+    return {};
   }
 
   CostTable table() const {
-    CostTable table{device_->info().name, device_->info().driver, {}, {}};
+    CostTable table{device_->info().name, device_->info().driver, {}, {}, most_of(ratios_)};
     table.made = fmt::format("{:%Y-%m-%d}, {:.0f} s", fmt::gmtime(std::time(nullptr)), spent());
     for (const auto& [name, measured] : measured_) table.passes[name] = fit_time(measured);
     return table;
@@ -84,18 +92,25 @@ class Calibration {
     const double processor = double(std::clock() - processor_begin_) / CLOCKS_PER_SEC;
     return device_->info().is_software ? std::min(clock, processor) : clock;
   }
-  bool late() const { return spent() > seconds_; }
+  bool late() const { return spent() > seconds_ - k_seconds_of_unseen; }
 
-  /// The least of three frames, pass by pass.
-  Result<void> time(FrameRunner& runner, const Size& size, const AccuracyRow* setting = nullptr) {
+  /// The least of three frames, pass by pass; of fewer where they take long, beside which what a first frame has to
+  /// prepare is little.
+  Result<std::map<std::string, double>> least_times(FrameRunner& runner) {
     std::map<std::string, double> least;
-    for (int frame = 0; frame < 4; ++frame) {
-      CUTICLE_ASSIGN(const FrameResult result, runner.run(frame, {.everything = true}));
+    const double begin = spent();
+    for (int frame = 0; frame < 3 && spent() - begin < k_seconds_of_frames; ++frame) {
+      CUTICLE_ASSIGN(const FrameResult result, timed_frame(runner, *device_, frame, true));
       for (const gpu::PassCost& pass : result.cost.passes) {
         const auto [at, is_new] = least.emplace(pass.name, pass.gpu_ms);
-        if (!is_new && frame > 0) at->second = std::min(at->second, pass.gpu_ms);
+        if (!is_new) at->second = std::min(at->second, pass.gpu_ms);
       }
     }
+    return least;
+  }
+
+  Result<void> time(FrameRunner& runner, const Size& size, const AccuracyRow* setting = nullptr) {
+    CUTICLE_ASSIGN(const auto least, least_times(runner));
     const double pixels = double(size.pixels_each_way) * size.pixels_each_way;
     for (const auto& [name, ms] : least)
       if (const PlannedPass* pass = find_pass(runner.plan(), name); pass && (!setting || name == setting->method))
@@ -104,23 +119,51 @@ class Calibration {
     return {};
   }
 
-  /// Each shadow method with its defaults and with the settings that budgets choose from, over hair of two sizes.
-  Result<void> time_methods(std::size_t done, std::size_t steps) {
+  /// Each shadow method with its defaults, and with the settings that budgets choose from.
+  std::vector<AccuracyRow> rows_of_methods() const {
     std::vector<AccuracyRow> rows;
     for (const registry::Entry* method : catalogue().methods) rows.push_back({"shadow", std::string(method->name), ""});
     for (const AccuracyRow& row : settings_)
       if (row.part == "shadow" && !row.settings.empty()) rows.push_back(row);
-    for (const Size& size : {k_sizes[0], k_sizes[1]}) {
+    return rows;
+  }
+
+  /// Over hair of two sizes.
+  Result<void> time_methods(const std::vector<AccuracyRow>& rows, std::size_t& done, std::size_t steps) {
+    constexpr Size k_both[] = {k_sizes[0], k_sizes[1]};
+    std::vector<std::pair<scene::Scene, std::unique_ptr<FrameRunner>>> running;
+    for (const Size& size : k_both) {
       CUTICLE_ASSIGN(const scene::Scene scene, scene_of(R"("render": {"method": "lines"})", size));
-      CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
-      for (const AccuracyRow& row : rows) {
-        progress_.update("scenes timed", std::min(++done, steps), steps);
-        if (late()) return {};
-        const auto changed = with_setting(scene, row);
-        if (!changed || !runner->change(*changed, silent_progress())) continue;  // truth has no kernel
-        CUTICLE_TRY(time(*runner, size, &row));
-      }
+      CUTICLE_ASSIGN(auto runner, FrameRunner::create(device_, scene, silent_progress()));
+      running.emplace_back(scene, std::move(runner));
     }
+    for (const AccuracyRow& row : rows) {
+      if (late()) return {};
+      for (std::size_t k = 0; k < std::size(k_both); ++k) {
+        const auto changed = with_setting(running[k].first, row);
+        if (!changed || !running[k].second->change(*changed, silent_progress())) continue;  // truth has no kernel
+        CUTICLE_TRY(time(*running[k].second, k_both[k], &row));
+      }
+      progress_.update("scenes timed", ++done, steps);
+    }
+    return {};
+  }
+
+  /// How much longer a frame of a size between those that were timed takes than the table expects.
+  Result<void> ask_unseen(const std::string& feature) {
+    if (spent() > seconds_) return {};
+    CUTICLE_ASSIGN(const scene::Scene scene, scene_of(feature, k_unseen));
+    CUTICLE_ASSIGN(const auto runner, FrameRunner::create(device_, scene, silent_progress()));
+    CUTICLE_ASSIGN(const auto least, least_times(*runner));
+    const CostTable known = table();
+    double measured = 0, expected = 0;
+    for (const auto& [name, ms] : least)
+      if (const PlannedPass* pass = find_pass(runner->plan(), name))
+        if (const auto ms_expected = predicted_ms(known, *pass->entry, runner->plan().shape, pixels_of(scene))) {
+          measured += ms;
+          expected += *ms_expected;
+        }
+    if (expected > 0 && measured > 0) ratios_.push_back(measured / expected);
     return {};
   }
 
@@ -131,9 +174,19 @@ class Calibration {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::clock_t processor_begin_ = std::clock();
   std::map<std::string, std::vector<TimedPass>> measured_;
+  std::vector<double> ratios_;  ///< measured over expected, of frames that were not timed for the table
 };
 
 }  // namespace
+
+Result<FrameResult> timed_frame(FrameRunner& runner, const gpu::Device& device, int frame, bool everything) {
+  const std::clock_t begin = std::clock();
+  CUTICLE_ASSIGN(FrameResult result, runner.run(frame, {.everything = everything}));
+  if (!device.info().is_software || result.clock_ms <= 0) return result;
+  const double processor_ms = 1000 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+  for (gpu::PassCost& pass : result.cost.passes) pass.gpu_ms *= processor_ms / result.clock_ms;
+  return result;
+}
 
 Result<CostTable> calibrate(std::shared_ptr<gpu::Device> device, std::span<const AccuracyRow> settings, double seconds,
                             Progress& progress) {

@@ -14,13 +14,6 @@ namespace cuticle::plan {
 
 namespace {
 
-double length_of(const strands::Groom& rest, std::size_t strand) {
-  double length = 0;
-  for (std::size_t i = rest.offsets[strand] + 1; i < rest.offsets[strand + 1]; ++i)
-    length += double(glm::distance(rest.positions[i - 1], rest.positions[i]));
-  return length;
-}
-
 bool overlap(const ReachBall& a, const ReachBall& b) {
   return glm::distance(a.centre, b.centre) <= a.radius + b.radius;
 }
@@ -65,31 +58,21 @@ std::vector<ReachBall> moving_balls(const sim::FrameInput& input, std::size_t su
 
 std::vector<ReachBall> reach_balls(const strands::Groom& rest, double pearl) {
   std::vector<ReachBall> balls;
-  for (std::size_t first = 0; first < rest.strand_count(); first += k_reach_chunk) {
-    const std::size_t end = std::min(first + k_reach_chunk, rest.strand_count());
-    glm::dvec3 lower(INFINITY), upper(-INFINITY);
-    double longest = 0;
-    for (std::size_t s = first; s < end; ++s) {
-      if (rest.strand_size(s) == 0) continue;
-      const glm::dvec3 root(rest.positions[rest.offsets[s]]);
-      lower = glm::min(lower, root);
-      upper = glm::max(upper, root);
-      longest = std::max(longest, length_of(rest, s));
-    }
-    if (lower.x > upper.x) lower = upper = glm::dvec3(0);
-    balls.push_back({0.5 * (lower + upper), 0.5 * glm::distance(lower, upper) + k_reach_of_length * longest + pearl});
+  for (std::size_t s = 0; s < rest.strand_count(); ++s) {
+    const glm::dvec3 root = rest.strand_size(s) == 0 ? glm::dvec3(0) : glm::dvec3(rest.positions[rest.offsets[s]]);
+    balls.push_back({root, k_reach_of_length * strands::strand_length(rest, s) + pearl});
   }
   return balls;
 }
 
-std::vector<bool> chunks_in_reach(std::span<const ReachBall> balls, const sim::FrameInput& input,
-                                  std::size_t substeps) {
+std::vector<std::uint8_t> hairs_in_reach(std::span<const ReachBall> balls, const sim::FrameInput& input,
+                                         std::size_t substeps) {
   std::vector<ReachBall> colliders = carried_balls(input);
   if (!input.moving.empty()) {
     const std::vector<ReachBall> moving = moving_balls(input, std::max<std::size_t>(substeps, 1));
     colliders.insert(colliders.end(), moving.begin(), moving.end());
   }
-  std::vector<bool> reached(balls.size());
+  std::vector<std::uint8_t> reached(balls.size());
   for (std::size_t k = 0; k < balls.size(); ++k)
     reached[k] = std::ranges::any_of(colliders, [&](const ReachBall& collider) { return overlap(balls[k], collider); });
   return reached;
@@ -99,9 +82,7 @@ bool within_reach(std::span<const ReachBall> balls, const strands::Groom& rest, 
                   const glm::dmat4& head) {
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const glm::dvec3 centre(head * glm::dvec4(balls[k].centre, 1));
-    const std::size_t first = rest.offsets[k * k_reach_chunk],
-                      end = rest.offsets[std::min((k + 1) * k_reach_chunk, rest.strand_count())];
-    for (std::size_t i = first; i < end; ++i)
+    for (std::size_t i = rest.offsets[k]; i < rest.offsets[k + 1]; ++i)
       if (glm::distance(glm::dvec3(places[i]), centre) > balls[k].radius) return false;
   }
   return true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 #include <fmt/core.h>
 #include <glm/matrix.hpp>
@@ -52,7 +53,11 @@ Json json_of(const PassTime& time) {
 }
 
 CostTable table_of(const Json& json) {
-  CostTable table{json.at("device").text(), json.at("driver").text(), json.at("made").text(), {}};
+  CostTable table{json.at("device").text(),
+                  json.at("driver").text(),
+                  json.at("made").text(),
+                  {},
+                  json.value("most_over_expected", CostTable{}.most_over_expected)};
   for (const auto& [name, time] : json.at("passes").items())
     table.passes[name] = {time.at("fixed_ms").number(), time.at("ms_per_pixel").number(),
                           time.at("ms_per_unit").number()};
@@ -98,10 +103,11 @@ PassTime fit_time(std::span<const TimedPass> measured) {
     rows.push_back({1, one.pixels / most_pixels, one.units / most_units});
     ms.push_back(one.ms);
   }
-  // All sets of columns are few: the best without a factor below 0; of equally good ones the later, with the units.
+  // All sets of columns are few: the best without a factor below 0; of equally good ones the later: units before a
+  // fixed time before pixels, which grow most from here to a picture's size.
   std::array<double, 3> best{};
   double least = squares(rows, ms, best);
-  for (unsigned used : {1u, 2u, 4u, 3u, 5u, 6u, 7u}) {
+  for (unsigned used : {2u, 1u, 4u, 3u, 6u, 5u, 7u}) {
     const auto found = solve(rows, ms, used);
     if (!found || std::ranges::any_of(*found, [](double factor) { return factor < 0; })) continue;
     if (const double sum = squares(rows, ms, *found); sum <= least + 1e-12) {
@@ -110,6 +116,25 @@ PassTime fit_time(std::span<const TimedPass> measured) {
     }
   }
   return {best[0], best[1] / most_pixels, best[2] / most_units};
+}
+
+double upper_bound(std::span<const double> values) {
+  constexpr double k_student[] = {6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860};  // one-sided 95 %
+  const double n = double(values.size());
+  double mean = 0, squares = 0;
+  for (double value : values) mean += value / n;
+  for (double value : values) squares += (value - mean) * (value - mean);
+  if (values.size() < 2) return std::numeric_limits<double>::infinity();
+  const double t = k_student[std::min(values.size() - 2, std::size(k_student) - 1)];
+  return mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n));
+}
+
+double most_of(std::span<const double> ratios) {
+  if (ratios.empty()) return 1;
+  if (ratios.size() < 2) return std::max(1.0, ratios[0]);
+  std::vector<double> logarithms;
+  for (double ratio : ratios) logarithms.push_back(std::log(ratio));
+  return std::max(1.0, std::exp(upper_bound(logarithms)));
 }
 
 std::string cost_table_path(std::string_view device, std::string_view driver) {
@@ -133,7 +158,11 @@ Result<CostTable> read_cost_table(const std::string& path) {
 Result<void> write_cost_table(const std::string& path, const CostTable& table) {
   Json passes = Json::object();
   for (const auto& [name, time] : table.passes) passes[name] = json_of(time);
-  const Json json = {{"device", table.device}, {"driver", table.driver}, {"made", table.made}, {"passes", passes}};
+  const Json json = {{"device", table.device},
+                     {"driver", table.driver},
+                     {"made", table.made},
+                     {"most_over_expected", table.most_over_expected},
+                     {"passes", passes}};
   std::error_code code;
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), code);
   return write_text_file(path, json.dump(1));

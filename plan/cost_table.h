@@ -2,7 +2,9 @@
 // What passes take on one device, measured once and stored: from it a plan says what each would take here.
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "plan/plan.h"
 
@@ -15,7 +17,16 @@ struct PassTime {
 struct CostTable {
   std::string device, driver, made;  ///< `made`: date and seconds that it took
   std::map<std::string, PassTime, std::less<>> passes;
+  /// What a frame takes at most, over what is expected, with 95 %: from frames of scenes whose times are not in
+  /// `passes`.
+  double most_over_expected = 1;
 };
+/// What one more value of the kind stays below with 95 %: mean + t s sqrt(1 + 1 / n), of at least two; of fewer
+/// endless.
+double upper_bound(std::span<const double> values);
+/// With 95 % below, of a ratio of which these were measured: exp(mean + t s sqrt(1 + 1 / n)) of the logarithms; of
+/// fewer than two, the largest, and 1 at least.
+double most_of(std::span<const double> ratios);
 
 /// What a pass's time grows with beside pixels: control vertices times substeps of what simulates; segments times
 /// lights of a shadow method; else drawn vertices.

@@ -1,6 +1,8 @@
 // The picture is of the groom that the file gives: its strands, vertices and radii, by every way of drawing.
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -8,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/random.h"
+#include "plan/traced_scene_runner.h"
 #include "strands/formats/formats.h"
 #include "tests/support/small_frames.h"
 
@@ -151,6 +154,30 @@ TEST(Lines, ThinnerThanAPixel_CoverAsMuchAsTheTruth) {
     fmt::print("{} strands of {:.0f} um: lines cover {:.4f} of the truth's {:.0f} pixels\n", strands, 1e6f * radius,
                lines / truth, truth);
     EXPECT_NEAR(lines / truth, 1, 0.03) << strands << " " << radius;
+  }
+}
+
+/// The last coordinate of a Cem Yuksel file as a number that is none.
+std::string with_nan(const std::string& path) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(-4, std::ios::end);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  file.write(reinterpret_cast<const char*>(&none), 4);
+  return path;
+}
+
+TEST(StrandsOfAFile, WithNaN_AreRefusedByTheDeviceAsByTheCpu) {
+  const std::string path = with_nan(written(arcs(5, {9}, 40e-6f), "nan.hair"));
+  for (std::string_view method : {k_lines, k_tiles, k_quads, k_cards, k_truth}) {
+    const auto scene = scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}, {}}})", of_file(path), method), "/",
+                                          "test", plan::catalogue());
+    ASSERT_TRUE(scene);
+    const auto on_device = FrameRunner::create(software_device(), *scene, silent_progress());
+    const auto on_cpu = TracedSceneRunner::create(*scene, silent_progress());
+    ASSERT_FALSE(on_device) << method;
+    ASSERT_FALSE(on_cpu) << method;
+    EXPECT_EQ(on_device.error().message, on_cpu.error().message) << method;
+    EXPECT_THAT(on_device.error().message, testing::HasSubstr("nan.hair"));
   }
 }
 

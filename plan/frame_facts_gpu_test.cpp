@@ -99,6 +99,7 @@ TEST(FrameFacts, BallThatPasses_IsMetInItsFramesAlone) {
       const std::string simulation = fmt::format(
           R"("strand_count": 64, "simulation": {{"solver": {{"{}": {{"inner_step": 0.008}}}}, "effects": {{"gravity": {{}}, "colliders": {{}}}}, "solve_on": "{}"}}, "outputs": {{"color": false}})",
           solver, where);
+      int hairs_met = 0, hairs = 0;
       const auto sparing = runner({simulation, k_ball}), all = runner({simulation, k_ball});
       int met = 0;
       for (int frame = 0; frame < 7; ++frame) {
@@ -106,10 +107,17 @@ TEST(FrameFacts, BallThatPasses_IsMetInItsFramesAlone) {
         EXPECT_TRUE(a.state.positions == b.state.positions) << solver << " on " << where << ", frame " << frame;
         EXPECT_TRUE(a.state.velocities == b.state.velocities) << solver << " on " << where << ", frame " << frame;
         met += frame > 0 && sparing->frame_plan().runs("colliders");
+        int reached = 0, of = 0;
+        std::sscanf(sparing->frame_plan().facts.at("colliders_in_reach").why.c_str(), "%d of %d control hairs",
+                    &reached, &of);
+        hairs_met += reached;
+        hairs += of;
       }
-      std::printf("%s on %s: ball met in %d of 6 frames\n", solver, where, met);
+      std::printf("%s on %s: ball met in %d of 6 frames, touching %d of %d hairs\n", solver, where, met, hairs_met,
+                  hairs);
       EXPECT_GT(met, 0);
       EXPECT_LT(met, 5);
+      EXPECT_LT(hairs_met, 0.4 * hairs);
     }
 }
 

@@ -1,6 +1,8 @@
 // What a frame leaves out of the plan: pure rules, the reach of colliders, and what a camera may see.
 #include "plan/frame_plan.h"
 
+#include <array>
+
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -98,22 +100,32 @@ strands::Groom row_of_hairs(int count) {
   return groom;
 }
 
-std::vector<bool> reached_by(const Sphere& sphere, const glm::dmat4& head_end) {
+/// First and last of the hairs that a sphere reaches, and how many they are; {-1, -1, 0}: none.
+std::array<int, 3> reached_by(const Sphere& sphere, const glm::dmat4& head_end) {
   const strands::Groom groom = row_of_hairs(130);
   const std::vector<ReachBall> balls = reach_balls(groom, 0.001);
   const sim::MovingCollider moving{.shape = sphere, .motion = {}, .on_head = false};
-  return chunks_in_reach(balls, {.head_end = head_end, .moving = {&moving, 1}}, 4);
+  const auto reached = hairs_in_reach(balls, {.head_end = head_end, .moving = {&moving, 1}}, 4);
+  std::array<int, 3> found{-1, -1, 0};
+  for (int s = 0; s < 130; ++s) {
+    if (!reached[std::size_t(s)]) continue;
+    if (found[0] < 0) found[0] = s;
+    found[1] = s;
+    ++found[2];
+  }
+  return found;
 }
 
-TEST(ColliderReach, SphereBesideSomeChunks_ReachesTheseAlone) {
-  EXPECT_EQ(reached_by({{0, 0.05, 0}, 0.01}, glm::dmat4(1)), (std::vector{true, false, false}));
-  EXPECT_EQ(reached_by({{1.25, 0.1, 0}, 0.01}, glm::dmat4(1)), (std::vector{false, true, true}));
-  EXPECT_EQ(reached_by({{0, 9, 0}, 0.01}, glm::dmat4(1)), (std::vector{false, false, false}));
+// A hair reaches 15 cm and a pearl of a millimetre from its root; the sphere has a centimetre.
+TEST(ColliderReach, SphereBesideSomeHairs_ReachesTheseAlone) {
+  EXPECT_EQ(reached_by({{0, 0.05, 0}, 0.01}, glm::dmat4(1)), (std::array{0, 15, 16}));
+  EXPECT_EQ(reached_by({{0.5, 0, 0}, 0.01}, glm::dmat4(1)), (std::array{34, 66, 33}));
+  EXPECT_EQ(reached_by({{0, 9, 0}, 0.01}, glm::dmat4(1)), (std::array{-1, -1, 0}));
 }
 
 TEST(ColliderReach, HeadThatMovesToTheSphere_ReachesIt) {
-  EXPECT_EQ(reached_by({{-1, 0.05, 0}, 0.01}, glm::dmat4(1)), (std::vector{false, false, false}));
-  EXPECT_TRUE(reached_by({{-1, 0.05, 0}, 0.01}, glm::translate(glm::dmat4(1), {-1, 0, 0}))[0]);
+  EXPECT_EQ(reached_by({{-1, 0.05, 0}, 0.01}, glm::dmat4(1))[2], 0);
+  EXPECT_EQ(reached_by({{-1, 0.05, 0}, 0.01}, glm::translate(glm::dmat4(1), {-1, 0, 0}))[0], 0);
 }
 
 TEST(ColliderReach, StrandOutsideItsBall_IsSeen) {

@@ -99,17 +99,20 @@ Result<void> StrandMotion::settle() {
   return {};
 }
 
-/// Colliders that cannot come near any strand in this frame: the frame's contacts, and nothing else, fall away. The
-/// first frame has all, so that a solver says which it does not meet.
+/// Colliders that cannot come near any strand in this frame: the frame's contacts, and nothing else, fall away; else
+/// those of the strands that none comes near. The first frame has all, so that a solver says which it does
+/// not meet.
 void StrandMotion::leave_out_far_colliders(sim::FrameInput& input) {
   const bool collides = find_pass(plan_, "colliders") != nullptr;
   in_reach_ = {collides, collides ? "colliders are met in every frame" : "the scene has no collisions"};
   if (balls_.empty() || frame_ < 0 || everything_ || overreached_) return;
-  const std::vector<bool> reached = chunks_in_reach(balls_, input, plan_.shape.substeps);
-  const auto count = std::ranges::count(reached, true);
-  in_reach_ = {count > 0, fmt::format("{} of {} chunks of {} control hairs are within reach of a collider", count,
-                                      reached.size(), k_reach_chunk)};
-  if (count > 0) return;
+  reached_ = hairs_in_reach(balls_, input, plan_.shape.substeps);
+  const auto count = std::ranges::count(reached_, 1);
+  in_reach_ = {count > 0, fmt::format("{} of {} control hairs are within reach of a collider", count, reached_.size())};
+  if (count > 0) {
+    input.reached = reached_;
+    return;
+  }
   input.colliders = {};
   input.boxes = {};
   input.fields = {};

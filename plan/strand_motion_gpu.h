@@ -83,7 +83,8 @@ class StrandMotion {
   glm::dmat4 head_{1};
   int frame_ = -1;
   bool everything_ = false;
-  std::vector<ReachBall> balls_;  ///< empty where no collider is left out
+  std::vector<ReachBall> balls_;       ///< empty where no collider is left out
+  std::vector<std::uint8_t> reached_;  ///< hairs that the frame's colliders may touch
   registry::Fact awake_, in_reach_;
   bool all_sleep_ = false;  ///< after the frame last simulated
   bool overreached_ = false;

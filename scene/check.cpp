@@ -11,6 +11,7 @@
 #include "core/registry/read_json.h"
 #include "core/text.h"
 #include "scene/include.h"
+#include "scene/migrate.h"
 #include "scene/specification.h"
 
 namespace cuticle::scene {
@@ -203,36 +204,36 @@ void resolve_files(const Spec& spec, Json& value, const Place& place) {
   }
 }
 
-/// Files of a later format are not read as if they were of this one. There has been one format so far: a later one
-/// brings files of the earlier up to itself here.
+/// Files of a later format are not read as if they were of this one.
 Result<void> check_version(const IncludedJson& whole) {
-  constexpr std::int64_t k_version = 1;
   const Json* version = whole.value.find("schema_version");
-  if (!version || !version->is_whole() || version->whole() <= k_version) return {};
+  if (!version || !version->is_whole() || version->whole() <= k_schema_version) return {};
   const Place place{&whole, "schema_version", {"schema_version"}};
-  return bad_input(
-      fmt::format("{} = {} is newer than {}, which this program reads", place.text(), version->whole(), k_version),
-      "take a newer Cuticle");
+  return bad_input(fmt::format("{} = {} is newer than {}, which this program reads", place.text(), version->whole(),
+                               k_schema_version),
+                   "take a newer Cuticle");
 }
 
 }  // namespace
 
-Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
-                           const std::string& where) {
+Result<CheckedJson> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
+                                  const std::string& where) {
   CUTICLE_ASSIGN(IncludedJson whole, read_with_includes(json, folder, where));
   CUTICLE_TRY(check_version(whole));
+  std::vector<std::string> notes = migrate(whole.value);
   Complaints complaints(1);
   check_value(spec, whole.value, {&whole}, complaints);
   if (complaints.full()) return complaints.found().front();
   resolve_files(spec, whole.value, {&whole});
-  return std::move(whole.value);
+  return CheckedJson{std::move(whole.value), std::move(notes)};
 }
 
 std::vector<Error> complaints_about(const Spec& spec, std::string_view json, const std::string& folder,
                                     const std::string& where, std::size_t most) {
-  const auto whole = read_with_includes(json, folder, where);
+  auto whole = read_with_includes(json, folder, where);
   if (!whole) return {whole.error()};
   if (const auto version = check_version(*whole); !version) return {version.error()};
+  migrate(whole->value);
   Complaints complaints(most);
   check_value(spec, whole->value, {&*whole}, complaints);
   return std::move(complaints.found());

@@ -263,8 +263,10 @@ std::string folder_of(const std::string& path) {
 
 Result<Scene> parse_scene(std::string_view json, const std::string& folder, const std::string& where,
                           const Catalogue& catalogue) {
-  CUTICLE_ASSIGN(const Json value, parse_checked(specification(catalogue), json, folder, where));
-  return read_scene({value, where, folder}, catalogue);
+  CUTICLE_ASSIGN(const CheckedJson checked, parse_checked(specification(catalogue), json, folder, where));
+  CUTICLE_ASSIGN(Scene scene, read_scene({checked.value, where, folder}, catalogue));
+  scene.notes.insert(scene.notes.begin(), checked.notes.begin(), checked.notes.end());
+  return scene;
 }
 
 Result<Scene> load_scene(const std::string& path, const Catalogue& catalogue) {

@@ -30,10 +30,15 @@ struct Spec {
 /// The whole file, for the entries that are registered.
 Spec specification(const Catalogue& catalogue);
 
-/// The text as JSON with what it includes, checked against the tree. `folder`: what it includes is relative to. Error:
-/// bad_input naming source, key, value, allowed range or keys.
-Result<Json> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
-                           const std::string& where);
+/// A scene that fits the tree, and what was done to read it (migrate.h).
+struct CheckedJson {
+  Json value;
+  std::vector<std::string> notes;
+};
+/// The text as JSON with what it includes, brought up to this format and checked against the tree. `folder`: what it
+/// includes is relative to. Error: bad_input naming source, key, value, allowed range or keys.
+Result<CheckedJson> parse_checked(const Spec& spec, std::string_view json, const std::string& folder,
+                                  const std::string& where);
 
 /// All that parse_checked would complain about, one thing after the other, and no more than `most`.
 std::vector<Error> complaints_about(const Spec& spec, std::string_view json, const std::string& folder,

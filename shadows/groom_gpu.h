@@ -1,5 +1,6 @@
 #pragma once
 // A groom in device buffers, as the passes of shadow methods read it.
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -16,18 +17,21 @@ struct GroomOnDevice {
   GpuStrands strands;
 };
 
-/// Uploads a sound groom with at least one segment. Error: out_of_memory.
+/// Uploads a groom. Errors: bad_input for one that is not sound (strands::validate), out_of_memory.
 inline Result<std::unique_ptr<GroomOnDevice>> upload_groom(gpu::Device& device, const strands::Groom& groom) {
+  if (const auto sound = strands::validate(groom); !sound) return bad_input("casters: " + sound.error().message);
   std::vector<glm::vec4> packed;
   std::vector<std::uint32_t> first;
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) packed.emplace_back(groom.positions[v], groom.radii[v]);
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) first.push_back(v);
+  const std::uint32_t segment_count = std::uint32_t(first.size());
+  first.resize(std::max<std::size_t>(1, first.size()));  // a buffer holds at least one word
   auto result = std::make_unique<GroomOnDevice>();
   CUTICLE_ASSIGN(result->vertices, gpu::make_buffer_from<glm::vec4>(device, packed));
   CUTICLE_ASSIGN(result->segments, gpu::make_buffer_from<std::uint32_t>(device, first));
   CUTICLE_ASSIGN(result->transmittance, device.make_buffer(4 * packed.size()));
-  result->strands = {&result->vertices, &result->segments, std::uint32_t(packed.size()), std::uint32_t(first.size()),
+  result->strands = {&result->vertices, &result->segments, std::uint32_t(packed.size()), segment_count,
                      strands::bounds(groom)};
   return result;
 }

@@ -57,6 +57,9 @@ struct FrameInput {
   std::span<const FieldPointer> fields = {};    ///< the same of meshes (colliders/distance_field.h); none is null
   std::span<const MovingCollider> moving = {};  ///< colliders as well
   double clock_begin = 0, clock_end = 0;        ///< their keys' time at the frame's begin and end, seconds
+  /// For each strand whether a collider may touch it in this frame; empty: all of them. The others must be out of every
+  /// collider's reach: a solver need not look there (classic does not).
+  std::span<const std::uint8_t> reached = {};
   bool teleport = false;  ///< the whole state moves rigidly with the head, velocity kept in its frame
   /// Of the effect "control", one entry per vertex or none. authored: world places at the frame's end, metres (none:
   /// the rest pose carried by the head); control: factors 0 .. 1 of its weight in this frame (none: 1).

@@ -7,7 +7,7 @@
 
 namespace cuticle::sim {
 
-constexpr std::uint32_t k_strand_buffers = 9;
+constexpr std::uint32_t k_strand_buffers = 10;
 
 struct StrandBuffers {
   gpu::Buffer offsets, places, traits;        ///< RestPose
@@ -15,11 +15,16 @@ struct StrandBuffers {
   gpu::Buffer resets;                         ///< uint per strand
   gpu::Buffer world;                          ///< vec4 per vertex
   gpu::Buffer spheres;                        ///< vec4 per collider
+  gpu::Buffer reach;  ///< uint: for each strand whether a sphere may touch it, then those strands in order
 };
 
 /// Buffers that hold the rest pose at rest. The pose has at least one vertex.
 /// Error: out_of_memory; more than 8 million vertices do not fit the 128 MiB that every device offers.
 Result<StrandBuffers> make_strand_buffers(gpu::Device& device, const RestPose& pose);
+
+/// Uploads which strands a frame's spheres may touch (FrameInput::reached; empty: all), and returns how many they are.
+Result<std::uint32_t> upload_reach(gpu::Device& device, StrandBuffers& buffers, std::size_t strands,
+                                   std::span<const std::uint8_t> reached);
 
 /// Makes room for these spheres and uploads them.
 Result<void> upload_spheres(gpu::Device& device, StrandBuffers& buffers, std::span<const glm::vec4> spheres);

@@ -18,6 +18,7 @@ layout(binding = 5) buffer Velocities { vec4 velocities[]; };
 layout(binding = 6) buffer Resets { uint resets[]; };               // per strand: whether the guard fired in this frame
 layout(binding = 7) writeonly buffer World { vec4 world[]; };
 layout(binding = 8) readonly buffer Spheres { vec4 spheres[]; };    // centre in rest space, radius: SubstepSpheres
+layout(binding = 9) readonly buffer Reach { uint reach[]; };        // per strand: whether a sphere may touch it; then those
 
 layout(push_constant) uniform Constants {
   vec4 carry, rotation_begin, rotation_end;
@@ -32,10 +33,13 @@ layout(push_constant) uniform Constants {
   vec3 translation;
   uint iterations;
   uint part;           // substep, low 16 bits, of how many in the frame
-  uint ends_substep;
+  uint ends_substep;   // of the constraints: whether they end it for all; of contacts: how many strands they meet
   float pearl_radius;
   uint contacts;       // number of spheres; the highest bit: pearls are fitted; the next: some move by themselves
 };
+
+bool is_reached(uint strand) { return reach[strand] != 0u; }
+uint reached_strand(uint place) { return reach[strand_count + place]; }
 
 uint part_index() { return part & 0xffffu; }
 uint part_count() { return part >> 16; }

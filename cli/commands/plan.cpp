@@ -67,9 +67,9 @@ int print_plan(const PlanOptions& options, Context& context) {
                                   : plan::report_text(made->scene, made->plan, made->costs));
 #ifdef CUTICLE_HAS_GPU
   if (options.measure) {
-    const auto errors = measured_errors(made->scene, context);
-    if (!errors) return report(errors.error());
-    fmt::print("{}", *errors);
+    const auto measured = measured_on_this_hair(made->scene, context);
+    if (!measured) return report(measured.error());
+    fmt::print("{}", *measured);
   }
 #endif
   return Exit::ok;
@@ -112,8 +112,9 @@ void add_plan(CLI::App& app, Context& context) {
       ->check(CLI::Range(0, 1000000));
   command->add_option("--why", options->why, "everything about one pass, effect, solver or shadow method");
   command->add_flag("--dot", options->dot, "print a Graphviz graph of facts and passes");
-  command->add_flag("--measure", options->measure,
-                    "also measure shadow and coverage of this hair against ray-traced truth and brute force");
+  command->add_flag(
+      "--measure", options->measure,
+      "also measure a frame's time, and shadow and coverage of this hair against ray-traced truth and brute force");
   command->add_flag("--calibrate", options->calibrate,
                     "first time every pass on this device, a minute at most; the times are stored for it");
   command->callback([&context, options] {

@@ -11,10 +11,13 @@
 namespace cuticle::sim::classic {
 namespace {
 
-/// A frame's colliders and how strands meet them.
+/// A frame's colliders, how strands meet them, and which strands may.
 struct Contacts {
   colliders::SubstepSpheres spheres;
   colliders::ContactSettings settings;
+  std::span<const std::uint8_t> reached;
+
+  bool may_touch(std::size_t strand) const { return spheres.count > 0 && (reached.empty() || reached[strand] != 0); }
 };
 
 std::size_t anchor_of(const Particles& strand, const StepConstants& step) {
@@ -110,7 +113,7 @@ class ClassicSolver final : public Solver {
     Contacts contacts;
     if (settings_.contact)
       contacts = {colliders::packed(input.skinned.empty() ? input : without_head(input), parts.size()),
-                  *settings_.contact};
+                  *settings_.contact, input.reached};
     tbb::parallel_for(std::size_t(0), rest_.strand_count(), [&](std::size_t s) { run_strand(s, steps, contacts); });
     return {};
   }
@@ -127,12 +130,13 @@ class ClassicSolver final : public Solver {
     const Particles strand = view(index);
     resets_[index] = 0;
     if (strand.size() == 0) return;
+    const bool may_touch = contacts.may_touch(index);
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const StepConstants& step = steps[k];
       if (!skin_.end.empty()) move_places(index, float(k) / float(steps.size()), float(k + 1) / float(steps.size()));
       integrate(strand, step);
       constrain(strand, step, settings_);
-      if (contacts.spheres.count > 0) meet_spheres(strand, step, k, contacts, settings_);
+      if (may_touch) meet_spheres(strand, step, k, contacts, settings_);
       if (finish(strand, step)) resets_[index] = 1;
     }
   }

@@ -4,7 +4,9 @@
 #include "sim/solver_gpu.h"
 #include "sim/strand_buffers_gpu.h"
 
+#include <algorithm>
 #include <bit>
+#include <functional>
 
 #include <constraints_comp.spv.h>
 #include <constraints_red_black_comp.spv.h>
@@ -96,7 +98,8 @@ class ClassicGpuSolver final : public GpuSolver {
   std::map<std::string, std::uint32_t> dispatches(const FrameInput& input) const override {
     const std::uint32_t count = substeps(settings_, input.duration);
     std::map<std::string, std::uint32_t> result{{"classic", 2 * count}};
-    if (settings_.contact && !(input.colliders.empty() && input.moving.empty())) result["colliders"] = count;
+    const bool reaches = input.reached.empty() || std::ranges::any_of(input.reached, std::identity());
+    if (settings_.contact && reaches && !(input.colliders.empty() && input.moving.empty())) result["colliders"] = count;
     return result;
   }
 
@@ -118,12 +121,15 @@ class ClassicGpuSolver final : public GpuSolver {
                             const gpu::Buffer* skinned) {
     colliders::SubstepSpheres spheres;
     if (settings_.contact) spheres = colliders::packed(skinned ? without_head(input) : input, parts.size());
-    const bool touches = spheres.count > 0;
-    if (touches) CUTICLE_TRY(upload_spheres(*device_, buffers_, spheres.spheres));
+    std::uint32_t met_strands = 0;
+    if (spheres.count > 0) {
+      CUTICLE_TRY(upload_spheres(*device_, buffers_, spheres.spheres));
+      CUTICLE_ASSIGN(met_strands, upload_reach(*device_, buffers_, pose_.strand_count(), input.reached));
+    }
     for (std::size_t k = 0; k < parts.size(); ++k) {
       KernelConstants part = constants(parts[k], spheres);
       part.part = std::uint32_t(k) | std::uint32_t(parts.size()) << 16;
-      record_substep(commands, part, touches, skinned);
+      record_substep(commands, part, met_strands, skinned);
     }
     return {};
   }
@@ -144,24 +150,26 @@ class ClassicGpuSolver final : public GpuSolver {
                 std::uint32_t groups, const gpu::Buffer* skinned = nullptr) const {
     const StrandBuffers& b = buffers_;
     std::vector<const gpu::Buffer*> bound{&b.offsets,    &b.places, &b.traits, &b.positions, &b.starts,
-                                          &b.velocities, &b.resets, &b.world,  &b.spheres};
+                                          &b.velocities, &b.resets, &b.world,  &b.spheres,   &b.reach};
     if (skinned) bound.insert(bound.end(), {&skin_begin_, skinned});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), groups);
   }
 
-  /// With spheres the contact's kernel, which sweeps lengths and spheres in turn, ends the substep.
-  void record_substep(gpu::Commands& commands, KernelConstants constants, bool touches,
+  /// With spheres the contact's kernel, which sweeps lengths and spheres in turn, ends the substep of the strands
+  /// that they may touch.
+  void record_substep(gpu::Commands& commands, KernelConstants constants, std::uint32_t met_strands,
                       const gpu::Buffer* skinned) const {
     const std::uint32_t strands = constants.step.strand_count, groups = (strands + 63) / 64;
     commands.begin_pass(k_pass);
     dispatch(commands, integrate_, constants, groups, skinned);
-    constants.ends_substep = !touches;
+    constants.ends_substep = met_strands == 0;
     dispatch(commands, constraints_, constants,
              settings_.sweep.order == Order::red_black ? std::min(strands, k_max_groups) : groups);
     commands.end_pass();
-    if (!touches) return;
+    if (met_strands == 0) return;
     commands.begin_pass(colliders::k_contact_pass);
-    dispatch(commands, contact_, constants, groups);
+    constants.ends_substep = met_strands;
+    dispatch(commands, contact_, constants, (met_strands + 63) / 64);
     commands.end_pass();
   }
 

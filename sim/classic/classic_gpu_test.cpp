@@ -72,6 +72,44 @@ TEST(ClassicGpu, SphereThatMovesByItself_StaysNearCpuTwin) {
   EXPECT_LT(worst, 1e-6);
 }
 
+/// The frames of run_frames with spheres, met by the strands that `reached` says.
+State run_reached(auto& solver, std::span<const Sphere> spheres, std::span<const std::uint8_t> reached) {
+  for (int k = 0; k < 4; ++k) {
+    FrameInput input = frame_of(k);
+    input.colliders = spheres;
+    input.reached = reached;
+    EXPECT_TRUE(solver.advance(input).ok());
+  }
+  return solver.state().value();
+}
+
+// Spheres that engulf the roots of all: whoever is asked meets them.
+TEST(ClassicGpu, StrandsOutOfReach_AreNotTestedAndTheOthersMeetTheSameBitForBit) {
+  const strands::Groom groom = ring(200);
+  const Sphere wide{{0, 0, 0}, 0.12};
+  const std::vector<std::uint8_t> all(200, 1), none(200, 0);
+  std::vector<std::uint8_t> some(200, 0);
+  for (std::size_t s = 0; s < 200; s += 3) some[s] = 1;
+  for (const std::string settings : {"", "order=red_black"}) {
+    const auto states = [&](std::span<const std::uint8_t> reached, std::span<const Sphere> spheres) {
+      return std::pair(
+          run_reached(*make_gpu("classic", groom, settings, gravity_and_colliders()), spheres, reached).positions,
+          run_reached(*make_classic(groom, settings, gravity_and_colliders()), spheres, reached).positions);
+    };
+    const auto met = states({}, {&wide, 1}), free = states({}, {}), mixed = states(some, {&wide, 1});
+    EXPECT_EQ(states(all, {&wide, 1}), met);
+    EXPECT_EQ(states(none, {&wide, 1}), free);
+    for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+      const auto& expected = some[s] ? met : free;
+      for (std::size_t i = groom.offsets[s]; i < groom.offsets[s + 1]; ++i) {
+        ASSERT_EQ(mixed.first[i], expected.first[i]) << settings << ", strand " << s << " on the device";
+        ASSERT_EQ(mixed.second[i], expected.second[i]) << settings << ", strand " << s << " on the CPU";
+      }
+    }
+    EXPECT_NE(met.first, free.first);
+  }
+}
+
 TEST(ClassicGpu, TwoRuns_AreBitIdentical) { expect_bit_identical_runs("classic", ring(100)); }
 
 TEST(ClassicGpu, DispatchesOfAFrame_AreThoseTheRegistryStates) {

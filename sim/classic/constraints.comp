@@ -12,5 +12,5 @@ void main() {
   if (first == last) return;
   uint anchor = anchor_of(first, last);
   for (uint sweep = 0u; sweep < iterations; ++sweep) sweep_lengths(anchor, last);
-  if (ends_substep != 0u) finish(strand, first, last);
+  if (ends_substep != 0u || !is_reached(strand)) finish(strand, first, last);
 }

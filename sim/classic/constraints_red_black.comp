@@ -31,6 +31,7 @@ void main() {
     if (first == last) continue;
     uint anchor = anchor_of(first, last);
     for (uint sweep = 0u; sweep < iterations; ++sweep) sweep_at_once(anchor, last);
-    if (ends_substep != 0u && gl_LocalInvocationID.x == 0u) finish(strand, first, last);
+    const bool ends = ends_substep != 0u || !is_reached(strand);
+    if (ends && gl_LocalInvocationID.x == 0u) finish(strand, first, last);
   }
 }

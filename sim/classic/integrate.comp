@@ -10,8 +10,8 @@
 
 #if ON_SKIN
 // H3: every node where the skin carries it, then the free ones simulated.
-layout(binding = 9) readonly buffer SkinBegin { vec4 skin_begin[]; };  // at the frame's begin
-layout(binding = 10) readonly buffer SkinEnd { vec4 skin_end[]; };
+layout(binding = 10) readonly buffer SkinBegin { vec4 skin_begin[]; };  // at the frame's begin
+layout(binding = 11) readonly buffer SkinEnd { vec4 skin_end[]; };
 
 vec3 begin_target(uint i) {
   return skinned_place(skin_begin[i].xyz, skin_end[i].xyz, float(part_index()) / float(part_count()));

@@ -39,9 +39,10 @@ void push_positions(uint sphere, uint anchor, uint last, vec3 fallback) {
     positions[i].xyz = push(positions[i].xyz, i, sphere, rotation_end, positions[anchor].xyz, fallback);
 }
 
+// Of the strands that a sphere may touch, of which ends_substep says how many; the others have ended their substep.
 void main() {
-  uint strand = gl_GlobalInvocationID.x;
-  if (strand >= strand_count) return;
+  if (gl_GlobalInvocationID.x >= ends_substep) return;
+  uint strand = reached_strand(gl_GlobalInvocationID.x);
   uint first = offsets[strand], last = offsets[strand + 1u], sphere_count = contacts & 0x3fffffffu;
   if (first == last) return;
   uint anchor = anchor_of(first, last);

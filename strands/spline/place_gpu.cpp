@@ -38,6 +38,8 @@ Constants constants_of(const glm::mat3& turn, std::uint32_t strands, std::uint32
 }
 
 Result<void> check(const Groom& control, std::span<const PlacedStrand> strands) {
+  if (const auto sound = validate(control); !sound)
+    return bad_input(fmt::format("control hairs: {}", sound.error().message));
   for (std::size_t s = 0; s < strands.size(); ++s) {
     const std::uint32_t guide = strands[s].guide;
     if (guide >= control.strand_count())

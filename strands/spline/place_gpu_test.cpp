@@ -168,6 +168,14 @@ TEST(StrandPlacer, GuideThatIsNotThere_IsRefusedNamingIt) {
   EXPECT_EQ(placer.error().message, "drawn strand 0: guide 5 of 5");
 }
 
+TEST(StrandPlacer, ControlHairsWithNaN_AreRefused) {
+  Groom groom = uneven();
+  groom.positions.back().x = std::numeric_limits<float>::quiet_NaN();
+  const auto placer = StrandPlacer::create(device().shared_from_this(), groom, placed_strands(5), false);
+  ASSERT_FALSE(placer.ok());
+  EXPECT_EQ(placer.error().kind, ErrorKind::bad_input);
+}
+
 TEST(FollowStrands, OfAGroom_LieWithinTheReachAcrossTheFirstSegmentAndAreTheSameAgain) {
   const Groom groom = uneven();
   const std::vector<PlacedStrand> beside = follow_strands(groom, {&k_follow, 1});

@@ -41,6 +41,8 @@ Result<void> check_strand(const StrandGeneratorInput& input, std::size_t strand)
 
 Result<void> check(const StrandGeneratorInput& input) {
   CUTICLE_EXPECT(input.control != nullptr, "a generator needs control hairs");
+  if (const auto sound = validate(*input.control); !sound)
+    return bad_input(fmt::format("control hairs: {}", sound.error().message));
   if (input.vertices_per_strand < 2 || input.vertices_per_strand > k_max_vertices)
     return bad_input(
         fmt::format("vertices per strand {}: allowed are 2..{}", input.vertices_per_strand, k_max_vertices));

@@ -246,6 +246,17 @@ TEST(StrandGenerator, Velocities_AreTheDifferenceOfPositionsByTime) {
   EXPECT_LT(off_measured, 7e-4f);
 }
 
+TEST(StrandGenerator, ControlHairsWithNaN_AreRefused) {
+  Groom control = control_hairs();
+  const Drawn drawn = drawn_on(std::uint32_t(control.strand_count()));
+  control.positions[3].y = std::numeric_limits<float>::quiet_NaN();
+  const auto generator = StrandGenerator::create(device().shared_from_this(),
+                                                 {.control = &control, .hairs = drawn.hairs, .weights = drawn.weights});
+  ASSERT_FALSE(generator.ok());
+  EXPECT_EQ(generator.error().kind, ErrorKind::bad_input);
+  EXPECT_NE(generator.error().message.find("control hairs: "), std::string::npos);
+}
+
 TEST(StrandGenerator, VerticesPastTheLargestBuffer_AreRefusedNamingTheLimit) {
   const Groom control = control_hairs();
   const std::uint64_t limit = device().info().max_storage_buffer_bytes;

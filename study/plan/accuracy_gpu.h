@@ -11,10 +11,12 @@
 namespace cuticle::study {
 
 /// Shadow methods against ray-traced truth, ways to draw against brute force, table sizes against the model, and
-/// substeps against 32 times as many, on the first frames of these scenes. The errors do not depend on the device.
-/// Error: what loading and drawing say; usage where this build has no ray-traced truth.
+/// substeps against 7,680 a second in double, on the first frames of these scenes. The errors do not depend on the
+/// device. `parts`: of "shadow", "coverage", "shading", "motion" those that are measured. Error: what loading and
+/// drawing say; usage where this build has no ray-traced truth.
 Result<plan::AccuracyTable> measure_accuracy(const std::shared_ptr<gpu::Device>& device,
-                                             const std::vector<std::string>& scenes, Progress& progress);
+                                             const std::vector<std::string>& scenes,
+                                             const std::vector<std::string>& parts, Progress& progress);
 
 /// The errors of one scene as it stands: transmittance of its first light, coverage, scattering.
 Result<std::vector<plan::AccuracyRow>> measure_scene(const std::shared_ptr<gpu::Device>& device,

@@ -1,6 +1,7 @@
 // What leaving a thing out saves: frames of one scene with a feature and without, and frames in which nothing happens.
 #include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include <fmt/core.h>
 
@@ -156,6 +157,25 @@ Result<Group> quiet_frames(const std::shared_ptr<gpu::Device>& device, const Stu
   return group;
 }
 
+/// "a,b" as a list.
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
+  return names;
+}
+
+/// Rows of parts that were not measured, from the file as it is.
+Result<void> keep_other_parts(const std::string& file, const std::vector<std::string>& parts,
+                              plan::AccuracyTable& table) {
+  const auto before = plan::read_accuracy_table(file);
+  if (!before) return parts.size() == 4 ? Result<void>{} : before.error();
+  for (const plan::AccuracyRow& row : before->rows)
+    if (std::ranges::find(parts, row.part) == parts.end()) table.rows.push_back(row);
+  std::ranges::stable_sort(table.rows, {}, &plan::AccuracyRow::part);
+  return {};
+}
+
 Result<Study> declare_plan(const StudyRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
   Study study{.name = "plan",
@@ -172,7 +192,9 @@ Result<Study> declare_plan(const StudyRequest& request, Progress& progress) {
       scenes.push_back(fmt::format("{}/scenes/ladder/{}.json", request.share, name));
     for (const char* name : {"waves", "straight", "curls"})
       scenes.push_back(fmt::format("{}/scenes/{}.json", request.share, name));
-    CUTICLE_ASSIGN(const plan::AccuracyTable table, measure_accuracy(device, scenes, progress));
+    const std::vector<std::string> parts = names_in(request.options.at("parts"));
+    CUTICLE_ASSIGN(plan::AccuracyTable table, measure_accuracy(device, scenes, parts, progress));
+    CUTICLE_TRY(keep_other_parts(file, parts, table));
     CUTICLE_TRY(plan::write_accuracy_table(file, table));
   }
   CUTICLE_ASSIGN(study.groups.emplace_back(), ablations(device, request, progress));
@@ -189,7 +211,9 @@ const StudyEntry& plan_entry() {
       .summary =
           "what leaving a feature out saves: frames with each and without, still and "
           "moving, hair in view and behind the camera",
-      .options = {{"accuracy", "", "first measure the errors that budgets choose by, and write them to this file"}},
+      .options = {{"accuracy", "", "first measure the errors that budgets choose by, and write them to this file"},
+                  {"parts", "shadow,coverage,shading,motion",
+                   "measure the errors of these parts; the file keeps what it has of others"}},
       .declare = declare_plan,
       .quick_seconds = 60,
       .seconds = 180};

@@ -259,6 +259,21 @@ def test_Simulate_Interrupted_KeepsItsFramesAndSaysSo(tmp_path):
     assert (out / "states.pvd").read_text().count("state_") == len(states)
 
 
+def test_Simulate_Killed_LeavesWholeFilesAndTheNextRunGoes(tmp_path):
+    path, out = small_demo(tmp_path), tmp_path / "out"
+    process = started("simulate", path, "--frames", "0:5000", "--out", out, until=out / "state_0002.vtp")
+    process.kill()
+    process.communicate()
+    assert process.returncode == -signal.SIGKILL
+    states = sorted(out.glob("state_*.vtp"))
+    assert len(states) >= 3
+    for state in states:
+        assert state.read_bytes().rstrip().endswith(b"</VTKFile>"), state
+    assert all(file in states or file.name.startswith(".cuticle-") for file in out.iterdir() if file.suffix != ".lock")
+    done = run("simulate", path, "--frames", "0:1", "--out", out)
+    assert done.returncode == 0 and "of an earlier run are left" in done.stderr
+
+
 def test_Simulate_FromALaterFrame_SaysWhatIsSkippedAndGivesTheSameStates(tmp_path):
     path = small_demo(tmp_path)
     done = run("simulate", path, "--frames", "10:11", "--out", tmp_path / "late")

@@ -2,7 +2,8 @@
 """Breaks the guards of mutations.json one by one and runs the hard cases of their family, which must fail.
 
 A copy of the sources is built once: each guard becomes (mutant == N ? broken : guard), and CUTICLE_MUTANT=N breaks the
-Nth when the copy's test runs. The repository's own sources and builds are not touched. The copy has no GPU code.
+Nth when the copy's test runs. The repository's own sources and builds are not touched. The copy has no GPU code; guards
+of shaders ("on": "device") are broken in a second copy that has, by a constant that its pipelines are given.
 """
 
 import argparse
@@ -22,7 +23,26 @@ HEADER = """#pragma once
 inline const int cuticle_mutant = std::getenv("CUTICLE_MUTANT") ? std::atoi(std::getenv("CUTICLE_MUTANT")) : 0;
 #endif
 """
-OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCUTICLE_UNITY=ON", "-DCUTICLE_GPU=OFF", "-DCUTICLE_VTK=OFF", "-DCUTICLE_PYTHON=OFF"]
+# In shaders the switch is a constant, which the copy's pipelines set from the environment.
+CONSTANT = """#ifndef CUTICLE_MUTANT
+#define CUTICLE_MUTANT
+layout(constant_id = 1000) const int cuticle_mutant = 0;
+#endif
+"""
+PIPELINES = "gpu/pipeline/shader.cpp"
+SET_CONSTANT = (
+    "  info.mapEntryCount = std::uint32_t(entries.size());",
+    """  static std::deque<std::vector<std::uint32_t>> kept;
+  static std::mutex keeping;
+  const std::lock_guard<std::mutex> guard(keeping);
+  std::vector<std::uint32_t>& values = kept.emplace_back(interface.specialization);
+  values.push_back(std::getenv("CUTICLE_MUTANT") ? std::uint32_t(std::atoi(std::getenv("CUTICLE_MUTANT"))) : 0u);
+  entries.push_back({1000, std::uint32_t((values.size() - 1) * sizeof(std::uint32_t)), sizeof(std::uint32_t)});
+  info.mapEntryCount = std::uint32_t(entries.size());""")
+SET_DATA = ("""  info.dataSize = interface.specialization.size() * sizeof(std::uint32_t);
+  info.pData = interface.specialization.data();""", """  info.dataSize = values.size() * sizeof(std::uint32_t);
+  info.pData = values.data();""")
+OPTIONS = {False: ["-DCUTICLE_GPU=OFF", "-DCUTICLE_VTK=OFF", "-DCUTICLE_PYTHON=OFF"], True: ["-DCUTICLE_WERROR=ON"]}  # by whether on the device
 TEST = "Families/HardCasesOf.EveryCaseInEveryPrecision_Holds/"
 
 
@@ -50,12 +70,25 @@ def with_switches(text, mutations):
     return text
 
 
-def broken_copy(tree, mutations):
+def for_device(files):
+    """Shaders with the constant, and pipelines that set it."""
+    made = {name: CONSTANT + text for name, text in files.items()}
+    text = "#include <cstdlib>\n#include <deque>\n#include <mutex>\n" + (ROOT / PIPELINES).read_text()
+    for before, after in (SET_CONSTANT, SET_DATA):
+        if text.count(before) != 1:
+            sys.exit(f"{PIPELINES}: '{before}' is not there once: mend mutate.py")
+        text = text.replace(before, after)
+    return made | {PIPELINES: text}
+
+
+def broken_copy(tree, mutations, on_device):
     """The tracked and new files of the repository, with a switch for each guard."""
     of_file = {}
-    for number, mutation in enumerate(mutations, 1):
+    for number, mutation in mutations:
         of_file.setdefault(mutation["file"], []).append((number, mutation))
     files = {name: with_switches((ROOT / name).read_text(), listed) for name, listed in of_file.items()}
+    if on_device:
+        files = for_device(files)
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
                             capture_output=True, text=True).stdout.split("\0")
     for name in filter(None, listed):
@@ -64,13 +97,15 @@ def broken_copy(tree, mutations):
             write_if_changed(tree / name, files[name].encode() if name in files else path.read_bytes())
 
 
-def build(tree, folder):
+def build(tree, folder, on_device):
     header = folder / "mutant.h"
     write_if_changed(header, HEADER.encode())
+    flags = [] if on_device else [f"-DCMAKE_CXX_FLAGS=-include {header}"]
     environment = dict(os.environ, CCACHE_BASEDIR=str(tree), CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="pch_defines,time_macros",
                        PATH=f"{ROOT}/.venv/bin:{os.environ['PATH']}")
     built = folder / "build"
-    subprocess.run(["cmake", "-G", "Ninja", "-S", tree, "-B", built, f"-DCMAKE_CXX_FLAGS=-include {header}", *OPTIONS],
+    subprocess.run(["cmake", "-G", "Ninja", "-S", tree, "-B", built, "-DCMAKE_BUILD_TYPE=Release", "-DCUTICLE_UNITY=ON",
+                    f"-DPython_EXECUTABLE={ROOT}/.venv/bin/python", *flags, *OPTIONS[on_device]],
                    check=True, env=environment, stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", built, "--target", "hard_cases_test", "--", "--quiet"], check=True, env=environment)
     return next(path for path in built.rglob("hard_cases_test") if path.is_file())
@@ -88,25 +123,17 @@ def run(test, number, family, seconds):
         return ""
     if done.returncode < 0:
         return f"ended by signal {-done.returncode}"
-    failed = re.findall(r"^(\S+ in (?:f32|f64)): ", done.stdout, re.MULTILINE)
+    failed = re.findall(r"^(\S+ in (?:f32|f64|gpu)): ", done.stdout, re.MULTILINE)
     return f"{failed[0]}, {len(failed)} in all" if failed else f"exit code {done.returncode}"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--folder", required=True, type=Path, help="for the copy and its build")
-    parser.add_argument("--out", type=Path, help="table of the results (CSV)")
-    parser.add_argument("--family", help="of these alone")
-    chosen = parser.parse_args()
-    mutations = json.loads((ROOT / "tests/hard_cases/mutations.json").read_text())["mutations"]
-    folder = chosen.folder.resolve()
-    broken_copy(folder / "tree", mutations)
-    test = build(folder / "tree", folder)
+def break_one_by_one(mutations, folder, on_device):
+    """A row for each: number, family, file, guard, what failed."""
+    broken_copy(folder / "tree", mutations, on_device)
+    test = build(folder / "tree", folder, on_device)
     unbroken, rows = {}, []
-    for number, mutation in enumerate(mutations, 1):
+    for number, mutation in mutations:
         family = mutation["family"]
-        if chosen.family not in (None, family):
-            continue
         if family not in unbroken:
             begin = time.monotonic()
             if failed := run(test, 0, family, 3600):
@@ -115,6 +142,22 @@ def main():
         failed = run(test, number, family, 30 + 10 * unbroken[family])
         rows.append([number, family, mutation["file"], mutation["guard"], failed or "SURVIVED"])
         print(*rows[-1], sep="  ", flush=True)
+    return rows
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--folder", required=True, type=Path, help="for the copies and their builds")
+    parser.add_argument("--out", type=Path, help="table of the results (CSV)")
+    parser.add_argument("--family", help="of these alone")
+    chosen = parser.parse_args()
+    listed = json.loads((ROOT / "tests/hard_cases/mutations.json").read_text())["mutations"]
+    mutations = [(number, mutation) for number, mutation in enumerate(listed, 1) if chosen.family in (None, mutation["family"])]
+    rows = []
+    for on_device in (False, True):
+        of_this = [item for item in mutations if (item[1].get("on") == "device") == on_device]
+        if of_this:
+            rows += break_one_by_one(of_this, chosen.folder.resolve() / ("device" if on_device else "cpu"), on_device)
     if chosen.out:
         with chosen.out.open("w", newline="") as file:
             csv.writer(file, lineterminator="\n").writerows([["number", "family", "file", "guard", "caught by"], *rows])

@@ -4,9 +4,7 @@
 #include "shadows/method.h"
 #include "tests/hard_cases/subject.h"
 #ifdef CUTICLE_HAS_GPU
-#include <glm/vec4.hpp>
-
-#include "shadows/method_gpu.h"
+#include "shadows/groom_gpu.h"
 #include "tests/hard_cases/gpu_session.h"
 #endif
 
@@ -45,48 +43,21 @@ Result<Values> run_shadow_f32(const Json& inputs, GpuSession*) {
 }
 
 #ifdef CUTICLE_HAS_GPU
-namespace {
-
-struct Uploaded {
-  gpu::Buffer vertices, segments, transmittance;
-  shadows::GpuStrands strands;
-};
-
-Result<Uploaded> upload(gpu::Device& device, const strands::Groom& groom) {
-  std::vector<glm::vec4> vertices;
-  std::vector<std::uint32_t> segments;
-  for (std::size_t v = 0; v < groom.vertex_count(); ++v) vertices.emplace_back(groom.positions[v], groom.radii[v]);
-  for (std::size_t s = 0; s < groom.strand_count(); ++s)
-    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) segments.push_back(v);
-  const std::uint32_t segment_count = std::uint32_t(segments.size());
-  segments.resize(std::max<std::size_t>(1, segments.size()));  // a buffer holds at least one word
-  Uploaded uploaded;
-  CUTICLE_ASSIGN(uploaded.vertices, gpu::make_buffer_from<glm::vec4>(device, vertices));
-  CUTICLE_ASSIGN(uploaded.segments, gpu::make_buffer_from<std::uint32_t>(device, segments));
-  CUTICLE_ASSIGN(uploaded.transmittance, device.make_buffer(vertices.size() * sizeof(float)));
-  uploaded.strands = {nullptr, nullptr, std::uint32_t(vertices.size()), segment_count, strands::bounds(groom)};
-  return uploaded;
-}
-
-}  // namespace
-
 Result<Values> run_shadow_gpu(const Json& inputs, GpuSession* session) {
   const std::shared_ptr<gpu::Device>& device = session->device;
   CUTICLE_ASSIGN(const ShadowSetting setting, setting_from(inputs));
   CUTICLE_ASSIGN(const shadows::GpuMethod* method, shadows::find_gpu_method(setting.method->entry.name));
   CUTICLE_ASSIGN(const std::unique_ptr<shadows::GpuShadow> shadow, method->create(device, setting.values));
-  CUTICLE_ASSIGN(Uploaded uploaded, upload(*device, setting.groom));
-  uploaded.strands.vertices = &uploaded.vertices;
-  uploaded.strands.segments = &uploaded.segments;
+  CUTICLE_ASSIGN(const auto uploaded, shadows::upload_groom(*device, setting.groom));
   for (bool holds = false; !holds;) {
     gpu::Commands commands = device->record();
-    CUTICLE_TRY(shadow->record(commands, uploaded.strands, setting.alpha, {setting.to_light}, uploaded.transmittance));
+    CUTICLE_TRY(shadow->record(commands, uploaded->strands, setting.alpha, {setting.to_light}, uploaded->transmittance));
     CUTICLE_TRY(device->submit(std::move(commands)));
     CUTICLE_ASSIGN(const shadows::MapRoom room, shadow->settle());
     holds = room.holds;
   }
   CUTICLE_ASSIGN(const std::vector<float> values,
-                 gpu::read_buffer<float>(*device, uploaded.transmittance, setting.groom.vertex_count()));
+                 gpu::read_buffer<float>(*device, uploaded->transmittance, setting.groom.vertex_count()));
   return Values(values.begin(), values.end());
 }
 #endif

@@ -11,7 +11,11 @@ struct Projected {
 };
 
 const float k_guard = 4.0;      // the axis is cut this many half screens from the middle, where floats are still fine
+const float k_cap = 0.7853982, k_longest_cap = 0.5;  // what is drawn beyond the axis' ends: half widths; pixels, at most
 const float k_shortest = 1e-6;  // pixels; a shorter axis has no direction
+
+// A round end covers as much as a rectangle so long.
+float cap_of(float half_width) { return min(k_cap * half_width, k_longest_cap); }
 
 // The part of `range` where a value, linear from 0 to 1, is not negative.
 vec2 cut(vec2 range, float at_0, float at_1) {

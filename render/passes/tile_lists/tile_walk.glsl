@@ -9,7 +9,7 @@ layout(binding = 1) uniform samplerBuffer tangents;
 layout(binding = 2) uniform usamplerBuffer segments;
 layout(binding = 3) uniform samplerBuffer tile_depth;  // 1 / distance of the farthest scene
 
-const float k_half_tile = 0.5 * float(k_tile - 1);  // from the middle to the outermost pixel's centre
+const float k_half_tile = 0.5 * float(k_tile);
 const uint k_thinning = 5u;                         // purpose of a chance
 
 /// A tile that the segment may cover, and 1 / its depth where it passes the tile's middle.
@@ -28,7 +28,7 @@ bool visits(uint vertex, Projected p, ivec2 at, ivec2 begin, float beyond) {
   float nearest = inverse_depth + abs(p.depth_slope) * beyond;
   float half_width = p.half_width + p.width_slope * on_axis;  // the fine rasteriser's for this tile
   uint tile = uint((at.y - begin.y) * int(tile_grid().x) + at.x - begin.x);
-  bool visited = abs(d) <= half_width + beyond && abs(s) <= p.half_length + beyond &&
+  bool visited = abs(d) <= half_width + beyond && abs(s) <= p.half_length + cap_of(half_width) + beyond &&
                  nearest >= texelFetch(tile_depth, int(tile)).r;
   if (visited) visit(tile, vertex, inverse_depth);
   return visited;
@@ -37,7 +37,7 @@ bool visits(uint vertex, Projected p, ivec2 at, ivec2 begin, float beyond) {
 // How many tiles were visited. The loop ends at its last line: on lavapipe one that asks first runs its body once more.
 uint walk(uint vertex, Projected p) {
   vec2 along = abs(p.direction), across = along.yx;
-  float beyond = k_half_tile * (along.x + along.y) + 0.5;
+  float beyond = k_half_tile * (along.x + along.y);  // to the tile's farthest corner
   float widest = p.half_width + abs(p.width_slope) * p.half_length;
   vec2 reach = along * (p.half_length + 0.5) + across * (widest + 0.5);
   ivec2 begin = ivec2(first_tile()), grid = ivec2(tile_grid());

@@ -26,8 +26,9 @@ shared uint blocks_of_four[k_lanes];  // of 4 segments of the chunk each: which 
 
 // Bit b: the segment may cover pixels of block b of a tile.
 uint covered_blocks(ProjectedSegment own, vec2 tile_corner) {
-  vec2 along = own.axis.xy, block = vec2(block_size()), size = 0.5 * (block - 1.0), start = tile_corner + 0.5 * block;
-  vec2 reach = vec2(own.half_width + abs(own.width_slope) * own.half_length, own.half_length) + 0.5;
+  vec2 along = own.axis.xy, block = vec2(block_size()), size = 0.5 * block, start = tile_corner + 0.5 * block;
+  float widest = own.half_width + abs(own.width_slope) * own.half_length;
+  vec2 reach = vec2(widest, own.half_length + cap_of(widest));
   reach += vec2(dot(abs(along.yx), size), dot(abs(along), size)) + k_margin;
   float d = along.x * start.y - along.y * start.x + own.axis.z, s = dot(along, start) + own.axis.w;
   uint blocks = 0u;
@@ -69,9 +70,11 @@ void draw_chunk(uint first, uint end, vec2 first_pixel, vec2 tile_corner) {
 
 bool is_below_in_all(float own, float limit) { return subgroupAll(own < limit); }
 
+// In one order, so that all find the same.
 float sum_in_all(float own) {
   values[own_lane()] = own;
   subgroupBarrier();
-  [[unroll]] for (uint k = 1u; k < k_lanes; ++k) own += values[(own_lane() + k) % k_lanes];
-  return own;
+  float sum = values[0];
+  [[unroll]] for (uint k = 1u; k < k_lanes; ++k) sum += values[k];
+  return sum;
 }

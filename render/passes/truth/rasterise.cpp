@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -134,11 +135,23 @@ bool is_joint(const std::vector<Hit>& hits, std::size_t count, const Line& line)
   return false;
 }
 
+/// Where each row's samples lie between its strata, in their widths, and each column's: as many places as there are
+/// rows, neighbours far apart. All n x n samples then lie on distances of their own from an edge along an axis of the
+/// picture; a plain grid has n, and hair thinner than they are apart covers whole columns or nothing.
+std::vector<double> shifts(int n) {
+  int step = std::max(1, int(std::lround(0.618034 * n)));  // the golden ratio's
+  while (std::gcd(step, n) > 1) ++step;
+  std::vector<double> places;
+  for (int k = 0; k < n; ++k) places.push_back((k * step % n + 0.5) / n);
+  return places;
+}
+
 class Sampler {
  public:
   Sampler(const Camera& camera, const OpaqueScene& scene, const Sampling& sampling)
       : scene_(scene),
         sampling_(sampling),
+        shifts_(shifts(sampling.samples)),
         width_(camera.resolution.x),
         inverse_near_(1 / camera.near_plane),
         inverse_far_(1 / camera.far_plane) {}
@@ -149,7 +162,9 @@ class Sampler {
     glm::dvec4 sum(0);
     const int n = sampling_.samples;
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) sum += sample(pixel, (glm::dvec2(x, y) + 0.5) / double(n));
+      for (int x = 0; x < n; ++x)
+        sum += sample(pixel,
+                      (glm::dvec2(x, y) + glm::dvec2(shifts_[std::size_t(y)], shifts_[std::size_t(x)])) / double(n));
     return sum / double(n * n);
   }
 
@@ -200,6 +215,7 @@ class Sampler {
 
   const OpaqueScene& scene_;
   const Sampling& sampling_;
+  std::vector<double> shifts_;
   int width_;
   double inverse_near_, inverse_far_;
   std::vector<const Line*> lines_;

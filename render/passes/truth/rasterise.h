@@ -30,11 +30,12 @@ struct Sampling {
   double opacity = 1;  ///< of a strand where it covers a sample
 };
 
-/// The picture (R, G, B, A; premultiplied by coverage) by samples x samples points in each pixel: at each, all strands
-/// that cover it, sorted by depth, composited from near to far, then the scene. A strand is a cone between its vertices
-/// with round joints, seen as its silhouette; segments that follow each other on a strand count once where they
-/// overlap; colour and depth are interpolated as seen in perspective. Cut at the near and far planes. Between the
-/// samples of an edge coverage errs by at most about 1 / samples per edge that crosses the pixel (rasterise_test).
+/// The picture (R, G, B, A; premultiplied by coverage) by samples x samples points in each pixel, one in each square of
+/// a grid, all of them in rows and columns of their own: at each, all strands that cover it, sorted by depth,
+/// composited from near to far, then the scene. A strand is a cone between its vertices with round joints, seen as its
+/// silhouette; segments that follow each other on a strand count once where they overlap; colour and depth are
+/// interpolated as seen in perspective. Cut at the near and far planes. Between the samples of an edge coverage errs by
+/// at most about 1 / samples per edge that crosses the pixel (rasterise_test).
 Image rasterise(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
                 const Sampling& sampling);
 

@@ -1,0 +1,55 @@
+#include "scene/migrate.h"
+
+#include <span>
+
+#include <fmt/core.h>
+
+namespace cuticle::scene {
+
+namespace {
+
+/// A key that a format renamed: of an object of the scene (empty: of the scene itself), to a key of the scene.
+struct Renamed {
+  std::string_view object, from, to;
+};
+/// What leads from one format to the next.
+struct Migration {
+  std::int64_t from;
+  std::span<const Renamed> renamed;
+};
+
+/// Format 0, before the first release, kept the counts of drawn strands in an object of their own.
+constexpr Renamed k_from_0[] = {{"strands", "count", "strand_count"}, {"strands", "vertices", "strand_vertices"}};
+constexpr Migration k_migrations[] = {{0, k_from_0}};
+
+void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes) {
+  const Json* object = renamed.object.empty() ? &scene : scene.find(renamed.object);
+  const Json* value = object ? object->find(renamed.from) : nullptr;
+  if (!value || scene.contains(renamed.to)) return;
+  const Json moved = *value;
+  Json& holder = renamed.object.empty() ? scene : scene[renamed.object];
+  holder.erase(renamed.from);
+  if (!renamed.object.empty() && holder.empty()) scene.erase(renamed.object);
+  scene[renamed.to] = moved;
+  notes.push_back(fmt::format("'{}{}{}' is called '{}' now", renamed.object, renamed.object.empty() ? "" : ".",
+                              renamed.from, renamed.to));
+}
+
+}  // namespace
+
+std::vector<std::string> migrate(Json& scene) {
+  const Json* const version = scene.find("schema_version");
+  if (!version || !version->is_whole() || version->whole() >= k_schema_version) return {};
+  const std::int64_t given = version->whole();
+  if (given < k_migrations[0].from) return {};
+  std::vector<std::string> notes;
+  for (const Migration& migration : k_migrations)
+    if (migration.from >= given)
+      for (const Renamed& renamed : migration.renamed) rename(scene, renamed, notes);
+  scene["schema_version"] = Json(k_schema_version);
+  notes.insert(notes.begin(),
+               fmt::format("the scene is of format {}; it is read as format {}", given, k_schema_version));
+  return notes;
+}
+
+}  // namespace cuticle::scene

@@ -1,0 +1,36 @@
+// Scenes of earlier formats are read as those of this one, and say what has changed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/scene.h"
+
+namespace cuticle::scene::migrate_test {
+namespace {
+
+TEST(Migration, EarlierVersion_IsBroughtUpAndSaysWhatChanged) {
+  const auto scene = parse_scene(R"({"schema_version": 0, "strands": {"count": 321, "vertices": 7}, "name": "old"})",
+                                 "/", "s.json", Catalogue());
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->strand_count, 321);
+  EXPECT_EQ(scene->strand_vertices, 7);
+  EXPECT_THAT(scene->notes, testing::ElementsAre("the scene is of format 0; it is read as format 1",
+                                                 "'strands.count' is called 'strand_count' now",
+                                                 "'strands.vertices' is called 'strand_vertices' now"));
+  const auto as_now = parse_scene(R"({"schema_version": 1, "strand_count": 321, "strand_vertices": 7, "name": "old"})",
+                                  "/", "s.json", Catalogue());
+  EXPECT_EQ(as_now->strand_count, scene->strand_count);
+  EXPECT_TRUE(as_now->notes.empty());
+}
+
+TEST(Migration, KeyOfAnEarlierVersion_IsRefusedInThisOneAndBesideItsNewName) {
+  for (const char* text : {R"({"schema_version": 1, "strands": {"count": 3}})",
+                           R"({"schema_version": 0, "strands": {"count": 3}, "strand_count": 5})",
+                           R"({"schema_version": 0, "strands": {"count": 3, "colour": 5}})",
+                           R"({"schema_version": -1, "strands": {"count": 3}})"}) {
+    const auto scene = parse_scene(text, "/", "s.json", Catalogue());
+    ASSERT_FALSE(scene) << text;
+  }
+}
+
+}  // namespace
+}  // namespace cuticle::scene::migrate_test
