@@ -48,7 +48,8 @@ def said(command, folder):
         started = ["xvfb-run", "-a", *started]
     before = time.monotonic()
     done = subprocess.run(started, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
-    lines = done.stdout.splitlines()
+    data = os.environ.get("CUTICLE_TEST_DATA") or "\0"
+    command, lines = command.replace(data, "$CUTICLE_TEST_DATA"), done.stdout.replace(data, "$CUTICLE_TEST_DATA").splitlines()
     more = [f"  ... {len(lines) - SHOWN} more lines"] if len(lines) > SHOWN else []
     head = f"$ {command}\n  [{time.monotonic() - before:.1f} s, exit {done.returncode}]"
     return "\n".join([head, *("  " + line[:160] for line in lines[:SHOWN]), *more])

@@ -93,7 +93,7 @@ SCRIPT = """<script>window.addEventListener("load", () => setTimeout(async () =>
   seen.downloads = [...document.querySelectorAll("#luts-marschner a[download]")].map(a => a.download);
   seen.plots = [...document.querySelectorAll(".js-plotly-plot")].map(plot => plot.querySelectorAll("path").length);
   document.getElementById("theme").click(); seen.theme = document.documentElement.dataset.theme; 
-  const comes = async color => { const plot = document.querySelector("#luts-marschner .plot"); for (let n = 0; n < 1000 && !plot.innerHTML.includes(color); n++) await new Promise(r => setTimeout(r, 20)); return plot.innerHTML.includes(color); };
+  const comes = async color => { const plot = document.querySelector("#luts-marschner .plot"); for (let n = 0; n < 100 && !plot.innerHTML.includes(color); n++) await new Promise(r => setTimeout(r, 20)); return plot.innerHTML.includes(color); };
   seen.lighter = await comes("rgb(127, 176, 230)");
   window.dispatchEvent(new Event("beforeprint")); seen.printed = [document.documentElement.dataset.theme, await comes("rgb(31, 95, 168)")];
   window.dispatchEvent(new Event("afterprint"));

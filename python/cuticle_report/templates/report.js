@@ -61,23 +61,21 @@ function figureOf(plot) {
 }
 
 // What the first screen shows is drawn at once; the other plots, of which a page has dozens, when they come near the window.
+function drawAnew(plot) {
+  const figure = figureOf(plot);
+  Plotly.newPlot(plot, figure.data, figure.layout, { responsive: true, displaylogo: false, displayModeBar: "hover" });
+}
 function draw(plot) {
   if (plot.dataset.drawn) return;
   plot.dataset.drawn = "1";
-  const figure = figureOf(plot);
-  Plotly.newPlot(plot, figure.data, figure.layout, { responsive: true, displaylogo: false, displayModeBar: "hover" });
+  drawAnew(plot);
 }
 function drawAll() { for (const plot of document.querySelectorAll(".plot")) draw(plot); }
 const near = new IntersectionObserver(seen => { for (const each of seen) if (each.isIntersecting) { near.unobserve(each.target); draw(each.target); } }, { rootMargin: "600px" });
 function onFirstScreen(plot) { const box = plot.getBoundingClientRect(); return box.width > 0 && box.top < window.innerHeight; }
 for (const plot of document.querySelectorAll(".plot")) onFirstScreen(plot) ? draw(plot) : near.observe(plot);
 
-function colours() {
-  for (const plot of document.querySelectorAll(".js-plotly-plot")) {
-    const figure = figureOf(plot);
-    Plotly.react(plot, figure.data, figure.layout);
-  }
-}
+function colours() { for (const plot of document.querySelectorAll(".js-plotly-plot")) drawAnew(plot); }
 const theme = document.getElementById("theme");
 theme?.addEventListener("click", () => {
   document.documentElement.dataset.theme = isDark() ? "light" : "dark";
