@@ -7,6 +7,7 @@
 
 #include "core/file.h"
 #include "core/json/json.h"
+#include "plan/opacity_runs.h"
 #include "sim/solver.h"
 
 namespace cuticle::plan {
@@ -102,8 +103,9 @@ std::optional<double> expected_ms(const scene::Scene& scene, const registry::Fra
         row == rows.end() || row->part != "shadow" ? std::string(pass.entry->name) : cost_name(*row);
     const auto time = costs.passes.find(name);
     if (time == costs.passes.end()) return std::nullopt;
-    ms += time->second.fixed + time->second.per_pixel * pixels_of(scene) +
-          time->second.per_unit * units_of(*pass.entry, plan.shape);
+    const bool is_method = pass.entry->kind == registry::EntryKind::method;
+    ms += (is_method ? opacity_runs(scene).runs : 1) * (time->second.fixed + time->second.per_pixel * pixels_of(scene) +
+                                                        time->second.per_unit * units_of(*pass.entry, plan.shape));
   }
   return ms;
 }

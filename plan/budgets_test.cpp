@@ -101,6 +101,26 @@ TEST(Budgets, UpperBound_IsThatOfStudent) {
   EXPECT_TRUE(std::isinf(upper_bound(std::vector{1.0})));
 }
 
+// In a table whose truth is lost in rounding they do not.
+TEST(Budgets, ErrorsOfTheTableThatIsShipped_FallWithFinerSettings) {
+  const AccuracyTable table = read_accuracy_table(CUTICLE_SOURCE_DIR "/scenes/accuracy.json").value();
+  const auto error_of = [&](std::string_view part, std::string_view settings) {
+    for (const AccuracyRow& row : table.rows)
+      if (row.part == part && row.settings == settings) return row.error;
+    ADD_FAILURE() << "no row of " << part << " with " << settings;
+    return 0.0;
+  };
+  const auto falls = [&](std::string_view part, std::initializer_list<std::string_view> settings) {
+    double before = 1;
+    for (std::string_view each : settings) {
+      EXPECT_LT(error_of(part, each), 0.6 * before) << part << " with " << each;
+      before = error_of(part, each);
+    }
+  };
+  falls("motion", {"inner_step=0.00833333", "inner_step=0.00416667", "inner_step=0.00208333", "inner_step=0.00104167"});
+  falls("shading", {"lut_size=16", "lut_size=32", "lut_size=64", "lut_size=128"});
+}
+
 TEST(CostTable, Fit_FindsWhatMadeTheTimes) {
   std::vector<TimedPass> measured;
   for (const auto& [pixels, units] : {std::pair{1e4, 1e5}, {4e4, 1e5}, {1e4, 4e5}})

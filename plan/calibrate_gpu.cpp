@@ -39,7 +39,9 @@ std::vector<std::string> features() {
       R"("render": {"method": "quads"}, "outputs": {"aovs": true}, "passes": {"velocity": {}, "temporal_antialiasing": {},
          "ambient_occlusion": {}, "depth_of_field": {}, "motion_blur": {}}, )" +
           solved("rod", R"(, "strand_interaction": {}, "clumping": {})"),
-      R"("render": {"method": "cards"})", R"("render": {"method": "tiles"}, "passes": {"dual_scattering": {}})"};
+      R"("render": {"method": "cards"})",
+      R"("render": {"method": "tiles"}, "passes": {"dual_scattering": {}})",
+      R"("render": {"method": "tiles"}, "groom": {"follow_hairs": {"per_guide": 3, "reach_m": 0.003}}, "passes": {"velocity": {}})"};
 }
 
 Result<scene::Scene> scene_of(const std::string& feature, const Size& size) {

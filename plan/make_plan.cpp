@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 
 #include "plan/frame_graph.h"
+#include "plan/opacity_runs.h"
 #include "plan/plan.h"
 #include "render/frame.h"
 #include "render/passes/aovs/aovs.h"
 #include "render/passes/velocity/velocity.h"
-#include "shadows/channels.h"
 #include "sim/solver.h"
 
 namespace cuticle::plan {
@@ -47,13 +47,6 @@ bool is_fused(const scene::Scene& scene, const Entry& entry) {
   return solver && effect && (*solver)->fuses_effects && !(*effect)->acts_on_result;
 }
 
-void count_opacities(const scene::Scene& scene, Candidate& method) {
-  const shadows::Channels channels = shadows::different_channels(scene.fibre_alpha.value_or(glm::dvec3(1)));
-  const bool by_powers =
-      bool(shadows::root_opacity(**shadows::find_method(method.entry->name), method.values, channels));
-  (by_powers ? method.powers : method.runs) = by_powers ? channels.count - 1 : channels.count;
-}
-
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> all;
   for (const Entry* entry : catalogue().solvers) all.push_back(one_of(*entry, scene.simulation.solver, "solver"));
@@ -61,7 +54,10 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
     all.push_back({entry, values_in(scene.simulation.effects, *entry), "", is_fused(scene, *entry)});
   for (const Entry* entry : catalogue().methods) {
     all.push_back(one_of(*entry, scene.shadow, "shadow method"));
-    if (all.back().not_chosen.empty()) count_opacities(scene, all.back());
+    if (!all.back().not_chosen.empty()) continue;
+    const OpacityRuns runs = opacity_runs(scene);
+    all.back().runs = runs.runs;
+    all.back().powers = runs.powers;
   }
   for (const Entry* entry : catalogue().passes) all.push_back({entry, values_in(scene.passes, *entry), ""});
   return all;

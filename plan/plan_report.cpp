@@ -7,6 +7,7 @@
 
 #include "core/json/json.h"
 #include "plan/fact_origin.h"
+#include "plan/opacity_runs.h"
 
 namespace cuticle::plan {
 
@@ -43,6 +44,7 @@ std::vector<Line> lines_of(const scene::Scene& scene, const Plan& plan, const Pl
       if (!line.runs) line.measured = 0;
     }
     if (costs.table) line.predicted = predicted_ms(*costs.table, *pass.entry, plan.shape, pixels_of(scene));
+    if (line.predicted && pass.entry->kind == registry::EntryKind::method) *line.predicted *= opacity_runs(scene).runs;
     lines.push_back(std::move(line));
   }
   return lines;

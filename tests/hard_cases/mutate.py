@@ -150,8 +150,9 @@ def main():
     parser.add_argument("--folder", required=True, type=Path, help="for the copies and their builds")
     parser.add_argument("--out", type=Path, help="table of the results (CSV)")
     parser.add_argument("--family", help="of these alone")
+    parser.add_argument("--list", type=Path, default=ROOT / "tests/hard_cases/mutations.json", help="the mutations (JSON)")
     chosen = parser.parse_args()
-    listed = json.loads((ROOT / "tests/hard_cases/mutations.json").read_text())["mutations"]
+    listed = json.loads(chosen.list.read_text())["mutations"]
     mutations = [(number, mutation) for number, mutation in enumerate(listed, 1) if chosen.family in (None, mutation["family"])]
     rows = []
     for on_device in (False, True):
