@@ -1,6 +1,6 @@
-"""Coverage by `tiles` against brute force: four grooms, as framed and from four times as far, still and in a frame of their motion.
+"""Coverage by `tiles` against brute force: four grooms, as framed and from four times as far, still or (--moving) in a frame of their motion.
 
-  PYTHONPATH=build/release/python python bench/coverage_of_grooms.py [--pixels 96] [--strands 600] [--samples 40]
+  PYTHONPATH=build/release/python python bench/coverage_of_grooms.py [--pixels 96] [--strands 600] [--samples 40] [--grooms still,ladder/blond,...] [--rows 0,2,4,8,16] [--moving]
 
 Mean error of coverage over the pixels that hair covers, for each number of rows of samples, and of luminance over its mean for the default.
 """
@@ -14,7 +14,6 @@ import numpy
 import cuticle
 
 SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
-ROWS = (0, 2, 4, 8, 16)
 MOVING_FRAME = 6
 
 
@@ -59,17 +58,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name, usual in (("--pixels", 96), ("--strands", 600), ("--samples", 40)):
         parser.add_argument(name, type=int, default=usual)
+    parser.add_argument("--grooms", default="still,ladder/blond,ladder/curls,ladder/fur")
+    parser.add_argument("--rows", default="0,2,4,8,16")
+    parser.add_argument("--moving", action="store_true")
     options = parser.parse_args()
-    print("groom, view".ljust(28), "".join(f"{rows:>3} rows" for rows in ROWS), "  luminance, 8 rows")
-    for name in ("still.json", "ladder/blond.json", "ladder/curls.json", "ladder/fur.json"):
-        base = loaded(name)
-        for moves in (False, True) if "simulation" in base else (False,):
-            for distance in (1, 4):
-                scene, folder, frame = framed(base, options, distance, moves), (SCENES / name).parent, MOVING_FRAME if moves else 0
-                truth = picture(scene, folder, "truth", frame, samples=min(64, options.samples if distance == 1 else 2 * options.samples))
-                found = {rows: errors(picture(scene, folder, "tiles", frame, coverage_rows=rows), truth) for rows in ROWS}
-                view = f"{pathlib.Path(name).stem}, {'moving' if moves else 'still'}, {'near' if distance == 1 else 'far'}"
-                print(view.ljust(28), "".join(f"{found[rows][0]:8.4f}" for rows in ROWS), f"{found[8][1]:10.3f}", flush=True)
+    rows = [int(text) for text in options.rows.split(",")]
+    print("groom, view".ljust(28), "".join(f"{count:>3} rows" for count in rows), "  luminance, most rows")
+    for name in options.grooms.split(","):
+        base, folder, frame = loaded(name + ".json"), (SCENES / name).parent, MOVING_FRAME if options.moving else 0
+        for distance in (1, 4):
+            scene = framed(base, options, distance, options.moving)
+            truth = picture(scene, folder, "truth", frame, samples=min(64, options.samples if distance == 1 else 2 * options.samples))
+            found = [errors(picture(scene, folder, "tiles", frame, coverage_rows=count), truth) for count in rows]
+            view = f"{pathlib.Path(name).name}, {'moving' if options.moving else 'still'}, {'near' if distance == 1 else 'far'}"
+            print(view.ljust(28), "".join(f"{of[0]:8.4f}" for of in found), f"{found[-1][1]:10.3f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -270,6 +270,8 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());
+    result.colliders = impl_->motion->colliders();
+    result.head = impl_->motion->head();
   }
   result.clock_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -11,6 +11,7 @@
 #include "lut/table_set.h"
 #include "plan/frame_plan.h"
 #include "plan/plan.h"
+#include "sim/colliders/placed.h"
 #include "sim/solver.h"
 
 namespace cuticle::plan {
@@ -27,7 +28,9 @@ struct FrameOptions {
 struct FrameResult {
   Image color;       ///< linear RGBA
   Image aovs;        ///< color, then what each pixel sees, when the scene asks for it and its method can tell
-  sim::State state;  ///< when asked for
+  sim::State state;  ///< when asked for; with it, where colliders and head stand at the frame's end
+  std::vector<sim::PlacedCollider> colliders;
+  glm::dmat4 head{1};
   /// Passes named as the plan names them; of a solver on the CPU its wall time. wall_ms: of all submissions, those
   /// that a too small buffer made necessary among them, and of the CPU's solver.
   gpu::SubmitCost cost;

@@ -205,6 +205,12 @@ Result<gpu::SubmitCost> StrandMotion::advance_to(int frame, Trace* trace, bool e
   return cost;
 }
 
+std::vector<sim::PlacedCollider> StrandMotion::colliders() const {
+  sim::FrameInput input = input_of(scene_, set_, plan_, path_, std::max(0, frame_));
+  if (character_) input.head_end = glm::dmat4(1);
+  return sim::placed_colliders(input);
+}
+
 Result<void> StrandMotion::carry_rigidly(int frame) {
   CUTICLE_TRY(carry(carried_, head_));
   if (before_) CUTICLE_TRY(carry(before_, path_.at(std::max(0, frame - 1))));

@@ -11,6 +11,7 @@
 #include "plan/host_solver_gpu.h"
 #include "plan/plan.h"
 #include "plan/strand_set.h"
+#include "sim/colliders/placed.h"
 #include "sim/solver_gpu.h"
 #include "strands/spline/drawn_gpu.h"
 
@@ -41,6 +42,8 @@ class StrandMotion {
   /// Null where the scene has no fins.
   const FinMotion* fins() const { return fins_.get(); }
   Result<sim::State> state();
+  /// Of the frame last advanced to, at its end; none where nothing collides.
+  std::vector<sim::PlacedCollider> colliders() const;
 
   /// Of the frame last advanced to: whether any strand moves, or something acts on hair anew.
   const registry::Fact& hair_awake() const { return awake_; }

@@ -4,6 +4,7 @@
 #include "study/model_check/report.h"
 
 #include "python/arrays.h"
+#include "python/interruptible.h"
 #include "python/signals.h"
 
 namespace cuticle::python {
@@ -76,7 +77,8 @@ checks::Draw sampler_of(const nb::object& function) {
 }
 
 std::string check_functions(const nb::object& scattering, const nb::object& pdf, const nb::object& sample,
-                            const nb::object& albedo, bool near_field, bool white, bool complete, bool quick) {
+                            const nb::object& albedo, bool near_field, bool white, bool complete, bool quick,
+                            const nb::object& call) {
   checks::Scatterer scatterer;
   scatterer.label = "function";
   scatterer.scattering = scattering_of(scattering);
@@ -84,32 +86,34 @@ std::string check_functions(const nb::object& scattering, const nb::object& pdf,
   scatterer.sample = sampler_of(sample);
   scatterer.albedo = albedo_of(albedo);
   const checks::Subject subject = checks::fixed_subject(scatterer, near_field, white, complete);
-  SignalProgress progress;
+  CalledProgress progress(call);
   const checks::Report report = check_subject(subject, {}, {.quick = quick}, progress);
   return checks::to_json({&report, 1});
 }
 
 std::string check_registered(const std::string& name, const std::string& preset, const std::string& settings,
-                             const std::string& precision, bool quick) {
+                             const std::string& precision, bool quick, const nb::object& call) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(name));
   const registry::ParameterValues values = value_or_raise(bsdf::parse_settings(*model, preset, settings));
   if (precision != "f32" && precision != "f64")
     raise(usage_error("precision '" + precision + "' is not one of f32, f64"));
-  nb::gil_scoped_release released;
   const checks::Subject subject =
       checks::subject_of(*model, values, precision == "f32" ? bsdf::Precision::f32 : bsdf::Precision::f64);
-  SignalProgress progress;
-  const checks::Report report =
-      check_subject(subject, checks::exceptions_of(*model, values), {.quick = quick}, progress);
-  return checks::to_json({&report, 1});
+  CalledProgress progress(call);
+  return interruptible([&] {
+    const checks::Report report =
+        check_subject(subject, checks::exceptions_of(*model, values), {.quick = quick}, progress);
+    return checks::to_json({&report, 1});
+  });
 }
 
 }  // namespace
 
 void add_check(nb::module_& module) {
   module.def("check_functions", &check_functions, nb::arg().none(), nb::arg().none(), nb::arg().none(),
-             nb::arg().none(), nb::arg(), nb::arg(), nb::arg(), nb::arg());
-  module.def("check_registered", &check_registered);
+             nb::arg().none(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
+  module.def("check_registered", &check_registered, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+             nb::arg().none());
 }
 
 }  // namespace cuticle::python

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -121,26 +122,44 @@ class BlockEvaluator {
   std::optional<bsdf::BatchEvaluator> batch_;
 };
 
+/// Parts of a run of points that take about 50 ms each, so that signals and progress are not kept waiting.
+class Parts {
+ public:
+  explicit Parts(std::size_t count) : count_(count) {}
+  std::size_t first() const { return first_; }
+  std::size_t end() const { return std::min(first_ + length_, count_); }
+  std::size_t grain() const { return std::clamp<std::size_t>(length_ >> 5, 4, 1 << 11); }
+  bool is_done() const { return first_ >= count_; }
+  void go_on() {
+    const auto now = std::chrono::steady_clock::now();
+    first_ = end();
+    if (now - begun_ < std::chrono::milliseconds(50)) length_ = std::min<std::size_t>(4 * length_, 1 << 20);
+    begun_ = now;
+  }
+
+ private:
+  std::size_t count_, first_ = 0, length_ = 1 << 8;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
 /// Without the interpreter's lock; between two parts a signal may end it.
 Result<void> evaluate_in_parts(const bsdf::Model& model, const registry::ParameterValues& values,
                                bsdf::Precision precision, const bsdf::Request& what, const PointReader& points,
-                               Unset& out) {
-  const bool slow = what.quantity == bsdf::Quantity::albedo;  // each is an integral
-  const std::size_t part = slow ? 1 << 8 : 1 << 20, grain = slow ? 4 : 1 << 11;
+                               Unset& out, CalledProgress& progress) {
   const BlockEvaluator evaluate(model, values, precision, what);
   const nb::gil_scoped_release released;
-  for (std::size_t first = 0; first < points.count(); first += part) {
-    const std::size_t end = std::min(first + part, points.count());
+  for (Parts parts(points.count()); !parts.is_done();) {
     FirstError failed;
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(first, end, grain),
+        tbb::blocked_range<std::size_t>(parts.first(), parts.end(), parts.grain()),
         [&](const auto& range) {
           const Result<void> done = evaluate(points, range.begin(), out.span(range.begin(), range.size()));
           if (!done) failed.set(done.error());
         },
         tbb::simple_partitioner());
     CUTICLE_TRY(failed.result());
-    raise_signals();
+    parts.go_on();
+    progress.update("eval", parts.first(), points.count());
   }
   return {};
 }
@@ -161,7 +180,8 @@ std::vector<std::string> needed(const std::string& model_name, const std::string
 
 OutputArray evaluate(const std::string& model_name, const std::string& quantity_name, const std::string& lobe_name,
                      const std::string& preset, const std::string& settings, const std::string& hair,
-                     const std::vector<Numbers>& coordinates, const std::string& precision_name) {
+                     const std::vector<Numbers>& coordinates, const std::string& precision_name,
+                     const nb::object& call) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
   const registry::ParameterValues values = find_values(*model, preset, settings, hair);
   const bsdf::Quantity quantity = value_or_raise(bsdf::find_quantity(quantity_name));
@@ -171,7 +191,8 @@ OutputArray evaluate(const std::string& model_name, const std::string& quantity_
   require(require_room(shape));
   const PointReader points(coordinates, shape);
   Unset out(points.count());
-  require(evaluate_in_parts(*model, values, precision, {quantity, lobe, {}}, points, out));
+  CalledProgress progress(call);
+  require(evaluate_in_parts(*model, values, precision, {quantity, lobe, {}}, points, out, progress));
   shape.push_back(3);
   double* flat = out.values.release();
   const nb::capsule owner(flat, [](void* memory) noexcept { delete[] static_cast<double*>(memory); });
@@ -218,7 +239,8 @@ std::vector<std::string> lobes(const std::string& model_name) {
 }  // namespace
 
 void add_evaluate(nb::module_& module) {
-  module.def("evaluate", &evaluate);
+  module.def("evaluate", &evaluate, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+             nb::arg(), nb::arg().none());
   module.def("needed", &needed);
   module.def("absorption_of_pigments", &absorption_of_pigments);
   module.def("absorption_of_assembly", &absorption_of_assembly);

@@ -13,6 +13,17 @@
 
 namespace cuticle::python {
 
+/// Called about ten times a second while work goes on, in the thread that waits for it; null: nothing is. Whoever sets
+/// it keeps it alive (_progress.py).
+inline thread_local PyObject* ticker = nullptr;
+
+inline void tick() {
+  if (!ticker) return;
+  const nanobind::gil_scoped_acquire held;
+  const nanobind::handle call(ticker);
+  call();
+}
+
 /// What `work` returns, done in a thread of its own without the interpreter's lock, while this thread looks for signals
 /// ten times a second. A signal cancels the work's parallel loops; what it returns is then dropped, and the signal's
 /// exception raised.
@@ -41,7 +52,7 @@ auto interruptible(const Work& work) {
   for (std::unique_lock lock(mutex); !ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return done; });) {
     lock.unlock();
     try {
-      if (!signal) raise_signals();
+      if (!signal) raise_signals(), tick();
     } catch (...) {
       signal = std::current_exception();
       context.cancel_group_execution();

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include "python/arrays.h"
+#include "python/interruptible.h"
 
 namespace {
 
@@ -24,6 +25,8 @@ NB_MODULE(_cuticle, module) {
   add_check(module);
   module.def("version", [] { return CUTICLE_VERSION; });
   module.def("set_threads", &set_threads);
+  module.def(
+      "set_ticker", [](nb::handle call) { ticker = call.is_none() ? nullptr : call.ptr(); }, nb::arg().none());
   add_evaluate(module);
   add_fitting(module);
   add_gradients(module);

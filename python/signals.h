@@ -1,6 +1,9 @@
 #pragma once
 // Ctrl-C while the interpreter waits for our functions.
+#include <stdexcept>
+
 #include <nanobind/nanobind.h>
+#include <tbb/task_group.h>
 
 #include "core/progress.h"
 
@@ -12,10 +15,18 @@ inline void raise_signals() {
   if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
 }
 
-/// Between two steps of long work, in the thread that called it.
+/// In work that `interruptible` runs: ends it where a signal has come, by an exception that the signal's own replaces.
+inline void stop_if_cancelled() {
+  if (tbb::is_current_task_group_canceling()) throw std::runtime_error("interrupted");
+}
+
+/// Between two steps of long work, in the thread that called it or one that `interruptible` started.
 class SignalProgress final : public Progress {
  public:
-  void update(std::string_view, std::size_t, std::size_t) override { raise_signals(); }
+  void update(std::string_view, std::size_t, std::size_t) override {
+    stop_if_cancelled();
+    raise_signals();
+  }
   void message(std::string_view) override {}
 };
 
@@ -24,6 +35,7 @@ class CalledProgress final : public Progress {
  public:
   explicit CalledProgress(nanobind::object call) : call_(std::move(call)) {}
   void update(std::string_view task, std::size_t done, std::size_t total) override {
+    stop_if_cancelled();
     const nanobind::gil_scoped_acquire held;
     if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
     if (!call_.is_none()) call_(nanobind::str(task.data(), task.size()), done, total);

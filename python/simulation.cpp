@@ -71,12 +71,13 @@ class Simulation {
   }
 
   /// As many equal steps as are asked for; the head and the moving spheres go on from where they were.
-  void step(double duration, int count, const Numbers& head, bool teleport) {
+  void step(double duration, int count, const Numbers& head, bool teleport, const nb::object& call) {
     const glm::dmat4 begin = head_, end = matrix_of(head);
     if (count < 1) raise(usage_error(fmt::format("count: {} is below 1", count)));
+    CalledProgress progress(call);
     for (int k = 0; k < count; ++k) {
       advance(duration, k == 0 ? begin : end, end, teleport && k == 0);
-      raise_signals();
+      progress.update("simulate", std::size_t(k) + 1, std::size_t(count));
     }
   }
 
@@ -176,6 +177,13 @@ void add_state(nb::module_& module) {
       .def_prop_ro("velocities", &view<float, &State::velocities>, "float32 (vertices, 3), metres per second")
       .def_prop_ro("tensions", &view<float, &State::tensions>,
                    "float32 (vertices): tension over mass per length towards the root, m^2/s^2; empty of 'classic'")
+      .def_prop_ro(
+          "resets",
+          [](nb::handle self) {
+            const std::vector<std::uint32_t>& resets = nb::cast<sim::State&>(self).resets;
+            return nb::ndarray<nb::numpy, const std::uint32_t>(resets.data(), {resets.size()}, self);
+          },
+          "uint32 (strands): 1 where a strand is one of guards_fired")
       .def_ro("guards_fired", &State::guards_fired, "strands reset in the step because something was not finite")
       .def_ro("left_out", &State::left_out, "vertices that strand_interaction could not count")
       .def_ro("asleep", &State::asleep, "strands that 'sleep' leaves as they are")
@@ -189,7 +197,7 @@ void add_simulation(nb::module_& module) {
   nb::class_<Simulation>(module, "Simulation")
       .def(nb::init<const GroomFile&, const std::string&, const std::string&, const std::string&>())
       .def("reset", &Simulation::reset)
-      .def("step", &Simulation::step)
+      .def("step", &Simulation::step, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
       .def("set_authored", &Simulation::set_authored)
       .def("set_spheres", &Simulation::set_spheres)
       .def("set_capsules", &Simulation::set_capsules)

@@ -6,6 +6,7 @@
 #include "study/registry/entries.h"
 
 #include "python/arrays.h"
+#include "python/interruptible.h"
 #include "python/signals.h"
 
 namespace cuticle::python {
@@ -48,11 +49,7 @@ std::string run_study(const std::string& name, bool quick, const std::map<std::s
     request.options[option] = value;
   }
   CalledProgress progress(call);
-  auto done = [&] {
-    const nb::gil_scoped_release released;
-    return run(*entry, request, progress);
-  }();
-  return value_or_raise(std::move(done));
+  return value_or_raise(interruptible([&] { return run(*entry, request, progress); }));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "lut/target.h"
 
 #include "python/arrays.h"
+#include "python/interruptible.h"
 #include "python/signals.h"
 
 namespace cuticle::python {
@@ -24,13 +25,12 @@ struct BakeRequest {
 };
 
 /// Baked, fitted where that is asked for, certified in the format, and written where a folder is named.
-Result<lut::TableSet> make_tables(const BakeRequest& request, const lut::Format& format) {
+Result<lut::TableSet> make_tables(const BakeRequest& request, const lut::Format& format, Progress& progress) {
   CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(request.model));
   CUTICLE_ASSIGN(const registry::ParameterValues values,
                  bsdf::parse_settings(*model, request.preset, request.settings));
   CUTICLE_ASSIGN(const lut::Layout* layout, lut::find_layout(request.layout, *model, values));
   CUTICLE_ASSIGN(const std::vector<const lut::Target*> targets, lut::find_targets(request.targets));
-  SignalProgress progress;
   CUTICLE_ASSIGN(lut::TableSet set, lut::bake(*model, values, *layout, request.size, progress));
   if (request.fit == "texels") {
     CUTICLE_ASSIGN(lut::TexelFit fitted, lut::fit_texels(set, format, progress));
@@ -38,6 +38,7 @@ Result<lut::TableSet> make_tables(const BakeRequest& request, const lut::Format&
   } else {
     CUTICLE_TRY(lut::certify(set, format, progress));
   }
+  stop_if_cancelled();
   if (!request.out.empty()) CUTICLE_TRY(lut::write(set, format, request.out, targets));
   return set;
 }
@@ -54,15 +55,12 @@ nb::object values_of(Image image, const std::vector<double>& scale) {
 
 nb::tuple bake(const std::string& model, const std::string& layout, int size, const std::string& preset,
                const std::string& settings, const std::string& format_name, const std::string& fit,
-               const std::string& targets, const std::string& out) {
+               const std::string& targets, const std::string& out, const nb::object& call) {
   if (fit != "none" && fit != "texels") raise(usage_error("fit: '" + fit + "' is not one of none, texels"));
   const lut::Format& format = *value_or_raise(lut::find_format(format_name));
   const BakeRequest request{model, layout, preset, settings, format_name, fit, targets, out, size};
-  auto made = [&] {
-    const nb::gil_scoped_release released;
-    return make_tables(request, format);
-  }();
-  lut::TableSet set = value_or_raise(std::move(made));
+  CalledProgress progress(call);
+  lut::TableSet set = value_or_raise(interruptible([&] { return make_tables(request, format, progress); }));
   nb::dict tables;
   const std::string manifest = lut::manifest_json(set, format);
   for (lut::Table& table : set.tables)
@@ -88,7 +86,7 @@ nb::tuple read(const std::string& folder) {
 }
 
 std::string check(const std::string& folder) {
-  return lut::check::to_json(value_or_raise(lut::check::check_folder(folder)));
+  return lut::check::to_json(value_or_raise(interruptible([&] { return lut::check::check_folder(folder); })));
 }
 
 std::string snippet(const std::string& folder, const std::string& dialect_name) {
@@ -97,15 +95,13 @@ std::string snippet(const std::string& folder, const std::string& dialect_name) 
 }
 
 /// Shader code without textures, and its numbers with their errors as JSON.
-nb::tuple analytic(const std::string& model_name, const std::string& preset, const std::string& settings) {
+nb::tuple analytic(const std::string& model_name, const std::string& preset, const std::string& settings,
+                   const nb::object& call) {
   const bsdf::Model* model = value_or_raise(bsdf::find_model(model_name));
   const auto values = value_or_raise(bsdf::parse_settings(*model, preset, settings));
-  auto made = [&] {
-    const nb::gil_scoped_release released;
-    SignalProgress progress;
-    return lut::fit_analytic(*model, values, progress);
-  }();
-  const lut::AnalyticFit fit = value_or_raise(std::move(made));
+  CalledProgress progress(call);
+  const lut::AnalyticFit fit =
+      value_or_raise(interruptible([&] { return lut::fit_analytic(*model, values, progress); }));
   return nb::make_tuple(lut::shader_code(fit), lut::to_json(fit));
 }
 
@@ -122,11 +118,12 @@ std::string choices() {
 }  // namespace
 
 void add_tables(nb::module_& module) {
-  module.def("bake", &bake);
+  module.def("bake", &bake, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+             nb::arg(), nb::arg().none());
   module.def("read_tables", &read);
   module.def("check_tables", &check);
   module.def("snippet", &snippet);
-  module.def("analytic", &analytic);
+  module.def("analytic", &analytic, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
   module.def("table_choices", &choices);
 }
 

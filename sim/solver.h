@@ -84,6 +84,8 @@ struct State {
   /// Vertices that "strand_interaction" could not count in the last frame: outside its grid, or faster than 128 m/s.
   std::uint32_t left_out = 0;
   std::uint32_t asleep = 0;  ///< strands that "sleep" has left as they are since they came to rest
+  /// By strand: 1 where it is one of guards_fired. Empty of surfaces (cloth).
+  std::vector<std::uint32_t> resets = {};
 };
 
 /// Per-segment stretch: length over rest length (one value per vertex, the segment towards the root; 1 at roots

@@ -15,6 +15,7 @@
 #include "sim/telemetry.h"
 #include "strands/formats/formats.h"
 #include "strands/formats/vtp/vtp.h"
+#include "viz/strands/collider_file.h"
 #endif
 
 namespace cuticle::cli {
@@ -66,17 +67,21 @@ Result<void> announce_size(const strands::Groom& groom, const Formats& formats, 
 struct StateSeries {
   std::string telemetry = sim::telemetry_header(), timings = "frame,wall_ms\n";
   std::vector<strands::SeriesMember> members;
+  viz::ColliderWriter colliders;
   double largest_stretch = 1, wall_ms = 0;
   std::uint32_t guards_fired = 0;
 };
 
-Result<void> write_state(const strands::Groom& rest, const sim::State& state, const Formats& formats,
+Result<void> write_state(const strands::Groom& rest, const plan::FrameResult& result, const Formats& formats,
                          const std::string& stem) {
+  const sim::State& state = result.state;
   if (formats.vtp) {
     const std::vector<float> stretch = sim::stretch(rest, state.positions);
     const std::vector<float> curvature = sim::curvature(rest, state.positions);
-    CUTICLE_TRY(write_text_file(stem + ".vtp", strands::format_vtp({&rest, state.positions, state.velocities, stretch,
-                                                                    state.tensions, curvature})));
+    const std::vector<float> contact = sim::distances(result.colliders, state.positions);
+    CUTICLE_TRY(
+        write_text_file(stem + ".vtp", strands::format_vtp({&rest, state.positions, state.velocities, stretch,
+                                                            state.tensions, curvature, contact, state.resets})));
   }
   if (!formats.hair) return {};
   strands::Groom moved = rest;
@@ -98,17 +103,20 @@ void add_frame(StateSeries& series, int frame, double time, const sim::Telemetry
 Result<void> write_series(const StateSeries& series, const Formats& formats, bool is_complete, const std::string& out,
                           RunFolder& folder, Progress& progress) {
   if (formats.vtp) CUTICLE_TRY(write_text_file(out + "/states.pvd", strands::format_pvd(series.members)));
+  if (formats.vtp && !series.colliders.empty())
+    CUTICLE_TRY(write_text_file(out + "/colliders.json", series.colliders.text()));
   CUTICLE_TRY(write_text_file(out + "/telemetry.csv", series.telemetry));
   CUTICLE_TRY(write_text_file(out + "/timings.csv", series.timings));
   if (formats.vtp) folder.add("states.pvd");
+  if (formats.vtp && !series.colliders.empty()) folder.add("colliders.json");
+  for (const std::string& field : series.colliders.fields()) folder.add(field);
   folder.add("telemetry.csv");
   folder.add("timings.csv");
   return folder.finish("simulate", is_complete, progress);
 }
 
 Error interrupted(std::size_t done, std::pair<int, int> frames, const std::string& out) {
-  return {ErrorKind::internal,
-          fmt::format("interrupted after {} of {} frames", done, frames.second - frames.first + 1),
+  return {ErrorKind::internal, fmt::format("interrupted after {} of {} frames", done, frames.second - frames.first + 1),
           fmt::format("what was done is whole, in {}", out)};
 }
 
@@ -119,7 +127,8 @@ Result<void> run_frame(plan::FrameRunner& runner, const SimulateOptions& options
   CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.render = false, .read_state = true}));
   CUTICLE_TRY(sim::check_finite(rest, result.state, frame));
   const std::string name = fmt::format("state_{:04d}", frame);
-  CUTICLE_TRY(write_state(rest, result.state, formats, options.out + "/" + name));
+  CUTICLE_TRY(write_state(rest, result, formats, options.out + "/" + name));
+  if (formats.vtp) CUTICLE_TRY(series.colliders.add(frame, result.colliders, result.head, options.out));
   if (formats.vtp) folder.add(name + ".vtp");
   if (formats.hair) folder.add(name + ".hair");
   add_frame(series, frame, frame / frames_per_second, sim::measure(rest, result.state), result.cost.wall_ms);
@@ -192,15 +201,14 @@ int act(const SimulateOptions& options, Context& context) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Context& context) {
-  auto* command =
-      app.add_subcommand("simulate", "simulate a scene's control hairs; write their states frame by frame, and telemetry.csv");
+  auto* command = app.add_subcommand(
+      "simulate", "simulate a scene's control hairs; write their states frame by frame, and telemetry.csv");
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
   command->add_option("--format", options->format, "vtp (with states.pvd), hair, or both: vtp,hair");
   command->add_option("--out", options->out, "folder to write (default: simulation)");
-  command->add_option("--max-gb", options->max_gigabytes, "gigabytes to write, at most")
-      ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--max-gb", options->max_gigabytes, "gigabytes to write, at most")->check(CLI::Range(0.0, 1e6));
   command->callback([&context, options] { context.action = [&context, options] { return act(*options, context); }; });
 }
 #else

@@ -3,6 +3,7 @@
 #include "cli/groom_options.h"
 #include "cli/shared_files.h"
 #include "cli/view/view.h"
+#include "shadows/method.h"
 #include "strands/growing/grow.h"
 
 namespace cuticle::cli {
@@ -31,7 +32,13 @@ Result<void> view_shadow(const ShadowOptions& options, Context& context) {
   CUTICLE_ASSIGN(view.groom, groom_of(options, *context.progress));
   CUTICLE_ASSIGN(view.to_light, parse_vector("--light", options.light));
   if (!(glm::length(view.to_light) > 0)) return usage_error("--light: 0,0,0 is no direction", "--light 0.5,1,0.6");
-  if (!options.methods.empty()) view.methods = split_list(options.methods);
+  if (options.methods == "all") {
+    view.methods.clear();
+    for (const shadows::Method* method : shadows::methods())
+      if (method->entry.name != "truth") view.methods.emplace_back(method->entry.name);
+  } else if (!options.methods.empty()) {
+    view.methods = split_list(options.methods);
+  }
   if (!options.through.empty()) {
     CUTICLE_ASSIGN(view.through, parse_vector("--through", options.through));
   }
@@ -49,7 +56,8 @@ void add_view_shadow(CLI::App& view, Context& context) {
   command->add_option("groom", options->groom, "a groom; without: wavy hair of our own");
   add_groom_options(*command, options->metres_per_unit, options->radius);
   command->add_option("--light", options->light, "direction to the light, x,y,z")->capture_default_str();
-  command->add_option("--methods", options->methods, "methods drawn beside truth along the ray (cuticle methods)");
+  command->add_option("--methods", options->methods,
+                      "methods drawn beside truth along the ray (cuticle methods), or all");
   command->add_option("--layers", options->shown.layers, "slices and layers")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();

@@ -1,5 +1,6 @@
 #include "cli/view/view.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "strands/formats/formats.h"
@@ -12,7 +13,7 @@ struct StrandsOptions : ViewOptions {
   std::string color, light = "0.5,1,0.6", mesh;
   std::vector<std::string> spheres;
   int frame = -1, strand = -1;
-  double metres_per_unit = 0, alpha = 0.4;
+  double metres_per_unit = 0, alpha = 0.4, density = 0;
 };
 
 Result<viz::StrandColoring> coloring_of(const StrandsOptions& options) {
@@ -35,13 +36,16 @@ Result<viz::StrandsView> view_of(const StrandsOptions& options) {
     CUTICLE_ASSIGN(view.runs.emplace_back(), viz::find_run(path));
   }
   if (view.runs.size() == 2 && view.runs[0].name == view.runs[1].name)
-    for (std::size_t k = 0; k < 2; ++k) view.runs[k].name = options.runs[k];
+    for (std::size_t k = 0; k < 2; ++k)
+      view.runs[k].name =
+          options.runs[0] == options.runs[1] ? fmt::format("{} ({})", view.runs[k].name, k + 1) : options.runs[k];
   if (options.frame >= 0) {
     CUTICLE_ASSIGN(view.frame, viz::frame_at(view.runs.front(), options.frame));
   } else {
     view.frame = int(view.runs.front().frames.size()) - 1;
   }
   view.metres_per_unit = options.metres_per_unit;
+  view.density_cell = options.density;
   if (options.strand >= 0) view.strand = std::size_t(options.strand);
   CUTICLE_ASSIGN(view.coloring, coloring_of(options));
   if (options.mesh.empty()) return view;
@@ -70,15 +74,19 @@ void add_view_strands(CLI::App& view, Context& context) {
   command->add_option(
       "--color", options->color,
       "stretch, tension, curvature, velocity or another array of the file; arc_length, twist, strand, level, "
-      "asleep, contact, transmittance, error:METHOD");
+      "asleep, contact, guard_fired, transmittance, error:METHOD");
   command->add_option("--strand", options->strand, "whose curves are drawn; without: that of the largest value");
   command->add_option("--light", options->light, "direction to the light of transmittance and error")
       ->capture_default_str();
   command->add_option("--alpha", options->alpha, "opacity of one fibre crossing of transmittance and error")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command->add_option("--sphere", options->spheres, "a collider x,y,z,radius in metres, also of --color contact");
-  command->add_option("--mesh", options->mesh, "growth mesh (.obj) to draw");
+  command->add_option("--sphere", options->spheres, "a collider x,y,z,radius in metres, beside those of the run");
+  command->add_option("--mesh", options->mesh, "growth mesh (.obj) to draw, which the run's head carries");
+  command
+      ->add_option("--density", options->density,
+                   "draw hair's length per volume on a grid of this cell (metres), as strand_interaction counts it")
+      ->check(CLI::Range(0.0, 10.0));
   command->add_option("--metres-per-unit", options->metres_per_unit, "unit of a groom's file; 0 = guess")
       ->check(CLI::Range(0.0, 1000.0));
   add_target_options(*command, *options, true);

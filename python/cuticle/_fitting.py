@@ -9,6 +9,7 @@ from . import _cuticle
 from ._errors import Error
 from ._inputs import numbers, settings
 from ._models import _COORDINATES, _coordinates
+from ._progress import ticking
 
 
 class Parameter(typing.NamedTuple):
@@ -47,7 +48,7 @@ def _fit_of(told):
 
 
 def fit(model: str, values, free, set=None, *, preset=None, quantity="S", lobe="sum", sigma=None, loss="squares", theta_i_deg=None,
-        theta_o_deg=None, theta_d_deg=None, phi_deg=None, h=None, phi_o_deg=None) -> Fit:
+        theta_o_deg=None, theta_d_deg=None, phi_deg=None, h=None, phi_o_deg=None, progress=None) -> Fit:
     """Fits parameters of a model to measured values of S, M, N, A or albedo, by least squares within their ranges (Ceres).
 
     values: (n, 3) for red, green and blue, or (n), then of a grey fibre; angles: numbers or (n), as of `eval`. free: names of the
@@ -67,4 +68,5 @@ def fit(model: str, values, free, set=None, *, preset=None, quantity="S", lobe="
         raise Error(f"lobe: {len(lobes)} names for {count} values", "bad_input")
     deviations = None if sigma is None else numpy.ascontiguousarray(numpy.broadcast_to(numbers("sigma", sigma), (count,)))
     names = free.split(",") if isinstance(free, str) else list(free)
-    return _fit_of(json.loads(_cuticle.fit(model, preset or "", settings(set), names, loss, quantity, lobes, coordinates, measured, deviations)))
+    with ticking(progress, "fit"):
+        return _fit_of(json.loads(_cuticle.fit(model, preset or "", settings(set), names, loss, quantity, lobes, coordinates, measured, deviations)))

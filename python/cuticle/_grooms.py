@@ -9,6 +9,7 @@ from . import _cuticle
 from ._cuticle import Groom
 from ._errors import Error
 from ._inputs import as_array, blocks, document, floats, indices, path, settings, single
+from ._progress import ticking
 
 DEFAULT_RADIUS = 35e-6
 
@@ -81,17 +82,19 @@ def write(groom: Groom, path_of_file, metres_per_unit=1.0) -> list:
     return groom._write(path(path_of_file), metres_per_unit)
 
 
-def grow(specification=None, share=None, control=False) -> Groom:
+def grow(specification=None, share=None, control=False, *, progress=None) -> Groom:
     """Grows hair on the procedural head from a grooming specification: a dictionary as docs/grooming.schema.json has it, or the path
     of a JSON file. share: 0 .. 1, of the strands; control: the control hairs instead of the strands between them."""
     text, _ = document({} if specification is None else specification)
-    drawn, guides = _cuticle.grow(text, -1.0 if share is None else float(share))
+    with ticking(progress, "grow"):
+        drawn, guides = _cuticle.grow(text, -1.0 if share is None else float(share))
     return guides if control else drawn
 
 
-def hair_of(scene, folder=None) -> SceneHair:
+def hair_of(scene, folder=None, *, progress=None) -> SceneHair:
     """The hair of a scene (dictionary or path) before its first frame."""
-    control, drawn, head, spheres = _cuticle.hair_of(*document(scene, folder))
+    with ticking(progress, "hair_of"):
+        control, drawn, head, spheres = _cuticle.hair_of(*document(scene, folder))
     return SceneHair(control, drawn, Mesh(*head), spheres)
 
 
@@ -140,10 +143,11 @@ class Cards:
         self._made._write(path(folder))
 
 
-def make_cards(groom: Groom, set=None, head=None) -> Cards:
+def make_cards(groom: Groom, set=None, head=None, *, progress=None) -> Cards:
     """Hair cards of a groom. set: parameters of `cuticle cards --set`, as {"cards": 300, "layers": 2}; head: the mesh that the hair grows on
     (positions, triangles), which shades them."""
-    return Cards(_cuticle.make_cards(groom, settings(set), *(_mesh(head) if head is not None else (None, None))))
+    with ticking(progress, "make_cards"):
+        return Cards(_cuticle.make_cards(groom, settings(set), *(_mesh(head) if head is not None else (None, None))))
 
 
 def check_groom(groom: Groom) -> list:

@@ -7,6 +7,7 @@ import numpy
 from . import _cuticle
 from ._errors import Error
 from ._inputs import floats, numbers as numbers_of, settings, single
+from ._progress import progress_of, ticking
 
 # What eval takes; angles in degrees.
 _COORDINATES = ("theta_i_deg", "theta_o_deg", "theta_d_deg", "phi_deg", "h", "phi_o_deg")
@@ -86,20 +87,21 @@ def _coordinates(model, quantity, preset, set, hair, given):
 
 
 def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta_i_deg=None, theta_o_deg=None, theta_d_deg=None,
-         phi_deg=None, h=None, phi_o_deg=None, precision="f64") -> numpy.ndarray:
+         phi_deg=None, h=None, phi_o_deg=None, precision="f64", progress=None) -> numpy.ndarray:
     """A model's quantity: "S", "M", "N", "A", "albedo", "pdf" or "error", without the cosine of the incident angle.
 
     The angles (numbers or arrays; h in [-1, 1]) are broadcast together; the result has their shape with an axis of r, g, b added.
     S, pdf and error need theta_i, theta_o, phi; M theta_i, theta_o; N theta_d, phi; A theta_d, h; albedo theta_o. Near-field models need h
     too; fibres of elliptical cross-section use phi_o, the viewer's azimuth from the major axis (0 unless given).
     `set` is a dictionary or a text "eta=1.55,sigma_a=0.1/0.2/0.4" over the preset, the named hair or the defaults; `precision` is "f64", or
-    "f32": S and pdf of all lobes then go through the vectorised batch. `Batch` takes and gives float32 without a copy.
+    "f32": S and pdf of all lobes then go through the vectorised batch. `Batch` takes and gives float32 without a copy. progress: True (tqdm)
+    or a function of task, done, total.
     """
     _check(model=(model, str), quantity=(quantity, str), lobe=(lobe, str), preset=(preset or "", str), hair=(hair or "", str),
            precision=(precision, str))
     given = dict(zip(_COORDINATES, (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)))
     coordinates = _coordinates(model, quantity, preset, set, hair, given)
-    return _cuticle.evaluate(model, quantity, lobe, preset or "", settings(set), hair or "", coordinates, precision)
+    return _cuticle.evaluate(model, quantity, lobe, preset or "", settings(set), hair or "", coordinates, precision, progress_of(progress))
 
 
 def pdf(model: str, set=None, **arguments) -> numpy.ndarray:
@@ -112,7 +114,7 @@ def albedo(model: str, theta_o_deg, set=None, **arguments) -> numpy.ndarray:
     return eval(model, "albedo", set=set, theta_o_deg=theta_o_deg, **arguments)
 
 
-def sample(model: str, theta_o_deg, u, set=None, *, preset=None, h=0.0, phi_o_deg=0.0, precision="f64") -> Samples:
+def sample(model: str, theta_o_deg, u, set=None, *, preset=None, h=0.0, phi_o_deg=0.0, precision="f64", progress=None) -> Samples:
     """Incident directions drawn for viewers at theta_o_deg: the mean of the weights is the albedo.
 
     u: (n, 8) numbers in [0, 1); theta_o_deg, h and phi_o_deg: numbers or (n).
@@ -125,17 +127,19 @@ def sample(model: str, theta_o_deg, u, set=None, *, preset=None, h=0.0, phi_o_de
     count = len(numbers_u)
     theta, offset, azimuth = (numpy.ascontiguousarray(numpy.broadcast_to(numbers_of(name, value), (count,)))
                               for name, value in (("theta_o_deg", theta_o_deg), ("h", h), ("phi_o_deg", phi_o_deg)))
-    drawn = _cuticle.sample(model, preset or "", settings(set), precision == "f32", numpy.radians(theta), offset, numpy.radians(azimuth), numbers_u)
+    with ticking(progress, "sample"):
+        drawn = _cuticle.sample(model, preset or "", settings(set), precision == "f32", numpy.radians(theta), offset, numpy.radians(azimuth), numbers_u)
     return Samples(numpy.degrees(drawn[0]), numpy.degrees(drawn[1]), *drawn[2:])
 
 
 def gradients(model: str, quantity: str = "S", by=(), lobe="sum", set=None, *, preset=None, theta_i_deg=None, theta_o_deg=None,
-              theta_d_deg=None, phi_deg=None, h=None, phi_o_deg=None) -> Gradients:
+              theta_d_deg=None, phi_deg=None, h=None, phi_o_deg=None, progress=None) -> Gradients:
     """S, M, N or A with its derivatives by parameters (`by`, names; none: all numbers of the model), through the formulas by automatic
     differentiation (ceres::Jet). An rgb gives three: "sigma_a.r", "sigma_a.g", "sigma_a.b". Points as of `eval`."""
     given = dict(zip(_COORDINATES, (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)))
     coordinates = _coordinates(model, quantity, preset, set, None, given)
-    names, values, derivatives = _cuticle.gradients(model, quantity, lobe, preset or "", settings(set), list(by), coordinates)
+    with ticking(progress, "gradients"):
+        names, values, derivatives = _cuticle.gradients(model, quantity, lobe, preset or "", settings(set), list(by), coordinates)
     return Gradients(values, {name: derivatives[..., i] for i, name in enumerate(names)})
 
 
@@ -176,16 +180,16 @@ class Batch:
 
 
 def check_model(model, *, pdf=None, sample=None, albedo=None, near_field=False, white=False, complete=False, set=None, preset=None,
-                precision="f64", quick=False) -> dict:
+                precision="f64", quick=False, progress=None) -> dict:
     """The checks of `cuticle check model`: a dictionary with model, sound, cause, cause_words and checks.
 
     `model` is the name of a registered model (with `set`, `preset`, `precision`), or a function S(theta_i, theta_o, phi, h) of arrays in
     radians; then `pdf` is a function of the same arguments, `sample` one of theta_o, h and u (rows of eight numbers) that returns
     theta_i, phi, pdf and weight, `albedo` one of theta_o and h. `white`: the functions absorb nothing; `complete`: all orders of
-    scattering are in them; `quick`: fewer directions and samples.
+    scattering are in them; `quick`: fewer directions and samples; `progress`: True (tqdm) or a function of task, done, total.
     """
     if isinstance(model, str):
-        text = _cuticle.check_registered(model, preset or "", settings(set), precision, quick)
+        text = _cuticle.check_registered(model, preset or "", settings(set), precision, quick, progress_of(progress))
     else:
-        text = _cuticle.check_functions(model, pdf, sample, albedo, near_field, white, complete, quick)
+        text = _cuticle.check_functions(model, pdf, sample, albedo, near_field, white, complete, quick, progress_of(progress))
     return json.loads(text)[0]

@@ -5,6 +5,7 @@ from . import _cuticle
 from ._cuticle import Groom, State
 from ._errors import Error
 from ._inputs import blocks, doubles, floats, indices, numbers, to_json
+from ._progress import progress_of
 
 __all__ = ["Simulation", "State", "simulate"]
 
@@ -21,16 +22,17 @@ class Simulation:
         self._head = numpy.eye(4)
         self._state = None
 
-    def step(self, count: int = 1, head=None, *, seconds=None, teleport=False) -> State:
+    def step(self, count: int = 1, head=None, *, seconds=None, teleport=False, progress=None) -> State:
         """Simulates `count` frames and gives the state at their end.
 
         head: (4, 4), rest to world at the end of the first of them, rigid; none: where it is. teleport: the hair moves with it
-        as it is. seconds: duration of a frame instead of 1 / frames_per_second. Ctrl-C ends it between frames.
+        as it is. seconds: duration of a frame instead of 1 / frames_per_second. Ctrl-C ends it between frames. progress: True
+        (tqdm) or a function of task, done, total.
         """
         if head is not None:
             self._head = numbers("head", head).copy()
         self._state = None
-        self._simulation.step(self._duration if seconds is None else float(seconds), int(count), self._head, bool(teleport))
+        self._simulation.step(self._duration if seconds is None else float(seconds), int(count), self._head, bool(teleport), progress_of(progress))
         return self.state
 
     @property

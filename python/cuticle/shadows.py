@@ -4,18 +4,20 @@ import numpy
 from . import _cuticle
 from ._errors import Error
 from ._inputs import floats, numbers, to_json, triple
+from ._progress import ticking
 from ._registries import methods
 
 __all__ = ["footprint_radius", "methods", "transmittance", "truth"]
 
 
-def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, lamp=False, details=False, **settings):
+def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, lamp=False, details=False, progress=None, **settings):
     """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
 
     light: direction to the light (of any length), or with lamp=True its place in metres. points: (n, 3), metres; none: the
     groom's vertices, where a fibre does not shadow itself. alpha: opacity of one fibre crossing, 0 .. 1, or (3) for red,
     green and blue. Result: float32 (n), or (n, 3) of three opacities; with details a dictionary with values, clamped,
-    build_ms, lookup_ms, bytes, device and, of the truth, standard_error and occluders (metres).
+    build_ms, lookup_ms, bytes, device and, of the truth, standard_error and occluders (metres). progress: True (tqdm) or a
+    function of task, done, total.
 
         cuticle.shadows.transmittance(groom, (1, 1, 0.3), points, method="deep_opacity", layers=16, resolution=512)
     """
@@ -23,11 +25,13 @@ def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *,
     arguments = (triple("light", light), bool(lamp), places)
     opacity = numbers("alpha", alpha)
     if opacity.ndim == 0:
-        result = _cuticle.transmittance(groom, method, to_json(settings), float(opacity), *arguments)
+        with ticking(progress, method):
+            result = _cuticle.transmittance(groom, method, to_json(settings), float(opacity), *arguments)
         return result if details else result["values"]
     if details:
         raise Error("details: of one opacity only")
-    return _cuticle.coloured_transmittance(groom, method, to_json(settings), triple("alpha", alpha), *arguments)
+    with ticking(progress, method):
+        return _cuticle.coloured_transmittance(groom, method, to_json(settings), triple("alpha", alpha), *arguments)
 
 
 def truth(groom, light=(0, 1, 0), points=None, *, rays=1024, footprint_radius_mm=0.0, **arguments):

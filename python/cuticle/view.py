@@ -3,21 +3,22 @@
 Each function gives a `pyvista.Plotter`; `.show()` opens it, in a notebook in the browser where trame is installed. PyVista is not
 needed for the rest of the package: `pip install "pyvista[jupyter]"`. The same views without Python: `cuticle view`.
 """
+import math
 import pathlib
 import xml.etree.ElementTree
 
 import numpy
 
-from . import _cuticle, _models
+from . import _cuticle
 from ._errors import Error
-from ._inputs import path as path_of
+from ._inputs import path as path_of, settings
 
 __all__ = ["lobe_surface", "lobes", "lut", "paths", "plan", "shadow", "strands"]
 
 # The same as LOBE_COLORS of cuticle_report.
 _COLORS = {"R": (0.20, 0.47, 0.75), "TT": (0.93, 0.60, 0.13), "TRT": (0.75, 0.22, 0.27), "residual": (0.35, 0.62, 0.36)}
 _DIVERGING = {"stretch": 1.0, "twist": 0.0}
-_TITLES = {"stretch": "stretch [length / rest length]", "tension": "tension over mass per length [m^2/s^2]",
+_TITLES = {"contact": "distance to the nearest collider [m]", "guard_fired": "guard fired", "stretch": "stretch [length / rest length]", "tension": "tension over mass per length [m^2/s^2]",
            "curvature": "curvature [1/m]", "speed": "speed [m/s]"}
 
 
@@ -30,19 +31,25 @@ def _pyvista():
     return pyvista
 
 
-def _averaged(model, lobe, set, theta, phi, **arguments):
-    """S as the mean over each column's azimuths, blended with its neighbours by 1:2:1, so often that the spread is about four degrees."""
-    parts = 4
-    width = phi[0, 1] - phi[0, 0]
-    times = round(2 * (4 / width) ** 2)
-    shifts = ((numpy.arange(parts) + 0.5) / parts - 0.5) * width
-    values = _models.eval(model, "S", lobe, set, theta_o_deg=theta[..., None], phi_deg=phi[..., None] + shifts,
-                          **arguments).mean(axis=(-2, -1))
-    for _ in range(times):
-        ring = values[:, :-1]
-        blended = (numpy.roll(ring, 1, axis=1) + 2 * ring + numpy.roll(ring, -1, axis=1)) / 4
-        values = numpy.concatenate([blended, blended[:, :1]], axis=1)
-    return values
+def _values(model, set, theta_i_deg, preset, hair, h, rows, columns):
+    """S of every lobe, {name: (rows, columns)}: means over some degrees of phi, as a caustic is infinite."""
+    text = settings(set)
+    if hair:
+        text = ",".join(part for part in (_cuticle.hair_mapping(model, hair)[0], text) if part)
+    if not abs(theta_i_deg) <= 90 or min(rows, columns) < 3 or max(rows, columns) > 4096:
+        raise Error(f"theta_i_deg {theta_i_deg}, rows {rows}, columns {columns}: outside -90 .. 90, 3 .. 4096, 3 .. 4096")
+    return _cuticle.lobe_values(model, preset or "", text, math.radians(theta_i_deg), 0.0 if h is None else float(h), int(rows), int(columns))
+
+
+def _lobes_of(model, lobe, values):
+    """One of them, their sum, or all."""
+    if lobe == "all":
+        return values
+    if lobe == "sum":
+        return {"sum": sum(values.values())}
+    if lobe not in values:
+        raise Error(f"lobe: '{lobe}' is not one of sum, all, {', '.join(values)} of {model}")
+    return {lobe: values[lobe]}
 
 
 def _directions(rows, columns):
@@ -65,12 +72,12 @@ def _peak(values) -> float:
 
 
 def lobe_surface(model: str, lobe="sum", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, decades=3.0, log=True,
-                 rows=61, columns=121):
+                 rows=91, columns=241):
     """S of a lobe as a polar surface, for light from theta_i_deg: positions (rows, columns, 3), S (rows, columns) in 1/sr, the mean of
-    r, g and b and over the column's azimuths and its neighbours' (a caustic is infinite), and the S at radius 1, the 99.9th
+    r, g and b and over some degrees of phi (a caustic is infinite), and the S at radius 1, the 99.9th
     percentile. z is the fibre, x the light's side; the radius is log10 S over `decades` below that, or S over it. No PyVista needed."""
     theta, phi = _directions(rows, columns)
-    values = _averaged(model, lobe, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
+    (values,) = _lobes_of(model, lobe, _values(model, set, theta_i_deg, preset, hair, h, rows, columns)).values()
     return _surface(values, theta, phi, _peak(values), log, decades), values, _peak(values)
 
 
@@ -89,9 +96,8 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
     pyvista = _pyvista()
     names = [model] if isinstance(model, str) else list(model)
     plotter = plotter or pyvista.Plotter(shape=(1, len(names)), window_size=(700 * len(names), 700))
-    theta, phi = _directions(61, 121)
-    values = {name: {one: _averaged(name, one, set, theta, phi, theta_i_deg=theta_i_deg, preset=preset, hair=hair, h=h)
-                     for one in (_models.lobes(name) if lobe == "all" else [lobe])} for name in names}
+    theta, phi = _directions(91, 241)
+    values = {name: _lobes_of(name, lobe, _values(name, set, theta_i_deg, preset, hair, h, *theta.shape)) for name in names}
     peak = max(_peak(sum(of_model.values())) for of_model in values.values())
     for place, name in enumerate(names):
         plotter.subplot(0, place)
@@ -103,6 +109,7 @@ def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=No
         plotter.add_mesh(pyvista.Line((0, 0, 0), (1.25 * numpy.cos(angle), 0, 1.25 * numpy.sin(angle))), color=(0.85, 0.65, 0.05),
                          line_width=4)
         plotter.add_text(f"{name}: S, light from theta_i = {theta_i_deg:g} deg", font_size=10)
+        plotter.add_legend(bcolor=None, face="rectangle", size=(0.16, 0.16))
         plotter.camera_position = [(2.4, -4.6, 2.0), (0, 0, 0), (0, 0, 1)]
     if len(names) > 1:
         plotter.link_views()
@@ -172,9 +179,32 @@ def _frames(run) -> list:
     return [path.parent / one.get("file") for one in sets]
 
 
-def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2):
-    """A state of a run of `cuticle simulate` (a folder, a .pvd or a .vtp), coloured by a point array of it; "speed" is the length of
-    the velocity."""
+def _collider_mesh(pyvista, values, *rest):
+    """Of positions and triangles, or of a distance field's values, origin, spacing and place: its level 0."""
+    if len(rest) == 1:
+        (triangles,) = rest
+        return pyvista.PolyData(values, numpy.column_stack([numpy.full(len(triangles), 3), triangles]).ravel())
+    origin, spacing, place = rest
+    grid = pyvista.ImageData(dimensions=values.shape[::-1], spacing=(spacing,) * 3, origin=origin)
+    grid["distance"] = values.ravel()
+    return grid.contour([0.0], scalars="distance").transform(place, inplace=False)
+
+
+def _surroundings(pyvista, plotter, file, density, groom):
+    """Colliders of the run where they stand in this state, and hair's density."""
+    for collider in _cuticle.run_colliders(str(file)):
+        plotter.add_mesh(_collider_mesh(pyvista, *collider), color=(0.8, 0.78, 0.75), smooth_shading=True, split_sharp_edges=True)
+    if density:
+        values, origin = _cuticle.hair_density(groom, float(density))
+        grid = pyvista.ImageData(dimensions=values.shape[::-1], spacing=(density,) * 3, origin=origin)
+        grid["density"] = values.ravel()
+        plotter.add_volume(grid, scalars="density", cmap="viridis", opacity="linear", scalar_bar_args={"title": "length of hair per volume [mm/mm^3]"})
+
+
+def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2, density=None):
+    """A state of a run of `cuticle simulate` (a folder, a .pvd or a .vtp), coloured by an array of it; "speed" is the length of
+    the velocity, "guard_fired" 1 where a strand was reset, "contact" metres to the nearest collider. The run's colliders are drawn
+    with it (a distance field as its level 0), and with density (metres, a cell) hair's length per volume."""
     pyvista = _pyvista()
     files = _frames(run)
     if not -len(files) <= frame < len(files):
@@ -182,14 +212,17 @@ def strands(run, color="stretch", frame=-1, *, plotter=None, line_width=2):
     lines = pyvista.read(str(files[frame]))
     if "velocity" in lines.point_data:
         lines["speed"] = numpy.linalg.norm(lines["velocity"], axis=1)
-    if color not in lines.point_data:
-        raise Error(f"color: '{color}' is not in {files[frame].name}, which has {', '.join(sorted(lines.point_data.keys()))}")
+    known = sorted({*lines.point_data.keys(), *lines.cell_data.keys()})
+    if color not in known:
+        raise Error(f"color: '{color}' is not in {files[frame].name}, which has {', '.join(known)}")
     plotter = plotter or pyvista.Plotter()
     middle = _DIVERGING.get(color)
     reach = None if middle is None else max(float(numpy.abs(lines[color] - middle).max()), 1e-6)
     plotter.add_mesh(lines, scalars=color, line_width=line_width, cmap="viridis" if middle is None else "coolwarm",
                      clim=None if middle is None else (middle - reach, middle + reach), lighting=False,
-                     scalar_bar_args={"title": _TITLES.get(color, color)})
+                     scalar_bar_args={"title": _TITLES.get(color, color) + "\n"})
+    if files[frame].suffix == ".vtp":
+        _surroundings(pyvista, plotter, files[frame], density, _cuticle.load_groom(str(files[frame]), 1.0, 0.0, False))
     plotter.add_text(files[frame].name, font_size=10)
     plotter.camera_position = "xy"
     return plotter

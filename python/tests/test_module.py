@@ -140,10 +140,12 @@ def test_LoadGroom_PathObject_IsTaken(tmp_path):
         cuticle.load_groom(tmp_path / "absent.hair")
 
 
-@pytest.mark.parametrize("work", ["cuticle.check_model('marschner')", "cuticle.bake('marschner', size=1024)",
-                                  "cuticle.eval('huang', 'albedo', theta_o_deg=numpy.linspace(-80, 80, 2000000))"])
+@pytest.mark.parametrize("work", ["cuticle.check_model('chiang')", "cuticle.bake('chiang', 'nalu_theta', size=512)", "cuticle.fit_analytic('marschner')",
+                                  "cuticle.eval('huang', 'albedo', theta_o_deg=numpy.linspace(-80, 80, 2000000))",
+                                  "cuticle.eval('huang', 'S', theta_i_deg=numpy.linspace(-80, 80, 1000000), theta_o_deg=0, phi_deg=20)",
+                                  "cuticle.study('lobes', quick=False)"])
 def test_Interrupt_LongWork_EndsWithKeyboardInterrupt(work):
-    """How long it takes is the machine's affair; that it ends before the work would is not."""
+    """Each would go on for minutes; how soon it ends is the machine's affair (a second where it is idle)."""
     program = f"import cuticle, numpy\nprint('begun', flush=True)\ntry:\n    {work}\nexcept KeyboardInterrupt:\n    print('stopped')\nelse:\n    print('ended')"
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout.readline() == "begun\n"

@@ -55,6 +55,7 @@ class ChainSolver final : public Solver {
     state.tensions = tensions_of<Real>(chains_, rest_, chains_.state);
     for (std::size_t s = 0; s < rest_.strand_count(); ++s) append_strand(state, s);
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
+    state.resets = resets_;
     if (interaction_) state.left_out = interaction_->left_out();
     if (sleepers_) state.asleep = sleepers_->count(chains_);
     return state;

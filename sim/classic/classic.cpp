@@ -122,6 +122,7 @@ class ClassicSolver final : public Solver {
     State state{.positions = positions_, .velocities = velocities_};
     for (glm::vec3& position : state.positions) position += translation_;
     for (std::uint32_t fired : resets_) state.guards_fired += fired;
+    state.resets = resets_;
     return state;
   }
 

@@ -83,12 +83,13 @@ class ClassicGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<glm::vec4> world, gpu::read_buffer<glm::vec4>(*device_, buffers_.world, vertices));
     CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities,
                    gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
-    CUTICLE_ASSIGN(const std::vector<std::uint32_t> resets,
+    CUTICLE_ASSIGN(std::vector<std::uint32_t> resets,
                    gpu::read_buffer<std::uint32_t>(*device_, buffers_.resets, pose_.strand_count()));
     State state;
     state.positions.assign(world.begin(), world.end());
     state.velocities.assign(velocities.begin(), velocities.end());
     for (std::uint32_t fired : resets) state.guards_fired += fired;
+    state.resets = std::move(resets);
     return state;
   }
 

@@ -146,6 +146,7 @@ TEST(ClassicGpu, StrandThatOverflows_IsResetAndCounted) {
   auto solver = make_gpu("classic", groom, "", gravity());
   const State state = run_frames(*solver, 5);
   EXPECT_EQ(state.guards_fired, 1u);
+  EXPECT_EQ(state.resets, (std::vector<std::uint32_t>{0, 0, 0, 1}));
   EXPECT_TRUE(all_finite(state));
 }
 

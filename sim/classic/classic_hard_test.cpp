@@ -74,6 +74,7 @@ TEST(ClassicHard, StrandThatOverflows_IsResetAndCountedAndTouchesNoOther) {
   auto alone = make_classic(good, "", gravity()), beside = make_classic(mixed, "", gravity());
   const State expected = run_frames(*alone, 20), state = run_frames(*beside, 20);
   EXPECT_EQ(state.guards_fired, 1u);
+  EXPECT_EQ(state.resets, (std::vector<std::uint32_t>{1, 0, 0, 0, 0}));
   EXPECT_TRUE(all_finite(state));
   for (std::size_t i = 0; i < good.vertex_count(); ++i) {
     EXPECT_EQ(state.positions[i + 4], expected.positions[i]);

@@ -41,7 +41,8 @@ TEST(VtpFormat, Positions_ReadBackBitByBit) {
   const Sample sample;
   const std::vector<double> values = array_of(sample.text(), "position");
   ASSERT_EQ(values.size(), 18u);
-  for (int i = 0; i < 18; ++i) EXPECT_EQ(float(values[std::size_t(i)]), sample.positions[std::size_t(i / 3)][i % 3]) << i;
+  for (int i = 0; i < 18; ++i)
+    EXPECT_EQ(float(values[std::size_t(i)]), sample.positions[std::size_t(i / 3)][i % 3]) << i;
 }
 
 TEST(VtpFormat, PointArrays_AreThoseNamed) {
@@ -55,10 +56,22 @@ TEST(VtpFormat, TensionAndCurvature_AreThereWhenGiven) {
   const Sample sample;
   EXPECT_THAT(sample.text(), ::testing::Not(HasSubstr("tension")));
   const std::vector<float> numbers{0, 1, 2, 3, 4, 5};
-  const std::string text =
-      format_vtp({&sample.groom, sample.positions, sample.velocities, numbers, numbers, numbers});
+  const std::string text = format_vtp({&sample.groom, sample.positions, sample.velocities, numbers, numbers, numbers});
   EXPECT_THAT(array_of(text, "tension"), ElementsAre(0, 1, 2, 3, 4, 5));
   EXPECT_EQ(array_of(text, "curvature").size(), 6u);
+}
+
+TEST(VtpFormat, ContactAndGuards_AreOfPointsAndOfLines) {
+  const Sample sample;
+  EXPECT_THAT(sample.text(), ::testing::Not(HasSubstr("CellData")));
+  const std::vector<float> contact{0, 1, 2, 3, 4, -5};
+  const std::vector<std::uint32_t> fired{1, 1, 0};
+  StrandState state{&sample.groom, sample.positions, sample.velocities, sample.stretch};
+  state.contact = contact;
+  state.guard_fired = fired;
+  const std::string text = format_vtp(state);
+  EXPECT_THAT(array_of(text, "contact"), ElementsAre(0, 1, 2, 3, 4, -5));
+  EXPECT_THAT(array_of(text, "guard_fired"), ElementsAre(1, 0)) << "the single vertex is no line";
 }
 
 TEST(VtpFormat, SingleVertexStrand_HasNoLine) {

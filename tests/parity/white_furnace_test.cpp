@@ -43,6 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
     Models, WhiteFurnace,
     testing::Values(Fibre{"deon", "sigma_a=0,beta_m=0.4,beta_n=0.3,alpha_deg=-2", 96, 48, 1e-3},
                     Fibre{"chiang", "sigma_a=0,beta_m=0.4,beta_n=0.4,alpha_deg=2,field=far", 96, 48, 1e-3},
+                    Fibre{"yan_fur", "sigma_a=0,sigma_ma=0", 48, 48, 5e-4},
                     Fibre{"huang", "sigma_a=0,roughness=0.4,samples=256", 24, 32, 0.03}),
     [](const auto& info) { return info.param.model; });
 

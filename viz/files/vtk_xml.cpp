@@ -64,15 +64,37 @@ std::string format_vts(const glm::ivec3& size, std::span<const glm::vec3> points
 }
 
 std::string format_vti(const glm::ivec3& size, const glm::dvec3& origin, const glm::dvec3& spacing,
-                       std::span<const NamedArray> arrays) {
+                       std::span<const NamedArray> arrays, const glm::dmat3& axes) {
   Text text;
   begin(text, "ImageData");
-  fmt::format_to(std::back_inserter(text),
-                 "<ImageData WholeExtent=\"{0}\" Origin=\"{1} {2} {3}\" Spacing=\"{4} {5} {6}\">\n"
-                 "<Piece Extent=\"{0}\">\n",
+  fmt::format_to(std::back_inserter(text), "<ImageData WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\"",
                  extent(size), origin.x, origin.y, origin.z, spacing.x, spacing.y, spacing.z);
+  if (axes != glm::dmat3(1))
+    fmt::format_to(std::back_inserter(text), " Direction=\"{} {} {} {} {} {} {} {} {}\"", axes[0].x, axes[1].x,
+                   axes[2].x, axes[0].y, axes[1].y, axes[2].y, axes[0].z, axes[1].z, axes[2].z);
+  fmt::format_to(std::back_inserter(text), ">\n<Piece Extent=\"{}\">\n", extent(size));
   append_point_data(text, arrays);
   append(text, "</Piece>\n</ImageData>\n</VTKFile>\n");
+  return fmt::to_string(text);
+}
+
+std::string format_triangles(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
+                             std::span<const std::array<std::uint32_t, 3>> triangles) {
+  Text text;
+  begin(text, "PolyData");
+  fmt::format_to(std::back_inserter(text),
+                 "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
+                 "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                 points.size(), triangles.size());
+  NamedArray array{"normal", "", 3, {}};
+  for (const glm::vec3& n : normals) array.values.insert(array.values.end(), {n.x, n.y, n.z});
+  append_point_data(text, {&array, 1});
+  append_points(text, points);
+  append(text, "<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
+  for (const auto& t : triangles) fmt::format_to(std::back_inserter(text), "{} {} {}\n", t[0], t[1], t[2]);
+  append(text, "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n");
+  for (std::size_t k = 1; k <= triangles.size(); ++k) fmt::format_to(std::back_inserter(text), "{}\n", 3 * k);
+  append(text, "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n");
   return fmt::to_string(text);
 }
 

@@ -45,7 +45,7 @@ LobesScene::LobesScene(vtkRenderer& renderer, double scale) : renderer_(renderer
   renderer.AddActor(make_polyline({{0, 0, 0}, {1.1, 0, 0}}, k_grey, 1.5 * scale));
   add_label(renderer, "phi = 0", {1.11, 0, 0}, 14 * scale);
   renderer.AddActor(make_polyline({{0, 0, 0}, {0, 1.1, 0}}, k_grey, 1.5 * scale));
-  add_label(renderer, "phi = 90 deg", {0, 1.12, 0}, 14 * scale);
+  add_label(renderer, "phi = 90 deg", {-0.5, 1.12, 0.1}, 14 * scale);  // beside its axis: the light's ray crosses there
   look_at_lobes(renderer);
 }
 

@@ -19,6 +19,13 @@ namespace {
 /// Weights of the columns around one (their spread is 1.2 columns): a ridge one column wide would show the grid.
 constexpr std::array<double, 7> k_weights = {1.0 / 64, 6.0 / 64, 15.0 / 64, 20.0 / 64, 15.0 / 64, 6.0 / 64, 1.0 / 64};
 
+/// How often that is done: so that the spread is about 2.4 degrees. A ridge lies askew over the grid, and of less its
+/// saw teeth show.
+int blends_of(const DirectionGrid& grid) {
+  const double degrees = 360.0 / (grid.columns - 1);
+  return std::max(1, int(4 / (degrees * degrees) + 0.5));
+}
+
 /// The row's values with its columns blended; first and last column are the same direction.
 void blend(std::span<double> row) {
   const int period = int(row.size()) - 1;
@@ -59,7 +66,7 @@ Result<std::vector<double>> averaged_values(const ShownModel& shown, const LobeS
   CUTICLE_ASSIGN(const lut::PhiAverages averages, lut::average_over_phi(source, channel, columns_of(grid)));
   std::vector<double> values;
   std::transform(averages.values.begin(), averages.values.end(), std::back_inserter(values), mean);
-  for (int row = 0; row < 2 * grid.rows; ++row)
+  for (int row = 0; row < blends_of(grid) * grid.rows; ++row)
     blend(
         std::span(values).subspan(std::size_t(row % grid.rows) * std::size_t(grid.columns), std::size_t(grid.columns)));
   return values;

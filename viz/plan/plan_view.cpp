@@ -19,6 +19,17 @@ std::vector<glm::dvec3> greys(const Image& picture) {
   return colors;
 }
 
+/// Each pixel with its tile's number.
+CostMap over_pixels(const CostMap& tiles, const CostMap& pixels, int side) {
+  CostMap map{pixels.width, pixels.height, {}};
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const int row = tiles.height - 1 - (map.height - 1 - y) / side;
+      map.values.push_back(tiles.values[std::size_t(row) * std::size_t(tiles.width) + std::size_t(x / side)]);
+    }
+  return map;
+}
+
 }  // namespace
 
 Result<void> PlanPicture::fill(const WindowArea& area) {
@@ -29,10 +40,9 @@ Result<void> PlanPicture::fill(const WindowArea& area) {
   return update();
 }
 
-/// Numbers over the picture: x and y in pixels.
-void PlanPicture::show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map,
-                       double pixels) {
-  PlotContent content{title, {"x [pixel]", 0, map.width * pixels}, {"y [pixel]", 0, map.height * pixels}};
+/// Numbers over the picture, which is seen where they are 0: x and y in pixels.
+void PlanPicture::show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map) {
+  PlotContent content{title, {"x [pixel]", 0, double(map.width)}, {"y [pixel]", 0, double(map.height)}};
   content.image = PlotImage{map.width, map.height, map.values};
   if (map.width == maps_.picture.width) content.image->beneath = greys(maps_.picture);
   content.colors = sequential_scale(map.values, bar);
@@ -43,14 +53,14 @@ void PlanPicture::show(Plot& plot, const std::string& title, const std::string& 
 Result<void> PlanPicture::update() {
   CUTICLE_ASSIGN(maps_, read_plan(view_));
   const std::string name = std::filesystem::path(view_.file).filename().string();
-  show(*plots_[0], fmt::format("{}: looked at, a pixel", name), "segments", maps_.cost, 1);
+  show(*plots_[0], fmt::format("{}: looked at, a pixel", name), "segments", maps_.cost);
   show(*plots_[1],
        fmt::format("shaded {:.1f} %, culled {:.1f} %, skipped {:.1f} %", 100 * maps_.shaded, 100 * maps_.culled,
                    100 * maps_.skipped),
-       "shaded segments", maps_.samples, 1);
-  show(*plots_[2], fmt::format("mean of tiles of {0} x {0} pixels", view_.tile), "segments a pixel", maps_.tile_cost,
-       view_.tile);
-  show(*plots_[3], "mean over the pixels of the strand seen there", "segments a pixel", maps_.strand_cost, 1);
+       "shaded segments", maps_.samples);
+  show(*plots_[2], fmt::format("mean of tiles of {0} x {0} pixels", view_.tile), "segments a pixel",
+       over_pixels(maps_.tile_cost, maps_.cost, view_.tile));
+  show(*plots_[3], "mean over the pixels of the strand seen there", "segments a pixel", maps_.strand_cost);
   return {};
 }
 

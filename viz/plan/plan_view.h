@@ -19,7 +19,7 @@ class PlanPicture : public ViewOf<PlanView> {
 
  private:
   Result<void> update();
-  void show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map, double pixels);
+  void show(Plot& plot, const std::string& title, const std::string& bar, const CostMap& map);
 
   PlanMaps maps_;
   std::vector<std::unique_ptr<Plot>> plots_;

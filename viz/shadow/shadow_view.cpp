@@ -2,26 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
-#include <vtkAutoInit.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkColorTransferFunction.h>
-#include <vtkFixedPointVolumeRayCastMapper.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkVolume.h>
-#include <vtkVolumeProperty.h>
 #include <glm/geometric.hpp>
 
-VTK_MODULE_INIT(vtkRenderingVolumeOpenGL2)
+#include "viz/draw/detail/volume.h"
 
 namespace cuticle::viz {
 namespace {
@@ -128,33 +121,10 @@ void ShadowPicture::draw_sheets(Part& part, const std::vector<Sheet>& sheets, bo
 
 void ShadowPicture::draw_volume(Part& part, const TransmittanceVolume& volume) {
   for (const auto& prop : part.props) part.renderer->RemoveViewProp(prop);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(volume.size.x, volume.size.y, volume.size.z);
-  image->SetOrigin(volume.origin.x, volume.origin.y, volume.origin.z);
-  image->SetSpacing(volume.spacing.x, volume.spacing.y, volume.spacing.z);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* at = static_cast<unsigned char*>(image->GetScalarPointer());
   const double darkest = double(*std::min_element(volume.values.begin(), volume.values.end()));
   transmittances_.lower = std::min(darkest, 0.99);
-  for (const float value : volume.values)
-    *at++ = static_cast<unsigned char>(255 * std::clamp(transmittances_.fraction(double(value)), 0.0, 1.0) + 0.5);
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(image);
-  mapper->SetSampleDistance(float(volume.spacing.x / 2));
-  vtkNew<vtkColorTransferFunction> colors;
-  vtkNew<vtkPiecewiseFunction> opacity;
-  for (int k = 0; k <= 16; ++k) {
-    const glm::dvec3 c = ramp_color(Ramp::sequential, k / 16.0);
-    colors->AddRGBPoint(255 * k / 16.0, c.x, c.y, c.z);
-    opacity->AddPoint(255 * k / 16.0, k == 16 ? 0 : 0.12 + 0.5 * (1 - k / 16.0));
-  }
-  vtkNew<vtkVolume> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colors);
-  actor->GetProperty()->SetScalarOpacity(opacity);
-  actor->GetProperty()->SetScalarOpacityUnitDistance(2 * volume.spacing.x);
-  actor->GetProperty()->SetInterpolationTypeToLinear();
-  part.props = {actor.Get()};
+  const auto opacity = [](double fraction) { return fraction == 1 ? 0 : 0.12 + 0.5 * (1 - fraction); };
+  part.props = {make_volume(volume.size, volume.origin, volume.spacing, volume.values, transmittances_, opacity)};
   draw_surroundings(part);
 }
 
@@ -163,9 +133,10 @@ Result<void> ShadowPicture::update_curves() {
   PlotContent plot{"optical depth -ln T along the marked ray",
                    {"distance from where the ray enters the hair [mm]"},
                    {"optical depth"}};
-  const glm::dvec3 colors[] = {{0, 0, 0}, {.16, .42, .68}, {.80, .40, .10}, {.30, .55, .25}, {.55, .30, .60}};
+  const glm::dvec3 colors[] = {{0, 0, 0},       {.16, .42, .68}, {.80, .40, .10}, {.30, .55, .25},
+                               {.55, .30, .60}, {.75, .10, .15}, {.10, .60, .62}, {.55, .45, .15}};
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    Curve curve{curves[k].method, {}, colors[k % 5], curves[k].method == "truth" ? 3.5 : 2};
+    Curve curve{curves[k].method, {}, colors[k % std::size(colors)], curves[k].method == "truth" ? 3.5 : 2};
     for (const auto& point : curves[k].points) curve.points.emplace_back(1e3 * point[0], point[1]);
     plot.x.upper = std::max(k == 0 ? 1e-6 : plot.x.upper, curve.points.back().x);
     plot.curves.push_back(std::move(curve));

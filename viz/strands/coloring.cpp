@@ -25,11 +25,13 @@ struct KnownArray {
   double neutral = 0;
 };
 const std::map<std::string_view, KnownArray>& known_arrays() {
-  static const std::map<std::string_view, KnownArray> known = {{"stretch", {"stretch [length / rest length]", true, 1}},
-                                                               {"tension", {"tension over mass per length [m^2/s^2]"}},
-                                                               {"curvature", {"curvature [1/m]"}},
-                                                               {"velocity", {"speed [m/s]"}},
-                                                               {"radius", {"radius [m]"}}};
+  static const std::map<std::string_view, KnownArray> known = {
+      {"stretch", {"stretch [length / rest length]", true, 1}},
+      {"tension", {"tension over mass per length [m^2/s^2]"}},
+      {"curvature", {"curvature [1/m]"}},
+      {"velocity", {"speed [m/s]"}},
+      {"guard_fired", {"guard fired: 1 where the strand was reset"}},
+      {"radius", {"radius [m]"}}};
   return known;
 }
 
@@ -91,16 +93,18 @@ std::vector<float> sleeping(const Groom& groom, const Groom* before) {
   });
 }
 
-/// Distance to the nearest collider, mm, below 0 within.
-std::vector<float> contacts(const Groom& groom, std::span<const Sphere> colliders) {
-  std::vector<float> values;
-  for (const glm::vec3& p : groom.positions) {
-    double nearest = 1;
-    for (const Sphere& sphere : colliders)
-      nearest = std::min(nearest, glm::distance(glm::dvec3(p), sphere.center) - sphere.radius);
-    values.push_back(float(1e3 * nearest));
+/// Distance to the nearest collider, mm, below 0 within: of the run's own by its file, and of those given.
+ColoredStrands contacts(const Groom& groom, std::span<const Sphere> given) {
+  std::vector<sim::PlacedCollider> colliders;
+  for (const Sphere& sphere : given) colliders.push_back({sphere, {}});
+  std::vector<float> values = sim::distances(colliders, groom.positions);
+  if (const auto own = groom.attributes.find("contact"); own != groom.attributes.end()) {
+    const std::vector<float> of_run = spread(groom, own->second);
+    if (values.empty()) values = of_run;
+    for (std::size_t v = 0; v < values.size(); ++v) values[v] = std::min(values[v], of_run[v]);
   }
-  return values;
+  for (float& value : values) value *= 1e3F;
+  return {std::move(values), "distance to the nearest collider [mm]", true, 0, 10.0};
 }
 
 Result<std::vector<float>> transmittances(const Groom& groom, const StrandColoring& coloring, std::string_view method) {
@@ -131,7 +135,7 @@ Error unknown_color(const Groom& groom, const std::string& name) {
                                     "asleep",     "contact",   "transmittance", "error:METHOD"};
   for (const auto& [attribute, values] : groom.attributes) known.push_back(attribute);
   return usage_error(fmt::format("--color {}: not known; here: {}", name, fmt::join(known, ", ")),
-                     "tension is written by runs of the solvers exact and rod");
+                     "tension is written by runs of the solvers exact and rod, contact by runs with colliders");
 }
 
 ColoredStrands of_attribute(const Groom& groom, const std::string& name) {
@@ -159,6 +163,8 @@ Result<ColoredStrands> color_strands(const Groom& groom, const StrandColoring& c
   std::string name = coloring.name;
   if (name.empty()) name = groom.attributes.contains("stretch") ? "stretch" : "arc_length";
   if (name == "speed") name = "velocity";
+  if (name == "contact" && (groom.attributes.contains(name) || !coloring.colliders.empty()))
+    return contacts(groom, coloring.colliders);
   if (groom.attributes.contains(name)) return of_attribute(groom, name);
   if (name == "arc_length") return ColoredStrands{arc_lengths(groom), "arc length from the root [m]"};
   if (name == "curvature") return ColoredStrands{sim::curvature(groom, groom.positions), "curvature [1/m]"};
@@ -169,8 +175,6 @@ Result<ColoredStrands> color_strands(const Groom& groom, const StrandColoring& c
     return ColoredStrands{levels(groom), "level of detail: share of strands from which on it is drawn"};
   if (name == "asleep")
     return ColoredStrands{sleeping(groom, before), "asleep: 1 where nothing moved since the frame before"};
-  if (name == "contact" && !coloring.colliders.empty())
-    return ColoredStrands{contacts(groom, coloring.colliders), "distance to the nearest collider [mm]", true, 0};
   if (name == "transmittance") {
     CUTICLE_ASSIGN(std::vector<float> values, transmittances(groom, coloring, "deep_opacity"));
     return ColoredStrands{std::move(values), "transmittance of the light (deep opacity map)"};
@@ -185,6 +189,10 @@ ColorScale scale_of(const ColoredStrands& colored) {
   const double least = 1e-4 * std::abs(colored.neutral);  // rounding is no stretch
   scale.lower = std::min(scale.lower, colored.neutral - least);
   scale.upper = std::max(scale.upper, colored.neutral + least);
+  if (colored.reach) {
+    scale.lower = std::max(scale.lower, colored.neutral - *colored.reach);
+    scale.upper = std::min(scale.upper, colored.neutral + *colored.reach);
+  }
   return scale;
 }
 

@@ -24,6 +24,7 @@ Result<Run> read_series(const fs::path& file) {
     return bad_input(fmt::format("{}: not a series of states (VTK XML collection)", file.string()),
                      "states.pvd of cuticle simulate");
   Run run{file.parent_path().filename().string(), {}};
+  CUTICLE_ASSIGN(run.colliders, read_colliders(file.parent_path().string()));
   for (const pugi::xml_node& set : collection.children("DataSet"))
     run.frames.push_back(
         {set.attribute("timestep").as_double(), (file.parent_path() / set.attribute("file").as_string()).string()});
@@ -52,7 +53,18 @@ Result<Run> find_run(const std::string& path) {
     return run;
   }
   if (place.extension() == ".pvd") return read_series(place);
-  return Run{place.filename().string(), {{0, path}}};
+  Run run{place.filename().string(), {{0, path}}};
+  CUTICLE_ASSIGN(run.colliders, read_colliders(place.parent_path().empty() ? "." : place.parent_path().string()));
+  return run;
+}
+
+std::vector<sim::PlacedCollider> Run::colliders_at(int frame) const {
+  return colliders.at(number_of(frames[std::size_t(frame)].file));
+}
+
+glm::dmat4 Run::head_at(int frame) const {
+  const auto found = colliders.heads.find(number_of(frames[std::size_t(frame)].file));
+  return found == colliders.heads.end() ? glm::dmat4(1) : found->second;
 }
 
 Result<int> frame_at(const Run& run, int number) {

@@ -9,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 #include <glm/geometric.hpp>
 
 #include "strands/lod/lod.h"
@@ -52,6 +51,7 @@ void StrandsPicture::draw(Part& part) {
   std::vector<std::uint32_t> order = strands::random_order(part.groom.strand_count(), 1);
   const double width = line_width(order.size()) * size_;
   part.all = flat_actor(lines_of(part.groom, order, colors), width);
+  if (view_.density_cell > 0) part.all->GetProperty()->SetOpacity(0.12);  // the density is looked at
   part.renderer->AddActor(part.all);
   part.some = nullptr;
   if (order.size() <= k_moving_strands) return;
@@ -59,35 +59,6 @@ void StrandsPicture::draw(Part& part) {
   part.some = flat_actor(lines_of(part.groom, order, colors), 2 * width);
   part.some->VisibilityOff();
   part.renderer->AddActor(part.some);
-}
-
-void StrandsPicture::draw_colliders(Part& part) {
-  for (const Sphere& sphere : view_.coloring.colliders) {
-    vtkNew<vtkSphereSource> source;
-    source->SetCenter(sphere.center.x, sphere.center.y, sphere.center.z);
-    source->SetRadius(sphere.radius);
-    source->SetThetaResolution(48);
-    source->SetPhiResolution(32);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(0.8, 0.78, 0.75);
-    part.renderer->AddActor(actor);
-  }
-  if (!view_.mesh) return;
-  vtkNew<vtkPoints> points;
-  for (const glm::vec3& p : view_.mesh->positions) points->InsertNextPoint(double(p.x), double(p.y), double(p.z));
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& t : view_.mesh->triangles)
-    triangles->InsertNextCell({vtkIdType(t[0]), vtkIdType(t[1]), vtkIdType(t[2])});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  const auto actor = flat_actor(data, 1);
-  actor->GetProperty()->LightingOn();
-  actor->GetProperty()->SetColor(0.86, 0.82, 0.78);
-  part.renderer->AddActor(actor);
 }
 
 /// A black mark at the picked vertex, as long as a hundredth of the hair.

@@ -23,13 +23,14 @@ std::vector<std::string> names_for(const strands::Groom& groom) {
   return names;
 }
 
-/// A bar of a round length at the foot of the hair.
+/// A bar of a round length at the foot of all that is drawn.
 void add_length_bar(vtkRenderer& renderer, const strands::Bounds& box, double scale) {
+  double all[6];
+  renderer.ComputeVisiblePropBounds(all);
   const double width = double(box.upper.x - box.lower.x);
   const std::vector<double> lengths = ticks(0, std::max(width, 1e-6), 4);
   const double length = lengths.size() > 1 ? lengths[1] : width;
-  const glm::dvec3 from(double(box.lower.x), double(box.lower.y) - 0.03 * double(box.upper.y - box.lower.y),
-                        double(box.upper.z));
+  const glm::dvec3 from(double(box.lower.x), all[2] - 0.03 * (all[3] - all[2]), double(box.upper.z));
   renderer.AddActor(make_polyline({from, from + glm::dvec3(length, 0, 0)}, {.2, .2, .2}, 3 * scale));
   const std::string text =
       length >= 0.01 ? fmt::format("{:.3g} cm", 100 * length) : fmt::format("{:.3g} mm", 1000 * length);
@@ -40,8 +41,12 @@ void add_length_bar(vtkRenderer& renderer, const strands::Bounds& box, double sc
 
 int StrandsPicture::frame_count() const { return int(view_.runs.front().frames.size()); }
 
+int StrandsPicture::shown_frame(const Part& part) const {
+  return std::min(view_.frame, int(part.run.frames.size()) - 1);
+}
+
 Result<void> StrandsPicture::load(Part& part) {
-  const int frame = std::min(view_.frame, int(part.run.frames.size()) - 1);
+  const int frame = shown_frame(part);
   CUTICLE_ASSIGN(part.groom, read_frame(part.run, frame, view_.metres_per_unit));
   std::optional<strands::Groom> before;
   if (view_.coloring.name == "asleep" && frame > 0) {
@@ -70,7 +75,7 @@ Result<void> StrandsPicture::fit_scale() {
     }
   }
   scale_ = scale_of(all);
-  bar_->set(scale_);
+  bar_->set(density_scale_.value_or(scale_));
   return {};
 }
 
@@ -89,7 +94,10 @@ Result<void> StrandsPicture::fill(const WindowArea& area) {
   bar_.emplace(*parts_.front().renderer, size_);
   color_names_ = names_for(parts_.front().groom);
   CUTICLE_TRY(fit_scale());
-  for (Part& part : parts_) draw(part), draw_colliders(part);
+  for (Part& part : parts_) {
+    draw(part);
+    CUTICLE_TRY(draw_surroundings(part));
+  }
   const double x0 = width * double(parts_.size());
   const auto is_series = [](const Part& part) { return part.run.frames.size() > 1; };
   const bool has_time = std::any_of(parts_.begin(), parts_.end(), is_series);
@@ -176,6 +184,7 @@ Result<void> StrandsPicture::show_frame(int frame) {
   for (Part& part : parts_) {
     CUTICLE_TRY(load(part));
     draw(part);
+    CUTICLE_TRY(draw_surroundings(part));
     show_strand(part);
   }
   return {};

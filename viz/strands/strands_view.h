@@ -5,6 +5,7 @@
 #include "viz/draw/detail/parts.h"
 #include "viz/draw/detail/plot.h"
 #include "viz/strands/states.h"
+#include "viz/strands/surroundings.h"
 #include "viz/window/detail/view.h"
 
 namespace cuticle::viz {
@@ -32,12 +33,16 @@ class StrandsPicture : public ViewOf<StrandsView> {
     strands::Groom groom;
     ColoredStrands colored;
     vtkSmartPointer<vtkActor> all, some, picked;
+    std::vector<vtkSmartPointer<vtkProp>> around;
     vtkSmartPointer<vtkTextActor> title;
   };
   Result<void> load(Part& part);
   Result<void> fit_scale();
   void draw(Part& part);
+  Result<void> draw_surroundings(Part& part);
   void draw_colliders(Part& part);
+  Result<void> draw_density(Part& part);
+  int shown_frame(const Part& part) const;
   void show_strand(Part& part);
   Result<void> update_curves();
   Result<std::vector<glm::dvec2>> over_time(const Part& part, std::size_t strand, std::size_t vertex) const;
@@ -49,6 +54,7 @@ class StrandsPicture : public ViewOf<StrandsView> {
   std::vector<Part> parts_;
   std::vector<std::string> color_names_;
   ColorScale scale_;
+  std::optional<ColorScale> density_scale_;
   std::optional<ColorBar> bar_;
   std::optional<Plot> along_, over_time_;
   std::size_t strand_ = 0, vertex_ = 0;  ///< picked

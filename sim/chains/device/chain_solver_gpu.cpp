@@ -132,7 +132,7 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_ASSIGN(const std::vector<glm::vec4> world, gpu::read_buffer<glm::vec4>(*device_, buffers_.world, vertices));
     CUTICLE_ASSIGN(const std::vector<glm::vec4> velocities,
                    gpu::read_buffer<glm::vec4>(*device_, buffers_.velocities, vertices));
-    CUTICLE_ASSIGN(const std::vector<std::uint32_t> resets,
+    CUTICLE_ASSIGN(std::vector<std::uint32_t> resets,
                    gpu::read_buffer<std::uint32_t>(*device_, buffers_.resets, rest_.strand_count()));
     CUTICLE_ASSIGN(const std::vector<float> numbers,
                    gpu::read_buffer<float>(*device_, buffers_.state, buffers_.state.size() / sizeof(float)));
@@ -142,6 +142,7 @@ class ChainGpuSolver final : public GpuSolver {
     state.positions.assign(world.begin(), world.end());
     state.velocities.assign(velocities.begin(), velocities.end());
     for (std::uint32_t fired : resets) state.guards_fired += fired;
+    state.resets = std::move(resets);
     if (interaction_) {
       CUTICLE_ASSIGN(state.left_out, interaction_->left_out(*device_));
     }

@@ -19,9 +19,9 @@ void open_array(std::string& text, std::string_view type, std::string_view name,
 }  // namespace
 
 std::string_view state_unit(std::string_view array) {
-  constexpr std::pair<std::string_view, std::string_view> units[] = {{"position", "m"},    {"velocity", "m/s"},
-                                                                     {"stretch", "1"},     {"tension", "m^2/s^2"},
-                                                                     {"curvature", "1/m"}, {"radius", "m"}};
+  constexpr std::pair<std::string_view, std::string_view> units[] = {
+      {"position", "m"},    {"velocity", "m/s"}, {"stretch", "1"}, {"tension", "m^2/s^2"},
+      {"curvature", "1/m"}, {"radius", "m"},     {"contact", "m"}};
   for (const auto& [name, unit] : units)
     if (name == array) return unit;
   return {};

@@ -19,10 +19,13 @@ struct StrandState {
   std::span<const float> stretch;         ///< length over rest length of the segment towards the root
   std::span<const float> tension = {};    ///< of that segment, m^2/s^2; may be left out
   std::span<const float> curvature = {};  ///< 1/m; may be left out
+  std::span<const float> contact = {};    ///< signed distance to the nearest collider, metres; may be left out
+  std::span<const std::uint32_t> guard_fired = {};  ///< one per strand: whether it was reset; may be left out
 };
 
 /// The state as VTK XML PolyData, ASCII: a polyline per strand of two or more vertices; point arrays velocity, stretch,
-/// tension and curvature where given, and strand_id. Nine digits: floats read back bit by bit.
+/// tension, curvature and contact where given, and strand_id; a cell array guard_fired where given. Nine digits: floats
+/// read back bit by bit.
 std::string format_vtp(const StrandState& state);
 /// The unit of an array of these names ("velocity": "m/s"), which the file states for VTK; empty: none is known.
 std::string_view state_unit(std::string_view array);
