@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include <fmt/core.h>
 #include <fmt/os.h>
@@ -21,8 +23,11 @@ using namespace cuticle::bsdf::dual_scattering;
 
 constexpr int k_side = 8, k_rows = 32, k_seen = 5, k_light = 9;
 constexpr double k_pi = 3.141592653589793, k_bent = 0.16;  // direction_spread^2 of render/passes/dual_scattering
-constexpr double k_bend = 0.2, k_slope = 0.06;             // smoothing, chosen by leaving cases out
-constexpr double k_mean_weight = 1;                        // of a picture's mean beside all its squares
+
+/// Smoothing, and the weight of a picture's mean beside all its squares: chosen by --leave-out.
+struct Weights {
+  double bend = 0.2, slope = 0.06, pull = 0.2, mean = 1.5;
+};
 
 template <class T>
 std::vector<T> read(const std::string& path) {
@@ -36,9 +41,10 @@ std::vector<T> read(const std::string& path) {
   return values;
 }
 
-/// One picture: its light in blocks, and what each factor at each depth adds to them.
+/// One picture by one shadow method: its light in blocks, and what each factor at each depth adds to them.
 struct Case {
-  std::string name;
+  std::string name, groom;
+  int method = 0, methods = 1;
   int across = 0, blocks = 0;
   double thickness = 0;
   glm::dvec3 albedo{0};
@@ -59,13 +65,14 @@ ScatteringLobe<double> lobe_of(const std::vector<double>& terms, int lobe, doubl
 }
 
 /// As dual_scattering.glsl puts them together, of one channel: onward, back, diffuse, per irradiance.
-std::array<double, k_factors> factors_at(const std::vector<double>& terms, const float* seen, int channel) {
+std::array<double, k_factors> factors_at(const std::vector<double>& terms, const float* seen, double arrives,
+                                         int channel) {
   const double theta_i = std::asin(std::clamp(double(seen[1]), -1.0, 1.0)),
                theta_o = std::asin(std::clamp(double(seen[2]), -1.0, 1.0)), theta_d = (theta_o - theta_i) / 2;
   const double away = std::acos(std::clamp(double(seen[3]), -1.0, 1.0)) / k_pi;
   const FibreAverages<double> fibre{lobe_of(terms, 0, theta_i, channel), lobe_of(terms, 0, theta_d, channel),
                                     lobe_of(terms, 3, theta_d, channel), lobe_of(terms, 6, theta_d, channel)};
-  const double transmittance = std::clamp(double(seen[4]), double(k_min_transmittance), 1.0);
+  const double transmittance = std::clamp(arrives, double(k_min_transmittance), 1.0);
   const ScatteredLight<double> light = scattered_light(fibre, transmittance, theta_i, theta_o, away, k_bent);
   const double inclined = std::cos(theta_i) / (k_pi * std::max(std::cos(theta_d) * std::cos(theta_d), 1e-3));
   return {inclined * light.onward, inclined * (light.back + light.onward_back), 1 / (4 * k_pi)};
@@ -85,29 +92,41 @@ void add_light(Case& picture, const std::vector<float>& light, int width) {
     }
 }
 
-void add_parts(Case& picture, const std::vector<double>& terms, const std::vector<float>& seen, int width,
-               double unit) {
-  for (std::size_t k = 0; k < seen.size(); k += k_seen) {
-    const int pixel = int(seen[k]), x = pixel % width / k_side, y = pixel / width / k_side;
-    const int block = y * picture.across + x;
-    if (x >= picture.across || block >= picture.blocks) continue;
-    const Between depth = between_depths(double(seen[k + 4]));
-    for (int c = 0; c < 3; ++c) {
-      const auto factors = factors_at(terms, seen.data() + k, c);
-      for (int f = 0; f < k_factors; ++f) {
-        auto* row = picture.parts[std::size_t(block)].data() + f * k_depths + depth.below;
-        row[0][c] += unit * factors[std::size_t(f)] * (1 - depth.share);
-        row[1][c] += unit * factors[std::size_t(f)] * depth.share;
-      }
+/// What a ray's vertex adds to its block: `tiles` shades vertices and draws what lies between them.
+void add_vertex(std::array<glm::dvec3, k_factors * k_depths>& parts, const std::vector<double>& terms,
+                const float* seen, double arrives, double unit) {
+  const Between depth = between_depths(arrives);
+  for (int c = 0; c < 3; ++c) {
+    const auto factors = factors_at(terms, seen, arrives, c);
+    for (int f = 0; f < k_factors; ++f) {
+      glm::dvec3* part = parts.data() + f * k_depths + depth.below;
+      part[0][c] += unit * factors[std::size_t(f)] * (1 - depth.share);
+      part[1][c] += unit * factors[std::size_t(f)] * depth.share;
     }
   }
 }
 
-Case read_case(const std::string& folder) {
+void add_parts(Case& picture, const std::vector<double>& terms, const std::vector<float>& seen, int width,
+               double unit) {
+  for (std::size_t k = 0; k < seen.size(); k += std::size_t(k_seen + 2 * picture.methods)) {
+    const int pixel = int(seen[k]), x = pixel % width / k_side, y = pixel / width / k_side;
+    const int block = y * picture.across + x;
+    if (x >= picture.across || block >= picture.blocks) continue;
+    const float* row = seen.data() + k;
+    for (const int end : {0, 1})
+      add_vertex(picture.parts[std::size_t(block)], terms, row, double(row[k_seen + 2 * picture.method + end]),
+                 unit * (end == 1 ? double(row[4]) : 1 - double(row[4])));
+  }
+}
+
+Case read_case(const std::string& folder, int method) {
   const auto about = read<double>(folder + "/about.f64"), terms = read<double>(folder + "/terms.f64");
   const int width = int(about[0]), height = int(about[1]);
   Case picture;
   picture.name = folder.substr(folder.find_last_of('/') + 1);
+  picture.groom = picture.name.substr(picture.name.find_last_of('_') + 1);
+  picture.method = method;
+  picture.methods = int(about[5]);
   picture.across = width / k_side;
   picture.blocks = picture.across * (height / k_side);
   picture.thickness = about[4];
@@ -141,7 +160,7 @@ lut::PositiveEquation equation_of(const Case& picture, std::size_t block, int c)
 }
 
 /// Every lit block beside the root mean square of its picture, and each picture's mean.
-void append_equations(const Case& picture, std::vector<lut::PositiveEquation>& equations) {
+void append_equations(const Case& picture, double weight_of_mean, std::vector<lut::PositiveEquation>& equations) {
   for (int c = 0; c < 3; ++c) {
     double squares = 0, lit = 0, all = 0;
     for (std::size_t b = 0; b < picture.lit.size(); ++b) {
@@ -149,12 +168,13 @@ void append_equations(const Case& picture, std::vector<lut::PositiveEquation>& e
       all += light;
       if (picture.lit[b]) squares += light * light, lit += 1;
     }
-    lut::PositiveEquation mean{.terms = {}, .value = 0, .weight = k_mean_weight / all};
+    const double share = 1 / std::sqrt(picture.methods);
+    lut::PositiveEquation mean{.terms = {}, .value = 0, .weight = share * weight_of_mean / all};
     for (std::size_t b = 0; b < picture.lit.size(); ++b) {
       lut::PositiveEquation equation = equation_of(picture, b, c);
       mean.value += equation.value;
       mean.terms.insert(mean.terms.end(), equation.terms.begin(), equation.terms.end());
-      equation.weight = 1 / std::sqrt(squares);
+      equation.weight = share / std::sqrt(squares);
       if (picture.lit[b]) equations.push_back(std::move(equation));
     }
     equations.push_back(std::move(mean));
@@ -185,22 +205,65 @@ Errors errors_of(const Case& picture, std::span<const double> numbers) {
   return {drawn / wanted, std::sqrt((off.x + off.y + off.z) / all), std::sqrt((noise.x + noise.y + noise.z) / all)};
 }
 
-void report(const char* title, const std::vector<Case>& cases, std::span<const double> before,
-            std::span<const double> after) {
-  glm::dvec2 apart(0), squares(0);
-  for (const Case& picture : cases) {
-    const Errors was = errors_of(picture, before), is = errors_of(picture, after);
-    fmt::print(
-        "{} {:10} thickness {:5.2f}  light {:.3f} {:.3f} {:.3f} (was {:.3f} {:.3f} {:.3f})  rms {:.3f} (was {:.3f}, "
-        "noise {:.3f})\n",
-        title, picture.name, picture.thickness, is.light.x, is.light.y, is.light.z, was.light.x, was.light.y,
-        was.light.z, is.rms, was.rms, is.noise);
+/// Sums over pictures of one method: how far channels are off, and squares without noise; before and after.
+struct Sums {
+  glm::dvec2 apart{0}, squares{0};
+  double pictures = 0;
+  void add(const Errors& was, const Errors& is) {
     for (int c = 0; c < 3; ++c) apart += glm::abs(glm::dvec2(is.light[c], was.light[c]) - 1.0) / 3.0;
     squares += glm::dvec2(is.rms * is.rms, was.rms * was.rms) - is.noise * is.noise;
+    pictures += 1;
   }
-  const double n = std::max<double>(double(cases.size()), 1);
-  fmt::print("{} of {}: a channel's mean off by {:.3f} (was {:.3f}), rms without noise {:.3f} (was {:.3f})\n", title,
-             cases.size(), apart.x / n, apart.y / n, std::sqrt(squares.x / n), std::sqrt(squares.y / n));
+  void print(const std::string& title) const {
+    fmt::print("{} of {}: a channel's mean off by {:.3f} (was {:.3f}), rms without noise {:.3f} (was {:.3f})\n", title,
+               pictures, apart.x / pictures, apart.y / pictures, std::sqrt(squares.x / pictures),
+               std::sqrt(squares.y / pictures));
+  }
+};
+
+/// Prints sums of each method; of each picture by the scene's own method too, where `each` is set.
+void report(const std::string& title, const std::vector<Case>& cases, std::span<const double> before,
+            std::span<const double> after, bool each) {
+  std::map<int, Sums> sums;
+  for (const Case& picture : cases) {
+    const Errors was = errors_of(picture, before), is = errors_of(picture, after);
+    sums[picture.method].add(was, is);
+    if (each)
+      fmt::print(
+          "{} {} method {} thickness {:5.2f}  light {:.3f} {:.3f} {:.3f} (was {:.3f} {:.3f} {:.3f})  rms {:.3f} (was "
+          "{:.3f}, noise {:.3f})\n",
+          title, picture.name, picture.method, picture.thickness, is.light.x, is.light.y, is.light.z, was.light.x,
+          was.light.y, was.light.z, is.rms, was.rms, is.noise);
+  }
+  for (const auto& [method, of_method] : sums) of_method.print(fmt::format("{}, method {},", title, method));
+}
+
+lut::PositiveFit fit_to(const std::vector<Case>& told, const Weights& weights) {
+  std::vector<lut::PositiveEquation> equations;
+  for (const Case& picture : told) append_equations(picture, weights.mean, equations);
+  const lut::PositiveShape shape{k_factors, {k_thicknesses, k_albedos, k_depths}};
+  auto fit = lut::fit_positive(equations, shape, {weights.bend, weights.slope, weights.pull, 2});
+  if (!fit) {
+    fmt::print(stderr, "{}\n", fit.error().message);
+    std::exit(5);
+  }
+  return std::move(fit).value();
+}
+
+/// Each groom by a table that was fitted to all others.
+void report_left_out(const std::vector<Case>& cases, std::span<const double> before, const Weights& weights) {
+  std::set<std::string> grooms;
+  for (const Case& picture : cases) grooms.insert(picture.groom);
+  std::map<int, Sums> sums;
+  for (const std::string& groom : grooms) {
+    std::vector<Case> others;
+    for (const Case& picture : cases)
+      if (picture.groom != groom) others.push_back(picture);
+    const lut::PositiveFit fit = fit_to(others, weights);
+    for (const Case& picture : cases)
+      if (picture.groom == groom) sums[picture.method].add(errors_of(picture, before), errors_of(picture, fit.numbers));
+  }
+  for (const auto& [method, of_method] : sums) of_method.print(fmt::format("left out, method {},", method));
 }
 
 void write_table(const std::string& path, const std::vector<double>& numbers) {
@@ -219,29 +282,39 @@ void write_table(const std::string& path, const std::vector<double>& numbers) {
 
 int main(int count, char** given) {
   std::vector<Case> told, held;
-  bool is_held = false;
-  for (int k = 2; k < count; ++k)
-    if (std::string(given[k]) == "--held")
+  Weights weights;
+  bool is_held = false, leave_out = false;
+  const std::map<std::string, double*> numbers{
+      {"--bend", &weights.bend}, {"--slope", &weights.slope}, {"--pull", &weights.pull}, {"--mean", &weights.mean}};
+  for (int k = 2; k < count; ++k) {
+    const std::string word = given[k];
+    if (word == "--held") {
       is_held = true;
-    else
-      (is_held ? held : told).push_back(read_case(given[k]));
-  if (told.empty()) {
-    fmt::print(stderr, "fit_multiple_scattering TABLE.cpp FOLDER ... [--held FOLDER ...]\n");
-    return 2;
+    } else if (word == "--leave-out") {
+      leave_out = true;
+    } else if (const auto number = numbers.find(word); number != numbers.end() && k + 1 < count) {
+      *number->second = std::atof(given[++k]);
+    } else {
+      auto& cases = is_held ? held : told;
+      for (int method = 0, methods = 1; method < methods; ++method) {
+        cases.push_back(read_case(word, method));
+        methods = cases.back().methods;
+      }
+    }
   }
-  std::vector<lut::PositiveEquation> equations;
-  for (const Case& picture : told) append_equations(picture, equations);
-  const lut::PositiveShape shape{k_factors, {k_thicknesses, k_albedos, k_depths}};
-  const auto fit = lut::fit_positive(equations, shape, k_bend, k_slope);
-  if (!fit) {
-    fmt::print(stderr, "{}\n", fit.error().message);
-    return 5;
+  if (told.empty()) {
+    fmt::print(
+        stderr,
+        "fit_multiple_scattering TABLE.cpp [--bend B] [--slope S] [--pull P] [--mean M] [--leave-out] FOLDER ... "
+        "[--held FOLDER ...]\n");
+    return 2;
   }
   std::vector<double> before(k_numbers, 1.0);
   std::fill(before.begin() + place_of(2, 0, 0, 0), before.end(), 0.0);
-  fmt::print("{} equations, {} steps, cost {:.4f} from {:.4f}\n", equations.size(), fit->steps, fit->cost_after,
-             fit->cost_before);
-  report("fitted", told, before, fit->numbers);
-  report("held", held, before, fit->numbers);
-  write_table(given[1], fit->numbers);
+  const lut::PositiveFit fit = fit_to(told, weights);
+  fmt::print("{} steps, cost {:.4f} from {:.4f}\n", fit.steps, fit.cost_after, fit.cost_before);
+  report("fitted", told, before, fit.numbers, !leave_out);
+  report("held", held, before, fit.numbers, !leave_out);
+  if (leave_out) report_left_out(told, before, weights);
+  write_table(given[1], fit.numbers);
 }

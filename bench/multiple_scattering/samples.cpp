@@ -1,10 +1,11 @@
 // What the fibres of a scene that the camera sees have before them, and what light they send by path tracing:
-// multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL. The scene's first light, without surfaces; transmittance
-// by its shadow method at the vertices, as pictures have it. Writes the files that fit.cpp reads (README.md); with 0
-// samples about.f64 alone.
+// multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL [METHOD[:NAME=VALUE,..] ...]. The scene's first light,
+// without surfaces; transmittance by its shadow method, and by those that are named, at the vertices, as pictures have
+// it. Writes the files that fit.cpp reads (README.md); with 0 samples about.f64 alone.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -42,7 +43,20 @@ void write(const std::string& path, const std::vector<T>& values) {
   }
 }
 
-std::vector<float> at_vertices(const TracedScene& traced, const scene::Block& shadow) {
+/// A shadow method and its values.
+struct Shadow {
+  const shadows::Method* method;
+  registry::ParameterValues values;
+};
+
+Shadow shadow_from(const std::string& text) {
+  const auto colon = std::min(text.find(':'), text.size());
+  const shadows::Method* method = must(shadows::find_method(text.substr(0, colon)));
+  const std::string set = text.substr(std::min(colon + 1, text.size()));
+  return {method, must(registry::parse_assignments(method->entry.parameters, set))};
+}
+
+std::vector<float> at_vertices(const TracedScene& traced, const Shadow& shadow) {
   const strands::Groom& hair = traced.hair;
   std::vector<std::uint32_t> strand_of, vertices;
   for (std::uint32_t s = 0; s < hair.strand_count(); ++s)
@@ -53,13 +67,14 @@ std::vector<float> at_vertices(const TracedScene& traced, const scene::Block& sh
   const shadows::Receivers receivers{
       .points = hair.positions, .strands = strand_of, .vertices = vertices, .seen_from = traced.camera.position};
   const shadows::Casters casters{.groom = &hair, .alpha = 1, .to_light = traced.lights[0].to_light};
-  return must(must(shadows::find_method(shadow.name))->evaluate(casters, receivers, shadow.values)).values;
+  return must(shadow.method->evaluate(casters, receivers, shadow.values)).values;
 }
 
-/// Rows of pixel, sin theta_i, sin theta_o, cos phi, transmittance: one for each ray of a pixel that meets hair.
+/// Rows of pixel, sin theta_i, sin theta_o, cos phi, transmittance by each method: one for each ray of a pixel that
+/// meets hair.
 std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScene& rays,
-                               std::span<const glm::vec3> tangents, std::span<const float> transmittance, int y,
-                               int per_pixel) {
+                               std::span<const glm::vec3> tangents, std::span<const std::vector<float>> transmittances,
+                               int y, int per_pixel) {
   const render::reference::CameraRays camera(traced.camera);
   RandomStream random{std::uint64_t(y) + 1};
   std::vector<float> seen;
@@ -73,19 +88,20 @@ std::vector<float> seen_by_row(const TracedScene& traced, const strands::RayScen
     const glm::vec3 eye = point.local(-ray.direction), light = point.local(traced.lights[0].to_light);
     const float across = std::hypot(light.y, light.z) * std::hypot(eye.y, eye.z);
     const float cos_phi = across > 0 ? (light.y * eye.y + light.z * eye.z) / across : 0;
-    const float arrives = glm::mix(transmittance[hit.vertex], transmittance[hit.vertex + 1], float(point.share));
-    seen.insert(seen.end(), {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, arrives});
+    seen.insert(seen.end(), {float(y * traced.camera.resolution.x + x), light.x, eye.x, cos_phi, float(point.share)});
+    for (const auto& at : transmittances) seen.insert(seen.end(), {at[hit.vertex], at[hit.vertex + 1]});
   }
   return seen;
 }
 
-std::vector<float> seen_by_camera(const TracedScene& traced, const scene::Block& shadow, int per_pixel) {
+std::vector<float> seen_by_camera(const TracedScene& traced, std::span<const Shadow> shadows, int per_pixel) {
   const auto tangents = strands::tangents(traced.hair);
   const auto rays = must(strands::RayScene::build(traced.hair, {}));
-  const std::vector<float> transmittance = at_vertices(traced, shadow);
+  std::vector<std::vector<float>> transmittances;
+  for (const Shadow& shadow : shadows) transmittances.push_back(at_vertices(traced, shadow));
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(traced.camera.resolution.y));
   tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t y) {
-    rows[y] = seen_by_row(traced, *rays, tangents, transmittance, int(y), per_pixel);
+    rows[y] = seen_by_row(traced, *rays, tangents, transmittances, int(y), per_pixel);
   });
   std::vector<float> seen;
   for (const auto& row : rows) seen.insert(seen.end(), row.begin(), row.end());
@@ -136,20 +152,23 @@ TracedScene traced_scene(const scene::Scene& scene) {
 }  // namespace
 
 int main(int count, char** given) {
-  if (count != 5) {
-    fmt::print(stderr, "multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL\n");
+  if (count < 5) {
+    fmt::print(stderr, "multiple_scattering_samples SCENE FOLDER SAMPLES PER_PIXEL [METHOD[:NAME=VALUE,..] ...]\n");
     return 2;
   }
   const std::string folder = given[2];
   const scene::Scene scene = must(scene::load_scene(given[1], plan::catalogue()));
   const TracedScene traced = traced_scene(scene);
   const int samples = std::atoi(given[3]), per_pixel = std::atoi(given[4]);
+  std::vector<Shadow> shadows{{must(shadows::find_method(scene.shadow->name)), scene.shadow->values}};
+  for (int k = 5; k < count; ++k) shadows.push_back(shadow_from(given[k]));
   if (samples > 0) {
-    write(folder + "/light.f32", light_of(traced, samples));
-    write(folder + "/seen.f32", seen_by_camera(traced, *scene.shadow, per_pixel));
-    write(folder + "/terms.f64", terms_of(traced));
+    if (!std::filesystem::exists(folder + "/light.f32")) write(folder + "/light.f32", light_of(traced, samples));
+    write(folder + "/seen.f32", seen_by_camera(traced, shadows, per_pixel));
+    if (!std::filesystem::exists(folder + "/terms.f64")) write(folder + "/terms.f64", terms_of(traced));
   }
   write(folder + "/about.f64",
         std::vector<double>{double(traced.camera.resolution.x), double(traced.camera.resolution.y), double(per_pixel),
-                            traced.lights[0].irradiance.x, strands::optical_thickness(traced.hair)});
+                            traced.lights[0].irradiance.x, strands::optical_thickness(traced.hair),
+                            double(shadows.size())});
 }

@@ -4,7 +4,7 @@
   python bench/multiple_scattering/scenes.py OUT [--samples 64]
   build/release/bin/fit_multiple_scattering TABLE.cpp OUT/told_* --held OUT/held_*
 
-Nine grooms from sparse to dense, lights from all sides, views from all around and colours from clear to black. What OUT has is kept.
+Ten grooms from sparse to dense, lights from all sides, views from all around and colours from clear to black. What OUT has is kept.
 """
 import argparse
 import math
@@ -16,7 +16,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
 import measured_scenes
 
-SAMPLES = os.path.join(os.path.dirname(measured_scenes.PROGRAM), "multiple_scattering_samples")
+SAMPLES = os.environ.get("CUTICLE_SAMPLES", os.path.join(os.path.dirname(measured_scenes.PROGRAM), "multiple_scattering_samples"))
 HEAD = {"position_m": [0.42, 0.2, 1.0], "target_m": [0, 0.06, 0], "fov_deg": 27}
 OTHER_SIDE = {"position_m": [-0.8, 0.15, 0.7], "target_m": [0, 0.06, 0], "fov_deg": 27}
 KEY, BACK, SIDE, TOP, LEFT = (0.6, 0.9, 0.8), (-0.3, 0.6, -1), (1, 0.2, 0.1), (0, 1, 0.15), (-0.7, 0.5, 0.6)
@@ -24,7 +24,10 @@ BLOND, UNEVEN, BROWN = (0.06, 0.1, 0.2), (0.02, 0.4, 1.5), (0.5447, 0.9061, 1.78
 DRAWN = [BLOND, UNEVEN, (0.03, 0.15, 0.3), (0.25, 0.5, 1.0), (0.01, 0.06, 0.6)]
 # Grown heads of hair: strands per m^2, or a look of scenes/looks; radius in metres.
 GROWN = {"D4": ("density=4e5", 8e-5), "D2": ("density=2e5", 8e-5), "D1": ("density=1e5", 8e-5), "D05": ("density=5e4", 8e-5),
-         "CU": ("curly", 1.2e-4), "WA": ("wavy", 1.5e-4)}
+         "CU": ("curly", 1.2e-4), "WA": ("wavy", 1.5e-4), "ST": ("straight", 1e-4)}
+# Transmittance is also that of the maps that the scenes of the gallery and the ladder have.
+SHADOWS = ["deep_opacity:layers=16,resolution=320,filter_radius_mm=1.5", "deep_opacity:layers=8,resolution=512,filter_texels=1"]
+LADDER = os.path.abspath(os.path.join(os.path.dirname(__file__), "../../scenes/ladder/blond_strands.json"))
 FILES = {"PT": "ponytail", "TH": "testhair", "SI": "sintel"}
 CHOSEN = [("D4", KEY, BLOND), ("D4", BACK, UNEVEN), ("D4", SIDE, BROWN), ("D4", TOP, UNEVEN), ("D1", KEY, UNEVEN),
           ("D1", BACK, BLOND), ("D1", SIDE, BLOND), ("D05", KEY, BLOND), ("D05", TOP, UNEVEN), ("D05", BACK, BROWN),
@@ -65,12 +68,17 @@ def cases():
     chance = random.Random(5)
     told = drawn([("D4", 7), ("D2", 4), ("D1", 6), ("D05", 5), ("CU", 6), ("PT", 6), ("SI", 4)], chance,
                  lambda k, n: DRAWN[(k + n) % 5])
+    more = drawn([("LB", 6)], random.Random(6), lambda k, n: DRAWN[k % 5])
     held = drawn([("D4", 2), ("WA", 2), ("TH", 2), ("PT", 1), ("SI", 1), ("D1", 1), ("CU", 1)], chance,
                  lambda k, n: (BLOND, (0.04, 0.25, 0.8))[k % 2])
     for k, case in enumerate(CHOSEN):
         yield f"told_a{k:02d}_{case[0]}", 128, 6, (*case, None)
     for k, case in enumerate(case for group in told for case in group[:4]):
         yield f"told_b{k:02d}_{case[0]}", 64, 6, case
+    for k, case in enumerate(case for group in more for case in group):
+        yield f"held_d{k:02d}_{case[0]}", 64, 6, case
+    for k, case in enumerate([("ST", KEY, BLOND, None), ("ST", LEFT, (0.02, 0.062, 0.17), OTHER_SIDE)]):
+        yield f"held_c{k:02d}_{case[0]}", 96, 4, case
     for k, case in enumerate([("D2", LEFT, BLOND, OTHER_SIDE), ("TH", KEY, BLOND, None)]):
         yield f"held_a{k:02d}_{case[0]}", 128, 6, case
     for k, case in enumerate(case for group in held for case in group):
@@ -91,6 +99,9 @@ def groom_of(name, out):
 
 def scene_of(case, size, out):
     groom, to_light, colour, camera = case
+    if groom == "LB":
+        scene = measured_scenes.scene("dense", out, colour, size, to_light, groom={"specification": LADDER}, camera=camera or HEAD)
+        return {**scene, "fibre_count": 40000}
     if groom in FILES:
         return measured_scenes.scene(FILES[groom], out, colour, size, to_light, camera=camera)
     return measured_scenes.scene("dense", out, colour, size, to_light, groom=groom_of(groom, out), camera=camera or HEAD)
@@ -109,7 +120,7 @@ def main():
         os.makedirs(folder, exist_ok=True)
         path = measured_scenes.write(scene_of(case, size, options.out), os.path.join(folder, "scene.json"))
         print(name, flush=True)
-        subprocess.run([SAMPLES, path, folder, str(options.samples), str(rays)], check=True)
+        subprocess.run([SAMPLES, path, folder, str(options.samples), str(rays), *SHADOWS], check=True)
 
 
 if __name__ == "__main__":

@@ -35,7 +35,8 @@ Result<void> view_shadow(const ShadowOptions& options, Context& context) {
   if (options.methods == "all") {
     view.methods.clear();
     for (const shadows::Method* method : shadows::methods())
-      if (method->entry.name != "truth") view.methods.emplace_back(method->entry.name);
+      if (const auto name = method->entry.name; name != "truth" && name != "none" && name != "shadow_map")
+        view.methods.emplace_back(name);  // of those three one is drawn anyway, and two tell no depth
   } else if (!options.methods.empty()) {
     view.methods = split_list(options.methods);
   }

@@ -12,11 +12,14 @@ namespace {
 
 constexpr double k_lowest_log = -9, k_highest_log = 6;
 
-/// Differences of neighbours' logarithms, as equations of these.
+/// PositiveSmoothing as equations of logarithms.
 struct Smoothing {
   std::vector<PositiveEquation> rows;
 
-  Smoothing(const PositiveShape& shape, double bend, double slope) {
+  Smoothing(const PositiveShape& shape, const PositiveSmoothing& weights) {
+    const auto [bend, slope, pull, pulled] = weights;
+    for (int place = 0; place < pulled * shape.numbers() / shape.tables; ++place)
+      rows.push_back({{{std::uint32_t(place), pull}}});
     const std::array<int, 3> stride{shape.rows[1] * shape.rows[2], shape.rows[2], 1};
     for (int place = 0; place < shape.numbers(); ++place)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -94,10 +97,10 @@ double cost_of(std::span<const PositiveEquation> equations, std::span<const doub
 
 }  // namespace
 
-Result<PositiveFit> fit_positive(std::span<const PositiveEquation> equations, const PositiveShape& shape, double bend,
-                                 double slope) {
+Result<PositiveFit> fit_positive(std::span<const PositiveEquation> equations, const PositiveShape& shape,
+                                 const PositiveSmoothing& weights) {
   CUTICLE_TRY(check(equations, shape));
-  const Smoothing smoothing(shape, bend, slope);
+  const Smoothing smoothing(shape, weights);
   std::vector<double> logs(std::size_t(shape.numbers()), 0.0);
   ceres::Problem problem;
   problem.AddResidualBlock(new Differences(equations, smoothing, shape.numbers()), nullptr, logs.data());

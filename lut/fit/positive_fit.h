@@ -32,11 +32,17 @@ struct PositiveFit {
   int steps = 0;
 };
 
-/// Least squares over the logarithms of the numbers, from 1, by Ceres. `bend` and `slope` weigh second and first
-/// differences of the logarithms along the axes, which say what no equation does. Errors: bad_input, naming the place
+/// What equations do not say: weights of second and first differences of the logarithms along the axes, and of the
+/// logarithms themselves in the first `pulled` tables, which draws those numbers to 1.
+struct PositiveSmoothing {
+  double bend = 0, slope = 0, pull = 0;
+  int pulled = 0;
+};
+
+/// Least squares over the logarithms of the numbers, from 1, by Ceres. Errors: bad_input, naming the place
 /// outside the table or the number of the equation that is not finite; internal, where Ceres does not converge.
 /// Test: positive_fit_test.
-Result<PositiveFit> fit_positive(std::span<const PositiveEquation> equations, const PositiveShape& shape, double bend,
-                                 double slope);
+Result<PositiveFit> fit_positive(std::span<const PositiveEquation> equations, const PositiveShape& shape,
+                                 const PositiveSmoothing& smoothing);
 
 }  // namespace cuticle::lut

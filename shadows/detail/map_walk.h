@@ -54,18 +54,27 @@ void for_each_texel(const MapView& view, const Footprint<float>& footprint, cons
   }
 }
 
-/// piece(footprint) for every piece of a segment of a strand, each at most 1 / steps_to_pieces depth steps deep.
-void for_each_piece(const MapView& view, const strands::Groom& groom, std::uint32_t v, bool is_first, bool is_last,
-                    float steps_to_pieces, const auto& piece) {
+/// The segment of a strand that begins at vertex v, in the map.
+struct SegmentInMap {
+  glm::vec3 a{0}, b{0};
+  float half_width = 0;
+  float size() const { return segment_footprint(a, b, half_width, 0.0f, 0.0f).size; }
+};
+inline SegmentInMap segment_in_map(const MapView& view, const strands::Groom& groom, std::uint32_t v) {
   const glm::vec3 seen_a = view_point(view.axes, groom.positions[v]),
                   seen_b = view_point(view.axes, groom.positions[v + 1]);
   const auto place = [&](const glm::vec3& seen) {
     const glm::vec3 point = seen_to_map(view, seen);
     return glm::vec3(snap(point.x), snap(point.y), point.z);
   };
-  const glm::vec3 a = place(seen_a), b = place(seen_b);
-  const float half_width =
-      0.5f * (groom.radii[v] + groom.radii[v + 1]) * view.scale.x * segment_scale(seen_a, seen_b, view.axes.reach);
+  return {place(seen_a), place(seen_b),
+          0.5f * (groom.radii[v] + groom.radii[v + 1]) * view.scale.x * segment_scale(seen_a, seen_b, view.axes.reach)};
+}
+
+/// piece(footprint) for every piece of a segment of a strand, each at most 1 / steps_to_pieces depth steps deep.
+void for_each_piece(const MapView& view, const strands::Groom& groom, std::uint32_t v, bool is_first, bool is_last,
+                    float steps_to_pieces, const auto& piece) {
+  const auto [a, b, half_width] = segment_in_map(view, groom, v);
   const float size = segment_footprint(a, b, half_width, 0.0f, 0.0f).size;
   const std::uint32_t pieces = piece_count(a.z * steps_to_pieces, b.z * steps_to_pieces, size);
   for (std::uint32_t i = 0; i < pieces; ++i)

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "shadows/detail/map_method.h"
+#include "shadows/fibres.glslh"
 
 namespace cuticle::shadows::opacity_map {
 namespace {
@@ -13,11 +14,16 @@ namespace {
 constexpr float k_pieces_per_step = 1;
 
 /// What is left of a sum that its format may have cut off.
-float without(std::uint32_t sum, std::uint32_t own) { return float(sum - std::min(sum, own)); }
+std::uint32_t without(std::uint32_t sum, std::uint32_t own) { return sum - std::min(sum, own); }
 
-/// The sum at depth z of a texel, linear between its two nearest slices, without what the receiver's own fibre has left
-/// before them.
-float sum_at(const Map& map, std::size_t texel, float z, std::span<const OwnDeposit> own) {
+/// Sums at the two slices around a depth, and the share of the way from the nearer to the farther.
+struct Around {
+  std::uint32_t nearer = 0, farther = 0;
+  float share = 0;
+};
+
+/// Around depth z of a texel, without what the receiver's own fibre has left before either slice.
+Around slices_around(const Map& map, std::size_t texel, float z, std::span<const OwnDeposit> own) {
   const float limited = std::min(z, float(map.layers));
   const std::uint32_t slice = std::min(std::uint32_t(limited), map.layers - 1);
   const std::uint32_t* sums = &map.sums[texel * map.layers];
@@ -26,8 +32,38 @@ float sum_at(const Map& map, std::size_t texel, float z, std::span<const OwnDepo
     own_nearer += deposit.step < slice ? map.table[deposit.covered] : 0;
     own_farther += deposit.step <= slice ? map.table[deposit.covered] : 0;
   }
-  return between_planes(slice == 0 ? 0.0f : without(sums[slice - 1], own_nearer), without(sums[slice], own_farther),
-                        limited - float(slice));
+  return {slice == 0 ? 0 : without(sums[slice - 1], own_nearer), without(sums[slice], own_farther),
+          limited - float(slice)};
+}
+
+/// The sum there, linear between the slices.
+float even_sum(const Around& around) {
+  return between_planes(float(around.nearer), float(around.farther), around.share);
+}
+
+/// The exponent there of fibres that lie between the slices at random depths, `fibre` each.
+float scattered_exponent(const Around& around, float per_unit, float fibre) {
+  const float between = float(around.farther - std::min(around.nearer, around.farther));
+  return per_unit * float(around.nearer) + exponent_of_part(per_unit * between, fibre, around.share);
+}
+
+/// What one fibre of the map counts in the exponent of T in the mean.
+float fibre_exponent(const Map& map, float per_unit) {
+  return per_unit * float(map.table[fibre_coverage(map.fibre[0], map.fibre[1])]);
+}
+
+FibreSums sums_of_fibre(const MapView& view, const strands::Groom& groom) {
+  FibreSums sums{};
+  for_each_index(groom.strand_count(), [&](std::size_t s) {
+    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) {
+      if (!is_sampled(v - std::uint32_t(s))) continue;
+      const SegmentInMap segment = segment_in_map(view, groom, v);
+      const std::uint32_t weight = piece_weight(segment.size());
+      add_to(sums[0], weight);
+      add_to(sums[1], weight * middle_coverage(segment.half_width));
+    }
+  });
+  return sums;
 }
 
 /// To the 11 significant bits of a half float, ties to even.
@@ -54,7 +90,8 @@ Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& set
     };
     const float from = depth_of(place.from), to = depth_of(place.to), fraction = place.fraction;
     return [&map, per_unit, from, to, fraction](std::size_t texel, std::span<const OwnDeposit> own) {
-      return per_unit * between_planes(sum_at(map, texel, from, own), sum_at(map, texel, to, own), fraction);
+      return per_unit * between_planes(even_sum(slices_around(map, texel, from, own)),
+                                       even_sum(slices_around(map, texel, to, own)), fraction);
     };
   };
   return look_up_receivers(map.view, settings.map, deepest, k_pieces_per_step, asked, at_depth);
@@ -102,15 +139,20 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
   };
   for_each_covered_texel(map.view, groom, k_pieces_per_step, deposit);
   sum_along_depth(map.sums, map.layers);
+  map.fibre = sums_of_fibre(map.view, groom);
   store(settings.form, map);
   return map;
 }
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   if (settings.vertex_weights && !asked.receivers.segments.empty()) return look_up_by_vertex(map, settings, asked);
-  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const float per_unit = exponent_per_unit(settings.map, map.scale), fibre = fibre_exponent(map, per_unit);
+  const bool is_scattered = settings.is_scattered();
   const auto at_depth = [&](std::size_t, float z) {
-    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) { return per_unit * sum_at(map, texel, z, own); };
+    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+      const Around around = slices_around(map, texel, z, own);
+      return is_scattered ? scattered_exponent(around, per_unit, fibre) : per_unit * even_sum(around);
+    };
   };
   return look_up_receivers(map.view, settings.map, settings.intervals(), k_pieces_per_step, asked, at_depth);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // N17: opacity shadow maps (Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23): sigma at evenly spaced
 // slices of the light's view of a groom, T = exp(-k sigma).
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,12 @@ struct Settings {
   Form form = Form::compute;
   /// N19: tent weights of a point on a segment are interpolated from its ends', as a rasteriser does; else its own.
   bool vertex_weights = false;
+  /// What lies between two slices lies there at random depths; else sigma grows evenly, as in the source. Sums that are
+  /// proportional to opacity, drawn forms and weights per vertex are even.
+  bool scattered = true;
+  bool is_scattered() const {
+    return scattered && !map.accumulation.poisson && form == Form::compute && !vertex_weights;
+  }
   std::uint32_t layers() const { return slices - 1; }
   /// Slice spacings from the near to the far plane of the hair.
   float intervals() const { return float(printed_spacing ? slices : slices - 1); }
@@ -36,6 +43,9 @@ struct Settings {
   Result<void> check() const;
 };
 void describe(registry::Members& members, Settings& settings);
+
+/// Weights and coverages of the mean fibre (fibres.glslh).
+using FibreSums = std::array<std::uint32_t, 2>;
 
 /// A filled map: sigma at slice i + 1 of texel t is sums[t * layers + i] / scale.
 struct Map {
@@ -46,6 +56,7 @@ struct Map {
   std::size_t clamped = 0;       ///< numbers that the form's range cut off
   std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> table;  ///< of deposits
+  FibreSums fibre{};                 ///< over the sampled segments
   std::size_t bytes() const { return texel_bytes * view.texels(); }
 };
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). The

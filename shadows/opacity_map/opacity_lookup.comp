@@ -2,12 +2,16 @@
 #extension GL_GOOGLE_include_directive : require
 // One invocation per vertex: the mean over the filter's disc of T, or of sigma, between the two nearest slices.
 layout(local_size_x = 64) in;
+#include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
-layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 5) readonly buffer Fibre { uint fibre_weights, fibre_coverages; };
+layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
 
+const uint k_scattered = 4u;  // k_scattered_flag of opacity_map_gpu.cpp: fibres between slices lie at random depths
+float fibre_exponent;
 uint slice_behind, own_nearer, own_farther;  // what the own fibre has left before that slice, and before the next
 
 void own_deposit(uint covered, uint depth_step) {
@@ -22,14 +26,18 @@ float exponent_at(uint texel, float z) {
   own_nearer = own_farther = 0u;
   walk_own();
   const uint first = kept_place(texel) * push.layers;
-  const float nearer = slice_behind == 0u ? 0.0 : float(sums[first + slice_behind - 1u] - own_nearer);
-  const float farther = float(sums[first + slice_behind] - own_farther);
-  return push.per_unit * between_planes(nearer, farther, limited - float(slice_behind));
+  const uint nearer = slice_behind == 0u ? 0u : sums[first + slice_behind - 1u] - own_nearer;
+  const uint farther = sums[first + slice_behind] - own_farther;
+  const float share = limited - float(slice_behind);
+  if ((push.flags & k_scattered) == 0u) return push.per_unit * between_planes(float(nearer), float(farther), share);
+  const float between = push.per_unit * float(farther - min(nearer, farther));
+  return push.per_unit * float(nearer) + exponent_of_part(between, fibre_exponent, share);
 }
 
 void main() {
   const uint v = invocation();
   if (v >= push.count) return;
+  fibre_exponent = push.per_unit * float(table[fibre_coverage(fibre_weights, fibre_coverages)]);
   const float through = transmittance_of_vertex(placement_of(least), v, push.intervals);
   if (through >= 0.0) transmittance[v] = through;
 }

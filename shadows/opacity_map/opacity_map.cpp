@@ -8,6 +8,7 @@ namespace {
 constexpr std::string_view k_spacings[] = {"last_plane", "printed"};
 constexpr std::string_view k_forms[] = {"compute", "graphics_8bit", "graphics_half"};
 constexpr std::string_view k_weights[] = {"per_fragment", "per_vertex"};
+constexpr std::string_view k_between[] = {"even", "random"};
 constexpr std::string_view k_systems[] = {"N17", "N18", "N19", "N20"};
 constexpr registry::StudyCase k_cases[] = {
     {"4 slices", "slices=4"}, {"16 slices", "slices=16"}, {"64 slices", "slices=64"}};
@@ -34,6 +35,10 @@ void describe(registry::Members& members, Settings& settings) {
           "slices");
   members(settings.vertex_weights, "weights", k_weights,
           "tent weights of points between two vertices: their own (per_fragment), or interpolated from the vertices'");
+  members(
+      settings.scattered, "between", k_between,
+      "fibres between two slices: at random depths (random), or spread evenly as in the source (even), as they always "
+      "are with accumulate=poisson, a graphics form or weights=per_vertex");
 }
 
 const Method& entry() {

@@ -14,7 +14,8 @@
 namespace cuticle::shadows::opacity_map {
 namespace {
 
-constexpr int k_sums = k_own;
+constexpr int k_sums = k_own, k_fibre = k_own + 1;
+constexpr std::uint32_t k_scattered_flag = 4;       // k_scattered of opacity_lookup.comp
 constexpr std::uint32_t k_vertex_weights_flag = 2;  // k_vertex_weights of opacity_fragments.frag
 
 /// N18: what is drawn, and the lookup of the targets.
@@ -42,21 +43,24 @@ MapDescription description(const Settings& settings) {
   map.settings = settings.map;
   map.intervals = settings.intervals();
   map.layers = settings.layers();
-  map.buffers = {{.per_strip = true}};
-  map.passes = {
-      {"shadow.splat", opacity_splat_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}, MapRun::per_segment},
-      {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
-      {"shadow.lookup",
-       opacity_lookup_comp,
-       {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
-       MapRun::per_vertex}};
+  map.flags = settings.is_scattered() ? k_scattered_flag : 0;
+  map.buffers = {{.per_strip = true}, {.words = std::tuple_size_v<FibreSums>, .kept = false}};
+  map.passes = {{"shadow.splat",
+                 opacity_splat_comp,
+                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_fibre},
+                 MapRun::per_segment},
+                {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
+                {"shadow.lookup",
+                 opacity_lookup_comp,
+                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_fibre, k_transmittance},
+                 MapRun::per_vertex}};
   for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;
 }
 
 MapWords words_of(const Map& map, const Settings& settings) {
   if (settings.form != Form::compute) return {};  // equal within the rounding of the targets only
-  return {map.sums};
+  return {map.sums, {map.fibre.begin(), map.fibre.end()}};
 }
 
 }  // namespace

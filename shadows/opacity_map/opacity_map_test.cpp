@@ -60,6 +60,22 @@ TEST(OpacityMap, HalfWayThroughASlab_HalfTheDepthCounts) {
   EXPECT_NEAR(mean(result->values) / std::exp(-0.4 * area), 1, 0.01);
 }
 
+// Half way between two slices opaque fibres leave the light that passes by those which lie before the point.
+TEST(OpacityMap, OpaqueHairBetweenFewSlices_KeepsTheLightBeforeIt) {
+  const strands::Groom groom = tests::random_slab(1500, 0.1, 0.05, 1e-4f, 7);
+  const auto points = tests::grid_below(0.025);
+  const std::string map = "resolution=512,filter_texels=1";
+  const float wanted = mean(tests::run_shadow("exact_list", groom, points, map, 1).value().values);
+  for (const std::string slices : {"2", "4", "16"}) {
+    const float random = mean(run(groom, points, map + ",slices=" + slices, 1).value().values);
+    const float even = mean(run(groom, points, map + ",between=even,slices=" + slices, 1).value().values);
+    std::printf("%s slices leave %.3f of the light, spread evenly %.3f, the exact list %.3f\n", slices.c_str(),
+                double(random), double(even), double(wanted));
+    EXPECT_NEAR(random, wanted, 0.02) << slices;
+    EXPECT_LT(even, random) << slices;
+  }
+}
+
 TEST(OpacityMap, EmptyGroom_LetsAllThrough) { EXPECT_EQ(one({}, {0, 0, 0}), 1.0f); }
 
 TEST(OpacityMap, AlphaZero_LetsAllThrough) { EXPECT_EQ(one(upright(), {0, -1, 0}, "", 0), 1.0f); }
@@ -240,7 +256,7 @@ TEST(TentWeights, MorePlanesASegment_MoreDifference) {
   }
   double before = 0;
   for (const std::string slices : {"4", "16", "64"}) {
-    const auto own = run_on_segments(groom, points, places, "slices=" + slices);
+    const auto own = run_on_segments(groom, points, places, "between=even,slices=" + slices);
     const auto interpolated = run_on_segments(groom, points, places, "weights=per_vertex,slices=" + slices);
     double sum = 0, most = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -116,15 +116,6 @@ TEST(ErrorStatistics, Halves_ShareNoReceiver) {
   EXPECT_NEAR(both.mean_interval, 1.96 * 0.1 / std::sqrt(3.0), 1e-6);
 }
 
-TEST(Probes, MoreThanThereAre_AreAllVerticesWithTheirStrands) {
-  const strands::Groom groom = study_coat(3);
-  const Probes probes = spread_probes(groom, 1000);
-  ASSERT_EQ(probes.points.size(), 24u);
-  EXPECT_EQ(probes.strands[7], 0u);
-  EXPECT_EQ(probes.strands[8], 1u);
-  EXPECT_EQ(probes.strands[23], 2u);
-}
-
 namespace {
 
 /// Each row's error is at most that of the row before, and the interval of their difference.
@@ -167,15 +158,47 @@ TEST(CompareWithTruth, AFilterOfOneTexelAtAPixel_FinerMapsAreBetter) {
   request.rays = 64;
   request.receivers = 600;
   const std::string methods[] = {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"};
-  request.candidates = candidates_of(methods, {{16}, {64, 256, 1024}, {}, {}, false, {1}}).value();
+  const std::vector<std::int64_t> sizes{64, 256, 1024, 2048};
+  request.candidates = candidates_of(methods, {{16}, sizes, {}, {}, false, {1}}).value();
+  const auto few = candidates_of(std::span(methods, 2), {{4}, sizes, {}, {}, false, {1}}).value();
+  request.candidates.insert(request.candidates.end(), few.begin(), few.end());
   const auto comparison = compare_with_truth(request, silent_progress());
   ASSERT_TRUE(comparison) << comparison.error().message;
-  ASSERT_EQ(comparison->rows.size() % 3, 0u);
-  for (std::size_t i = 0; i < comparison->rows.size(); i += 3) {
-    expect_no_rise(*comparison, i, 3);
-    const auto& rows = comparison->rows;
-    std::printf("bias %+.4f, %+.4f, %+.4f\n", rows[i].error.bias, rows[i + 1].error.bias, rows[i + 2].error.bias);
+  const auto& rows = comparison->rows;
+  ASSERT_EQ(rows.size() % sizes.size(), 0u);
+  for (std::size_t i = 0; i < rows.size(); i += sizes.size()) {
+    expect_no_rise(*comparison, i, sizes.size());
+    for (std::size_t k = i + 1; k < i + sizes.size(); ++k)
+      EXPECT_LT(rows[k].error.mean, rows[k - 1].error.mean) << rows[k].method << " " << rows[k].settings;
+    std::printf("bias %+.4f at 64^2, %+.4f at 2048^2\n", rows[i].error.bias, rows[i + sizes.size() - 1].error.bias);
   }
+}
+
+// Opaque fibres as a camera sees them. Spread evenly between slices, one that lies behind a point takes nearly all of
+// its light, the more so the finer the texels.
+TEST(CompareWithTruth, OpaqueFibresThatACameraSees_FewSlicesAreBetterAtRandomDepths) {
+  const strands::Groom groom = study_coat(2000);
+  ComparisonRequest request = footprint_request(groom);
+  request.alpha = 1;
+  request.to_camera = glm::dvec3(1, 0.3, 1);
+  request.footprint_radius = pixel_footprint(groom, *request.to_camera);
+  request.rays = 16;
+  request.receivers = 1000;
+  const shadows::Method* method = shadows::find_method("opacity_map").value();
+  for (const std::string between : {"random", "even"})
+    for (const std::string size : {"64", "256", "1024", "2048"})
+      request.candidates.push_back(
+          {method, registry::parse_assignments(method->entry.parameters,
+                                               "slices=4,filter_texels=1,between=" + between + ",resolution=" + size)
+                       .value()});
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  const auto& rows = comparison->rows;
+  expect_no_rise(*comparison, 0, 4);
+  for (std::size_t i = 0; i < 4; ++i)
+    std::printf("spread evenly %.4f, light %+.4f beside %+.4f\n", rows[i + 4].error.mean,
+                rows[i + 4].light_left - comparison->light_left, rows[i].light_left - comparison->light_left);
+  EXPECT_LT(rows[3].error.mean, 0.9 * rows[7].error.mean);
 }
 
 // What a texel knows of its nearest and farthest fibre keeps few layers from growing worse where texels hold one or
@@ -241,30 +264,6 @@ TEST(CompareWithTruth, WeightsPerVertex_ComeFromTheEnds) {
     EXPECT_NEAR(errors[0], errors[i], 0.1);
   }
   EXPECT_NE(errors[1], errors[2]);
-}
-
-TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {
-  strands::Groom groom;
-  for (int i = 0; i < 100; ++i)
-    for (const float height : {0.0f, 0.1f}) {
-      const float x = 0.01f * float(i % 10), z = 0.01f * float(i / 10) + 0.1f * height;
-      groom.positions.insert(groom.positions.end(), {{x, height, z}, {x + 0.008f, height, z}});
-      groom.offsets.push_back(std::uint32_t(groom.positions.size()));
-    }
-  groom.radii.assign(groom.positions.size(), 1e-3f);
-  const Probes above = visible_probes(groom, {0, 1, 0}, 50), below = visible_probes(groom, {0, -1, 0}, 50);
-  ASSERT_EQ(above.points.size(), 50u);
-  double upper = 0, lower = 0;
-  for (std::size_t i = 0; i < 50; ++i) {
-    upper += above.points[i].y > 0.05f ? 1 : 0;
-    lower += below.points[i].y < 0.05f ? 1 : 0;
-    const glm::vec3 a = groom.positions[above.vertices[i]], b = groom.positions[above.vertices[i] + 1];
-    EXPECT_NEAR(above.points[i].x, double(a.x) + double(above.fractions[i]) * double(b.x - a.x), 1e-6);
-    EXPECT_EQ(above.strands[i], above.vertices[i] / 2);
-  }
-  EXPECT_GT(upper, 25) << "one row of the lower fibres lies free";
-  EXPECT_GT(lower, 25);
-  EXPECT_EQ(visible_probes(groom, {0, 1, 0}, 50).points, above.points);
 }
 
 TEST(CompareWithTruth, Flicker_IsLessWithAFilter) {

@@ -1,0 +1,45 @@
+// Where shadow methods are compared: vertices of strands, and what a camera sees.
+#include "study/shadows/probes.h"
+
+#include <gtest/gtest.h>
+
+#include "study/shadows/slices_study.h"
+
+namespace cuticle::study::probes_test {
+namespace {
+
+TEST(Probes, MoreThanThereAre_AreAllVerticesWithTheirStrands) {
+  const strands::Groom groom = study_coat(3);
+  const Probes probes = spread_probes(groom, 1000);
+  ASSERT_EQ(probes.points.size(), 24u);
+  EXPECT_EQ(probes.strands[7], 0u);
+  EXPECT_EQ(probes.strands[8], 1u);
+  EXPECT_EQ(probes.strands[23], 2u);
+}
+
+TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {
+  strands::Groom groom;
+  for (int i = 0; i < 100; ++i)
+    for (const float height : {0.0f, 0.1f}) {
+      const float x = 0.01f * float(i % 10), z = 0.01f * float(i / 10) + 0.1f * height;
+      groom.positions.insert(groom.positions.end(), {{x, height, z}, {x + 0.008f, height, z}});
+      groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+    }
+  groom.radii.assign(groom.positions.size(), 1e-3f);
+  const Probes above = visible_probes(groom, {0, 1, 0}, 50), below = visible_probes(groom, {0, -1, 0}, 50);
+  ASSERT_EQ(above.points.size(), 50u);
+  double upper = 0, lower = 0;
+  for (std::size_t i = 0; i < 50; ++i) {
+    upper += above.points[i].y > 0.05f ? 1 : 0;
+    lower += below.points[i].y < 0.05f ? 1 : 0;
+    const glm::vec3 a = groom.positions[above.vertices[i]], b = groom.positions[above.vertices[i] + 1];
+    EXPECT_NEAR(above.points[i].x, double(a.x) + double(above.fractions[i]) * double(b.x - a.x), 1e-6);
+    EXPECT_EQ(above.strands[i], above.vertices[i] / 2);
+  }
+  EXPECT_GT(upper, 25) << "one row of the lower fibres lies free";
+  EXPECT_GT(lower, 25);
+  EXPECT_EQ(visible_probes(groom, {0, 1, 0}, 50).points, above.points);
+}
+
+}  // namespace
+}  // namespace cuticle::study::probes_test
