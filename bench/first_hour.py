@@ -1,12 +1,15 @@
 """A newcomer's hour: every command of the README as it is written, then the usual mistakes; each with its seconds, exit code and what it said.
 
     .venv/bin/python bench/first_hour.py > bench/results/first_hour_xeon.txt
+
+CUTICLE_TEST_DATA names the test data; without it the TressFX groom is left out.
 """
 import os
 import pathlib
 import platform
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,12 +27,16 @@ MISTAKES = [
     "cuticle eval --model marschner --set beta=7.5 --quantity M --theta-i 0 --theta-o 0",
     "cuticle eval --model marschner --quantity n --lobe TT --theta-d 0.3 --phi 0.5",
     "cuticle eval --model marschner --quantity S --theta-i 0.5 --theta-o 0.2 --phi 1",
-    "cuticle models --fov 3",
+    "cuticle plan with_comments.json",
+    "cuticle plan fov.json",
     "cuticle info empty",
     "cuticle shadows wavy.hair --methods deep_opacity --layers 4,64 --resolution 64 --quick",
-    "cuticle check lut wrong",
+    "cuticle eval --hair blond --quantity A --lobe TT --theta-d 0 --h 0",
+    "cuticle play scenes/still.json --frames 6 --screenshot f.png",
+    "cuticle play scenes/still.json --frames 0:5 --screenshot f.png",
     "cuticle --version",
 ]
+WINDOWS = ("view", "play")
 SHOWN = 6
 
 
@@ -37,14 +44,22 @@ def said(command, folder):
     """Runs a command; its lines of the log."""
     words = shlex.split(command)
     started = [PROGRAM, *words[1:]]
-    if words[1] == "view":
+    if words[1] in WINDOWS:
         started = ["xvfb-run", "-a", *started]
     before = time.monotonic()
     done = subprocess.run(started, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
-    lines = done.stdout.splitlines()
+    data = os.environ.get("CUTICLE_TEST_DATA") or "\0"
+    command, lines = command.replace(data, "$CUTICLE_TEST_DATA"), done.stdout.replace(data, "$CUTICLE_TEST_DATA").splitlines()
     more = [f"  ... {len(lines) - SHOWN} more lines"] if len(lines) > SHOWN else []
     head = f"$ {command}\n  [{time.monotonic() - before:.1f} s, exit {done.returncode}]"
     return "\n".join([head, *("  " + line[:160] for line in lines[:SHOWN]), *more])
+
+
+def imported():
+    """The module after scripts/demo.sh."""
+    command = '.venv/bin/python -c "import cuticle; print(cuticle.__version__)"'
+    done = subprocess.run(command, shell=True, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return f"$ {command}\n  [exit {done.returncode}]\n  {done.stdout.strip()}"
 
 
 def commands():
@@ -53,14 +68,41 @@ def commands():
         yield from (command for command, _ in steps_of(block))
 
 
+# What an import does to the pixels of a table, colour and alpha between 0 and 1.
+SPOILT = {
+    "srgb_with_linear_alpha": "pixels[..., :3] = np.where(colour <= .04045, colour / 12.92, ((colour + .055) / 1.055) ** 2.4)",
+    "premultiplied_alpha": "if pixels.shape[-1] == 4: pixels[..., :3] = colour * pixels[..., 3:]",
+    "channels_swapped": "pixels[..., :3] = colour[..., ::-1]",
+    "channel_dropped": "pixels[..., 2] = 0",
+    "flipped": "pixels = pixels[::-1]",
+    "resized": "pixels = (pixels[::2, ::2] + pixels[1::2, ::2] + pixels[::2, 1::2] + pixels[1::2, 1::2]) / 4",
+}
+
+
 def spoil_tables(folder):
-    """A table as an import would spoil it: colour decoded from sRGB."""
-    subprocess.run([PROGRAM, "bake", "--preset", "blond", "--size", "64", "--format", "png8", "--out", "wrong"], cwd=folder, check=True, capture_output=True)
-    spoil = ("import sys, numpy as np, matplotlib.image as image\n"
-             "path = sys.argv[1]; pixels = image.imread(path); colour = pixels[..., :3]\n"
-             "pixels[..., :3] = np.where(colour <= .04045, colour / 12.92, ((colour + .055) / 1.055) ** 2.4); image.imsave(path, pixels)\n")
-    for path in sorted((folder / "wrong").rglob("N_*.png"))[:1]:
-        subprocess.run([sys.executable, "-c", spoil, str(path)], check=True)
+    """Folders of tables as imports would spoil them, each in one way."""
+    subprocess.run([PROGRAM, "bake", "--preset", "blond", "--size", "64", "--format", "png8", "--out", "good"], cwd=folder, check=True, capture_output=True)
+    for name, change in SPOILT.items():
+        shutil.copytree(folder / "good", folder / name)
+        spoil = f"import sys, numpy as np, matplotlib.image as image\npath = sys.argv[1]; pixels = image.imread(path); colour = pixels[..., :3].copy()\n{change}\nimage.imsave(path, pixels)\n"
+        for path in sorted((folder / name).rglob("N_*.png")):
+            subprocess.run([sys.executable, "-c", spoil, str(path)], check=True)
+        yield f"cuticle check lut {name}"
+
+
+def mistaken_scenes(folder):
+    """A scene with comments, which is read, and one with a key without its unit."""
+    text = (ROOT / "scenes/still.json").read_text(encoding="utf-8")
+    (folder / "with_comments.json").write_text("// my scene\n" + text, encoding="utf-8")
+    (folder / "fov.json").write_text(text.replace('"fov_deg"', '"fov"'), encoding="utf-8")
+
+
+def groom_of_the_data():
+    """The main job on a part of a TressFX project, as a newcomer would start it."""
+    data = os.environ.get("CUTICLE_TEST_DATA", "")
+    found = sorted(pathlib.Path(data).rglob("*.tfx")) if data else []
+    part = next((path for path in found if "side" in path.name.lower()), found[0] if found else None)
+    return [f"cuticle demo --groom {part} --frames 2 --no-study --out part"] if part else []
 
 
 def main():
@@ -73,10 +115,11 @@ def main():
         print("The README's commands\n")
         for command in commands():
             print(said(command, folder), flush=True)
-        spoil_tables(folder)
+        mistaken_scenes(folder)
         print("\nMistakes\n")
-        for command in MISTAKES:
+        for command in [*MISTAKES, *spoil_tables(folder), *groom_of_the_data()]:
             print(said(command, folder), flush=True)
+        print(imported(), flush=True)
 
 
 main()

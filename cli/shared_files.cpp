@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "cli/boundary.h"
+#include "cli/command.h"
 
 namespace cuticle::cli {
 
@@ -117,12 +118,13 @@ void print_rows(const std::string& csv, const std::string& file) {
 int make_page(const std::string& mode, const std::string& folder, Progress& progress) {
   const std::string place = fs::absolute(folder).string();
   const int code = run_python("cuticle_report", mode.empty() ? std::vector{place} : std::vector{mode, place});
-  if (code == 0)
+  if (code == 0) {
     progress.message(fmt::format("page: {}/index.html", folder));
-  else
-    progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete",
-                                 python_program(), code, folder));
-  return 0;
+    return Exit::ok;
+  }
+  progress.message(fmt::format("no page: '{} -m cuticle_report' ended with {}; the data in {} are complete",
+                               python_program(), code, folder));
+  return Exit::check_failed;
 }
 
 }  // namespace cuticle::cli

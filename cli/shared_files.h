@@ -24,8 +24,8 @@ int run_self(const std::vector<std::string>& arguments, bool needs_display = fal
 /// Writes rows of CSV to stdout: all of them to a file or pipe, the first twenty to a terminal, with where the rest is.
 void print_rows(const std::string& csv, const std::string& file);
 
-/// Runs `python -m cuticle_report [mode] folder`, which makes index.html and the plots from the data there. Where Python or the package
-/// is missing, says so and leaves the data. Gives the exit code 0, also then.
+/// Runs `python -m cuticle_report [mode] folder`, which makes index.html and the plots from the data there. Where it fails, or
+/// Python or the package is missing, says so, leaves the data, and gives the exit code 1.
 int make_page(const std::string& mode, const std::string& folder, Progress& progress);
 
 }  // namespace cuticle::cli

@@ -1,5 +1,6 @@
 // What a plan leaves out: grouped, with what would bring it in and what that would cost.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -16,14 +17,21 @@ bool holds(const Plan& plan, const registry::Entry* entry) {
   return std::ranges::any_of(plan.passes, [&](const PlannedPass& pass) { return pass.entry == entry; });
 }
 
-/// What runs in one plan and not in the other; none: of some of it no time is known. What dispatches and draws nothing
-/// takes none of its own.
+/// Whether a pass takes no time of its own: what dispatches and draws nothing, unless it makes a picture or transmittance
+/// by work on the CPU, of which no time is known.
+bool is_free(const PlannedPass& pass) {
+  const registry::Entry& entry = *pass.entry;
+  const bool makes_all = entry.stage == registry::Stage::resolve || entry.name == "truth";
+  return pass.dispatches + pass.draws == 0 && !pass.on_cpu && !makes_all;
+}
+
+/// What runs in one plan and not in the other; none: of some of it no time is known.
 std::optional<double> ms_of_others(const CostTable& table, const Plan& in, const Plan& not_in, double pixels) {
   double ms = 0;
   for (const PlannedPass& pass : in.passes) {
     if (holds(not_in, pass.entry)) continue;
     const auto own = predicted_ms(table, *pass.entry, in.shape, pixels);
-    if (!own && pass.dispatches + pass.draws == 0 && !pass.on_cpu) continue;
+    if (!own && is_free(pass)) continue;
     if (!own) return std::nullopt;
     ms += *own;
   }
@@ -84,15 +92,29 @@ std::string words_of_way(const LeftOutEntry& entry) {
   return entry.way ? fmt::format("{}", fmt::join(entry.way->changes, " and ")) : "no change of up to four keys does";
 }
 
+namespace {
+
+/// Two digits, in the unit that fits.
+std::string in_words(double ms) {
+  if (std::abs(ms) < 0.005) return "no time of its own";
+  const double digit = std::pow(10, std::floor(std::log10(std::abs(ms))) - 1);
+  const double rounded = std::round(ms / digit) * digit;
+  return std::abs(rounded) < 1000 ? fmt::format("{:g} ms", rounded) : fmt::format("{:g} s", rounded / 1000);
+}
+
+}  // namespace
+
 std::string words_of_cost(const LeftOutEntry& entry) {
-  return entry.more_ms ? fmt::format("{:+.2f} ms", *entry.more_ms) : "not measured";
+  if (!entry.more_ms) return "not measured";
+  return (*entry.more_ms >= 0.005 ? "+" : "") + in_words(*entry.more_ms);
 }
 
 std::string words_of_saving(const GroupSaving& group) {
   std::string text = fmt::format("{}: {} left out", group.group, group.entries);
-  if (group.not_measured < group.entries - group.alternatives) text += fmt::format(", {:.2f} ms saved", group.ms);
-  if (group.alternatives > 0) text += fmt::format(", {} of them other ways of what runs", group.alternatives);
-  if (group.not_measured > 0) text += fmt::format(", {} not measured", group.not_measured);
+  if (group.alternatives > 0) text += fmt::format(", {} of them in favour of another way", group.alternatives);
+  if (const std::size_t others = group.entries - group.alternatives; group.not_measured < others)
+    text += fmt::format("; the others save {}", in_words(group.ms));
+  if (group.not_measured > 0) text += fmt::format(" ({} of them not measured)", group.not_measured);
   return text;
 }
 

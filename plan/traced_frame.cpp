@@ -76,7 +76,8 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .far_field = parameters.far_field,
                                           .lens = lens_of(scene, camera),
                                           .lamp_radius = parameters.lamp_radius,
-                                          .sun_angle = parameters.sun_angle};
+                                          .sun_angle = parameters.sun_angle,
+                                          .clamp_indirect = parameters.clamp_indirect};
   if (parameters.tables) options.tables = {scene.material.layout, scene.material.lut_size};
   const std::string& shadow = parameters.shadow;
   if (shadow == "traced") return options;

@@ -30,7 +30,7 @@ std::string studies() {
 }
 
 Result<std::string> run(const study::StudyEntry& entry, const study::StudyRequest& request, Progress& progress) {
-  CUTICLE_ASSIGN(const study::Study declared, entry.declare(request, progress));
+  CUTICLE_ASSIGN(const study::Study declared, study::declare(entry, request, progress));
   CUTICLE_ASSIGN(const study::StudyResult result, study::run_study(declared, progress));
   return Json{{"result", study::result_json(declared, result, "")},
               {"times", study::times_json(declared, result)},

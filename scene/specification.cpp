@@ -85,7 +85,7 @@ Spec groom() {
             .table = registry::table_of<strands::Style>()};
   return object(
       "groom", "the hair: a file, or grown on the head",
-      {file("file", "strands: .hair or .tfx"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
+      {file("file", "strands: a groom file, of any format of strands/formats"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
        real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"),
        boolean("interpolate",
                "the file's strands are control hairs: smoothed, strand_count strands between them; false unless given: "

@@ -34,7 +34,7 @@ void add_demo(CLI::App& app, Context& context) {
   auto options = std::make_shared<study::DemoOptions>();
   options->out = "demo";
   command->add_option("--groom", options->groom_file,
-                      "a groom file in place of the grown hair (.hair, .tfx, .tfxproj)");
+                      "groom in place of the grown hair: " + strands::list_of_extensions(false));
   command->add_flag("!--part-only", options->whole_project,
                     "of a .tfx that a .tfxproj beside it names, draw this part only");
   add_groom_options(*command, options->metres_per_unit, options->radius);

@@ -285,12 +285,12 @@ std::string json_with_choice(const study::Comparison& comparison, const study::R
   return object.dump(2) + "\n";
 }
 
-Result<void> write_all(const ShadowsOptions& options, const study::Comparison& comparison, const std::string& json,
-                       Progress& progress) {
+/// The exit code of the page.
+Result<int> write_all(const ShadowsOptions& options, const study::Comparison& comparison, const std::string& json,
+                      Progress& progress) {
   CUTICLE_TRY(study::write_comparison(comparison, options.out));
   CUTICLE_TRY(write_text_file(options.out + "/study.json", json));
-  make_page("", options.out, progress);
-  return {};
+  return make_page("", options.out, progress);
 }
 
 Result<int> run(const ShadowsOptions& options, Context& context) {
@@ -307,15 +307,18 @@ Result<int> run(const ShadowsOptions& options, Context& context) {
   const BudgetVerdict verdict = judge(comparison, options.request);
   const std::string json = json_with_choice(comparison, options.request, verdict);
   fmt::print("{}", context.json ? json : study::to_csv(comparison));
-  if (!options.out.empty()) CUTICLE_TRY(write_all(options, comparison, json, *context.progress));
-  if (options.request.max_error <= 0 && options.request.budget_ms <= 0) return int(Exit::ok);
+  int page = Exit::ok;
+  if (!options.out.empty()) {
+    CUTICLE_ASSIGN(page, write_all(options, comparison, json, *context.progress));
+  }
+  if (options.request.max_error <= 0 && options.request.budget_ms <= 0) return page;
   fmt::print(stderr, "{}\n", verdict.text());
-  return int(verdict.choice == nullptr ? Exit::check_failed : Exit::ok);
+  return verdict.choice == nullptr ? int(Exit::check_failed) : page;
 }
 
 void add_options(CLI::App& command, ShadowsOptions& options) {
   const double infinity = std::numeric_limits<double>::infinity();
-  command.add_option("groom", options.groom, "groom: .hair or .tfx")->required();
+  command.add_option("groom", options.groom, groom_help(false))->required();
   command.add_option("--light", options.light, "direction from the scene to the light, x,y,z");
   command.add_option("--methods", options.methods, "a,b,c of `cuticle methods`, or all");
   command.add_option("--layers", options.layers, "slices or layers of the methods that have them, a,b,c");

@@ -69,7 +69,7 @@ study::StudyRequest default_request(const study::StudyEntry& entry, bool quick, 
 
 Result<std::string> run_registered(const study::StudyEntry& entry, const study::StudyRequest& request,
                                    const std::string& folder, Progress& progress) {
-  CUTICLE_ASSIGN(const study::Study study, entry.declare(request, progress));
+  CUTICLE_ASSIGN(const study::Study study, study::declare(entry, request, progress));
   CUTICLE_ASSIGN(const study::StudyResult result, study::run_study(study, progress));
   CUTICLE_TRY(study::write_study(study, result, command_of(entry, request), folder));
   return study::result_csv(study, result);

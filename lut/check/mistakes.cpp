@@ -118,12 +118,25 @@ void add_colors(const Image& image, bool exact, std::vector<Undo>& undos) {
   undos.push_back({encoded, kept(colors_changed(image, srgb_decoded)), exact});
 }
 
+/// All other orders of so many channels; those that leave most channels in their place first, since channels alike to
+/// within the tolerance fit several.
+std::vector<std::vector<int>> other_orders(int channels) {
+  std::vector<int> order(static_cast<std::size_t>(channels));
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<std::vector<int>> orders;
+  while (std::next_permutation(order.begin(), order.end())) orders.push_back(order);
+  std::ranges::stable_sort(orders, {}, [](const std::vector<int>& one) {
+    int moved = 0;
+    for (std::size_t c = 0; c < one.size(); ++c) moved += one[c] != int(c);
+    return moved;
+  });
+  return orders;
+}
+
 /// Channels in another order.
 void add_swapped(const Image& image, std::vector<Undo>& undos) {
-  std::vector<int> order(std::size_t(image.channels()));
-  std::iota(order.begin(), order.end(), 0);
   const Reading at = reading_of(image);
-  while (std::next_permutation(order.begin(), order.end())) {
+  for (const std::vector<int>& order : other_orders(image.channels())) {
     std::string names;
     for (const int c : order) names += std::string(names.empty() ? "" : ", ") + "RGBA"[std::min(c, 3)];
     undos.push_back({{"channels swapped", fmt::format("with the channels read as {} every probe reads right", names),

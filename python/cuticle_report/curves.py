@@ -94,6 +94,6 @@ def interactive(plot):
     look.dress(figure, 420, 20 + 7 * max(len(curve["name"]) for curve in plot["curves"]))
     label_ends(figure, plot, [color for color, _ in looks])
     scale = "log" if plot.get("logarithmic") else "linear"
-    figure.update_xaxes(title=plot["x_label"], type=scale, dtick=look.tick_step([x for curve in plot["curves"] for x in curve["x"]]) if scale == "log" else None)
-    figure.update_yaxes(title=plot["y_label"], type=scale)
+    for update, label, along in ((figure.update_xaxes, plot["x_label"], "x"), (figure.update_yaxes, plot["y_label"], "y")):
+        update(title=label, type=scale, **(look.log_ticks([value for curve in plot["curves"] for value in curve[along]]) if scale == "log" else {}))
     return figure

@@ -7,11 +7,10 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402  (after the choice of back end)
 import plotly.graph_objects as plotly  # noqa: E402
 
-COLORS = ["#1f5fa8", "#d9730d", "#2f8f4e", "#a8324a", "#6b4fa0", "#8a6d3b", "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
+from . import look  # noqa: E402
+
+COLORS = [*look.COLORS, "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
           "#b9a5dd", "#cdb58a", "#93cfe0", "#b5b5b5"]
-# Of the lobes of every model, in every figure; the same as lobe_color of viz/lobe_surface.cpp.
-LOBE_COLORS = {"R": "#3378bf", "TT": "#ed9921", "TRT": "#bf3845", "residual": "#599e5c", "TTs": "#f7cc85", "TRTs": "#db8c96",
-               "specular": "#3378bf", "primary": "#3378bf", "diffuse": "#ed9921", "secondary": "#bf3845"}
 MOST_LABELS = 24  # of a page's figure, where the pointer shows them too
 DASHES = [("--", "dash"), (":", "dot"), ("-.", "dashdot")]
 
@@ -103,10 +102,12 @@ def interactive(study, x):
     values = [row[x.key] for row in study.raw["rows"]]
     for (_, dash), (name, value) in zip(DASHES, study.baselines):
         figure.add_scatter(x=[min(values), max(values)], y=[value, value], mode="lines", name=f"{name}: {value:.3g}",
-                           line={"color": "black", "dash": dash, "width": 1})
-    figure.update_layout(template="plotly_white", height=480, margin={"l": 70, "r": 20, "t": 30, "b": 60})
-    figure.update_xaxes(title=x.label, type=x.scale, exponentformat="power")
-    figure.update_yaxes(title=study.y.label, type=study.y.scale, exponentformat="power")
+                           line={"color": look.OTHERS, "dash": dash, "width": 1.5})
+    look.dress(figure, 480, 20)
+    figure.update_layout(showlegend=True)
+    errors = [row[study.y.key] for row in study.drawn_rows() + study.raw["baselines"]]
+    figure.update_xaxes(title=x.label, type=x.scale, **(look.log_ticks(values) if x.scale == "log" else {}))
+    figure.update_yaxes(title=study.y.label, type=study.y.scale, **(look.log_ticks(errors) if study.y.scale == "log" else {}))
     if is_setting(study, x):
         figure.update_xaxes(tickvals=sorted(set(values)), ticktext=[f"{value:g}" for value in sorted(set(values))])
     return figure

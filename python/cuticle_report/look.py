@@ -32,11 +32,12 @@ def dress(figure, height, right, top=20, bottom=55):
     figure.update_yaxes(gridcolor=GRID, zeroline=False, exponentformat="power")
 
 
-def tick_step(values):
-    """Every power of ten where there are many, 1, 2 and 5 too where there are few, plotly's own within one."""
+def log_ticks(values):
+    """Of a page's logarithmic axis: every power of ten where there are many, 1, 2 and 5 too where there are few, plotly's own within one; as 0.02 and not as powers where few digits say it."""
     values = [value for value in values if value > 0]
-    span = max(values, default=1) / min(values, default=1)
-    return 1 if span > 300 else "D2" if span > 8 else None
+    low, high = min(values, default=1), max(values, default=1)
+    step = 1 if high > 300 * low else "D2" if high > 8 * low else None
+    return {"dtick": step, "tickformat": "~g" if high <= 1e4 * low and low >= 5e-4 and high < 1e4 else ""}
 
 
 def wrapped(label):

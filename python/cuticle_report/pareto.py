@@ -109,8 +109,8 @@ def name_axes(figure, group, factor, x_title):
     up = labels.Scale([y for _, y in dots], height - 75, True, 0.1)
     look.dress(figure, height, margin)
     labels.annotate(figure, ends, across, up, dots, margin)
-    figure.update_xaxes(title=x_title, type="log", range=across.range, dtick=look.tick_step([x for x, _ in dots]))
-    figure.update_yaxes(title=group.raw["metrics"][0]["label"], type="log", range=up.range, dtick=look.tick_step([y for _, y in dots]))
+    figure.update_xaxes(title=x_title, type="log", range=across.range, **look.log_ticks([x for x, _ in dots]))
+    figure.update_yaxes(title=group.raw["metrics"][0]["label"], type="log", range=up.range, **look.log_ticks([y for _, y in dots]))
 
 
 def printed(group, cost_label):

@@ -92,7 +92,12 @@ SCRIPT = """<script>window.addEventListener("load", () => setTimeout(async () =>
   const before = slider.value; slider.value = 25; seen.slider = [before, slider.value, !!slider.shadowRoot];
   seen.downloads = [...document.querySelectorAll("#luts-marschner a[download]")].map(a => a.download);
   seen.plots = [...document.querySelectorAll(".js-plotly-plot")].map(plot => plot.querySelectorAll("path").length);
-  document.getElementById("theme").click(); seen.theme = document.documentElement.dataset.theme;
+  document.getElementById("theme").click(); seen.theme = document.documentElement.dataset.theme; 
+  const comes = async color => { const plot = document.querySelector("#luts-marschner .plot"); for (let n = 0; n < 100 && !plot.innerHTML.includes(color); n++) await new Promise(r => setTimeout(r, 20)); return plot.innerHTML.includes(color); };
+  seen.lighter = await comes("rgb(127, 176, 230)");
+  window.dispatchEvent(new Event("beforeprint")); seen.printed = [document.documentElement.dataset.theme, await comes("rgb(31, 95, 168)")];
+  window.dispatchEvent(new Event("afterprint"));
+  seen.reached = [...document.querySelectorAll("figure, table button, input, summary, img-comparison-slider, nav a, #theme")].every(part => part.tabIndex >= 0);
   document.documentElement.dataset.seen = btoa(JSON.stringify(seen));
 }, 1500));</script>"""
 
@@ -114,7 +119,8 @@ def test_Page_InABrowser_DrawsSortsCopiesAndSlides(seen):
     assert "b\\_x & 2 \\\\" in seen["latex"] and "\\begin{tabular}{lr}" in seen["latex"]
     assert seen["views"] == ["flip"] and seen["slider"][1] == 25 and seen["slider"][2]
     assert seen["downloads"] == ["luts-marschner.pdf", "luts-marschner.svg", "luts-marschner.csv"]
-    assert seen["theme"] == "dark"
+    assert seen["theme"] == "dark" and seen["lighter"] and seen["printed"] == ["light", True]
+    assert seen["reached"]  # by the keyboard
 
 
 def test_Page_Screenshot_HasTheCurvesColours(page):

@@ -149,7 +149,7 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   }
   hash.add(std::span<const glm::vec3>(scene.positions_at_end));
   for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field),
-                              options.lens.radius, options.lamp_radius, options.sun_angle, options.lens.focus_distance})
+                              options.lens.radius, options.lamp_radius, options.sun_angle, options.clamp_indirect, options.lens.focus_distance})
     hash.add(number);
   if (options.tables) {
     hash.add(options.tables->layout);

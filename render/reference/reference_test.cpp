@@ -128,6 +128,22 @@ TEST(Reference, LampFarAway_LightsAsADistantLight) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(lamp.color[c] / distant.color[c], 1, 2e-3);
 }
 
+// The limit holds for each path, and leaves direct light alone.
+TEST(Reference, ClampIndirect_LimitsWhatScatteredMoreThanOnce) {
+  const TracedScene scene = lit_ball();
+  const Picture free = picture_of(scene, {.layers = true}, {.samples = 1});
+  const Picture limited = picture_of(scene, {.layers = true, .clamp_indirect = 0.01}, {.samples = 1});
+  const auto& names = free.layers.channel_names;
+  const auto channel = std::size_t(std::ranges::find(names, "scatterings_1.G") - names.begin());
+  double without = 0, with = 0;
+  for (std::size_t p = 0; p < free.layers.pixels.size(); p += names.size()) {
+    EXPECT_EQ(free.layers.pixels[p + channel], limited.layers.pixels[p + channel]);
+    without += double(free.layers.pixels[p + 1]), with += double(limited.layers.pixels[p + 1]);
+  }
+  EXPECT_LT(with, 0.95 * without);
+  EXPECT_GT(with, 0.1 * without);
+}
+
 // A diffuse sphere in even surroundings is as bright as its albedo, seen from outside, where nothing else is.
 TEST(Reference, DiffuseSurface_IsAsBrightAsItsAlbedo) {
   TracedScene scene = lit_ball();

@@ -25,6 +25,8 @@ struct TraceOptions {
   Lens lens = {};
   double lamp_radius = 0;  ///< of every lamp, a sphere of even radiance, metres; 0: points
   double sun_angle = 0;    ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
+  double clamp_indirect = 0;  ///< radiance of a path's brightest channel, at most, of light from one scattering after
+                              ///< the first; 0: no limit
 };
 
 /// What a path's light is split into: by the number of its scatterings, by where it turned back, and by the lobe of the

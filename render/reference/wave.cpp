@@ -182,8 +182,11 @@ bool Wave::goes_on(std::uint32_t k, const glm::dvec3& throughput, double u) {
   return true;
 }
 
-void Wave::add(std::uint32_t k, const glm::dvec3& light, const Way& way) {
+void Wave::add(std::uint32_t k, const glm::dvec3& arrived, const Way& way) {
   PathLight& to = light_[k];
+  const double limit = scene_.options.clamp_indirect, brightest = std::max({arrived.x, arrived.y, arrived.z});
+  const bool is_clamped = limit > 0 && way.scatterings > 1 && brightest > limit;
+  const glm::dvec3 light = is_clamped ? arrived * (limit / brightest) : arrived;
   to.radiance += light;
   if (!splits()) return;
   constexpr int k_least[k_counts] = {1, 2, 3, 4, 8, 16};

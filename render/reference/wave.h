@@ -92,7 +92,7 @@ class Wave {
     int backward;          ///< of them, after the one that the camera sees
     const Shares* shares;  ///< of the lobes there; null: no fibre
   };
-  void add(std::uint32_t path, const glm::dvec3& light, const Way& way);
+  void add(std::uint32_t path, const glm::dvec3& arrived, const Way& way);
   bool turns_back(std::size_t point, const glm::vec3& to_light) const;
   bool splits() const { return scene_.options.layers; }
   std::array<float, 4> numbers(std::uint32_t path, Purpose purpose) const {

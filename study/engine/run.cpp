@@ -54,6 +54,12 @@ std::string point_name(const std::string& method, const std::vector<Knob>& knobs
   return name;
 }
 
+Result<Study> declare(const StudyEntry& entry, const StudyRequest& request, Progress& progress) {
+  CUTICLE_ASSIGN(Study study, entry.declare(request, progress));
+  if (request.quick) study.timing = study.timing.quick();
+  return study;
+}
+
 Result<StudyResult> run_study(const Study& study, Progress& progress) {
   StudyResult result;
   std::vector<const Work*> works;

@@ -27,6 +27,9 @@ struct StudyResult {
   Interval kernel_seconds;
 };
 
+/// The study as its entry declares it; of a quick form with fewer samples of each time. Errors: those of `declare`.
+Result<Study> declare(const StudyEntry& entry, const StudyRequest& request, Progress& progress);
+
 /// Measures and times every point. Error: the points', with the name of the point before it.
 Result<StudyResult> run_study(const Study& study, Progress& progress);
 

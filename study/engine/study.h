@@ -1,6 +1,7 @@
 #pragma once
 // What a study is: groups of methods that answer the same question, each measured against the group's truth on the same
 // items, and timed. The engine measures, times, draws conclusions and writes; a study only declares.
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <span>
@@ -44,6 +45,11 @@ struct TimingRequest {
   double sample_seconds = 2e-3;  ///< a sample calls the work so often that it lasts about so long, once at least
   double point_seconds = 1;      ///< a point whose samples together take longer has fewer of them, three at least
   double slow_seconds = 5;       ///< of one call, from which on a point has one sample alone, and no interval
+
+  /// Of a study's quick form: fewer samples, so that intervals are wider.
+  TimingRequest quick() const {
+    return {std::min(rounds, 5), sample_seconds, std::min(point_seconds, 0.2), std::min(slow_seconds, 0.5)};
+  }
 };
 
 /// One setting of one method. `work.run` not set: not timed.

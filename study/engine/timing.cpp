@@ -22,8 +22,9 @@ class Timed {
  public:
   Timed(const Work& work, bool wall) : work_(work), wall_(wall) {}
 
-  /// The call that is not counted, and from it how many calls a sample has and how many samples there are.
-  Result<void> warm_up(const TimingRequest& request) {
+  /// The call that is not counted, and from it how many calls a sample has and how many samples there are. Of slow work
+  /// it is the only sample.
+  Result<void> warm_up(const TimingRequest& request, double kernel_seconds) {
     CUTICLE_ASSIGN(double seconds, run(1));
     if (seconds < request.sample_seconds) {  // the first call pays for cold caches
       CUTICLE_ASSIGN(seconds, run(1));
@@ -31,16 +32,17 @@ class Timed {
     calls_ = std::max(1, int(std::ceil(request.sample_seconds / std::max(seconds, 1e-7))));
     const double sample = seconds * calls_;
     wanted_ = std::min(request.rounds, std::max(3, int(request.point_seconds / std::max(sample, 1e-9))));
-    if (seconds > request.slow_seconds) wanted_ = 1;
+    if (seconds > request.slow_seconds) {
+      wanted_ = 1;
+      keep(seconds, kernel_seconds);
+    }
     return {};
   }
   bool wants_more() const { return int(seconds_.size()) < wanted_; }
 
   Result<void> sample(double kernel_seconds) {
     CUTICLE_ASSIGN(const double seconds, run(calls_));
-    const double each = seconds / calls_ / work_.evaluations;
-    seconds_.push_back(each);
-    units_.push_back(each / kernel_seconds);
+    keep(seconds / calls_, kernel_seconds);
     return {};
   }
   PointTime result() const {
@@ -48,6 +50,10 @@ class Timed {
   }
 
  private:
+  void keep(double call_seconds, double kernel_seconds) {
+    seconds_.push_back(call_seconds / work_.evaluations);
+    units_.push_back(seconds_.back() / kernel_seconds);
+  }
   Result<double> run(int calls) {
     if (work_.before) CUTICLE_TRY(work_.before());
     const double start = wall_ ? wall_seconds() : processor_seconds();
@@ -84,11 +90,13 @@ Result<Timing> time_in_turn(std::span<const Work* const> works, bool wall, const
                             Progress& progress) {
   std::vector<Timed> timed;
   for (const Work* work : works) timed.emplace_back(*work, wall);
+  std::vector<double> kernels;
   for (std::size_t i = 0; i < timed.size(); ++i) {
     progress.update("warm-up", i, timed.size());
-    if (works[i]->run) CUTICLE_TRY(timed[i].warm_up(request));
+    if (!works[i]->run) continue;
+    kernels.push_back(median_kernel());
+    CUTICLE_TRY(timed[i].warm_up(request, kernels.back()));
   }
-  std::vector<double> kernels = {median_kernel()};
   for (int round = 0; round < request.rounds; ++round) {
     for (std::size_t k = 0; k < timed.size(); ++k) {
       const std::size_t place = round % 2 == 0 ? k : timed.size() - 1 - k;
@@ -98,6 +106,7 @@ Result<Timing> time_in_turn(std::span<const Work* const> works, bool wall, const
     }
     progress.update("rounds of timing", std::size_t(round) + 1, std::size_t(request.rounds));
   }
+  if (kernels.empty()) kernels.push_back(median_kernel());
   Timing timing{{}, median_interval(kernels)};
   for (std::size_t i = 0; i < timed.size(); ++i) timing.points.push_back(works[i]->run ? timed[i].result() : PointTime{});
   return timing;

@@ -101,7 +101,7 @@ const StudyEntry& shadows_entry() {
   static const StudyEntry entry{
       .name = "shadows",
       .summary = "opacity maps and deep opacity maps, layers and resolution, against ray-traced truth",
-      .options = {{"groom", "", "groom: .hair or .tfx; without it a coat of strands on a half sphere"},
+      .options = {{"groom", "", "groom: " + strands::list_of_extensions(false) + "; without it a coat of strands on a half sphere"},
                   {"metres-per-unit", "0", "unit of the groom file; 0 = guess and say so"},
                   {"radius", "0", "fibre radius in metres; 0 = the file's own or 35e-6"}},
       .declare = declare_shadows,

@@ -53,6 +53,13 @@ def test_Study_AllAgain_GoesOnWhereItWasStopped(studied):
     assert (studied[0] / "skinning" / "result.json").exists()
 
 
+def test_Study_WhosePageFails_EndsWithExitCodeOneAndItsData(studied, monkeypatch):
+    monkeypatch.setenv("CUTICLE_PYTHON_EXE", "/bin/false")
+    done = run("study", "all", "--quick", "--only", STUDIES, "--out", studied[1])
+    assert done.returncode == 1 and "no page:" in done.stderr
+    assert (studied[1] / "motion" / "result.json").exists()
+
+
 def test_StudyCompare_ALessExactResult_IsNamedWithExitCodeOne(studied, tmp_path):
     same = run("study", "compare", studied[0] / "skinning", studied[0] / "skinning")
     assert same.returncode == 0 and "less exact in B: 0" in same.stdout

@@ -44,8 +44,15 @@ def help_texts(words=()):
                 yield from help_texts((*words, line.split()[0]))
 
 
+def every_document():
+    """The documents, and what lies in the folders: each README."""
+    found = subprocess.run(["git", "-C", ROOT, "ls-files", "*README.md"], capture_output=True, text=True)
+    folders = [ROOT / name for name in found.stdout.split()] if found.returncode == 0 else sorted(ROOT.glob("[!.]*/README.md"))
+    return sorted({*PAGES, *folders})
+
+
 def headings():
-    for page in PAGES + sorted(ROOT.glob("[!.]*/README.md")):
+    for page in every_document():
         for heading in re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S), re.M):
             yield str(page.relative_to(ROOT)), heading
 

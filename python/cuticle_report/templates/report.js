@@ -50,25 +50,39 @@ for (const blink of document.querySelectorAll("button.blink"))
 
 function ink() { return getComputedStyle(document.documentElement).getPropertyValue("--ink").trim(); }
 
+// Curves and their names on dark paper: the same hues, lighter.
+const LIGHTER = { "#1f5fa8": "#7fb0e6", "#2f8f4e": "#6fcf8f", "#a8324a": "#ea8aa0", "#6b4fa0": "#b9a5dd", "#8a6d3b": "#cdb58a", "#3378bf": "#7db4ee", "#bf3845": "#ee8089", "#599e5c": "#8fd0a4" };
+function isDark() { return getComputedStyle(document.documentElement).getPropertyValue("--dark").trim() === "1"; }
+function figureOf(plot) {
+  const text = plot.figureText ??= plot.querySelector("script").textContent;
+  const figure = JSON.parse(isDark() ? text.replace(/#[0-9a-f]{6}/g, color => LIGHTER[color] || color) : text);
+  figure.layout.font = { ...figure.layout.font, color: ink() };
+  return figure;
+}
+
 // What the first screen shows is drawn at once; the other plots, of which a page has dozens, when they come near the window.
+function drawAnew(plot) {
+  const figure = figureOf(plot);
+  Plotly.newPlot(plot, figure.data, figure.layout, { responsive: true, displaylogo: false, displayModeBar: "hover" });
+}
 function draw(plot) {
   if (plot.dataset.drawn) return;
   plot.dataset.drawn = "1";
-  const figure = JSON.parse(plot.querySelector("script").textContent);
-  figure.layout.font = { ...figure.layout.font, color: ink() };
-  Plotly.newPlot(plot, figure.data, figure.layout, { responsive: true, displaylogo: false, displayModeBar: "hover" });
+  drawAnew(plot);
 }
 function drawAll() { for (const plot of document.querySelectorAll(".plot")) draw(plot); }
 const near = new IntersectionObserver(seen => { for (const each of seen) if (each.isIntersecting) { near.unobserve(each.target); draw(each.target); } }, { rootMargin: "600px" });
 function onFirstScreen(plot) { const box = plot.getBoundingClientRect(); return box.width > 0 && box.top < window.innerHeight; }
 for (const plot of document.querySelectorAll(".plot")) onFirstScreen(plot) ? draw(plot) : near.observe(plot);
-window.addEventListener("beforeprint", drawAll);
 
-function colours() { for (const plot of document.querySelectorAll(".js-plotly-plot")) Plotly.relayout(plot, { "font.color": ink() }); }
+function colours() { for (const plot of document.querySelectorAll(".js-plotly-plot")) drawAnew(plot); }
 const theme = document.getElementById("theme");
 theme?.addEventListener("click", () => {
-  const dark = getComputedStyle(document.documentElement).getPropertyValue("--dark").trim() === "1";
-  document.documentElement.dataset.theme = dark ? "light" : "dark";
+  document.documentElement.dataset.theme = isDark() ? "light" : "dark";
   colours();
 });
+// Paper is white, whatever the screen is.
+let screenTheme;
+window.addEventListener("beforeprint", () => { screenTheme = document.documentElement.dataset.theme; document.documentElement.dataset.theme = "light"; drawAll(); colours(); });
+window.addEventListener("afterprint", () => { if (screenTheme) document.documentElement.dataset.theme = screenTheme; else delete document.documentElement.dataset.theme; colours(); });
 for (const more of document.querySelectorAll("details")) more.addEventListener("toggle", () => { for (const plot of more.querySelectorAll(".js-plotly-plot")) Plotly.Plots.resize(plot); });

@@ -10,6 +10,7 @@ struct Parameters {
   std::uint64_t seed = 0;
   bool far_field = false;
   double lamp_radius = 0, sun_angle = 0;
+  double clamp_indirect = 0;
   bool tables = false;
   std::string shadow = "traced";  ///< or the name of a shadow method
 };
