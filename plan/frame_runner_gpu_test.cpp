@@ -308,11 +308,9 @@ TEST(FrameRunner, PicturesAndLayers_AreTheStoredOnesAndAFaultOfOnePixelIsSeen) {
   constexpr std::string_view k_small = R"("outputs": {"aovs": true},
     "passes": {"lines": {"tip_variation": 0.2, "variation": 0.22}}, "camera": {"position_m": [0.2, 0.15, 1.1],
     "target_m": [0.03, 0.1, 0], "fov_deg": 12, "resolution_px": [32, 32]})";
-  constexpr std::string_view k_even =
-      R"("shadow": {"method": {"opacity_map": {"resolution": 64, "between": "even"}}, "fibre_alpha": 0.4})";
   for (const auto& [name, method] :
        {std::pair{"lines", k_lines}, {"quads", k_quads}, {"tiles", k_tiles}, {"cards", k_cards}}) {
-    FrameResult frame = frame_of(*runner({k_light, k_even, k_small, method}), 0);
+    FrameResult frame = frame_of(*runner({k_light, k_shadow, k_small, method}), 0);
     const Image& picture = frame.aovs.pixels.empty() ? frame.color : frame.aovs;
     const std::string path = fmt::format("{}/plan/golden/{}.exr", CUTICLE_SOURCE_DIR, name);
     if (std::getenv("CUTICLE_WRITE_GOLDEN") != nullptr) {

@@ -25,7 +25,7 @@ struct LobeValues {
   std::vector<std::vector<double>> values;  ///< one vector a lobe
   std::vector<double> sum() const;
 };
-/// `averaged`: over about four degrees of phi, because of a caustic, which is an infinite peak, only a mean can be
+/// `averaged`: over about six degrees of phi, because of a caustic, which is an infinite peak, only a mean can be
 /// drawn; otherwise at the grid's directions, in float. Errors: the model's.
 Result<LobeValues> lobe_values(const ShownModel& shown, const LobeSettings& settings, const DirectionGrid& grid,
                                bool averaged);
