@@ -122,3 +122,14 @@ def test_Eval_InFloat_IsTheFormulasInDouble(model, quantity):
 def test_Eval_InFloatOutOfRange_SaysWhat():
     with pytest.raises(cuticle.Error, match="theta_o_deg: 91"):
         cuticle.eval("karis", "S", theta_i_deg=numpy.zeros(3), theta_o_deg=[0, 91, 0], phi_deg=0, precision="f32")
+
+
+def test_Conformance_HoldsForTheModelItselfInFloat():
+    rows = [row for row in cuticle.conformance("karis") if row["quantity"] == "S" and row["lobe"] == "sum"]
+    assert len(rows) > 100 and any(row["hard"] for row in rows)
+    for settings in {row["settings"] for row in rows}:
+        of_fibre = [row for row in rows if row["settings"] == settings]
+        angles = {name: numpy.array([row[name] for row in of_fibre]) for name in ("theta_i_deg", "theta_o_deg", "phi_deg")}
+        found = cuticle.eval("karis", "S", "sum", settings, precision="f32", **angles)
+        expected = numpy.array([[row[c] for c in "rgb"] for row in of_fibre])
+        assert (abs(found - expected).max(axis=1) <= [row["tolerance"] for row in of_fibre]).all()
