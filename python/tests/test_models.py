@@ -49,13 +49,13 @@ def difference(model, base, name, points):
         return cuticle.eval(model, "S", set={**base, parameter: moved}, **points)
 
     value = base[parameter]["rgb".index(component)] if component else base[parameter]
-    step = 1e-4 * max(abs(value), 0.01)
+    step = 2e-5 * max(abs(value), 0.01)  # beside an ellipse's caustic longer ones miss its slope: 1e-5 at five times as much
     return (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step)
 
 
 @pytest.mark.parametrize("model", [name for name in MODELS if name not in WITHOUT_JETS])
 def test_Gradients_ByEveryParameter_AreThoseOfDifferences(model):
-    """Within 1e-6 of the largest derivative, and 1e-6 of the values' own size; measured: 1.8e-7 at most."""
+    """Within 2e-7 of the largest derivative, and 2e-7 of the values' own size; measured: 3.6e-8 at most."""
     points = angles(60)
     entry = next(entry for entry in cuticle.models() if entry["name"] == model)
     base = {p["name"]: inside(p) for p in entry["parameters"] if p["type"] in ("real", "rgb")}
@@ -64,7 +64,7 @@ def test_Gradients_ByEveryParameter_AreThoseOfDifferences(model):
     assert {name.partition(".")[0] for name in found.derivatives} == set(base)
     for name, derivative in found.derivatives.items():
         expected = difference(model, base, name, points)
-        assert numpy.abs(derivative - expected).max() <= 1e-6 * max(numpy.abs(expected).max(), numpy.abs(found.values).max()), name
+        assert numpy.abs(derivative - expected).max() <= 2e-7 * max(numpy.abs(expected).max(), numpy.abs(found.values).max()), name
 
 
 def test_Gradients_OfAModelWithout_SayWhichHave():
