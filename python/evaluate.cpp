@@ -16,9 +16,11 @@
 #include "bsdf/listing/listing.h"
 #include "bsdf/model.h"
 #include "bsdf/pigment/pigment.h"
-
 #include "core/memory_limit.h"
+#include "study/conformance/conformance.h"
+
 #include "python/arrays.h"
+#include "python/interruptible.h"
 #include "python/points.h"
 #include "python/signals.h"
 #include "python/unit_vectors.h"
@@ -236,9 +238,16 @@ std::vector<std::string> lobes(const std::string& model_name) {
   return {model->lobes.begin(), model->lobes.end()};
 }
 
+/// A model's values with tolerances, as CSV.
+std::string conformance(const std::string& name) {
+  const bsdf::Model* model = value_or_raise(bsdf::find_model(name));
+  return study::conformance_csv(*model, value_or_raise(interruptible([&] { return study::conformance_rows(*model); })));
+}
+
 }  // namespace
 
 void add_evaluate(nb::module_& module) {
+  module.def("conformance", &conformance);
   module.def("evaluate", &evaluate, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
              nb::arg(), nb::arg().none());
   module.def("needed", &needed);

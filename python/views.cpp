@@ -1,10 +1,12 @@
 // What views of the program show, as numbers: the drawing is PyVista's.
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "viz/lobes/paths.h"
 #include "viz/lobes/surface.h"
+#include "viz/page/page.h"
 #include "viz/plan/plan.h"
 #include "viz/strands/states.h"
 #include "viz/strands/surroundings.h"
@@ -12,6 +14,7 @@
 #include "python/arrays.h"
 #include "python/groom_file.h"
 #include "python/interruptible.h"
+#include "python/mesh.h"
 
 namespace cuticle::python {
 namespace {
@@ -100,12 +103,30 @@ nb::tuple hair_density(const strands::GroomFile& file, double cell) {
                         nb::make_tuple(grid.origin.x, grid.origin.y, grid.origin.z));
 }
 
+/// A folder with a page that shows the groom in any browser (`cuticle viewer`).
+void write_page(const strands::GroomFile& file, const std::string& preset, const std::string& settings,
+                const std::optional<Floats>& head_positions, const std::optional<Indices>& head_triangles,
+                const std::string& title, std::size_t strands, const std::string& three, const std::string& folder) {
+  const bsdf::Model* model = value_or_raise(bsdf::find_model("marschner"));
+  viz::page::PageRequest request;
+  request.groom = file.groom;
+  request.title = title;
+  request.three = three;
+  request.strands = strands;
+  const registry::ParameterValues values = value_or_raise(bsdf::parse_settings(*model, preset, settings));
+  request.model = registry::from_values<bsdf::marschner::Parameters>(values);
+  if (head_positions && head_triangles) request.head = mesh_of(*head_positions, *head_triangles);
+  require(interruptible([&] { return viz::page::write_page(request, folder, silent_progress()); }));
+}
+
 }  // namespace
 
 void add_views(nb::module_& module) {
   module.def("section_paths", &section_paths);
   module.def("cost_maps", &cost_maps);
   module.def("lobe_values", &lobe_values);
+  module.def("write_page", &write_page, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(),
+             nb::arg(), nb::arg(), nb::arg());
   module.def("run_colliders", &run_colliders);
   module.def("hair_density", &hair_density);
 }

@@ -1,4 +1,6 @@
 """Fibre scattering models: values, directions, densities, derivatives."""
+import csv
+import io
 import json
 import typing
 
@@ -102,6 +104,15 @@ def eval(model, quantity, lobe="sum", set=None, *, preset=None, hair=None, theta
     given = dict(zip(_COORDINATES, (theta_i_deg, theta_o_deg, theta_d_deg, phi_deg, h, phi_o_deg)))
     coordinates = _coordinates(model, quantity, preset, set, hair, given)
     return _cuticle.evaluate(model, quantity, lobe, preset or "", settings(set), hair or "", coordinates, precision, progress_of(progress))
+
+
+def conformance(model: str, *, progress=None) -> list:
+    """What an implementation of a model elsewhere must give: a dictionary for each value, with settings, quantity, lobe, theta_i_deg, theta_o_deg,
+    phi_deg, h, r, g, b, tolerance (the largest difference of a channel) and hard. `cuticle conformance` writes the same as files, with a script."""
+    with ticking(progress, "conformance"):
+        rows = list(csv.DictReader(io.StringIO(_cuticle.conformance(model))))
+    words = ("model", "settings", "quantity", "lobe")
+    return [{name: value if name in words else bool(int(value)) if name == "hard" else float(value) for name, value in row.items()} for row in rows]
 
 
 def pdf(model: str, set=None, **arguments) -> numpy.ndarray:

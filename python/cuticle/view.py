@@ -11,9 +11,10 @@ import numpy
 
 from . import _cuticle
 from ._errors import Error
-from ._inputs import path as path_of, settings
+from ._inputs import floats, indices, path as path_of, settings
+from ._progress import ticking
 
-__all__ = ["lobe_surface", "lobes", "lut", "paths", "plan", "shadow", "strands"]
+__all__ = ["lobe_surface", "lobes", "lut", "page", "paths", "plan", "shadow", "strands"]
 
 # The same as LOBE_COLORS of cuticle_report.
 _COLORS = {"R": (0.20, 0.47, 0.75), "TT": (0.93, 0.60, 0.13), "TRT": (0.75, 0.22, 0.27), "residual": (0.35, 0.62, 0.36)}
@@ -89,6 +90,25 @@ def _grid(pyvista, points, arrays):
     for name, values in arrays.items():
         grid[name] = values.ravel()
     return grid
+
+
+def page(groom, folder="viewer", set=None, *, preset=None, hair=None, head=None, title="hair", strands=20000, three=None, progress=None):
+    """Writes index.html and hair.js into a folder: a page for any browser with WebGL 2, opened from disk, with sliders for the parameters of the model
+    marschner (a round fibre). Without set, preset and hair it is blond.
+
+    head: the mesh that the hair grows on (positions, triangles). strands: at most so many are shown, as much wider as they are fewer.
+    three: the folder of npm's package three; none: CUTICLE_THREE, or node_modules here or above. Gives the path of index.html.
+    """
+    text = settings(set)
+    if hair or not (text or preset):
+        mapped = _cuticle.hair_mapping("marschner", hair or "blond")[0] + ",aspect=1"
+        text = ",".join(part for part in (mapped, text) if part)
+    if not 1 <= int(strands) <= 200000:
+        raise Error(f"strands {strands} is outside 1 .. 200000")
+    mesh = (floats("positions", head[0], 3), indices("triangles", head[1], 3)) if head is not None else (None, None)
+    with ticking(progress, "page"):
+        _cuticle.write_page(groom, preset or "", text, *mesh, title, int(strands), path_of(three) if three else "", path_of(folder))
+    return pathlib.Path(folder) / "index.html"
 
 
 def lobes(model="marschner", set=None, *, theta_i_deg=30.0, preset=None, hair=None, h=None, log=True, lobe="all", plotter=None):

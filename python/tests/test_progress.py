@@ -15,6 +15,7 @@ GUESSED = {"values": numpy.full(5, 0.1), "free": ["sigma_a"], "theta_i_deg": 10,
 # What may take longer than a second, and a call of it that does not.
 LONG = {
     "eval": lambda **p: cuticle.eval("karis", "S", **POINT, **p),
+    "conformance": lambda **p: cuticle.conformance("karis", **p),
     "sample": lambda **p: cuticle.sample("karis", 0.0, numpy.full((2, 8), 0.5), **p),
     "gradients": lambda **p: cuticle.gradients("karis", **POINT, **p),
     "check_model": lambda **p: cuticle.check_model(lambda theta_i, theta_o, phi, h: numpy.full(len(phi), 0.01), quick=True, **p),

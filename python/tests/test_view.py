@@ -1,5 +1,6 @@
 """cuticle.view: surfaces as eval says, and a clear error where PyVista is missing."""
 import importlib.util
+import pathlib
 import sys
 
 import cuticle
@@ -44,3 +45,21 @@ def test_LobeSurface_OfTheCausticsLobe_HasNoRipples():
 def test_LobeSurface_BadInput_SaysWhat(arguments, word):
     with pytest.raises(cuticle.Error, match=word):
         cuticle.view.lobe_surface("marschner", **arguments)
+
+
+THREE = pathlib.Path(__file__).resolve().parents[2] / "tests/browser/node_modules/three"
+
+
+@pytest.mark.skipif(not THREE.exists(), reason="npm's package three is not installed")
+def test_Page_OfAGroom_HoldsItsStrandsAndThree(tmp_path):
+    strands = cuticle.make_groom(numpy.linspace(0, 0.1, 24).reshape(2, 4, 3))
+    index = cuticle.view.page(strands, tmp_path / "page", title="two strands", three=THREE)
+    assert "two strands" in index.read_text() and "2 strands" in (tmp_path / "page/hair.js").read_text()
+
+
+def test_Page_WithoutThree_SaysWhatToInstall(tmp_path):
+    strands = cuticle.make_groom(numpy.linspace(0, 0.1, 24).reshape(2, 4, 3))
+    with pytest.raises(cuticle.Error, match="three.module.js"):
+        cuticle.view.page(strands, tmp_path / "page", three=tmp_path)
+    with pytest.raises(cuticle.Error, match="variant=corrected"):
+        cuticle.view.page(strands, tmp_path / "page", "variant=literal", three=tmp_path)

@@ -1,4 +1,4 @@
-#include "cli/viewer/page.h"
+#include "viz/page/page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "core/file.h"
 #include "core/json/json.h"
 
-namespace cuticle::cli::viewer {
+namespace cuticle::viz::page {
 
 namespace {
 
@@ -111,7 +111,7 @@ std::string hair_script(const strands::Groom& groom, const strands::Mesh& head,
   return "window.cuticleHair = " + hair.dump() + ";\n";
 }
 
-Result<std::string> page(const std::string& three_folder, const std::string& snippet, const std::string& title) {
+Result<std::string> index_page(const std::string& three_folder, const std::string& snippet, const std::string& title) {
   CUTICLE_ASSIGN(const std::string core, read_text_file(three_folder + "/build/three.core.js"));
   CUTICLE_ASSIGN(std::string three, read_text_file(three_folder + "/build/three.module.js"));
   CUTICLE_ASSIGN(const std::string orbit, read_text_file(three_folder + "/examples/jsm/controls/OrbitControls.js"));
@@ -133,4 +133,4 @@ Result<std::string> page(const std::string& three_folder, const std::string& sni
   return replaced(std::move(text), "@SCRIPT@", k_viewer);
 }
 
-}  // namespace cuticle::cli::viewer
+}  // namespace cuticle::viz::page
