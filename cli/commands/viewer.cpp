@@ -41,6 +41,7 @@ Result<void> write_viewer(const ViewerRequest& request, Progress& progress) {
   page.also = share_file("tests/browser/node_modules");
   page.strands = request.strands;
   CUTICLE_ASSIGN(page.model, model_of(request.parameters));
+  CUTICLE_TRY(viz::page::check_page(page));
   CUTICLE_ASSIGN(strands::GroomFile file, read_groom_file(request.groom, request.read));
   for (const std::string& note : file.notes) progress.message(note);
   if (!request.head.empty()) {

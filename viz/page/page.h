@@ -19,8 +19,11 @@ struct PageRequest {
   std::size_t strands = 20000;        ///< at most so many are shown, as much wider as they are fewer
   bsdf::marschner::Parameters model;  ///< corrected, its exact caustic at theta_d, a circle
 };
-/// Writes index.html and hair.js into the folder, which it makes. Errors: bad_input where three.js is not found, with
-/// what to install; usage where the model is a form that the page cannot bake. Test: tests/clients (viewer).
+/// Whether a page can be made, whatever the groom. Errors: bad_input where three.js is not found, with what to install;
+/// usage where the model is a form that the page cannot bake.
+Result<void> check_page(const PageRequest& request);
+/// Writes index.html and hair.js into the folder, which it makes. Errors: those of check_page. Test: tests/browser
+/// (test_viewer.py).
 Result<void> write_page(const PageRequest& request, const std::string& folder, Progress& progress);
 
 /// Files of this folder, and the flattened formulas of the model (CMakeLists.txt).

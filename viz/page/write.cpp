@@ -80,6 +80,12 @@ Result<void> check_model(const bsdf::marschner::Parameters& p) {
 
 }  // namespace
 
+Result<void> check_page(const PageRequest& request) {
+  CUTICLE_TRY(check_model(request.model));
+  CUTICLE_TRY(three_folder(request));
+  return {};
+}
+
 Result<void> write_page(const PageRequest& request, const std::string& folder, Progress& progress) {
   CUTICLE_TRY(check_model(request.model));
   CUTICLE_ASSIGN(const std::string three, three_folder(request));
