@@ -75,6 +75,7 @@ SPOILT = {
     "channels_swapped": "pixels[..., :3] = colour[..., ::-1]",
     "channel_dropped": "pixels[..., 2] = 0",
     "flipped": "pixels = pixels[::-1]",
+    "wrapped": "pixels[:, [0, -1]] = (pixels[:, :1] + pixels[:, -1:]) / 2; pixels[[0, -1]] = (pixels[:1] + pixels[-1:]) / 2",
     "resized": "pixels = (pixels[::2, ::2] + pixels[1::2, ::2] + pixels[::2, 1::2] + pixels[1::2, 1::2]) / 4",
 }
 
@@ -88,6 +89,12 @@ def spoil_tables(folder):
         for path in sorted((folder / name).rglob("N_*.png")):
             subprocess.run([sys.executable, "-c", spoil, str(path)], check=True)
         yield f"cuticle check lut {name}"
+    lost = ("import sys, numpy as np\ndata = bytearray(open(sys.argv[1], 'rb').read())\nhalves = np.frombuffer(data, '<f2', offset=int.from_bytes(data[80:88], 'little'))\n"
+            "halves[:] = np.round(np.minimum(halves, 1) * 255) / 255\nopen(sys.argv[1], 'wb').write(data)\n")
+    subprocess.run([PROGRAM, "bake", "--preset", "blond", "--size", "64", "--format", "ktx2", "--out", "half_precision_lost"], cwd=folder, check=True, capture_output=True)
+    for path in sorted((folder / "half_precision_lost").rglob("N_*.ktx2")):
+        subprocess.run([sys.executable, "-c", lost, str(path)], check=True)
+    yield "cuticle check lut half_precision_lost"
 
 
 def mistaken_scenes(folder):

@@ -204,6 +204,12 @@ TEST(CheckLut, HalfFloatsRoundedToBytes_AreNamed) {
   Image image = stored("exr").tables[1].image;
   values([](double v) { return std::round(std::min(v, 1.0) * 255) / 255; })(image);
   EXPECT_EQ(check_table(manifest("exr").tables[1], image).mistake.name, "half precision lost");
+  values([](double v) {  // as a file of half floats keeps them: eleven binary digits
+    int exponent = 0;
+    const double mantissa = std::frexp(v, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, 11)), exponent - 11);
+  })(image);
+  EXPECT_EQ(check_table(manifest("exr").tables[1], image).mistake.name, "half precision lost");
 }
 
 TEST(CheckLut, ValuesAboveOneCutOff_AreNamed) {

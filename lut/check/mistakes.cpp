@@ -261,7 +261,8 @@ std::optional<Mistake> rounded_to_bytes(const ManifestTable& table, const Image&
   for (const ManifestChannel& channel : table.channels)
     if (channel.tolerance > 0.004 * channel.maximum && channel.maximum > 0) return {};
   const auto is_byte = [](float value) {
-    return std::abs(value * 255.F - std::round(value * 255.F)) < 1e-3F;
+    const float bytes = value * 255.F, half_rounding = std::abs(bytes) / 2000.F;
+    return std::abs(bytes - std::round(bytes)) < 1e-3F + half_rounding;
   };
   if (!std::ranges::all_of(image.pixels, is_byte)) return {};
   return Mistake{"half precision lost", "every number is a multiple of 1 / 255: 8 bits",
