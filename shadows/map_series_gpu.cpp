@@ -29,7 +29,7 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
                  .per_strip = true},
                 {.name = "shadow.lookup",
                  .code = lookup,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance, k_receivers},
                  .run = MapRun::per_vertex,
                  .per_strip = true}};
   return map;

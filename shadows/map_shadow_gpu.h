@@ -11,7 +11,7 @@ namespace cuticle::shadows {
 
 /// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0. Shaders read
 /// vertices and segments as texels (samplerBuffer, usamplerBuffer).
-enum MapBinding : int { k_vertices = -5, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
+enum MapBinding : int { k_receivers = -6, k_vertices, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
 
 /// One of the method's buffers of 32-bit words.
 struct MapBuffer {

@@ -26,7 +26,7 @@ Result<MapDescription> description(const Settings& settings) {
                         MapRun::per_texel});
   map.passes.push_back({"shadow.lookup",
                         deep_shadow_lookup_comp,
-                        {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance},
+                        {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance, k_receivers},
                         MapRun::per_vertex});
   for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;

@@ -12,7 +12,7 @@ MapDescription description(const Settings& settings) {
   map.passes.push_back(
       {.name = "shadow.lookup",
        .code = exact_list_lookup_comp,
-       .buffers = {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments, k_transmittance},
+       .buffers = {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments, k_transmittance, k_receivers},
        .run = MapRun::per_vertex,
        .per_strip = true});
   return map;

@@ -5,6 +5,8 @@ layout(local_size_x = 64) in;
 #include "shadows/fourier/fourier.glslh"
 const uint k_max_functions = 2u * k_max_harmonics + 1u;
 #include "shadows/series_own.glsl"
+#define STRAND_LIST_BINDING 6
+#include "strands/lod/strand_list.glsl"
 
 float known_z = -1.0;  // the depth that `basis` is of: one for all texels of a lookup
 Integrals basis;
@@ -24,6 +26,6 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v < push.count) look_up(v);
 }

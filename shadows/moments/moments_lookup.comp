@@ -5,6 +5,8 @@ layout(local_size_x = 64) in;
 #include "shadows/moments/moments.glslh"
 const uint k_max_functions = 7u;
 #include "shadows/series_own.glsl"
+#define STRAND_LIST_BINDING 6
+#include "strands/lod/strand_list.glsl"
 
 const uint k_trigonometric = 2u;  // k_trigonometric_flag of moments_gpu.cpp
 
@@ -29,6 +31,6 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v < push.count) look_up(v);
 }

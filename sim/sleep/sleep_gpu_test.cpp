@@ -39,5 +39,23 @@ TEST_P(SleepingKernel, StrandsAtRest_SleepAsOnTheCpuAndWakeWithTheHead) {
   EXPECT_LT(apart, 1.6e-4);
 }
 
+TEST_P(SleepingKernel, ColliderThatMoves_WakesTheStrandsThatItMayReach) {
+  EffectBlocks effects = gravity_and_colliders();
+  effects["sleep"] = settings_of("sleep", "time=0.1");
+  const std::string settings = GetParam() == std::string("rod") ? "fibre_radius=1e-3" : "";
+  auto kernel = make_gpu(GetParam(), ring(20), settings, effects);
+  std::vector<std::uint8_t> reached(20, 0);
+  reached[7] = 1;
+  Sphere ball{{5, 0, 0}, 0.1};
+  const auto asleep_after = [&](int frames) {
+    for (int k = 0; k < frames; ++k) EXPECT_TRUE(kernel->advance({.colliders = {&ball, 1}, .reached = reached}).ok());
+    return kernel->state()->asleep;
+  };
+  ASSERT_EQ(asleep_after(20), 20u);
+  ball.center.x = 4;
+  EXPECT_EQ(asleep_after(1), 19u);
+  EXPECT_EQ(asleep_after(20), 20u);
+}
+
 }  // namespace
 }  // namespace cuticle::sim::sleep_gpu_test
