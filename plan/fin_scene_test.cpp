@@ -27,7 +27,7 @@ scene::Scene small_mermaid() {
 
 std::unique_ptr<FrameRunner> runner_of(const scene::Scene& scene) {
   auto runner =
-      FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
+      FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), scene, silent_progress());
   EXPECT_TRUE(runner) << (runner ? "" : runner.error().message);
   return std::move(*runner);
 }

@@ -156,8 +156,12 @@ TEST(FrameFacts, BallBesideSleepingHair_WakesWhatItMayReachAlone) {
         EXPECT_TRUE(a.state.positions == b.state.positions) << solver << " on " << where << ", frame " << frame;
         EXPECT_TRUE(a.state.velocities == b.state.velocities) << solver << " on " << where << ", frame " << frame;
         some_woke = some_woke || (a.state.asleep > 0 && a.state.asleep < 64);
-        if (frame == 2) EXPECT_EQ(a.state.asleep, 64u) << solver << " on " << where;
-        if (frame == 3) EXPECT_FALSE(sparing->frame_plan().runs(solver)) << "the ball moves far away";
+        if (frame == 2) {
+          EXPECT_EQ(a.state.asleep, 64u) << solver << " on " << where;
+        }
+        if (frame == 3) {
+          EXPECT_FALSE(sparing->frame_plan().runs(solver)) << "the ball moves far away";
+        }
         if (frame == 5) std::printf("%s on %s: %u of 64 sleep on\n", solver, where, a.state.asleep);
       }
       EXPECT_TRUE(some_woke) << solver << " on " << where;

@@ -27,7 +27,7 @@ inline constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {
 inline constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
 inline std::shared_ptr<gpu::Device> software_device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }
