@@ -98,7 +98,8 @@ TEST(Budgets, DeviceWithoutTimes_IsRefused) {
 
 TEST(Budgets, PassWithoutATime_IsRefusedByItsName) {
   const scene::Scene scene = scene_of(fmt::format(
-      R"({}, "fins": {{"mesh": "fins/ear_fins.obj", "weights": "fins/ear_fins.png"}}, "budgets": {{"frame_ms": 100}})", k_shadowed));
+      R"({}, "fins": {{"mesh": "fins/ear_fins.obj", "weights": "fins/ear_fins.png"}}, "budgets": {{"frame_ms": 100}})",
+      k_shadowed));
   const std::string refused = choose(scene, shape(), {}, accuracy(), costs()).refused;
   EXPECT_THAT(refused, HasSubstr("no time of 'fins' is measured on this device"));
   EXPECT_THAT(refused, HasSubstr("all passes but those of fins"));
