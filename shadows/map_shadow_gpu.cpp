@@ -15,9 +15,7 @@ namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
-
 constexpr std::uint32_t k_max_strips = 64;
-
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
 /// Vertices and segments stand at the front.
