@@ -95,8 +95,8 @@ registry::FrameShape shape_with(const scene::Scene& scene, registry::FrameShape 
 
 /// Of all passes that do something; none: some have no time on this device, and are added to `untimed`.
 std::optional<double> expected_ms(const scene::Scene& scene, const registry::FrameShape& shape,
-                                  const DeviceTraits& device, const CostTable& costs,
-                                  std::span<const AccuracyRow> rows, std::set<std::string>& untimed) {
+                                  const DeviceTraits& device, const CostTable& costs, std::span<const AccuracyRow> rows,
+                                  std::set<std::string>& untimed) {
   const Plan plan = make_plan(scene, shape_with(scene, shape), device);
   double ms = 0;
   bool all_timed = true;
@@ -202,9 +202,10 @@ class Search {
 
   std::string without_time() const {
     if (costs_.passes.empty()) return "no times are measured on this device: cuticle plan --calibrate";
-    return fmt::format("budgets: no time of '{}' is measured on this device; cuticle plan --calibrate times all passes but "
-                       "those of fins",
-                       fmt::join(untimed_, "', '"));
+    return fmt::format(
+        "budgets: no time of '{}' is measured on this device; cuticle plan --calibrate times all passes but "
+        "those of fins",
+        fmt::join(untimed_, "', '"));
   }
 
   double bytes_with(std::span<const AccuracyRow> rows) const {

@@ -137,37 +137,6 @@ TEST(FrameFacts, HairAsleep_IsNotSimulated) {
   }
 }
 
-/// A ball that comes beside sleeping hair and stays there.
-constexpr std::string_view k_visitor = R"("colliders": {"head": false, "spheres": [{"center_m": [0, 0, 0],
-  "radius_m": 0.05, "motion": {"keys": [{"time_s": 0.3, "position_m": [-3, 0.1, 0]},
-  {"time_s": 0.6, "position_m": [-0.35, 0.1, 0]}]}}]})";
-
-TEST(FrameFacts, BallBesideSleepingHair_WakesWhatItMayReachAlone) {
-  for (const char* solver : {"exact", "rod"})
-    for (const char* where : {"cpu", "device"}) {
-      const std::string simulation = fmt::format(
-          R"("frames_per_second": 10, "strand_count": 64, "simulation": {{"solver": {{"{}": {{"inner_step": 0.008}}}}, "effects": {{"gravity": {{}},
-             "colliders": {{}}, "sleep": {{"speed": 0.05, "time": 0.1}}}}, "settle_time_s": 4, "solve_on": "{}"}}, "outputs": {{"color": false}})",
-          solver, where);
-      const auto sparing = runner({simulation, k_visitor}), all = runner({simulation, k_visitor});
-      bool some_woke = false;
-      for (int frame = 0; frame < 12; ++frame) {
-        const FrameResult a = frame_of(*sparing, frame), b = everything(*all, frame);
-        EXPECT_TRUE(a.state.positions == b.state.positions) << solver << " on " << where << ", frame " << frame;
-        EXPECT_TRUE(a.state.velocities == b.state.velocities) << solver << " on " << where << ", frame " << frame;
-        some_woke = some_woke || (a.state.asleep > 0 && a.state.asleep < 64);
-        if (frame == 2) {
-          EXPECT_EQ(a.state.asleep, 64u) << solver << " on " << where;
-        }
-        if (frame == 3) {
-          EXPECT_FALSE(sparing->frame_plan().runs(solver)) << "the ball moves far away";
-        }
-        if (frame == 5) std::printf("%s on %s: %u of 64 sleep on\n", solver, where, a.state.asleep);
-      }
-      EXPECT_TRUE(some_woke) << solver << " on " << where;
-    }
-}
-
 TEST(FrameFacts, SolverOnTheCpu_IsThatOfTheDevice) {
   const auto state = [](const char* solver, const char* where) {
     const std::string simulation = fmt::format(

@@ -42,10 +42,9 @@ std::string why_left_out(const Plan& plan, std::string_view name) {
 }
 
 TEST(Plan, FullScene_RunsStagesInOrder) {
-  EXPECT_THAT(names(planned(k_full)),
-              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands",
-                                   "interpolate_strands", "strands_in_sight", "opacity_map", "head", "cull_strands", "lines",
-                                   "resolve"));
+  EXPECT_THAT(names(planned(k_full)), testing::ElementsAre("bake_tables", "classic", "colliders", "gravity",
+                                                           "smooth_strands", "interpolate_strands", "strands_in_sight",
+                                                           "opacity_map", "head", "cull_strands", "lines", "resolve"));
 }
 
 TEST(Plan, RenderMethod_DemandsItsOwnPasses) {

@@ -122,15 +122,16 @@ void StrandMotion::leave_out_far_colliders(sim::FrameInput& input) {
   input.moving = {};
 }
 
-/// Whether nothing would change: all strands sleep, and nothing acts on them that did not in the frame before. A collider
-/// that moves wakes nothing where it comes near no strand.
+/// Whether nothing would change: all strands sleep, and nothing acts on them that did not in the frame before. A
+/// collider that moves wakes nothing where it comes near no strand.
 bool StrandMotion::rests(const sim::FrameInput& input) const {
   if (everything_ || !all_sleep_ || frame_ < 0 || character_ || fins_) return false;
   const auto still = [&](const sim::MovingCollider& moving) {
     return moving.motion.rests(input.clock_begin, input.clock_end);
   };
   const bool pushed = find_pass(plan_, "wind") || find_pass(plan_, "water") || find_pass(plan_, "control");
-  return !pushed && input.head_begin == input.head_end && ((!near_ && !was_near_) || std::ranges::all_of(input.moving, still));
+  return !pushed && input.head_begin == input.head_end &&
+         ((!near_ && !was_near_) || std::ranges::all_of(input.moving, still));
 }
 
 Result<void> StrandMotion::count_sleepers() {

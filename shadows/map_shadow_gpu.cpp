@@ -15,9 +15,7 @@ namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
-
 constexpr std::uint32_t k_max_strips = 64;
-
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
 /// Vertices and segments stand at the front.
@@ -231,7 +229,8 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass
 void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel,
                        const GpuStrands& strands, MapPush push, const gpu::Buffer& transmittance) const {
   const gpu::Buffer* const receivers = strands.receivers ? strands.receivers : &all_receive_;
-  const gpu::Buffer* common[] = {receivers, strands.vertices, strands.segments, &box_, &deposits_.buffer(), &transmittance};
+  const gpu::Buffer* common[] = {receivers, strands.vertices,    strands.segments,
+                                 &box_,     &deposits_.buffer(), &transmittance};
   std::vector<const gpu::Buffer*> bound;
   for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 6] : &own_[std::size_t(buffer)]);
   const std::uint32_t count = invocations(strands, pass);

@@ -6,8 +6,9 @@
 
 namespace cuticle::strands {
 
-/// 32-bit words: how many strands, vertices of each (0: no list, all strands count), workgroups of 64 threads over their
-/// vertices (three axes) and over their segments, then the strands' numbers, ascending. As strand_list.glsl has them.
+/// 32-bit words: how many strands, vertices of each (0: no list, all strands count), workgroups of 64 threads over
+/// their vertices (three axes) and over their segments, then the strands' numbers, ascending. As strand_list.glsl has
+/// them.
 inline constexpr std::size_t k_list_head = 8;
 /// Where Commands::dispatch_counted finds the workgroups, bytes.
 inline constexpr std::size_t k_listed_vertex_groups = 8, k_listed_segment_groups = 20;

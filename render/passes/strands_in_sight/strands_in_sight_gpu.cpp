@@ -30,8 +30,8 @@ Push push_of(const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   const StrandDraw& draw = resources.get<StrandDraw>();
   const glm::dmat4 to_clip = projection_matrix(view.camera);
-  const double wider = std::max(1.0, draw.width_factor) * visibility::drawn_part(resources, draw.full_px).width *
-                       view.strand_widening;
+  const double wider =
+      std::max(1.0, draw.width_factor) * visibility::drawn_part(resources, draw.full_px).width * view.strand_widening;
   Push push{};
   push.world_to_clip = glm::mat4(to_clip * view_matrix(view.camera));
   push.side = glm::vec2(1 + 2 * k_margin + 2 * k_margin_px / glm::dvec2(view.camera.resolution));
@@ -86,10 +86,9 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_ASSIGN(gpu::Kernel list, device->make_kernel(in_sight_list_comp, {2, 0, sizeof(Push)}));
   CUTICLE_ASSIGN(gpu::Buffer seen, device->make_buffer(word * std::max<std::size_t>(1, (strands + 31) / 32)));
   StrandsInSight made;
-  CUTICLE_ASSIGN(made.list,
-                 device->make_buffer(word * (strands::k_list_head + std::max<std::size_t>(1, strands))));
-  return std::unique_ptr<GpuPass>(std::make_unique<InSight>(std::move(device), std::move(see), std::move(list),
-                                                            std::move(seen), std::move(made)));
+  CUTICLE_ASSIGN(made.list, device->make_buffer(word * (strands::k_list_head + std::max<std::size_t>(1, strands))));
+  return std::unique_ptr<GpuPass>(
+      std::make_unique<InSight>(std::move(device), std::move(see), std::move(list), std::move(seen), std::move(made)));
 }
 
 }  // namespace

@@ -34,9 +34,8 @@ Listed listed(const Drawing& drawing, double widening = 1) {
   gpu::Commands commands = device()->record();
   EXPECT_TRUE(pass->record(commands, resources));
   EXPECT_TRUE(device()->submit(std::move(commands)));
-  const auto words = *gpu::read_buffer<std::uint32_t>(
-      *device(), resources.get<strands_in_sight::StrandsInSight>().list,
-      strands::k_list_head + drawing.vertices.size() / k_vertices);
+  const auto words = *gpu::read_buffer<std::uint32_t>(*device(), resources.get<strands_in_sight::StrandsInSight>().list,
+                                                      strands::k_list_head + drawing.vertices.size() / k_vertices);
   EXPECT_EQ(words[1], k_vertices);
   const auto begin = words.begin() + strands::k_list_head;
   return {{words.begin() + 2, begin}, {begin, begin + words[0]}, pass->settle()->notes};
@@ -62,9 +61,9 @@ TEST(StrandsInSight, StrandsBesideTheView_AreNotListed) {
   across(drawing, {-far, 0, 0});
   across(drawing, {0, far, 0});
   across(drawing, {0, -far, 0});
-  across(drawing, {0, 0, 100});                                              // behind the camera
+  across(drawing, {0, 0, 100});  // behind the camera
   drawing.strand({{-far, 0, 0}, {-1.9f * half, 0, 0}, {1.9f * half, 0, 0}, {far, 0, 0}}, 1e-4f, {});  // passes through
-  across(drawing, {1.05f * half, 0, 0});                                     // within the margin
+  across(drawing, {1.05f * half, 0, 0});  // within the margin
   const Listed found = listed(drawing);
   EXPECT_THAT(found.strands, testing::ElementsAre(0, 6, 7));
   EXPECT_THAT(found.groups, testing::ElementsAre(1, 1, 1, 1, 1, 1));

@@ -10,7 +10,10 @@ namespace cuticle::render::tile_lists {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "drawn_by_tiles"};
-constexpr Use k_uses[] = {reads<FrameView>(), reads<DrawnHair>(), reads<Targets>(), may_read<DrawnSurfaces>(),
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          may_read<DrawnSurfaces>(),
                           may_read<strands_in_sight::StrandsInSight>(),
                           writes<TileLists>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor"};

@@ -65,9 +65,9 @@ class TileListsPass : public GpuPass {
                    &lists_.statistics, &listed},
                   push);
     commands.dispatch(kernels_.scan, {&lists_.counts, &lists_.offsets, &lists_.statistics}, {}, bytes, 1);
-    over_segments(
-        commands, resources, kernels_.scatter,
-        {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries, &listed}, push);
+    over_segments(commands, resources, kernels_.scatter,
+                  {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries, &listed},
+                  push);
     return {};
   }
 

@@ -338,10 +338,9 @@ class ChainGpuSolver final : public GpuSolver {
   void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants,
                 const gpu::Buffer* skinned = nullptr) const {
     const Buffers& b = buffers_;
-    std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
-                                          &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
-                                          &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own,
-                                          &b.reach};
+    std::vector<const gpu::Buffer*> bound{&b.places,     &b.blocks,  &b.offsets, &b.vertices, &b.rest,  &b.state,
+                                          &b.strands,    &b.scratch, &b.steps,   &b.spheres,  &b.frame, &b.world,
+                                          &b.velocities, &b.resets,  &b.own,     &b.reach};
     if (skinned ? constants.all_boxes + constants.all_fields > 0 : met_.others)
       bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values, &b.carries});
     if (skinned) bound.insert(bound.end(), {&b.skin_strands, &b.skin_begin, skinned});
