@@ -51,7 +51,6 @@ LONG = {
     "grow": (["grow", ROOT / "scenes/presets/straight.json", ROOT / "scenes/presets/curly.json", "--share", 0.01, "--out", "grooms"], {"grooms"}),
     "render": (["render", "turn.json", "--frames", "0:2", "--out", "frames"], {"bake", "frames"}),
     "simulate": (["simulate", "turn.json", "--frames", "0:2", "--out", "states"], {"frames"}),
-    "shadows": (["shadows", "a.hair", "--methods", "opacity_map", "--rays", 16, "--receivers", 200, "--alpha", 0.3, "--json"], {"methods"}),
     "study": (["study", "skinning", "--quick", "--out", "skinning"], {"settings", "rounds of timing"}),
 }
 
