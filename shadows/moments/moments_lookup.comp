@@ -25,7 +25,7 @@ float exponent_at(uint texel, float z) {
   read_sums(texel);
   const float whole = float(sums_left[0]);
   if (!(whole > 0.0)) return 0.0;
-  return push.per_unit * (depth >= 1.0 ? whole : whole * share_before(depth));
+  return exponent_of_share(whole, depth >= 1.0 ? 1.0 : share_before(depth));
 }
 
 void main() {
