@@ -1,5 +1,5 @@
 #pragma once
-// Private to study/motion: an effect's parameters from text.
+// Private to study/motion and study/mechanics: an effect's parameters from text.
 #include <string>
 
 #include "sim/solver.h"

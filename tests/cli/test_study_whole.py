@@ -11,7 +11,7 @@ import pytest
 from program import run
 
 IS_WHOLE = bool(os.environ.get("CUTICLE_SWEEPS"))
-STUDIES = ("lobes", "luts", "models", "motion", "picture", "plan", "render", "shadows", "skinning") if IS_WHOLE else ("models", "motion", "shadows", "skinning")
+STUDIES = ("lobes", "luts", "mechanics", "models", "motion", "picture", "plan", "render", "shadows", "skinning") if IS_WHOLE else ("models", "motion", "shadows", "skinning")
 # Errors of the console, and what a person would do: every plot drawn, a table sorted, a slider moved, downloads counted.
 WATCH = """<script>
 const errors = []; window.addEventListener("error", e => errors.push(e.message));
