@@ -245,8 +245,8 @@ TEST_P(BatchSet, IntegratedModels_AgreeWithDouble) {
       model.evaluate_f64(values, {Quantity::S, -1, points}, exact);
       model.evaluate_f64(values, {Quantity::pdf, -1, points}, exact_density);
       for (std::size_t i = 0; i < 60; ++i) {
-        EXPECT_NEAR(color.x[i], exact[i].x, 5e-5 * exact[i].x + 1e-9) << name << " " << settings << " " << i;
-        EXPECT_NEAR(density[i], exact_density[i].x, 5e-5 * exact_density[i].x + 1e-9) << name << " " << settings;
+        EXPECT_NEAR(color.x[i], exact[i].x, 1e-5 * exact[i].x + 1e-9) << name << " " << settings << " " << i;
+        EXPECT_NEAR(density[i], exact_density[i].x, 1e-5 * exact_density[i].x + 1e-9) << name << " " << settings;
       }
     }
   }
