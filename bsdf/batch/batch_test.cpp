@@ -226,32 +226,6 @@ TEST_P(BatchSet, FarField_IsTheIntegralOfTheScalarFormulas) {
   }
 }
 
-// Models of which every point is an integral.
-TEST_P(BatchSet, IntegratedModels_AgreeWithDouble) {
-  const Data data(60);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < 60; ++i) points.push_back(data.point(i));
-  for (const char* name : {"deon", "yan_fur"}) {
-    for (const char* settings : {"", "beta_n=0.02", "beta_n=1,attenuation_angle=theta_d"}) {
-      const Model& model = **find_model(name);
-      const registry::ParameterValues values = *parse_settings(model, "", settings);
-      const BatchEvaluator batch = *BatchEvaluator::make(model, values, GetParam());
-      ASSERT_TRUE(batch.is_vectorised()) << name;
-      Arrays color(60);
-      std::vector<float> density(60);
-      ASSERT_TRUE(batch.evaluate({data.light.in(), data.viewer.in(), {}}, color.out()).ok());
-      ASSERT_TRUE(batch.pdf({data.light.in(), data.viewer.in(), {}}, density).ok());
-      std::vector<glm::dvec3> exact(60), exact_density(60);
-      model.evaluate_f64(values, {Quantity::S, -1, points}, exact);
-      model.evaluate_f64(values, {Quantity::pdf, -1, points}, exact_density);
-      for (std::size_t i = 0; i < 60; ++i) {
-        EXPECT_NEAR(color.x[i], exact[i].x, 1e-5 * exact[i].x + 1e-9) << name << " " << settings << " " << i;
-        EXPECT_NEAR(density[i], exact_density[i].x, 1e-5 * exact_density[i].x + 1e-9) << name << " " << settings;
-      }
-    }
-  }
-}
-
 // Models with kernels of their own and models without, with their default settings.
 TEST(Batch, EveryRegisteredModel_AgreesWithItsScalarFormulas) {
   constexpr std::size_t count = 150;  // more than one block of those that go point by point
