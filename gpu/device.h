@@ -196,6 +196,11 @@ class Commands {
   void dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers, std::span<const Texture* const> textures,
                 std::span<const std::byte> push_constants, std::uint32_t groups_x, std::uint32_t groups_y = 1,
                 std::uint32_t groups_z = 1);
+  /// The same with numbers that the device wrote: workgroups on the three axes, 32 bits each, from `offset` on (every
+  /// kernel can hold as many as it writes; the CPU does not know them).
+  void dispatch_counted(const Kernel& kernel, std::span<const Buffer* const> buffers,
+                        std::span<const Texture* const> textures, std::span<const std::byte> push_constants,
+                        const Buffer& numbers, std::size_t offset = 0);
   /// Every 32-bit word of the buffer := value.
   void fill(const Buffer& buffer, std::uint32_t value);
   void copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset = 0,

@@ -1,9 +1,13 @@
 #include "plan/budgets.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "core/file.h"
 #include "core/json/json.h"
@@ -89,12 +93,13 @@ registry::FrameShape shape_with(const scene::Scene& scene, registry::FrameShape 
   return shape;
 }
 
-/// Of all passes that do something; none: one has no time on this device.
+/// Of all passes that do something; none: some have no time on this device, and are added to `untimed`.
 std::optional<double> expected_ms(const scene::Scene& scene, const registry::FrameShape& shape,
-                                  const DeviceTraits& device, const CostTable& costs,
-                                  std::span<const AccuracyRow> rows) {
+                                  const DeviceTraits& device, const CostTable& costs, std::span<const AccuracyRow> rows,
+                                  std::set<std::string>& untimed) {
   const Plan plan = make_plan(scene, shape_with(scene, shape), device);
   double ms = 0;
+  bool all_timed = true;
   for (const PlannedPass& pass : plan.passes) {
     if (pass.dispatches + pass.draws == 0 && !(pass.on_cpu && pass.entry->name == scene.simulation.solver->name))
       continue;
@@ -102,12 +107,16 @@ std::optional<double> expected_ms(const scene::Scene& scene, const registry::Fra
     const std::string name =
         row == rows.end() || row->part != "shadow" ? std::string(pass.entry->name) : cost_name(*row);
     const auto time = costs.passes.find(name);
-    if (time == costs.passes.end()) return std::nullopt;
+    if (time == costs.passes.end()) {
+      untimed.insert(name);
+      all_timed = false;
+      continue;
+    }
     const bool is_method = pass.entry->kind == registry::EntryKind::method;
     ms += (is_method ? opacity_runs(scene).runs : 1) * (time->second.fixed + time->second.per_pixel * pixels_of(scene) +
                                                         time->second.per_unit * units_of(*pass.entry, plan.shape));
   }
-  return ms;
+  return all_timed ? std::optional(ms) : std::nullopt;
 }
 
 /// Whether one choice is better than another, both within the errors wanted.
@@ -149,7 +158,7 @@ class Search {
     BudgetChoice refused{given_, {}, {}, 0, 0, {}};
     const scene::Budgets& wanted = *given_.budgets;
     if (quickest_.at_most == k_endless)
-      refused.refused = "the times of these settings are not measured on this device: cuticle plan --calibrate";
+      refused.refused = without_time();
     else if (wanted.frame_ms > 0 && quickest_.at_most > wanted.frame_ms)
       refused.refused =
           fmt::format("budgets.frame_ms = {:g}: the quickest settings take {:.3g} ms, below {:.3g} with 95 %",
@@ -166,8 +175,9 @@ class Search {
  private:
   void weigh(const scene::Scene& scene, std::vector<AccuracyRow> rows) {
     BudgetChoice choice{scene, std::move(rows), {}, 0, 0, {}};
-    choice.expected_ms = expected_ms(scene, shape_, device_, costs_, choice.rows);
-    if (!choice.expected_ms) return;
+    std::set<std::string> untimed;
+    choice.expected_ms = expected_ms(scene, shape_, device_, costs_, choice.rows, untimed);
+    if (!choice.expected_ms) return keep_untimed(std::move(untimed));
     choice.at_most_ms = *choice.expected_ms * costs_.most_over_expected;
     choice.expected_bytes = bytes_with(choice.rows);
     if (choice.at_most_ms < quickest_.at_most) quickest_ = {*choice.expected_ms, choice.at_most_ms};
@@ -176,6 +186,26 @@ class Search {
     if (wanted.frame_ms > 0 && choice.at_most_ms > wanted.frame_ms) return;
     if (wanted.memory_mb > 0 && choice.expected_bytes > 1e6 * wanted.memory_mb) return;
     if (!best_ || is_better(choice, *best_, wanted)) best_ = std::move(choice);
+  }
+
+  /// What every choice lacks the time of; else what any does.
+  void keep_untimed(std::set<std::string> untimed) {
+    const std::set<std::string> before = std::exchange(untimed_, std::move(untimed));
+    if (before.empty()) return;
+    std::set<std::string> both;
+    std::ranges::set_intersection(before, untimed_, std::inserter(both, both.end()));
+    if (both.empty())
+      untimed_.insert(before.begin(), before.end());
+    else
+      untimed_ = std::move(both);
+  }
+
+  std::string without_time() const {
+    if (costs_.passes.empty()) return "no times are measured on this device: cuticle plan --calibrate";
+    return fmt::format(
+        "budgets: no time of '{}' is measured on this device; cuticle plan --calibrate times all passes but "
+        "those of fins",
+        fmt::join(untimed_, "', '"));
   }
 
   double bytes_with(std::span<const AccuracyRow> rows) const {
@@ -197,6 +227,7 @@ class Search {
     double expected = k_endless, at_most = k_endless;
   } quickest_;
   double leanest_ = k_endless;
+  std::set<std::string> untimed_;  ///< passes, and settings of shadow methods, that have no time
 };
 
 }  // namespace

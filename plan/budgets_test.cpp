@@ -96,6 +96,17 @@ TEST(Budgets, DeviceWithoutTimes_IsRefused) {
   EXPECT_THAT(choose(scene, shape(), {}, accuracy(), {}).refused, HasSubstr("--calibrate"));
 }
 
+TEST(Budgets, PassWithoutATime_IsRefusedByItsName) {
+  const scene::Scene scene = scene_of(fmt::format(
+      R"({0}, "fins": {{"mesh": "{1}/fins/ear_fins.obj", "weights": "{1}/fins/ear_fins.png"}}, "budgets": {{"frame_ms": 100}})",
+      k_shadowed, CUTICLE_SOURCE_DIR "/scenes"));
+  CostTable without_fins = costs();
+  without_fins.passes.erase("fins");
+  const std::string refused = choose(scene, shape(), {}, accuracy(), without_fins).refused;
+  EXPECT_THAT(refused, HasSubstr("no time of 'fins' is measured on this device"));
+  EXPECT_THAT(refused, HasSubstr("all passes but those of fins"));
+}
+
 TEST(Budgets, UpperBound_IsThatOfStudent) {
   EXPECT_NEAR(upper_bound(std::vector{1.0, 2.0, 3.0}), 2 + 2.920 * std::sqrt(1 + 1 / 3.0), 1e-9);
   EXPECT_TRUE(std::isinf(upper_bound(std::vector{1.0})));

@@ -58,5 +58,42 @@ TEST_P(Culling, HeadSeenFromClose_DrawsFewerStrands) {
 INSTANTIATE_TEST_SUITE_P(Methods, Culling, testing::Values(k_quads, k_lines),
                          [](const auto& tested) { return tested.param == k_quads ? "quads" : "lines"; });
 
+constexpr std::string_view k_deep = R"("shadow": {"method": {"deep_opacity": {"resolution": 64}}, "fibre_alpha": 0.4})",
+                           k_half = R"("camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0.14, 0.05, 0],
+                             "fov_deg": 12, "resolution_px": [64, 64]})",
+                           k_over_all = R"("passes": {"velocity": {}, "surface_shadow": {"resolution": 128},
+                             "strands_in_sight": {"wanted": false}})",
+                           k_over_sight = R"("passes": {"velocity": {}, "surface_shadow": {"resolution": 128}})";
+
+/// Strands that the frame shaded, of 500.
+int shaded(const FrameResult& frame) {
+  int count = 500, all = 500;
+  for (const std::string& note : frame.notes) std::sscanf(note.c_str(), "strands_in_sight: %d of %d", &count, &all);
+  EXPECT_EQ(all, 500);
+  return count;
+}
+
+/// Two moving frames, whose hair is half out of the camera's view, as they are where every strand is shaded.
+class Sight : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(Sight, HalfTheHairOutOfView_IsNeitherShadedNorSorted) {
+  for (std::string_view shadow : {k_shadow, k_deep})
+    for (std::string_view view : {k_half}) {
+      const auto sparing = runner({k_light, shadow, GetParam(), k_layers, k_motion, view, k_over_sight}),
+                 all = runner({k_light, shadow, GetParam(), k_layers, k_motion, view, k_over_all});
+      for (int frame = 0; frame < 2; ++frame) {
+        const FrameResult a = frame_of(*sparing, frame), b = frame_of(*all, frame);
+        EXPECT_TRUE(a.color.pixels == b.color.pixels) << view << shadow << frame;
+        EXPECT_TRUE(a.aovs.pixels == b.aovs.pixels) << view << shadow << frame;
+        EXPECT_EQ(shaded(b), 500);
+        EXPECT_LT(shaded(a), 360) << view;  // measured: 339
+        EXPECT_GT(shaded(a), 100) << view;
+      }
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Methods, Sight, testing::Values(k_quads, k_lines, k_tiles), [](const auto& tested) {
+  return tested.param == k_quads ? "quads" : tested.param == k_lines ? "lines" : "tiles";
+});
+
 }  // namespace
 }  // namespace cuticle::plan::culling_gpu_test

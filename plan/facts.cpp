@@ -5,6 +5,7 @@
 
 #include "plan/plan.h"
 #include "render/passes/cull_strands/cull_strands.h"
+#include "render/passes/strands_in_sight/strands_in_sight.h"
 #include "shadows/channels.h"
 
 namespace cuticle::plan {
@@ -111,14 +112,23 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
       !direct, direct ? "the material is evaluated by its formulas" : "the material is evaluated by lookup tables"};
 }
 
+/// Whether the scene says that it does not want a pass which runs unless it is refused.
+template <class Parameters>
+bool is_refused(const scene::Scene& scene) {
+  const auto asked = scene.passes.find(Parameters::name);
+  return asked != scene.passes.end() && !registry::from_values<Parameters>(asked->second).wanted;
+}
+
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
-  const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads";
-  const auto asked = scene.passes.find("cull_strands");
-  const bool refused =
-      asked != scene.passes.end() && !registry::from_values<render::cull_strands::Parameters>(asked->second).wanted;
-  facts["culled_strands"] = {as_primitives && !refused,
-                             refused ? "the scene wants strands drawn that are not seen"
-                                     : fmt::format("strands are drawn by '{}'", scene.render_method)};
+  const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads",
+             strand_by_strand = as_primitives || scene.render_method == "tiles",
+             draws_all = is_refused<render::cull_strands::Parameters>(scene),
+             shades_all = is_refused<render::strands_in_sight::Parameters>(scene);
+  const std::string method = fmt::format("strands are drawn by '{}'", scene.render_method);
+  facts["culled_strands"] = {as_primitives && !draws_all,
+                             draws_all ? "the scene wants strands drawn that are not seen" : method};
+  facts["strands_by_sight"] = {strand_by_strand && !shades_all,
+                               shades_all ? "the scene wants strands shaded that are out of view" : method};
 }
 
 /// What can move a pixel from one frame to the next.

@@ -3,6 +3,15 @@
 #include "sim/cloth/cloth.h"
 
 namespace cuticle::plan {
+namespace {
+
+/// Without those that are between strands, or of strands alone: fins are a cloth, whose solver has none of them.
+sim::EffectBlocks effects_of_fins(sim::EffectBlocks effects) {
+  for (const char* of_strands : {"clumping", "sleep", "strand_interaction"}) effects.erase(of_strands);
+  return effects;
+}
+
+}  // namespace
 
 Result<std::unique_ptr<FinMotion>> FinMotion::create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                      const StrandSet& set, const Plan& plan) {
@@ -17,7 +26,8 @@ Result<void> FinMotion::restart(const sim::EffectBlocks& effects) {
   cloth_.reset();
   if (!find_pass(plan_, sim::cloth::Cloth::name)) return {};
   const auto given = sim::find_effect<sim::cloth::Cloth>(scene_.simulation.effects);
-  CUTICLE_ASSIGN(cloth_, sim::make_cloth(set_.fins, set_.fin_weights, given.value_or(sim::cloth::Cloth{}), effects));
+  CUTICLE_ASSIGN(cloth_, sim::make_cloth(set_.fins, set_.fin_weights, given.value_or(sim::cloth::Cloth{}),
+                                         effects_of_fins(effects)));
   return {};
 }
 

@@ -26,8 +26,7 @@ scene::Scene small_mermaid() {
 }
 
 std::unique_ptr<FrameRunner> runner_of(const scene::Scene& scene) {
-  auto runner =
-      FrameRunner::create(*gpu::Device::open({.choice = "cpu", .validation = true}), scene, silent_progress());
+  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), scene, silent_progress());
   EXPECT_TRUE(runner) << (runner ? "" : runner.error().message);
   return std::move(*runner);
 }
@@ -140,6 +139,20 @@ TEST(FinScene, FinsOfEachFrame_AreDrawnWhereTheyAre) {
   }
   EXPECT_EQ(find_pass(without->plan(), "fins"), nullptr);
   EXPECT_EQ(find_pass(without->plan(), "cloth"), nullptr);
+}
+
+TEST(FinScene, EffectsOfStrandsAlone_LeaveTheFinsTheirMotion) {
+  scene::Scene scene = small_mermaid();
+  scene.simulation.solver =
+      scene::Block{"exact", registry::default_values((*sim::find_effect("exact"))->entry.parameters)};
+  for (const char* of_strands : {"clumping", "sleep", "strand_interaction"})
+    scene.simulation.effects[of_strands] = registry::default_values((*sim::find_effect(of_strands))->entry.parameters);
+  const auto runner = runner_of(scene);
+  for (int frame = 0; frame < 3; ++frame) {
+    const auto done = runner->run(frame, {.render = false});
+    ASSERT_TRUE(done) << done.error().message;
+  }
+  EXPECT_EQ(runner->fins()->positions.size(), 260u);
 }
 
 TEST(FinScene, WithoutSimulation_FinsAreCarriedRigidly) {

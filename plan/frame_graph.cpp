@@ -10,6 +10,7 @@
 #include "render/frame.h"
 #include "render/inputs.h"
 #include "render/pass.h"
+#include "render/passes/strands_in_sight/strands_in_sight.h"
 #include "shadows/method.h"
 
 namespace cuticle::plan {
@@ -18,8 +19,9 @@ namespace {
 
 using render::Access, render::Use;
 
-constexpr Use k_shadow_uses[] = {render::reads<render::Lights>(), render::reads<render::FibreMaterial>(),
-                                 render::reads<render::DrawnHair>(), render::writes<render::HairTransmittance>()};
+constexpr Use k_shadow_uses[] = {
+    render::reads<render::Lights>(), render::reads<render::FibreMaterial>(), render::reads<render::DrawnHair>(),
+    render::may_read<render::strands_in_sight::StrandsInSight>(), render::writes<render::HairTransmittance>()};
 
 bool is_output(const Use& use) { return use.access == Access::writes || use.access == Access::changes; }
 

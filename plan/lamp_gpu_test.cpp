@@ -12,7 +12,7 @@ namespace cuticle::plan::lamp_gpu_test {
 namespace {
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }

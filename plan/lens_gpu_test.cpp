@@ -16,7 +16,7 @@ constexpr std::uint32_t k_views = 16;
 constexpr double k_lens = 0.03, k_focus = 0.95;  // metres
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }

@@ -15,7 +15,7 @@ constexpr double k_turn = 5;                // degrees a frame
 constexpr int k_moments = 8, k_size = 192;  // of an open shutter; pixels of its picture
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }

@@ -305,6 +305,7 @@ void Picture::use_frame(const PictureInput& input) {
   render::FrameView& view = resources_.edit<render::FrameView>();
   view.camera = input.camera;
   view.camera_before = input.camera_before;
+  view.strand_widening = 1;
   for (DrawnPass& drawn : passes_) drawn.pass->change_view(view, resources_.parameters);
   resources_.put(
       render::ControlHairs{input.control_positions, input.control_motion, std::uint32_t(set_.control.vertex_count())});

@@ -42,15 +42,15 @@ std::string why_left_out(const Plan& plan, std::string_view name) {
 }
 
 TEST(Plan, FullScene_RunsStagesInOrder) {
-  EXPECT_THAT(names(planned(k_full)),
-              testing::ElementsAre("bake_tables", "classic", "colliders", "gravity", "smooth_strands",
-                                   "interpolate_strands", "opacity_map", "head", "cull_strands", "lines", "resolve"));
+  EXPECT_THAT(names(planned(k_full)), testing::ElementsAre("bake_tables", "classic", "colliders", "gravity",
+                                                           "smooth_strands", "interpolate_strands", "strands_in_sight",
+                                                           "opacity_map", "head", "cull_strands", "lines", "resolve"));
 }
 
 TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
   EXPECT_THAT(names(planned(R"("render": {"method": "tiles"})")),
-              testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "tile_lists", "shade_strands",
-                                   "tile_sort", "tiles", "resolve"));
+              testing::ElementsAre("smooth_strands", "interpolate_strands", "strands_in_sight", "head", "tile_lists",
+                                   "shade_strands", "tile_sort", "tiles", "resolve"));
   EXPECT_THAT(names(planned(R"("render": {"method": "truth"})")),
               testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "truth"));
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
@@ -63,6 +63,15 @@ TEST(Plan, CullingOfStrands_IsForLinesAndQuadsUnlessRefused) {
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "quads"}, "passes": {"cull_strands": {"wanted": false}})"),
                          "cull_strands"),
             "the scene wants strands drawn that are not seen");
+}
+
+TEST(Plan, StrandsInSight_AreListedWhereSomebodyAsks) {
+  const auto why = [](std::string_view scene) { return why_left_out(planned(scene), "strands_in_sight"); };
+  EXPECT_EQ(why(R"("render": {"method": "tiles"})"), "it is not left out");
+  EXPECT_EQ(why(R"("render": {"method": "lines"})"), "no pass of this scene reads 'strands_in_sight'");
+  EXPECT_EQ(why(R"("render": {"method": "truth"})"), "strands are drawn by 'truth'");
+  EXPECT_EQ(why(R"("render": {"method": "tiles"}, "passes": {"strands_in_sight": {"wanted": false}})"),
+            "the scene wants strands shaded that are out of view");
 }
 
 TEST(Plan, PassOverThePictureThatCannotRun_DemandsNoDepthAndNoLayers) {

@@ -88,7 +88,7 @@ RandomScene scene_by_chance(std::mt19937& chance) {
 std::unique_ptr<FrameRunner> runner_of(const std::string& text) {
   const auto scene = scene::parse_scene(text, CUTICLE_SOURCE_DIR "/scenes", "chance", catalogue());
   EXPECT_TRUE(scene) << text;
-  auto made = FrameRunner::create(software_device(), *scene, silent_progress());
+  auto made = FrameRunner::create(test_device(), *scene, silent_progress());
   EXPECT_TRUE(made) << text << (made ? "" : made.error().message);
   return made ? std::move(*made) : nullptr;
 }
@@ -129,14 +129,14 @@ std::size_t together(const FrameRunner& runner) {
 
 void expect_as_planned(const RandomScene& scene) {
   SCOPED_TRACE(scene.text());
-  const std::size_t before = software_device()->allocated_bytes();
+  const std::size_t before = test_device()->allocated_bytes();
   const auto runner = runner_of(scene.text());
   ASSERT_TRUE(runner);
   expect_demanded(runner->plan());
   for (int frame = 0; frame < 3; ++frame) {
     const FrameResult result = frame_of(*runner, frame);
     if (result.repeats == 0) expect_dispatched_as_planned(*runner, result);
-    EXPECT_EQ(together(*runner), software_device()->allocated_bytes() - before);
+    EXPECT_EQ(together(*runner), test_device()->allocated_bytes() - before);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -85,11 +86,10 @@ Result<void> StrandMotion::restart() {
     }
   }
   if (fins_) CUTICLE_TRY(fins_->restart(effects));
-  // Sleeping strands wake where colliders are other than before, on a skin no rest space tells what is near.
+  // On a skin no rest space tells what is near.
   const auto contact = sim::find_effect<sim::colliders::ContactSettings>(effects);
   balls_.clear();
-  if (contact && !effects.contains("sleep") && !character_)
-    balls_ = reach_balls(set_.control, double(contact->pearl_radius));
+  if (contact && !character_) balls_ = reach_balls(set_.control, double(contact->pearl_radius));
   return settle();
 }
 
@@ -101,15 +101,18 @@ Result<void> StrandMotion::settle() {
 
 /// Colliders that cannot come near any strand in this frame: the frame's contacts, and nothing else, fall away; else
 /// those of the strands that none comes near. The first frame has all, so that a solver says which it does
-/// not meet.
+/// not meet. Where strands sleep, those that nothing comes near sleep on, so that the solver has to know them always.
 void StrandMotion::leave_out_far_colliders(sim::FrameInput& input) {
   const bool collides = find_pass(plan_, "colliders") != nullptr;
   in_reach_ = {collides, collides ? "colliders are met in every frame" : "the scene has no collisions"};
-  if (balls_.empty() || frame_ < 0 || everything_ || overreached_) return;
+  const bool sleeps = find_pass(plan_, "sleep") != nullptr;
+  was_near_ = std::exchange(near_, true);
+  if (balls_.empty() || frame_ < 0 || overreached_ || (everything_ && !sleeps)) return;
   reached_ = hairs_in_reach(balls_, input, plan_.shape.substeps);
   const auto count = std::ranges::count(reached_, 1);
   in_reach_ = {count > 0, fmt::format("{} of {} control hairs are within reach of a collider", count, reached_.size())};
-  if (count > 0) {
+  near_ = count > 0;
+  if (near_ || sleeps) {
     input.reached = reached_;
     return;
   }
@@ -119,14 +122,16 @@ void StrandMotion::leave_out_far_colliders(sim::FrameInput& input) {
   input.moving = {};
 }
 
-/// Whether nothing would change: all strands sleep, and nothing acts on them that did not in the frame before.
+/// Whether nothing would change: all strands sleep, and nothing acts on them that did not in the frame before. A
+/// collider that moves wakes nothing where it comes near no strand.
 bool StrandMotion::rests(const sim::FrameInput& input) const {
   if (everything_ || !all_sleep_ || frame_ < 0 || character_ || fins_) return false;
   const auto still = [&](const sim::MovingCollider& moving) {
     return moving.motion.rests(input.clock_begin, input.clock_end);
   };
   const bool pushed = find_pass(plan_, "wind") || find_pass(plan_, "water") || find_pass(plan_, "control");
-  return !pushed && input.head_begin == input.head_end && std::ranges::all_of(input.moving, still);
+  return !pushed && input.head_begin == input.head_end &&
+         ((!near_ && !was_near_) || std::ranges::all_of(input.moving, still));
 }
 
 Result<void> StrandMotion::count_sleepers() {

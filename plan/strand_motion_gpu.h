@@ -88,6 +88,7 @@ class StrandMotion {
   bool everything_ = false;
   std::vector<ReachBall> balls_;       ///< empty where no collider is left out
   std::vector<std::uint8_t> reached_;  ///< hairs that the frame's colliders may touch
+  bool near_ = true, was_near_ = true;  ///< whether there are any, in this frame and in the one before
   registry::Fact awake_, in_reach_;
   bool all_sleep_ = false;  ///< after the frame last simulated
   bool overreached_ = false;

@@ -18,7 +18,7 @@ scene::Scene scene_of(const std::string& changes) {
 
 /// The largest distance of a drawn vertex in frame 3, metres.
 float largest_distance(const scene::Scene& scene) {
-  const auto device = gpu::Device::open({.choice = "cpu"}).value();
+  const auto device = gpu::Device::open({.choice = ""}).value();
   const auto on_device = FrameRunner::create(device, scene, silent_progress()).value();
   EXPECT_TRUE(on_device->run(3).ok());
   const strands::Groom expected = on_device->drawn_strands().value();

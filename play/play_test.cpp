@@ -26,7 +26,7 @@ scene::Scene small_scene() {
 }
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   return *opened;
 }
 

@@ -1,6 +1,7 @@
 #include "render/hair_shadows_gpu.h"
 
 #include "render/lights_gpu.h"
+#include "render/passes/strands_in_sight/strands_in_sight_gpu.h"
 
 namespace cuticle::render {
 
@@ -42,10 +43,12 @@ void HairShadows::publish(Resources& resources) const {
 
 Result<void> HairShadows::record(gpu::Commands& commands, const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
+  shadows::GpuStrands strands = hair.casters;
+  if (const auto* const seen = resources.find<strands_in_sight::StrandsInSight>()) strands.receivers = &seen->list;
   for (std::size_t k = 0; k < methods_.size(); ++k) {
     const std::size_t light = root_ ? k : k / channels_.count, of = root_ ? *root_ : k % channels_.count,
                       first = light * channels_.count;
-    CUTICLE_TRY(methods_[k]->record(commands, hair.casters, channels_.alpha[of],
+    CUTICLE_TRY(methods_[k]->record(commands, strands, channels_.alpha[of],
                                     source_of(resources.get<Lights>().all[light]), transmittance_[first + of]));
     for (std::size_t other = 0; root_ && other < channels_.count; ++other)
       if (other != of)

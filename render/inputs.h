@@ -20,6 +20,7 @@ struct FrameView {
   Camera camera_before;                ///< of the frame before; the frame's own in the first
   std::uint32_t frames_since_cut = 1;  ///< frames that follow each other, this one with them
   double frame_duration = 0;           ///< seconds
+  double strand_widening = 1;          ///< of the strands drawn, which stand for those that found no room (tile_lists)
   /// Of a picture that is drawn in chunks, the one that the targets hold: pixels; no size: all of the picture.
   glm::ivec2 part_corner{0}, part_size{0};
 };

@@ -150,6 +150,7 @@ Result<std::vector<Light>> environment_lights(const Image& picture, const Enviro
     if (region.luminance <= 0) continue;
     lights.push_back(sphere.light(region));
     lights.back().irradiance *= environment.scale;
+    if (regions.size() > 1) lights.back().name = fmt::format("environment {}", lights.size());
   }
   return lights;
 }

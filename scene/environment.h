@@ -26,7 +26,8 @@ Result<Image> surroundings_of(const std::string& file);
 /// channels; top row up, middle column at +z, its right at -x): the sphere is cut into regions of like luminance, the
 /// brightest across its longer side until there are enough, and each region shines from its mean direction with all its
 /// light (Debevec, A Median Cut Algorithm for Light Probe Sampling, 2005). `irradiance` of all lights together is the
-/// integral of radiance over the sphere, within float rounding (environment_test). A black picture gives no lights.
+/// integral of radiance over the sphere, within float rounding (environment_test). A black picture gives no lights. They
+/// are named `environment 1`, `environment 2`, ..; a single one `environment`.
 /// Errors: bad_input names the shape, or the first texel that is negative or not finite.
 Result<std::vector<Light>> environment_lights(const Image& picture, const Environment& environment);
 

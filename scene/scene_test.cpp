@@ -210,7 +210,9 @@ TEST(Scene, Environment_AddsLightsUpToEightInAll) {
 TEST(Scene, EnvironmentWithoutAFile_IsTheBuiltInSky) {
   const auto scene = parsed(R"("environment": {"lights": 2})");
   ASSERT_TRUE(scene) << scene.error().message;
-  EXPECT_EQ(scene->lights.size(), 2u);
+  ASSERT_EQ(scene->lights.size(), 2u);
+  EXPECT_EQ(scene->lights[0].name, "environment 1");
+  EXPECT_EQ(scene->lights[1].name, "environment 2");
 }
 
 TEST(Scene, Lamp_IsALightWithAPlaceAndASpotACone) {

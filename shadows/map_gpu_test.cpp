@@ -11,6 +11,7 @@
 #include "shadows/opacity_map/map.h"
 #include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
+#include "tests/support/device_bound.h"
 
 namespace cuticle::shadows::map_gpu_test {
 
@@ -246,9 +247,11 @@ TEST(MapGpu, Lookup_AgreesWithTheCpu) {
   for (const Comparison& comparison : comparisons())
     if (comparison.words > 0) {
       const auto is_of = [&](std::string_view word) { return comparison.what.find(word) != std::string::npos; };
-      const double bound = is_of("power_6")         ? 0.03
+      // Moments lose digits where fibres lie at nearly one depth: what a GPU rounds otherwise shows there.
+      const double bound = is_of("power_6")         ? tests::bound_for(*device(), 0.03, 0.045)
                            : is_of("deep_shadow")   ? 4.4e-4
-                           : is_of("trigonometric") ? 6e-5
+                           : is_of("trigonometric") ? tests::bound_for(*device(), 6e-5, 3e-3)
+                           : is_of("moments")       ? tests::bound_for(*device(), 2e-5, 1e-4)
                                                     : 2e-5;
       EXPECT_LT(comparison.worst, bound) << comparison.what;
     }

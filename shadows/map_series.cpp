@@ -35,6 +35,7 @@ SeriesMap build_series(const strands::Groom& groom, double alpha, const LightAxe
     for (std::size_t i = 0; i < functions; ++i) add_to(map.sums[texel * functions + i], map.amount(covered, step, i));
   };
   for_each_covered_texel(map.view, groom, k_series_pieces_per_step, deposit);
+  map.fibre = sums_of_fibre(map.view, groom);
   return map;
 }
 

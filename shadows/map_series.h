@@ -7,6 +7,7 @@
 
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/mean_fibre.h"
 #include "shadows/own_fibre.h"
 #include "strands/groom.h"
 
@@ -27,9 +28,15 @@ struct SeriesMap {
   std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> table;  ///< of deposits
   std::vector<float> weights;        ///< series_weights
+  FibreSums fibre{};                 ///< over the sampled segments
   std::size_t bytes() const { return 4 * sums.size(); }
   /// Sum i of a texel without what the receiver's own fibre has left there.
   float sum(std::size_t texel, std::size_t i, std::span<const OwnDeposit> own) const;
+  /// What the mean fibre counts in the exponent, where fibres lie at random depths; 0: sums that are proportional to
+  /// opacity, which take hair as evenly spread.
+  float scattered_fibre(const MapSettings& settings, float per_unit) const {
+    return settings.accumulation.poisson ? 0.0f : fibre_exponent(fibre, table, per_unit);
+  }
   /// What a deposit adds to sum i, as an unsigned number that wraps.
   std::uint32_t amount(std::uint32_t covered, std::uint32_t step, std::size_t i) const;
 };

@@ -22,14 +22,14 @@ MapDescription describe_series(const MapSettings& settings, std::uint32_t functi
     for (const float weight : weights) words.push_back(std::bit_cast<std::uint32_t>(weight));
     return words;
   };
-  map.buffers = {{.per_strip = true}};
+  map.buffers = {{.per_strip = true}, {.words = std::tuple_size_v<FibreSums>, .kept = false}};
   map.passes = {{.name = "shadow.splat",
                  .code = map_series_comp,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own},
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_own + 1},
                  .per_strip = true},
                 {.name = "shadow.lookup",
                  .code = lookup,
-                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_transmittance},
+                 .buffers = {k_vertices, k_segments, k_box, k_deposits, k_own, k_own + 1, k_transmittance, k_receivers},
                  .run = MapRun::per_vertex,
                  .per_strip = true}};
   return map;

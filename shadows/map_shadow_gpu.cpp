@@ -7,6 +7,7 @@
 
 #include "gpu/groups.h"
 #include "shadows/filter.glslh"
+#include "strands/lod/strand_list_gpu.h"
 
 #include <map_fit_comp.spv.h>
 
@@ -14,9 +15,7 @@ namespace cuticle::shadows {
 namespace {
 
 const MapPass k_fit{"shadow.fit", {}, {k_vertices, k_box}, MapRun::per_vertices};
-
 constexpr std::uint32_t k_max_strips = 64;
-
 constexpr gpu::TexelBinding k_vertex_texels{0, gpu::TextureFormat::rgba32f}, k_segment_texels{1};
 
 /// Vertices and segments stand at the front.
@@ -85,7 +84,7 @@ class MapShadowGpu : public GpuShadow {
   std::shared_ptr<gpu::Device> device_;
   MapDescription description_;
   DepositBuffer deposits_;
-  gpu::Buffer box_;
+  gpu::Buffer box_, all_receive_;
   Strips strips_;
   bool has_run_ = false;  // the passes, by the last record
   std::vector<gpu::Buffer> own_;
@@ -106,6 +105,7 @@ Result<void> MapShadowGpu::make() {
     own_.push_back(std::move(made));
   }
   CUTICLE_ASSIGN(box_, device_->make_buffer(4 * 6));
+  CUTICLE_ASSIGN(all_receive_, strands::make_no_strand_list(*device_));
   CUTICLE_TRY(deposits_.make(*device_, description_.settings.accumulation, description_.after_deposits));
   if (description_.drawing.targets > 0) CUTICLE_TRY(make_drawing());
   if (!description_.fragments.vertex_code.empty()) CUTICLE_TRY(make_fragments());
@@ -228,17 +228,23 @@ std::uint32_t MapShadowGpu::invocations(const GpuStrands& strands, const MapPass
 
 void MapShadowGpu::run(gpu::Commands& commands, const MapPass& pass, const gpu::Kernel& kernel,
                        const GpuStrands& strands, MapPush push, const gpu::Buffer& transmittance) const {
-  const gpu::Buffer* common[] = {strands.vertices, strands.segments, &box_, &deposits_.buffer(), &transmittance};
+  const gpu::Buffer* const receivers = strands.receivers ? strands.receivers : &all_receive_;
+  const gpu::Buffer* common[] = {receivers, strands.vertices,    strands.segments,
+                                 &box_,     &deposits_.buffer(), &transmittance};
   std::vector<const gpu::Buffer*> bound;
-  for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 5] : &own_[std::size_t(buffer)]);
+  for (const int buffer : pass.buffers) bound.push_back(buffer < 0 ? common[buffer + 6] : &own_[std::size_t(buffer)]);
   const std::uint32_t count = invocations(strands, pass);
   push.count = pass.run == MapRun::per_counted_segment ? strands.segment_count
                : pass.run == MapRun::per_vertices      ? strands.vertex_count
                                                        : count;
   const gpu::Groups groups = gpu::groups_for(count);
+  const auto textures = pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{};
   commands.begin_pass(pass.name);
-  commands.dispatch(kernel, bound, pass.reads_targets ? map_targets() : std::vector<const gpu::Texture*>{},
-                    gpu::bytes_of(push), groups.x, groups.y);
+  if (pass.run == MapRun::per_vertex && strands.receivers)
+    commands.dispatch_counted(kernel, bound, textures, gpu::bytes_of(push), *strands.receivers,
+                              strands::k_listed_vertex_groups);
+  else
+    commands.dispatch(kernel, bound, textures, gpu::bytes_of(push), groups.x, groups.y);
   commands.end_pass();
 }
 

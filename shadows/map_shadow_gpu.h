@@ -4,6 +4,7 @@
 
 #include "shadows/light_frame.h"
 #include "shadows/map_gpu.h"
+#include "shadows/map_series.h"
 #include "shadows/map_settings.h"
 #include "shadows/method_gpu.h"
 
@@ -11,7 +12,7 @@ namespace cuticle::shadows {
 
 /// What a pass binds: what every method has, by these numbers, or the method's own buffers, from 0. Shaders read
 /// vertices and segments as texels (samplerBuffer, usamplerBuffer).
-enum MapBinding : int { k_vertices = -5, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
+enum MapBinding : int { k_receivers = -6, k_vertices, k_segments, k_box, k_deposits, k_transmittance, k_own = 0 };
 
 /// One of the method's buffers of 32-bit words.
 struct MapBuffer {
@@ -91,9 +92,14 @@ struct MapDescription {
 Result<std::unique_ptr<GpuShadow>> make_map_shadow(std::shared_ptr<gpu::Device> device, MapDescription description);
 
 /// A map of functions of depth (map_series.h), with `lookup` bound to vertices, segments, box, deposits with the
-/// weights behind them, sums, transmittance.
+/// weights behind them, sums, the mean fibre, transmittance.
 MapDescription describe_series(const MapSettings& settings, std::uint32_t functions, const std::vector<float>& weights,
                                std::span<const std::uint32_t> lookup);
+
+/// Words of such a map for GpuMethod::cpu_map.
+inline constexpr auto k_series_words = [](const SeriesMap& map) {
+  return MapWords{map.sums, {map.fibre.begin(), map.fibre.end()}};
+};
 
 /// GpuMethod::create of a method, from its Settings and description(settings), which may be a Result.
 template <class Settings, auto description>

@@ -68,13 +68,13 @@ DeviceRun run(const std::string& method, const std::string& set, std::size_t str
 }  // namespace
 
 TEST(MapStrips, LargerThanABuffer_AgreeWithTheCpu) {
+  if (!device()->info().is_software) GTEST_SKIP() << "one buffer of a GPU holds them";
   for (const auto& [method, set] : {std::pair<std::string, std::string>{"deep_opacity", "layers=16,resolution=2048"},
                                     {"deep_opacity", "layers=16,resolution=2048,storage=bytes,filter_texels=3"},
                                     {"deep_opacity", "layers=12,resolution=2048,tiles=sparse,tile_share=0.5"},
                                     {"opacity_map", "slices=20,resolution=2048,filter_texels=2"},
                                     {"fourier", "harmonics=3,resolution=2304"}}) {
-    EXPECT_GT(4 * words_of(method, tests::values_of(method, set).value()), device()->info().max_storage_buffer_bytes)
-        << "one buffer holds it";
+    ASSERT_GT(4 * words_of(method, tests::values_of(method, set).value()), device()->info().max_storage_buffer_bytes);
     const DeviceRun found = run(method, set);
     std::printf("%s %s: %.2g\n", method.c_str(), set.c_str(), found.difference);
     EXPECT_LT(found.difference, 2e-5) << method << " " << set;

@@ -18,6 +18,9 @@ struct GpuStrands {
   strands::Bounds bounds;                   ///< of all vertices, metres; the light's frame is fitted to it
   float caster_width = 1;                   ///< factor on the radii of segments that cast shadows (H11)
   std::optional<glm::vec3> seen_from = {};  ///< Receivers::seen_from
+  /// A list of strands (strands/lod/strand_list_gpu.h) whose vertices receive shadow; null: all do. The transmittance
+  /// of the others is left as it is.
+  const gpu::Buffer* receivers = nullptr;
 };
 
 /// Transmittance at fragments: the middles of `per_segment` equal parts of every segment, in a square target of format

@@ -1,11 +1,13 @@
 // The sums of a series without the receiver's own fibre. The shader that includes this says, as k_max_functions, how many
 // sums a texel may have.
+#include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
 #include "shadows/series.glslh"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };  // deposits, then push.layers weights a depth step
 layout(std430, binding = 4) readonly buffer Sums { int sums[]; };
-layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
+layout(std430, binding = 5) readonly buffer Fibre { uint fibre_weights, fibre_coverages; };
+layout(std430, binding = 6) writeonly buffer Transmittance { float transmittance[]; };
 
 int sums_left[k_max_functions];
 
@@ -20,6 +22,13 @@ int sum_of(uint texel, uint i) { return sums[kept_place(texel) * push.layers + i
 void read_sums(uint texel) {
   for (uint i = 0u; i < push.layers; ++i) sums_left[i] = sum_of(texel, i);
   walk_own();
+}
+
+/// The exponent of T before which `share` of the sum `whole` lies: that of fibres at random depths, or of evenly spread
+/// hair where sums are proportional to opacity.
+float exponent_of_share(float whole, float share) {
+  const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
+  return exponent_of_part(push.per_unit * whole, push.per_unit * float(amount), share);
 }
 
 void look_up(uint v) {

@@ -38,8 +38,9 @@ struct BatchPoints {
 };
 
 /// What directions are drawn for, with four random numbers in [0, 1) each (u[0] chooses the lobe), a fifth for far
-/// fields, which draw the offset by it, and three more for models without kernels (deon, yan_fur, other forms of
-/// marschner). Arrays of the last three that are empty count as 0: such models then draw from a part of the sphere.
+/// fields, which draw the offset by it, and three more for models that draw without kernels (deon, yan_fur, other
+/// forms of marschner). Arrays of the last three that are empty count as 0: such models then draw from a part of the
+/// sphere.
 struct BatchQueries {
   VectorSpans to_viewer;
   std::span<const float> h;
@@ -83,9 +84,9 @@ class BatchEvaluator {
   /// 0 where the model has no sampler.
   glm::vec3 sample(const glm::vec3& to_viewer, float h, const std::array<float, 5>& u) const;
 
-  /// Whether the loops are vectorised, over points or (chiang's far field) over the nodes of each point's integral;
-  /// else points go one by one through the model's scalar formulas (parameters for which the model's `holds_in_batch`
-  /// says no, models without kernels).
+  /// Whether the loops are vectorised, over points or (chiang's far field, deon, yan_fur) over the nodes of each
+  /// point's integral; else points go one by one through the model's scalar formulas (parameters for which the model's
+  /// `holds_in_batch` says no, models without kernels).
   bool is_vectorised() const { return kernels_ || integrals_; }
   /// The same for `sample`.
   bool draws_vectorised() const;

@@ -7,8 +7,8 @@
 #include <model_of_batch.h>
 
 #include "bsdf/batch/kernel.h"
-#include "core/flush_to_zero.h"
 #include "bsdf/shared/directions.glslh"
+#include "core/flush_to_zero.h"
 
 #define CUTICLE_JOIN_NAMES(a, b) a##b
 #define CUTICLE_JOIN(a, b) CUTICLE_JOIN_NAMES(a, b)
@@ -35,9 +35,10 @@ FNI const Prepared<float>& prepared_at(const float* numbers) {
   return *reinterpret_cast<const Prepared<float>*>(numbers);
 }
 
+template <class Real>
 void evaluate(const float* numbers, int count, const DirectionPointers& in, const ColorPointers& out) {
   [[maybe_unused]] const FlushToZero guard;
-  const Prepared<float> prepared = prepared_at(numbers);  // copies, which no store can alias
+  const Prepared<Real> prepared = prepared_at(numbers);  // copies, which no store can alias
   const DirectionPointers from = in;
   const ColorPointers to = out;
 #pragma omp simd
@@ -49,9 +50,10 @@ void evaluate(const float* numbers, int count, const DirectionPointers& in, cons
   }
 }
 
+template <class Real>
 void pdf(const float* numbers, int count, const DirectionPointers& in, float* density) {
   [[maybe_unused]] const FlushToZero guard;
-  const Prepared<float> prepared = prepared_at(numbers);
+  const Prepared<Real> prepared = prepared_at(numbers);
   const DirectionPointers from = in;
 #pragma omp simd
   for (int i = 0; i < count; ++i) density[i] = value_at(prepared, CUTICLE_QUANTITY_PDF, directions_at(from, i)).x;
@@ -145,12 +147,14 @@ FN glm::vec<3, Real> value_of_one(const Prepared<Real>& prepared, int quantity, 
     return value_at(prepared, quantity, d);
 }
 
+template <class Real>
 void evaluate_one(const float* numbers, const OnePoint& point, float color[3]) {
-  const glm::vec3 value = value_of_one(prepared_at(numbers), CUTICLE_QUANTITY_S, directions_of_one(point));
+  const glm::vec<3, Real> value = value_of_one(prepared_at(numbers), CUTICLE_QUANTITY_S, directions_of_one(point));
   for (int c = 0; c < 3; ++c) color[c] = value[c];
 }
 
-float pdf_of_one(const float* numbers, const OnePoint& point) {
+template <class Real>
+Real pdf_of_one(const float* numbers, const OnePoint& point) {
   return value_of_one(prepared_at(numbers), CUTICLE_QUANTITY_PDF, directions_of_one(point)).x;
 }
 
@@ -164,6 +168,13 @@ void sample_one(const float* numbers, const float viewer[3], float h, const floa
 template <class Real>
 constexpr bool integrates = requires(const Prepared<Real>& prepared, const Directions<Real>& d) {
   evaluate_integral_of(prepared, 0, d);
+};
+
+/// A model of which every point is an integral has no loops over points.
+template <class Real>
+constexpr bool only_integrates =
+    integrates<Real> && !requires(const Prepared<Real>& prepared, const Directions<Real>& d) {
+  evaluate_directions(prepared, 0, d);
 };
 
 template <class Real>
@@ -196,8 +207,13 @@ bool holds(const float* numbers) { return holds_for(prepared_at(numbers)); }
 
 template <class Real>
 constexpr Kernels make_kernels() {
-  Kernels kernels{
-      .holds = holds, .evaluate = evaluate, .pdf = pdf, .evaluate_one = evaluate_one, .pdf_of_one = pdf_of_one};
+  Kernels kernels{.holds = holds};
+  if constexpr (!only_integrates<Real>) {
+    kernels.evaluate = evaluate<Real>;
+    kernels.pdf = pdf<Real>;
+    kernels.evaluate_one = evaluate_one<Real>;
+    kernels.pdf_of_one = pdf_of_one<Real>;
+  }
   if constexpr (draws_directions<Real>) kernels.sample = sample<Real>;
   if constexpr (draws_directions<Real>) kernels.sample_one = sample_one<Real>;
   if constexpr (integrates<Real>) kernels.evaluate_integral = evaluate_integral<Real>;

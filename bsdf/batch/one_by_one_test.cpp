@@ -1,4 +1,4 @@
-// Models without kernels, drawn one point at a time.
+// Models without kernels for drawing, drawn one point at a time.
 #include <gtest/gtest.h>
 
 #include "tests/support/batch_data.h"

@@ -63,9 +63,11 @@ Result<void> write_all(const GrowRequest& request, Progress& progress) {
     return write_grown(request, request.specifications.empty() ? "" : request.specifications[0], request.output,
                        progress);
   CUTICLE_TRY(make_folder(request.output));
+  std::size_t done = 0;
   for (const std::string& file : request.specifications) {
     const std::string name = std::filesystem::path(file).stem().string();
     CUTICLE_TRY(write_grown(request, file, fmt::format("{}/{}.hair", request.output, name), progress));
+    progress.update("grooms", ++done, request.specifications.size());
   }
   return {};
 }

@@ -129,6 +129,23 @@ void Commands::dispatch(const Kernel& kernel, std::span<const Buffer* const> buf
   if (impl_->open_passes > 0) ++impl_->passes.back().dispatches;
 }
 
+void Commands::dispatch_counted(const Kernel& kernel, std::span<const Buffer* const> buffers,
+                                std::span<const Texture* const> textures, std::span<const std::byte> push_constants,
+                                const Buffer& numbers, std::size_t offset) {
+  if (!open_for_work(*impl_, "dispatch_counted")) return;
+  if (!kernel) return fail(*impl_, internal_error("gpu: an empty kernel was dispatched"));
+  const auto object = object_of(*impl_, &numbers);
+  if (!object) return;
+  if (offset % 4 != 0 || offset + sizeof(VkDispatchIndirectCommand) > object->size)
+    return fail(*impl_, internal_error(fmt::format("gpu: numbers of workgroups at {} in a buffer of {} bytes", offset,
+                                                   object->size)));
+  Device::Impl& device = *impl_->device->impl();
+  full_barrier(device, impl_->buffer);
+  if (!bind(*impl_, VK_PIPELINE_BIND_POINT_COMPUTE, kernel.impl()->object, {buffers, textures, push_constants})) return;
+  device.vk.vkCmdDispatchIndirect(impl_->buffer, object->handle, offset);
+  if (impl_->open_passes > 0) ++impl_->passes.back().dispatches;
+}
+
 void Commands::fill(const Buffer& buffer, std::uint32_t value) {
   if (!open_for_work(*impl_, "fill")) return;
   const auto object = object_of(*impl_, &buffer);

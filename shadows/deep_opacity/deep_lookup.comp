@@ -3,6 +3,8 @@
 // One invocation per vertex: looks it up in a map of all texels.
 layout(local_size_x = 64) in;
 #include "shadows/deep_opacity/deep_exponent.glsl"
+#define STRAND_LIST_BINDING 8
+#include "strands/lod/strand_list.glsl"
 
 float exponent_at(uint texel, float z) { return stored_exponent(texel, z); }
 
@@ -21,7 +23,7 @@ bool is_damaged(vec2 p) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
   first_stored = is_packed() ? 0u : first_kept;

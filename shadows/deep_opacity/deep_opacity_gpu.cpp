@@ -156,6 +156,7 @@ MapDescription description(const Settings& settings) {
     lookup.code = deep_tile_lookup_comp;
     lookup.buffers.push_back(k_slots);
   }
+  lookup.buffers.push_back(k_receivers);
   map.passes.push_back(std::move(lookup));
   return map;
 }

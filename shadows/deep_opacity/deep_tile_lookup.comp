@@ -4,6 +4,8 @@
 layout(local_size_x = 64) in;
 #include "shadows/deep_opacity/deep_exponent.glsl"
 #include "shadows/deep_opacity/tiles.glslh"
+#define STRAND_LIST_BINDING 9
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 8) readonly buffer Slots { uint slots[]; };
 
@@ -16,6 +18,6 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v < push.count) look_up(placement_of(least), v);
 }

@@ -24,10 +24,11 @@ Result<MapDescription> description(const Settings& settings) {
                         deep_shadow_compress_comp,
                         {k_list_first, k_list_fragments, k_counts, k_knots},
                         MapRun::per_texel});
-  map.passes.push_back({"shadow.lookup",
-                        deep_shadow_lookup_comp,
-                        {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance},
-                        MapRun::per_vertex});
+  map.passes.push_back(
+      {"shadow.lookup",
+       deep_shadow_lookup_comp,
+       {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_counts, k_knots, k_transmittance, k_receivers},
+       MapRun::per_vertex});
   for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;
 }

@@ -4,6 +4,8 @@
 layout(local_size_x = 64) in;
 #include "shadows/deep_shadow/own_steps.glslh"
 #include "shadows/map_filter.glsl"
+#define STRAND_LIST_BINDING 8
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) readonly buffer First { uint first[]; };
@@ -49,7 +51,7 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   const float found = transmittance_of_vertex(placement_of(least), v, push.intervals + 1.0);
   if (found >= 0.0) transmittance[v] = found;

@@ -9,12 +9,12 @@ namespace {
 
 MapDescription description(const Settings& settings) {
   MapDescription map = describe_lists(settings.map);
-  map.passes.push_back(
-      {.name = "shadow.lookup",
-       .code = exact_list_lookup_comp,
-       .buffers = {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments, k_transmittance},
-       .run = MapRun::per_vertex,
-       .per_strip = true});
+  map.passes.push_back({.name = "shadow.lookup",
+                        .code = exact_list_lookup_comp,
+                        .buffers = {k_vertices, k_segments, k_box, k_deposits, k_list_first, k_list_fragments,
+                                    k_transmittance, k_receivers},
+                        .run = MapRun::per_vertex,
+                        .per_strip = true});
   return map;
 }
 

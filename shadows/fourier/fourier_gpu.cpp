@@ -16,7 +16,8 @@ MapDescription description(const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"fourier", create_map<Settings, description>, words_of_map<Settings, build_map>};
+  static const GpuMethod method{"fourier", create_map<Settings, description>,
+                                words_of_map<Settings, build_map, k_series_words>};
   return method;
 }
 

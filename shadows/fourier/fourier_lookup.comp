@@ -5,6 +5,8 @@ layout(local_size_x = 64) in;
 #include "shadows/fourier/fourier.glslh"
 const uint k_max_functions = 2u * k_max_harmonics + 1u;
 #include "shadows/series_own.glsl"
+#define STRAND_LIST_BINDING 7
+#include "strands/lod/strand_list.glsl"
 
 float known_z = -1.0;  // the depth that `basis` is of: one for all texels of a lookup
 Integrals basis;
@@ -15,15 +17,15 @@ float exponent_at(uint texel, float z) {
   read_sums(texel);
   const float whole = float(sums_left[0]);
   if (!(whole > 0.0)) return 0.0;
-  if (depth >= 1.0) return push.per_unit * whole;
+  if (depth >= 1.0) return exponent_of_share(whole, 1.0);
   if (z != known_z) basis = integrals(depth, (push.layers - 1u) / 2u, push.own[0]);
   known_z = z;
   float sum = 0.0;
   for (uint i = 0u; i < push.layers; ++i) sum += basis.of[i] * float(sums_left[i]);
-  return push.per_unit * clamp(sum, 0.0, whole);
+  return exponent_of_share(whole, clamp(sum / whole, 0.0, 1.0));
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v < push.count) look_up(v);
 }

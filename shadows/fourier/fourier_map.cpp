@@ -3,21 +3,20 @@
 #include <numbers>
 
 #include "shadows/detail/map_method.h"
+#include "shadows/fibres.glslh"
 #include "shadows/fourier/fourier.glslh"
 #include "shadows/series.glslh"
 
 namespace cuticle::shadows::fourier {
 namespace {
 
-/// The sum before a depth (0 .. 1) of a texel; ringing may leave 0 .. the whole, where it is cut off.
-float sum_at(const SeriesMap& map, const Integrals<float>& basis, float depth, std::size_t texel,
-             std::span<const OwnDeposit> own) {
-  const float whole = map.sum(texel, 0, own);
-  if (!(depth > 0) || !(whole > 0)) return 0;
-  if (depth >= 1) return whole;
+/// The share of a texel's sum `whole` before a depth (0 .. 1); ringing may leave 0 .. 1, where it is cut off.
+float share_at(const SeriesMap& map, const Integrals<float>& basis, float depth, float whole, std::size_t texel,
+               std::span<const OwnDeposit> own) {
+  if (depth <= 0 || depth >= 1) return depth <= 0 ? 0.0f : 1.0f;
   float sum = 0;
   for (std::size_t i = 0; i < map.functions; ++i) sum += basis.of[i] * map.sum(texel, i, own);
-  return std::clamp(sum, 0.0f, whole);
+  return std::clamp(sum / whole, 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -34,12 +33,15 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
 }
 
 Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, const Asked& asked) {
-  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const float per_unit = exponent_per_unit(settings.map, map.scale),
+              fibre = map.scattered_fibre(settings.map, per_unit);
   const auto at_depth = [&](std::size_t, float z) {
     const float depth = z / float(k_series_steps);
     const Integrals<float> basis = integrals(depth, settings.harmonics, float(settings.smoothing));
-    return [&map, per_unit, depth, basis](std::size_t texel, std::span<const OwnDeposit> own) {
-      return per_unit * sum_at(map, basis, depth, texel, own);
+    return [&map, per_unit, fibre, depth, basis](std::size_t texel, std::span<const OwnDeposit> own) {
+      const float whole = map.sum(texel, 0, own);
+      if (!(whole > 0)) return 0.0f;
+      return exponent_of_part(per_unit * whole, fibre, share_at(map, basis, depth, whole, texel, own));
     };
   };
   return look_up_receivers(map.view, settings.map, float(k_series_steps), k_series_pieces_per_step, asked, at_depth);

@@ -1,6 +1,7 @@
 #include "shadows/moments/moment_map.h"
 
 #include "shadows/detail/map_method.h"
+#include "shadows/fibres.glslh"
 #include "shadows/moments/moments.glslh"
 #include "shadows/series.glslh"
 
@@ -19,12 +20,11 @@ float share_before(const SeriesMap& map, const Settings& settings, std::size_t t
   return power_share(biased(moments, bias), 2 * depth - 1, overestimation, int(map.functions + 1) / 2);
 }
 
-/// The sum before depth z of a texel.
-float sum_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z,
-             std::span<const OwnDeposit> own) {
-  const float whole = map.sum(texel, 0, own), depth = z / float(k_series_steps);
-  if (!(depth > 0) || !(whole > 0)) return 0;
-  return depth >= 1 ? whole : whole * share_before(map, settings, texel, depth, own);
+/// The share of a texel's sum, which is not 0, before depth z.
+float share_at(const SeriesMap& map, const Settings& settings, std::size_t texel, float z,
+               std::span<const OwnDeposit> own) {
+  const float depth = z / float(k_series_steps);
+  return depth <= 0 ? 0 : depth >= 1 ? 1 : share_before(map, settings, texel, depth, own);
 }
 
 }  // namespace
@@ -45,10 +45,13 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
 }
 
 Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, const Asked& asked) {
-  const float per_unit = exponent_per_unit(settings.map, map.scale);
+  const float per_unit = exponent_per_unit(settings.map, map.scale),
+              fibre = map.scattered_fibre(settings.map, per_unit);
   const auto at_depth = [&](std::size_t, float z) {
     return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
-      return per_unit * sum_at(map, settings, texel, z, own);
+      const float whole = map.sum(texel, 0, own);
+      if (!(whole > 0)) return 0.0f;
+      return exponent_of_part(per_unit * whole, fibre, share_at(map, settings, texel, z, own));
     };
   };
   return look_up_receivers(map.view, settings.map, float(k_series_steps), k_series_pieces_per_step, asked, at_depth);

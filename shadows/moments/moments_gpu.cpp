@@ -19,7 +19,8 @@ MapDescription description(const Settings& settings) {
 }  // namespace
 
 const GpuMethod& gpu_entry() {
-  static const GpuMethod method{"moments", create_map<Settings, description>, words_of_map<Settings, build_map>};
+  static const GpuMethod method{"moments", create_map<Settings, description>,
+                                words_of_map<Settings, build_map, k_series_words>};
   return method;
 }
 

@@ -5,6 +5,8 @@ layout(local_size_x = 64) in;
 #include "shadows/moments/moments.glslh"
 const uint k_max_functions = 7u;
 #include "shadows/series_own.glsl"
+#define STRAND_LIST_BINDING 7
+#include "strands/lod/strand_list.glsl"
 
 const uint k_trigonometric = 2u;  // k_trigonometric_flag of moments_gpu.cpp
 
@@ -25,10 +27,10 @@ float exponent_at(uint texel, float z) {
   read_sums(texel);
   const float whole = float(sums_left[0]);
   if (!(whole > 0.0)) return 0.0;
-  return push.per_unit * (depth >= 1.0 ? whole : whole * share_before(depth));
+  return exponent_of_share(whole, depth >= 1.0 ? 1.0 : share_before(depth));
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v < push.count) look_up(v);
 }

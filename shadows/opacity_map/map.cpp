@@ -47,25 +47,6 @@ float scattered_exponent(const Around& around, float per_unit, float fibre) {
   return per_unit * float(around.nearer) + exponent_of_part(per_unit * between, fibre, around.share);
 }
 
-/// What one fibre of the map counts in the exponent of T in the mean.
-float fibre_exponent(const Map& map, float per_unit) {
-  return per_unit * float(map.table[fibre_coverage(map.fibre[0], map.fibre[1])]);
-}
-
-FibreSums sums_of_fibre(const MapView& view, const strands::Groom& groom) {
-  FibreSums sums{};
-  for_each_index(groom.strand_count(), [&](std::size_t s) {
-    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) {
-      if (!is_sampled(v - std::uint32_t(s))) continue;
-      const SegmentInMap segment = segment_in_map(view, groom, v);
-      const std::uint32_t weight = piece_weight(segment.size());
-      add_to(sums[0], weight);
-      add_to(sums[1], weight * middle_coverage(segment.half_width));
-    }
-  });
-  return sums;
-}
-
 /// To the 11 significant bits of a half float, ties to even.
 std::uint32_t rounded_to_half(std::uint32_t sum) {
   const int dropped = int(std::bit_width(sum)) - 11;
@@ -146,7 +127,8 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   if (settings.vertex_weights && !asked.receivers.segments.empty()) return look_up_by_vertex(map, settings, asked);
-  const float per_unit = exponent_per_unit(settings.map, map.scale), fibre = fibre_exponent(map, per_unit);
+  const float per_unit = exponent_per_unit(settings.map, map.scale),
+              fibre = fibre_exponent(map.fibre, map.table, per_unit);
   const bool is_scattered = settings.is_scattered();
   const auto at_depth = [&](std::size_t, float z) {
     return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {

@@ -1,7 +1,6 @@
 #pragma once
 // N17: opacity shadow maps (Kim and Neumann 2001; Nguyen and Donnelly, GPU Gems 2, chapter 23): sigma at evenly spaced
 // slices of the light's view of a groom, T = exp(-k sigma).
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,6 +9,7 @@
 
 #include "shadows/map_settings.h"
 #include "shadows/map_view.h"
+#include "shadows/mean_fibre.h"
 #include "shadows/method.h"
 #include "shadows/own_fibre.h"
 #include "strands/groom.h"
@@ -43,9 +43,6 @@ struct Settings {
   Result<void> check() const;
 };
 void describe(registry::Members& members, Settings& settings);
-
-/// Weights and coverages of the mean fibre (fibres.glslh).
-using FibreSums = std::array<std::uint32_t, 2>;
 
 /// A filled map: sigma at slice i + 1 of texel t is sums[t * layers + i] / scale.
 struct Map {

@@ -4,6 +4,8 @@
 layout(local_size_x = 64) in;
 #include "shadows/fibres.glslh"
 #include "shadows/map_filter.glsl"
+#define STRAND_LIST_BINDING 7
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
@@ -35,7 +37,7 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   fibre_exponent = push.per_unit * float(table[fibre_coverage(fibre_weights, fibre_coverages)]);
   const float through = transmittance_of_vertex(placement_of(least), v, push.intervals);

@@ -31,7 +31,7 @@ MapDescription describe_drawn(const Settings& settings) {
   map.fragments = {opacity_fragments_vert, opacity_fragments_frag};
   map.passes = {{"shadow.lookup",
                  opacity_target_lookup_comp,
-                 {k_vertices, k_segments, k_box, k_deposits, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_transmittance, k_receivers},
                  MapRun::per_vertex,
                  /*reads_targets=*/true}};
   return map;
@@ -52,7 +52,7 @@ MapDescription description(const Settings& settings) {
                 {"shadow.scan", map_scan_code(), {k_sums}, MapRun::per_texel},
                 {"shadow.lookup",
                  opacity_lookup_comp,
-                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_fibre, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_fibre, k_transmittance, k_receivers},
                  MapRun::per_vertex}};
   for (MapPass& pass : map.passes) pass.per_strip = true;
   return map;

@@ -23,7 +23,7 @@ MapDescription description(const Settings& settings) {
   map.passes = {{"shadow.nearest", map_nearest_code(), {k_vertices, k_segments, k_box, k_nearest}},
                 {"shadow.lookup",
                  shadow_map_lookup_comp,
-                 {k_vertices, k_segments, k_box, k_deposits, k_nearest, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_nearest, k_transmittance, k_receivers},
                  MapRun::per_vertex}};
   return map;
 }

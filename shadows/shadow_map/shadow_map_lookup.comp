@@ -5,6 +5,8 @@ layout(local_size_x = 64) in;
 #include "shadows/map_filter.glsl"
 #include "shadows/shadow_map/depth.glslh"
 #include "shadows/splat.glslh"
+#define STRAND_LIST_BINDING 6
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 3) readonly buffer Table { uint table[]; };
 layout(std430, binding = 4) readonly buffer Nearest { uint nearest[]; };
@@ -26,7 +28,7 @@ float exponent_at(uint texel, float z) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   const MapPlacement placement = placement_of(least);
   steps_per_metre = placement.scale.z;

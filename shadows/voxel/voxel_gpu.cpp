@@ -28,7 +28,7 @@ MapDescription description(const Settings& settings) {
   map.passes = {{"shadow.deposit", voxel_deposit_comp, {k_vertices, k_segments, k_box, k_deposits, k_sums}},
                 {"shadow.march",
                  voxel_march_comp,
-                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance},
+                 {k_vertices, k_segments, k_box, k_deposits, k_sums, k_transmittance, k_receivers},
                  MapRun::per_vertex}};
   return map;
 }

@@ -6,6 +6,8 @@ layout(local_size_x = 64) in;
 #include "shadows/map_segment.glsl"
 #include "shadows/own_segments.glsl"
 #include "shadows/voxel/segment_deposit.glsl"
+#define STRAND_LIST_BINDING 6
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 4) readonly buffer Sums { uint sums[]; };
 layout(std430, binding = 5) writeonly buffer Transmittance { float transmittance[]; };
@@ -73,7 +75,7 @@ float transmittance_from(vec3 position, vec3 direction) {
 }
 
 void main() {
-  const uint v = invocation();
+  const uint v = listed_vertex(invocation());
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
   receiver = texelFetch(vertices, int(v)).xyz;

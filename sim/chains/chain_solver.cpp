@@ -36,9 +36,9 @@ class ChainSolver final : public Solver {
     const FrameColliders<Real> colliders = frame_colliders<Real>(settings_, input, parts.size(), skin_.has_value());
     std::fill(resets_.begin(), resets_.end(), 0);
     if (!clumped_.empty() && !steps.empty()) clumping::aim(chains_, clumped_, clumping::to_rest(parts[0]));
-    const bool still = sleepers_ && watch_.is_still(input, pushes_of<Real>(steps));
+    if (sleepers_) wake(input, pushes_of<Real>(steps));
     tbb::parallel_for(std::size_t(0), chains_.blocks.size(), [&](std::size_t b) {
-      if (sleepers_ && !sleepers_->begin(chains_, b, still, own_rows(b))) return;
+      if (sleepers_ && !sleepers_->begin(chains_, b, woken_[b], own_rows(b))) return;
       advance_block(b, steps, colliders, parts[0].carry);
       if (sleepers_) sleepers_->end(chains_, b, input.duration, own_rows(b));
     });
@@ -62,6 +62,14 @@ class ChainSolver final : public Solver {
   }
 
  private:
+  void wake(const FrameInput& input, const std::vector<Push>& pushes) {
+    watch_.follow(input, pushes);
+    woken_.assign(chains_.blocks.size(), 0);
+    for (std::size_t s = 0; s < rest_.strand_count(); ++s)
+      if (const ChainPlace& place = chains_.places[s]; place.has_links && watch_.wakes(s))
+        woken_[place.block] |= 1u << place.lane;
+  }
+
   Result<std::vector<Substep>> substeps_of(const FrameInput& input) {
     const std::uint32_t count = substeps(settings_, input.duration);
     if (input.skinned.empty()) return motion_.advance(input, count);
@@ -211,6 +219,7 @@ class ChainSolver final : public Solver {
   std::vector<clumping::ClumpedVertex> clumped_;                        ///< empty without the effect
   std::optional<OnSkin<Real>> skin_;                                    ///< none where a head carries the hair
   sleep::Watch watch_;
+  std::vector<std::uint32_t> woken_;  ///< by block, a bit for each lane; empty without the effect
   std::vector<std::uint32_t> resets_;
   tbb::enumerable_thread_specific<Room> room_;
   HeadMotion motion_{true};  // meets all colliders

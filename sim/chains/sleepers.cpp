@@ -63,10 +63,11 @@ std::uint32_t Sleepers<Real>::asleep(const Chains<Real>& chains, std::size_t blo
 }
 
 template <class Real>
-bool Sleepers<Real>::begin(Chains<Real>& chains, std::size_t block, bool still, std::span<const Real> own) {
+bool Sleepers<Real>::begin(Chains<Real>& chains, std::size_t block, std::uint32_t woken, std::span<const Real> own) {
   Kept& kept = kept_.local();
-  kept.still = still;
-  if (!still) std::fill_n(chains.strand_at(block, strand_row::quiet), k_lanes, Real(0));
+  kept.woken = woken;
+  for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
+    if (woken >> lane & 1) chains.strand_at(block, strand_row::quiet)[lane] = Real(0);
   kept.asleep = asleep(chains, block);
   if (std::uint32_t(std::popcount(kept.asleep)) == chains.blocks[block].strands) return false;
   if (kept.asleep == 0) return true;
@@ -85,12 +86,11 @@ void Sleepers<Real>::end(Chains<Real>& chains, std::size_t block, double duratio
     put_back(strand_rows(chains, block), kept.strand, kept.asleep);
     put_back(own, kept.own, kept.asleep);
   }
-  if (!kept.still) return;
   const std::array<Real, k_lanes> speeds = fastest(chains, block);
   Real* const quiet = chains.strand_at(block, strand_row::quiet);
   const Real* const guarded = chains.strand_at(block, strand_row::guarded);
   for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane) {
-    if (kept.asleep >> lane & 1) continue;
+    if ((kept.asleep | kept.woken) >> lane & 1) continue;
     const bool rests =
         speeds[lane] < Real(settings_.speed) * Real(settings_.speed) && guarded[lane] != Real(k_was_reset);
     quiet[lane] = rests ? quiet[lane] + Real(duration) : Real(0);

@@ -34,19 +34,32 @@ bool rest(std::vector<Placement>& before, const FrameInput& input) {
 
 }  // namespace
 
-bool Watch::is_still(const FrameInput& input, const std::vector<Push>& pushes) {
+/// They become those kept in any case.
+bool Watch::keeps_colliders(const FrameInput& input) {
+  bool same = kept(colliders_, input.colliders);
+  same &= kept(boxes_, input.boxes);
+  same &= kept(fields_, input.fields);
+  same &= rest(moving_, input);
+  return same;
+}
+
+void Watch::follow(const FrameInput& input, const std::vector<Push>& pushes) {
   bool still = started_ && !input.teleport && !pushes.empty() && input.head_begin == head_ && input.head_end == head_;
-  still &= kept(colliders_, input.colliders);
-  still &= kept(boxes_, input.boxes);
-  still &= kept(fields_, input.fields);
-  still &= rest(moving_, input);
   for (const Push& push : pushes) {
     still &= push == push_;
     push_ = push;
   }
   head_ = input.head_end;
   started_ = true;
-  return still;
+  const bool same_colliders = keeps_colliders(input);
+  change_ = !still ? Change::all : same_colliders ? Change::nothing : Change::colliders;
+  std::swap(reached_before_, reached_);
+  reached_.assign(input.reached.begin(), input.reached.end());
+}
+
+bool Watch::wakes(std::size_t strand) const {
+  if (change_ != Change::colliders || reached_.empty() || reached_before_.empty()) return change_ != Change::nothing;
+  return reached_[strand] != 0 || reached_before_[strand] != 0;
 }
 
 }  // namespace cuticle::sim::sleep

@@ -15,12 +15,19 @@ void describe(registry::Members& members, Settings& sleep);
 /// Follows from frame to frame what acts on strands.
 class Watch {
  public:
-  /// `pushes`: what acts on all strands alike, of each substep. Whether nothing in this frame differs from the frame before: the head stands where it stood, colliders and pushes
-  /// are bit for bit what they were, and those that move by themselves rest, time passes, and it is no teleport. False
-  /// for the first frame.
-  bool is_still(const FrameInput& input, const std::vector<Push>& pushes);
+  /// Takes in a frame. `pushes`: what acts on all strands alike, of each substep.
+  void follow(const FrameInput& input, const std::vector<Push>& pushes);
+  /// Whether something in the frame last followed differs, for this strand, from the frame before: the head does not
+  /// stand where it stood, pushes are not bit for bit what they were, no time passes, it is a teleport, or the first
+  /// frame; or colliders are others or move by themselves, and one may touch the strand in either frame
+  /// (FrameInput::reached; any may, where that is not told).
+  bool wakes(std::size_t strand) const;
 
  private:
+  bool keeps_colliders(const FrameInput& input);
+
+  enum class Change { nothing, colliders, all } change_ = Change::all;
+  std::vector<std::uint8_t> reached_, reached_before_;
   bool started_ = false;
   glm::dmat4 head_{1};
   std::vector<Sphere> colliders_;

@@ -83,6 +83,34 @@ TEST_P(Sleep, ColliderThatMovesByItself_WakesWhenItStarts) {
   }
 }
 
+TEST_P(Sleep, ColliderThatMoves_WakesTheStrandsThatItMayReach) {
+  const strands::Groom groom = ring(40);
+  const EffectBlocks effects = with_sleep(gravity_and_colliders(), "time=0.1");
+  auto solver = make(groom, effects);
+  std::vector<std::uint8_t> reached(40, 0);
+  for (std::size_t s : {3u, 17u, 39u}) reached[s] = 1;
+  Sphere ball{{5, 0, 0}, 0.1};
+  const auto frame = [&] {
+    EXPECT_TRUE(solver->advance({.colliders = {&ball, 1}, .reached = reached}).ok());
+    return *solver->state();
+  };
+  for (int k = 0; k < 20; ++k) frame();
+  const State asleep = frame();
+  ASSERT_EQ(asleep.asleep, 40u);
+  ball.center.x = 4;
+  const State woken = frame();
+  EXPECT_EQ(woken.asleep, 37u);
+  for (std::size_t s = 0; s < 40; ++s)
+    for (std::size_t i = groom.offsets[s]; i < groom.offsets[s + 1] && !reached[s]; ++i)
+      EXPECT_EQ(asleep.positions[i], woken.positions[i]) << s;
+  reached.assign(40, 0);
+  ball.center.x = 3;
+  EXPECT_EQ(frame().asleep, 37u) << "the ball leaves what it may have touched";
+  ball.center.x = 2;
+  for (int k = 0; k < 20; ++k) frame();
+  EXPECT_EQ(frame().asleep, 40u);
+}
+
 TEST_P(Sleep, GustsKeepAwake_SteadyAirDoesNot) {
   for (const bool gusts : {false, true}) {
     EffectBlocks effects = with_sleep(gravity(), "time=0.2");
@@ -133,7 +161,7 @@ TEST(SleepingStrands, ResetInAFrame_StayAwakeInIt) {
   chains::Chains<float> chains = chains::make_chains<float>(ring(16), settings);
   chains.strand_at(0, chains::strand_row::guarded)[3] = float(chains::k_was_reset);
   chains::Sleepers<float> sleepers(*settings.sleep);
-  EXPECT_TRUE(sleepers.begin(chains, 0, true, {}));
+  EXPECT_TRUE(sleepers.begin(chains, 0, 0, {}));
   sleepers.end(chains, 0, 1, {});
   EXPECT_EQ(sleepers.count(chains), 15u);
   EXPECT_EQ(chains.strand_at(0, chains::strand_row::quiet)[3], 0.f);

@@ -22,7 +22,7 @@ Groom coat() {
 }
 
 PackedGroom packed_on_device(const Groom& groom) {
-  const auto device = *gpu::Device::open({.choice = "cpu", .validation = true});
+  const auto device = *gpu::Device::open({.choice = "", .validation = true});
   std::vector<glm::vec4> vertices, along;
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) vertices.emplace_back(groom.positions[v], groom.radii[v]);
   for (const glm::vec3& tangent : tangents(groom)) along.emplace_back(tangent, 0);

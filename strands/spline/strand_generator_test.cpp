@@ -7,6 +7,7 @@
 
 #include "gpu/device.h"
 #include "strands/spline/smooth_gpu.h"
+#include "tests/support/device_bound.h"
 
 namespace cuticle::strands::strand_generator_test {
 namespace {
@@ -123,7 +124,7 @@ TEST(StrandGenerator, Tangents_AreTheCpusWithinRounding) {
   for (std::size_t i = 0; i < expected.size(); ++i)
     error = larger(error, glm::length(glm::vec3(gpu.tangents[i]) - expected[i]));
   RecordProperty("largest_error", fmt::format("{:.3g}", error));
-  EXPECT_LT(error, 1e-4f);
+  EXPECT_LT(error, tests::bound_for(device(), 1e-4, 1.2e-3));  // where neighbours are a thousand roundings apart
 }
 
 TEST(StrandGenerator, Fractions_RiseFromRootToTipAndSetTheRadius) {

@@ -29,7 +29,7 @@ double measured(const std::shared_ptr<gpu::Device>& device, const plan::Accuracy
 }
 
 TEST(AccuracyTable, ErrorsOnHairThatItWasNotMeasuredOn_StayBelowItsBounds) {
-  const auto device = gpu::Device::open({.choice = "cpu"}).value();
+  const auto device = gpu::Device::open({.choice = ""}).value();
   const plan::AccuracyTable table = plan::read_accuracy_table(CUTICLE_SOURCE_DIR "/scenes/accuracy.json").value();
   int compared = 0;
   for (const plan::AccuracyRow& row : table.rows) {

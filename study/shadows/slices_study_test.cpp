@@ -174,33 +174,6 @@ TEST(CompareWithTruth, AFilterOfOneTexelAtAPixel_FinerMapsAreBetter) {
   }
 }
 
-// Opaque fibres as a camera sees them. Spread evenly between slices, one that lies behind a point takes nearly all of
-// its light, the more so the finer the texels.
-TEST(CompareWithTruth, OpaqueFibresThatACameraSees_FewSlicesAreBetterAtRandomDepths) {
-  const strands::Groom groom = study_coat(2000);
-  ComparisonRequest request = footprint_request(groom);
-  request.alpha = 1;
-  request.to_camera = glm::dvec3(1, 0.3, 1);
-  request.footprint_radius = pixel_footprint(groom, *request.to_camera);
-  request.rays = 16;
-  request.receivers = 1000;
-  const shadows::Method* method = shadows::find_method("opacity_map").value();
-  for (const std::string between : {"random", "even"})
-    for (const std::string size : {"64", "256", "1024", "2048"})
-      request.candidates.push_back(
-          {method, registry::parse_assignments(method->entry.parameters,
-                                               "slices=4,filter_texels=1,between=" + between + ",resolution=" + size)
-                       .value()});
-  const auto comparison = compare_with_truth(request, silent_progress());
-  ASSERT_TRUE(comparison) << comparison.error().message;
-  const auto& rows = comparison->rows;
-  expect_no_rise(*comparison, 0, 4);
-  for (std::size_t i = 0; i < 4; ++i)
-    std::printf("spread evenly %.4f, light %+.4f beside %+.4f\n", rows[i + 4].error.mean,
-                rows[i + 4].light_left - comparison->light_left, rows[i].light_left - comparison->light_left);
-  EXPECT_LT(rows[3].error.mean, 0.9 * rows[7].error.mean);
-}
-
 // What a texel knows of its nearest and farthest fibre keeps few layers from growing worse where texels hold one or
 // two.
 TEST(CompareWithTruth, AFilterAsWideAsTheFootprint_FewLayersAreNoWorseInFineMaps) {

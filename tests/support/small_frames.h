@@ -26,8 +26,8 @@ inline constexpr std::string_view k_points = R"("passes": {"shade_strands": {"po
 inline constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
 inline constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
 
-inline std::shared_ptr<gpu::Device> software_device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+inline std::shared_ptr<gpu::Device> test_device() {
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }
@@ -53,7 +53,7 @@ inline scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
 }
 
 inline std::unique_ptr<plan::FrameRunner> runner(std::initializer_list<std::string_view> parts) {
-  auto made = plan::FrameRunner::create(software_device(), scene_of(parts), silent_progress());
+  auto made = plan::FrameRunner::create(test_device(), scene_of(parts), silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }

@@ -23,7 +23,7 @@ constexpr int k_size = 17;  // odd: the middle pixel looks along the camera's ax
 const glm::dvec3 k_eye(0, 0, 1);
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }

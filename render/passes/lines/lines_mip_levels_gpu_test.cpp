@@ -23,7 +23,7 @@ constexpr int k_vertices = 4 * k_pixels;  ///< of a strand
 constexpr int k_strands = 2 * k_pixels;
 
 std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "cpu", .validation = true});
+  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
   EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
   return opened ? *opened : nullptr;
 }

@@ -16,6 +16,7 @@
 #include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/strand_shading/tables_gpu.h"
 #include "study/luts/table_sampler.h"
+#include "tests/support/device_bound.h"
 #include "tests/support/drawn_strands.h"
 #include "tests/support/strand_angles.h"
 
@@ -152,7 +153,8 @@ TEST_P(EveryLayout, StrandInThePicture_IsReadAsItsTermsSay) {
   const lut::TableSet set = *lut::bake(model, values, layout, each.size, silent_progress());
   const tests::Apart off = tests::apart(*colors, read_from_tables(strands, set));
   std::printf("%s: at most %.5f of the value, %.5f of the peak\n", each.layout, off.relative, off.of_peak);
-  EXPECT_LT(off.relative, 0.005);
+  // A GPU may weigh texels by 8 bits (Vulkan 1.3, subTexelPrecisionBits).
+  EXPECT_LT(off.relative, tests::bound_for(*device(), 0.005, 0.013));
   EXPECT_LT(off.of_peak, 0.003);
 }
 INSTANTIATE_TEST_SUITE_P(

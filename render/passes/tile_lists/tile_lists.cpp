@@ -2,6 +2,7 @@
 
 #include "render/frame.h"
 #include "render/inputs.h"
+#include "render/passes/strands_in_sight/strands_in_sight.h"
 #include "render/shading.h"
 
 namespace cuticle::render::tile_lists {
@@ -9,7 +10,11 @@ namespace cuticle::render::tile_lists {
 namespace {
 
 constexpr std::string_view k_demands[] = {"strands", "drawn_by_tiles"};
-constexpr Use k_uses[] = {reads<FrameView>(), reads<DrawnHair>(), reads<Targets>(), may_read<DrawnSurfaces>(),
+constexpr Use k_uses[] = {reads<FrameView>(),
+                          reads<DrawnHair>(),
+                          reads<Targets>(),
+                          may_read<DrawnSurfaces>(),
+                          may_read<strands_in_sight::StrandsInSight>(),
                           writes<TileLists>()};
 constexpr std::string_view k_after[] = {"head", "fins", "floor"};
 constexpr std::string_view k_systems[] = {"F4"};

@@ -7,10 +7,12 @@
 
 #include "gpu/groups.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/strands_in_sight/strands_in_sight_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
 #include "render/strand_shading/frame_gpu.h"
 #include "render/visibility/drawn_part_gpu.h"
+#include "strands/lod/strand_list_gpu.h"
 
 #include <tile_count_comp.spv.h>
 #include <tile_scan_comp.spv.h>
@@ -34,30 +36,55 @@ enum Statistic : std::size_t { k_wanted, k_not_finite, k_statistics };
 
 class TileListsPass : public GpuPass {
  public:
-  TileListsPass(std::shared_ptr<gpu::Device> device, Kernels kernels, TileLists lists, std::uint64_t most)
-      : device_(std::move(device)), kernels_(std::move(kernels)), lists_(std::move(lists)), most_(most) {}
+  TileListsPass(std::shared_ptr<gpu::Device> device, Kernels kernels, TileLists lists, gpu::Buffer all_strands,
+                std::uint64_t most)
+      : device_(std::move(device)),
+        kernels_(std::move(kernels)),
+        lists_(std::move(lists)),
+        all_strands_(std::move(all_strands)),
+        most_(most) {}
 
   void publish(Resources& resources) const override { resources.put_reference(lists_); }
+
+  void change_view(FrameView& view, const PassParameters&) const override {
+    view.strand_widening = 1 / lists_.kept_share;
+  }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const TilePush push = push_of(resources, lists_);
     const auto bytes = gpu::bytes_of(push);
-    const gpu::Groups tiles = gpu::groups_for(std::size_t(lists_.grid.x) * lists_.grid.y),
-                      segments = gpu::groups_for(push.segment_count);
+    const gpu::Groups tiles = gpu::groups_for(std::size_t(lists_.grid.x) * lists_.grid.y);
+    const gpu::Buffer& listed = listed_of(resources);
     const gpu::Buffer *vertices = hair.strands.vertices, *indices = hair.strands.segments;
     for (const gpu::Buffer* cleared : {&lists_.counts, &lists_.visible, &lists_.statistics}) commands.fill(*cleared, 0);
     commands.dispatch(kernels_.scene, {&lists_.scene_depth, &lists_.tile_depth}, {resources.get<Targets>().depth},
                       bytes, tiles.x, tiles.y);
-    commands.dispatch(
-        kernels_.count,
-        {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.visible, &lists_.statistics}, {},
-        bytes, segments.x, segments.y);
+    over_segments(commands, resources, kernels_.count,
+                  {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.visible,
+                   &lists_.statistics, &listed},
+                  push);
     commands.dispatch(kernels_.scan, {&lists_.counts, &lists_.offsets, &lists_.statistics}, {}, bytes, 1);
-    commands.dispatch(kernels_.scatter,
-                      {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries}, {},
-                      bytes, segments.x, segments.y);
+    over_segments(commands, resources, kernels_.scatter,
+                  {vertices, hair.tangents, indices, &lists_.tile_depth, &lists_.counts, &lists_.entries, &listed},
+                  push);
     return {};
+  }
+
+  const gpu::Buffer& listed_of(const Resources& resources) const {
+    const auto* const seen = resources.find<strands_in_sight::StrandsInSight>();
+    return seen ? seen->list : all_strands_;
+  }
+
+  /// Over the segments of the strands in sight, where they are known.
+  static void over_segments(gpu::Commands& commands, const Resources& resources, const gpu::Kernel& kernel,
+                            std::initializer_list<const gpu::Buffer*> buffers, const TilePush& push) {
+    const std::span bound(buffers.begin(), buffers.size());
+    if (const auto* const seen = resources.find<strands_in_sight::StrandsInSight>())
+      return commands.dispatch_counted(kernel, bound, {}, gpu::bytes_of(push), seen->list,
+                                       strands::k_listed_segment_groups);
+    const gpu::Groups segments = gpu::groups_for(push.segment_count);
+    commands.dispatch(kernel, bound, {}, gpu::bytes_of(push), segments.x, segments.y);
   }
 
   Result<Settled> settle() override {
@@ -106,6 +133,7 @@ class TileListsPass : public GpuPass {
   std::shared_ptr<gpu::Device> device_;
   Kernels kernels_;
   TileLists lists_;
+  gpu::Buffer all_strands_;  ///< a list that is none
   std::uint64_t most_;  ///< entries that the budget has room for
 };
 
@@ -117,9 +145,9 @@ Result<Kernels> make_kernels(gpu::Device& device) {
                                                  {3, gpu::TextureFormat::r32f}};  // of tile_walk.glsl
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
-  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {7, 0, bytes, {}, walked}));
+  CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {}, walked}));
   CUTICLE_ASSIGN(kernels.scan, device.make_kernel(tile_scan_comp, {3, 0, bytes}));
-  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {6, 0, bytes, {}, walked}));
+  CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {7, 0, bytes, {}, walked}));
   return kernels;
 }
 
@@ -147,10 +175,12 @@ std::uint64_t likely_entries(const Resources& resources) {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
   CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
+  CUTICLE_ASSIGN(gpu::Buffer all_strands, strands::make_no_strand_list(*device));
   const double budget = parameters_of<Parameters>(resources).budget_mib * 1024 * 1024;
   const std::uint64_t most = std::min(std::uint64_t(budget / double(k_entry_bytes)),
                                       device->info().max_storage_buffer_bytes / sizeof(glm::uvec2));
-  auto pass = std::make_unique<TileListsPass>(std::move(device), std::move(kernels), std::move(lists), most);
+  auto pass = std::make_unique<TileListsPass>(std::move(device), std::move(kernels), std::move(lists),
+                                              std::move(all_strands), most);
   CUTICLE_TRY(pass->make_room(std::min(most, likely_entries(resources))));
   return std::unique_ptr<GpuPass>(std::move(pass));
 }

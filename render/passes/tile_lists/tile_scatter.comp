@@ -3,6 +3,8 @@
 // Coarse rasteriser, second half: each tile's segments, in an order that the sort makes definite.
 layout(local_size_x = 64) in;
 #include "render/passes/tile_lists/tile_walk.glsl"
+#define STRAND_LIST_BINDING 6
+#include "strands/lod/strand_list.glsl"
 
 layout(std430, binding = 4) buffer Counts { uint counts[]; };  // where the tile's next entry goes
 layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };  // 1 / depth, first vertex
@@ -13,7 +15,7 @@ void visit(uint tile, uint vertex, float inverse_depth) {
 }
 
 void main() {
-  uint segment = invocation();
+  uint segment = listed_segment(invocation());
   if (segment >= push.segment_count) return;
   uint vertex = texelFetch(segments, int(segment)).r;
   vec4 a = texelFetch(vertices, int(vertex)), b = texelFetch(vertices, int(vertex + 1u));

@@ -44,7 +44,7 @@ void reset(uint links) {
 
 // chains/sleepers.h for one strand.
 bool sleeps_on() {
-  if (still == 0u) strands[strand_base + strand_row_quiet * k_lanes] = 0;
+  if (is_woken) strands[strand_base + strand_row_quiet * k_lanes] = 0;
   return strands[strand_base + strand_row_quiet * k_lanes] >= sleep_time;
 }
 
@@ -80,6 +80,7 @@ void main() {
   if (strand >= strand_count) return;
   uvec4 place = places[strand];
   resets[strand] = 0u;
+  find_reach(strand);
   if (place.w != 0u) {
     uint links = blocks[place.x].x;
     first_vertex = blocks[place.x].y;
@@ -97,7 +98,7 @@ void main() {
       reset(links);
       resets[strand] = 1u;
     }
-    if (k_sleeps && still != 0u) fall_asleep(links);
+    if (k_sleeps && !is_woken) fall_asleep(links);
   }
   show(strand, place.z);
 }

@@ -18,7 +18,7 @@ namespace cuticle::sim::chains {
 namespace {
 
 static_assert(sizeof(SkinStrand) == 48, "the layout of chain_storage.glsl");
-constexpr std::uint32_t k_buffers = 15, k_buffers_beside_all = 19, k_skin_buffers = 3;
+constexpr std::uint32_t k_buffers = 16, k_buffers_beside_all = 20, k_skin_buffers = 3;
 static_assert(sizeof(LinkField<float>) == 80, "the layout of field_contact.glslh");
 static_assert(sizeof(ColliderCarry<float>) == 48, "the layout of moving_contact.glslh");
 
@@ -41,7 +41,7 @@ FramePlace frame_place(const glm::vec4& carry, const Placing& placing) {
 
 struct Buffers {
   gpu::Buffer places, blocks, offsets, vertices, rest, state, strands, scratch, steps, spheres, frame, world,
-      velocities, resets, own, boxes, fields, field_values, carries, skin_strands, skin_begin;
+      velocities, resets, own, reach, boxes, fields, field_values, carries, skin_strands, skin_begin;
 };
 
 template <class T>
@@ -86,6 +86,7 @@ class ChainGpuSolver final : public GpuSolver {
     if (settings_.sleep) set_sleep(constants, input, steps);
     if (!steps.empty()) CUTICLE_TRY(refill(*device_, buffers_.steps, steps));
     CUTICLE_TRY(upload(colliders));
+    CUTICLE_TRY(upload_reach(input));
     CUTICLE_TRY(refill(*device_, buffers_.frame, std::array{frame_place(parts[0].carry, placing_)}));
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, kernel_for(constants, !colliders.carries.empty()));
     if (clumping_ && !steps.empty())
@@ -113,8 +114,8 @@ class ChainGpuSolver final : public GpuSolver {
     CUTICLE_TRY(upload(colliders));
     Constants constants{.strand_count = std::uint32_t(rest_.strand_count()),
                         .step_count = std::uint32_t(steps.size()),
-                        .box_count = std::uint32_t(colliders.box_count()),
-                        .field_count = std::uint32_t(colliders.field_count()),
+                        .all_boxes = std::uint32_t(colliders.box_count()),
+                        .all_fields = std::uint32_t(colliders.field_count()),
                         .carries = parts[0].onto_skin,
                         .frame_time = float(input.duration)};
     CUTICLE_ASSIGN(const gpu::Kernel* kernel, skin_kernel_for(constants));
@@ -193,9 +194,9 @@ class ChainGpuSolver final : public GpuSolver {
   /// That of all kinds of colliders met so far: each kernel rounds in its own way, and a frame whose colliders are left
   /// out because they are far must not differ for that.
   Result<const gpu::Kernel*> kernel_for(const Constants& constants, bool some_move) {
-    met_.spheres = met_.spheres || constants.sphere_count > 0;
-    met_.fields = met_.fields || constants.field_count > 0;
-    met_.others = met_.others || constants.box_count + constants.field_count > 0;
+    met_.spheres = met_.spheres || constants.all_spheres > 0;
+    met_.fields = met_.fields || constants.all_fields > 0;
+    met_.others = met_.others || constants.all_boxes + constants.all_fields > 0;
     met_.moving = met_.moving || some_move;
     if (!met_.others) return met_.spheres ? &touching_ : &free_;
     gpu::Kernel& kernel = beside_all_[met_.moving][met_.fields];
@@ -207,12 +208,12 @@ class ChainGpuSolver final : public GpuSolver {
 
   /// The same for hair on a skin.
   Result<const gpu::Kernel*> skin_kernel_for(const Constants& constants) {
-    const bool touches = constants.box_count + constants.field_count > 0;
-    gpu::Kernel& kernel = on_skin_[touches][constants.field_count > 0];
+    const bool touches = constants.all_boxes + constants.all_fields > 0;
+    gpu::Kernel& kernel = on_skin_[touches][constants.all_fields > 0];
     if (!kernel) {
       CUTICLE_ASSIGN(kernel, kernel_of(touches ? program_.on_skin_beside_all : program_.on_skin,
                                        (touches ? k_buffers_beside_all : k_buffers) + k_skin_buffers,
-                                       constants.field_count > 0, touches));
+                                       constants.all_fields > 0, touches));
     }
     return &kernel;
   }
@@ -226,6 +227,19 @@ class ChainGpuSolver final : public GpuSolver {
     return upload_values(colliders.baked);
   }
 
+  /// Bits of each strand (chain_storage.glsl), only when they are others than the last.
+  Result<void> upload_reach(const FrameInput& input) {
+    CUTICLE_EXPECT(input.reached.empty() || input.reached.size() == rest_.strand_count(),
+                   "FrameInput::reached has an entry for each strand");
+    std::vector<std::uint32_t> bits(std::max<std::size_t>(1, rest_.strand_count()), 1);
+    for (std::size_t s = 0; s < rest_.strand_count(); ++s)
+      bits[s] = std::uint32_t(input.reached.empty() || input.reached[s] != 0) |
+                std::uint32_t(settings_.sleep && watch_.wakes(s)) << 1;
+    if (bits == reach_) return {};
+    reach_ = std::move(bits);
+    return refill(*device_, buffers_.reach, reach_);
+  }
+
   /// Only when they are others than the last.
   Result<void> upload_values(std::span<const FieldPointer> fields) {
     if (std::ranges::equal(fields, fields_)) return {};
@@ -237,7 +251,7 @@ class ChainGpuSolver final : public GpuSolver {
   }
 
   void set_sleep(Constants& constants, const FrameInput& input, std::span<const ChainStep<float>> steps) {
-    constants.still = watch_.is_still(input, pushes_of<float>(steps));
+    watch_.follow(input, pushes_of<float>(steps));
     constants.sleep_speed = settings_.sleep->speed;
     constants.sleep_time = settings_.sleep->time;
     constants.frame_time = float(input.duration);
@@ -289,6 +303,7 @@ class ChainGpuSolver final : public GpuSolver {
       world.emplace_back(at, 1);
     }
     CUTICLE_TRY(make_chain_buffers());
+    CUTICLE_TRY(upload_reach({}));
     CUTICLE_TRY(refill(*device_, buffers_.places, places));
     CUTICLE_TRY(refill(*device_, buffers_.blocks, blocks));
     CUTICLE_TRY(refill(*device_, buffers_.offsets, rest_.offsets));
@@ -323,10 +338,10 @@ class ChainGpuSolver final : public GpuSolver {
   void dispatch(gpu::Commands& commands, const gpu::Kernel& kernel, const Constants& constants,
                 const gpu::Buffer* skinned = nullptr) const {
     const Buffers& b = buffers_;
-    std::vector<const gpu::Buffer*> bound{&b.places, &b.blocks,  &b.offsets,    &b.vertices, &b.rest,
-                                          &b.state,  &b.strands, &b.scratch,    &b.steps,    &b.spheres,
-                                          &b.frame,  &b.world,   &b.velocities, &b.resets,   &b.own};
-    if (skinned ? constants.box_count + constants.field_count > 0 : met_.others)
+    std::vector<const gpu::Buffer*> bound{&b.places,     &b.blocks,  &b.offsets, &b.vertices, &b.rest,  &b.state,
+                                          &b.strands,    &b.scratch, &b.steps,   &b.spheres,  &b.frame, &b.world,
+                                          &b.velocities, &b.resets,  &b.own,     &b.reach};
+    if (skinned ? constants.all_boxes + constants.all_fields > 0 : met_.others)
       bound.insert(bound.end(), {&b.boxes, &b.fields, &b.field_values, &b.carries});
     if (skinned) bound.insert(bound.end(), {&b.skin_strands, &b.skin_begin, skinned});
     commands.dispatch(kernel, bound, {}, gpu::bytes_of(constants), (constants.strand_count + 63) / 64);
@@ -346,6 +361,7 @@ class ChainGpuSolver final : public GpuSolver {
   } met_;
   std::array<std::array<gpu::Kernel, 2>, 2> on_skin_;  ///< by whether there are colliders, and fields
   std::vector<FieldPointer> fields_;                   ///< whose values are on the device
+  std::vector<std::uint32_t> reach_;                   ///< as it is on the device
   std::unique_ptr<strand_interaction::StrandInteractionGpu> interaction_;  ///< null without the effect
   std::unique_ptr<clumping::ClumpingGpu> clumping_;                        ///< null without the effect
   sleep::Watch watch_;

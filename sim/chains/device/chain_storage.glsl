@@ -25,14 +25,15 @@ layout(binding = 11) writeonly buffer World { vec4 world[]; };
 layout(binding = 12) writeonly buffer Velocities { vec4 velocities[]; };
 layout(binding = 13) writeonly buffer Resets { uint resets[]; };
 layout(binding = 14) buffer Own { float own[]; };  // rows that the solver adds to a vertex
+layout(binding = 15) readonly buffer Reach { uint reach[]; };  // per strand, bits: a collider may touch it; it is woken
 #if TOUCHES == 2
 layout(constant_id = 1) const bool k_meets_fields = false;
 layout(constant_id = 2) const bool k_some_move = false;  // colliders by themselves: ChainFrame::carries
-layout(binding = 15) readonly buffer Boxes { LinkBox boxes[]; };
-layout(binding = 17) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
+layout(binding = 16) readonly buffer Boxes { LinkBox boxes[]; };
+layout(binding = 18) readonly buffer FieldValues { float field_values[]; };  // of one field after the other
 #include "sim/chains/contact/moving_contact.glslh"
-layout(binding = 16) readonly buffer Fields { LinkField fields[]; };
-layout(binding = 18) readonly buffer Carries { ColliderCarry collider_carries[]; };
+layout(binding = 17) readonly buffer Fields { LinkField fields[]; };
+layout(binding = 19) readonly buffer Carries { ColliderCarry collider_carries[]; };
 #else
 const bool k_some_move = false;
 #endif
@@ -41,7 +42,7 @@ struct SkinStrand {
   vec4 along, across;  // unit, at rest; along.w: whether the strand bends
   uvec4 vertices;      // anchor, farthest, side
 };
-const int k_skin_binding = TOUCHES == 2 ? 19 : 15;
+const int k_skin_binding = TOUCHES == 2 ? 20 : 16;
 layout(binding = k_skin_binding) readonly buffer SkinStrands { SkinStrand skin_strands[]; };
 layout(binding = k_skin_binding + 1) readonly buffer SkinBegin { vec4 skin_begin[]; };  // where the skin has the vertices
 layout(binding = k_skin_binding + 2) readonly buffer SkinEnd { vec4 skin_end[]; };      // at the frame's begin and end
@@ -49,6 +50,16 @@ layout(binding = k_skin_binding + 2) readonly buffer SkinEnd { vec4 skin_end[]; 
 layout(constant_id = 0) const bool k_sleeps = false;
 
 uint first_vertex, lane, strand_base, part;  // of the frame's substeps
+uint sphere_count, box_count, field_count;   // colliders that the strand may touch: all, or none
+bool is_woken;                               // by what acts on it and did not in the frame before
+
+void find_reach(uint strand) {
+  const bool touches = (reach[strand] & 1u) != 0u;
+  sphere_count = touches ? all_spheres : 0u;
+  box_count = touches ? all_boxes : 0u;
+  field_count = touches ? all_fields : 0u;
+  is_woken = (reach[strand] & 2u) != 0u;
+}
 
 uint rest_at(uint i, uint row) { return ((first_vertex + i) * rest_row_count + row) * k_lanes + lane; }
 uint state_at(uint i, uint row) { return ((first_vertex + i) * state_row_count + row) * k_lanes + lane; }

@@ -1,0 +1,197 @@
+// The goals for a GPU (README.md beside this file): bench_gpu [share] [folder]. Prints for each goal the least time by
+// the device's timestamps and by the clock, beside what was asked for, and every pass of a frame. A share below 1 makes
+// all sizes smaller, to try the program on software Vulkan. Into a folder it writes the two pictures.
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+
+#include <fmt/core.h>
+
+#include "core/image/image.h"
+#include "lut/live_tables_gpu.h"
+#include "plan/frame_runner_gpu.h"
+#include "plan/plan.h"
+#include "sim/solver_gpu.h"
+#include "strands/spline/smooth_gpu.h"
+
+namespace {
+
+using namespace cuticle;
+
+constexpr int k_frames = 30;
+
+struct Times {
+  double device_ms = 1e30, wall_ms = 1e30;
+  std::vector<gpu::PassCost> passes;  ///< of the quickest by the device's clock
+};
+
+double device_ms(std::span<const gpu::PassCost> passes) {
+  return std::accumulate(passes.begin(), passes.end(), 0.0,
+                         [](double sum, const auto& pass) { return sum + pass.gpu_ms; });
+}
+
+void keep_least(const gpu::SubmitCost& cost, Times& least) {
+  least.wall_ms = std::min(least.wall_ms, cost.wall_ms);
+  const double now = device_ms(cost.passes);
+  if (now >= least.device_ms) return;
+  least.device_ms = now;
+  least.passes = cost.passes;
+}
+
+void print(const std::string& goal, double asked_ms, const Times& times) {
+  fmt::print("{:<60} asked {:>4} ms: {:8.3f} ms on the device, {:8.3f} by the clock, {}\n", goal, asked_ms,
+             times.device_ms, times.wall_ms, times.device_ms <= asked_ms ? "met" : "missed");
+  if (times.passes.size() > 1)
+    for (const gpu::PassCost& pass : times.passes) fmt::print("    {:<22} {:8.3f} ms\n", pass.name, pass.gpu_ms);
+  std::fflush(stdout);
+}
+
+/// A frame of the procedural head by `tiles`, or by `method`, with one light and a deep opacity map.
+struct FrameGoal {
+  std::string name, method;
+  int strands, vertices;
+  glm::ivec2 size;
+  double asked_ms;
+};
+
+Result<scene::Scene> scene_of(const FrameGoal& goal, double share) {
+  const std::string text = fmt::format(
+      R"({{"schema_version": 1, "strand_count": {}, "strand_vertices": {}, "fibre_count": {},
+          "material": {{"model": {{"marschner": {{"sigma_a": [0.5447, 0.9061, 1.781]}}}}, "lut_size": 128}},
+          "lights": [{{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14.2, 13]}}],
+          "shadow": {{"method": {{"deep_opacity": {{"layers": 8, "resolution": 512}}}}, "fibre_alpha": 0.4}},
+          "render": {{"method": "{}"}},
+          "camera": {{"position_m": [0.42, 0.2, 1.0], "target_m": [0, 0.06, 0], "fov_deg": 27, "near_m": 0.2, "far_m": 5,
+                     "resolution_px": [{}, {}]}}}})",
+      std::max(100, int(goal.strands * share)), goal.vertices, std::max(100, int(goal.strands * share)), goal.method,
+      goal.size.x, goal.size.y);
+  return scene::parse_scene(text, ".", "bench_gpu", plan::catalogue());
+}
+
+Result<void> time_frame(const std::shared_ptr<gpu::Device>& device, const FrameGoal& goal, double share,
+                        const char* folder) {
+  CUTICLE_ASSIGN(const scene::Scene scene, scene_of(goal, share));
+  CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, silent_progress()));
+  Times times;
+  for (int k = 0; k < (share < 1 ? 2 : k_frames); ++k) {
+    CUTICLE_ASSIGN(const plan::FrameResult frame, runner->run(0, {.everything = true}));
+    keep_least(frame.cost, times);
+    if (k > 0) continue;
+    for (const std::string& note : frame.notes) fmt::print("    {}\n", note);
+    if (folder)
+      CUTICLE_TRY(write_exr(fmt::format("{}/{}_{}.exr", folder, goal.method, goal.size.y), frame.color, ExrType::half));
+  }
+  print(goal.name, goal.asked_ms, times);
+  return {};
+}
+
+strands::Groom straight_strands(int count, int vertices) {
+  strands::Groom groom;
+  for (int s = 0; s < count; ++s) {
+    const float angle = 0.001f * float(s);
+    for (int i = 0; i < vertices; ++i)
+      groom.positions.push_back(glm::vec3(std::cos(angle), 0, std::sin(angle)) *
+                                (0.3f * float(i) / float(vertices - 1)));
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), strands::k_default_radius);
+  return groom;
+}
+
+registry::ParameterValues values_of(const std::string& effect, const std::string& settings) {
+  return registry::parse_assignments((*sim::find_effect(effect))->entry.parameters, settings).value();
+}
+
+/// A frame of 1/60 s of 100,000 strands of 32 vertices under gravity.
+Result<void> time_solver(const std::shared_ptr<gpu::Device>& device, const std::string& name,
+                         const std::string& settings, double asked_ms, double share) {
+  const strands::Groom groom = straight_strands(std::max(100, int(100'000 * share)), 32);
+  CUTICLE_ASSIGN(const auto solver, (*sim::find_gpu_effect(name))
+                                        ->create(device, groom, values_of(name, settings),
+                                                 sim::EffectBlocks{{"gravity", values_of("gravity", "")}}));
+  Times times;
+  for (int k = 0; k < (share < 1 ? 2 : k_frames); ++k) {
+    gpu::Commands commands = device->record();
+    commands.begin_pass(name);
+    CUTICLE_TRY(solver->record(commands, {}));
+    commands.end_pass();
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, device->submit(std::move(commands)));
+    keep_least(cost, times);
+  }
+  print(fmt::format("{}, {} x 32, a frame of 1/60 s ({})", name, groom.strand_count(), settings), asked_ms, times);
+  return {};
+}
+
+Result<void> time_tables(gpu::Device& device) {
+  const bsdf::Model& model = **bsdf::find_model("marschner");
+  Times times;
+  CUTICLE_ASSIGN(const lut::Layout* const layout, lut::find_layout("nalu"));
+  CUTICLE_ASSIGN(const auto brown, bsdf::parse_settings(model, "", "sigma_a=0.5"));
+  CUTICLE_ASSIGN(const auto black, bsdf::parse_settings(model, "", "sigma_a=2"));
+  CUTICLE_ASSIGN(lut::LiveTables tables, lut::LiveTables::make(device, model, brown, *layout, 128));
+  for (int k = 0; k < k_frames; ++k) {
+    CUTICLE_TRY(tables.change(k % 2 ? brown : black));
+    CUTICLE_TRY(tables.finish());
+    times.device_ms = std::min(times.device_ms, tables.last_cost().device_ms);
+    times.wall_ms = std::min(times.wall_ms, tables.last_cost().latency_ms);
+  }
+  print("tables of marschner, 128 x 128, layout nalu", 0.2, times);
+  return {};
+}
+
+/// Strands of 36 vertices from 10,000 guides of 7: smoothed, then interpolated.
+Result<void> time_generation(const std::shared_ptr<gpu::Device>& device, double share) {
+  const strands::Groom guides = straight_strands(10'000, 7);
+  const std::size_t count = std::max<std::size_t>(100, std::size_t(200'000 * share));
+  std::vector<std::array<std::uint32_t, 3>> hairs(count);
+  const std::vector<glm::vec3> weights(count, glm::vec3(0.5f, 0.3f, 0.2f));
+  for (std::uint32_t s = 0; s < count; ++s) hairs[s] = {s % 9998, s % 9998 + 1, s % 9998 + 2};
+  CUTICLE_ASSIGN(const auto strands,
+                 strands::StrandGenerator::create(
+                     device, {.control = &guides, .vertices_per_strand = 36, .hairs = hairs, .weights = weights}));
+  std::vector<glm::vec4> places;
+  for (const glm::vec3& place : guides.positions) places.emplace_back(place, 0);
+  CUTICLE_ASSIGN(const gpu::Buffer buffer, gpu::make_buffer_from<glm::vec4>(*device, places));
+  Times times;
+  for (int k = 0; k < k_frames; ++k) {
+    gpu::Commands commands = device->record();
+    commands.begin_pass("generate");
+    CUTICLE_TRY(strands->record_smooth(commands, buffer));
+    CUTICLE_TRY(strands->record_interpolate(commands));
+    commands.end_pass();
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, device->submit(std::move(commands)));
+    keep_least(cost, times);
+  }
+  print(fmt::format("{} strands x 36 generated", count), 1, times);
+  return {};
+}
+
+Result<void> time_all(double share, const char* folder) {
+  CUTICLE_ASSIGN(const auto device, gpu::Device::open());
+  const gpu::DeviceInfo& info = device->info();
+  fmt::print("{}, {}, Vulkan {}\n", info.name, info.driver, info.api_version);
+  const FrameGoal frames[] = {{"tiles, 136,000 strands x 16, 1280 x 720", "tiles", 136'000, 16, {1280, 720}, 2},
+                              {"lines, 136,000 strands x 16, 1280 x 720", "lines", 136'000, 16, {1280, 720}, 2},
+                              {"tiles, 200,000 strands x 36, 3840 x 2160", "tiles", 200'000, 36, {3840, 2160}, 6},
+                              {"lines, 200,000 strands x 36, 3840 x 2160", "lines", 200'000, 36, {3840, 2160}, 6}};
+  Result<void> done = time_tables(*device);
+  const auto then = [&](Result<void> next) {
+    if (!next) fmt::print("{}\n", next.error().message);
+    if (done) done = std::move(next);
+  };
+  then(time_generation(device, share));
+  then(time_solver(device, "exact", "damping=0,shape_stiffness=0,clamped_vertices=1,inner_step=0.00417,max_substeps=4",
+                   0.5, share));
+  then(time_solver(device, "rod", "damping=0,inner_step=0.00209,max_substeps=8", 2, share));
+  for (const FrameGoal& goal : frames) then(time_frame(device, goal, share, folder));
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<void> done = time_all(argc > 1 ? std::atof(argv[1]) : 1, argc > 2 ? argv[2] : nullptr);
+  if (!done) fmt::print("{}\n", done.error().message);
+  return done ? 0 : 1;
+}

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "study/shadows/slices_study.h"
+
+namespace cuticle::study::seen_opaque_fibres_test {
+
+namespace {
+
+/// Opaque fibres at the pixels of a camera.
+ComparisonRequest seen_opaque_fibres(const strands::Groom& groom) {
+  ComparisonRequest request;
+  request.groom = &groom;
+  request.alpha = 1;
+  request.to_camera = glm::dvec3(1, 0.3, 1);
+  request.footprint_radius = pixel_footprint(groom, *request.to_camera);
+  request.rays = 16;
+  request.receivers = 1000;
+  return request;
+}
+
+/// A setting with a filter of one texel in maps of 64^2 to 2048^2 texels.
+void add_sizes(ComparisonRequest& request, const std::string& name, const std::string& settings) {
+  const shadows::Method* method = shadows::find_method(name).value();
+  for (const std::string size : {"64", "256", "1024", "2048"})
+    request.candidates.push_back(
+        {method, registry::parse_assignments(method->entry.parameters, settings + ",filter_texels=1,resolution=" + size)
+                     .value()});
+}
+
+/// The errors of four sizes, which do not rise beyond their interval.
+void expect_no_rise(const Comparison& comparison, std::size_t first) {
+  for (std::size_t i = first; i < first + 4; ++i) {
+    const ComparisonRow &row = comparison.rows[i], &coarser = comparison.rows[std::max(i, first + 1) - 1];
+    std::printf("%s %s: %.4f +- %.4f\n", row.method.c_str(), row.settings.c_str(), row.error.mean,
+                row.error.mean_interval);
+    EXPECT_LE(row.error.mean, coarser.error.mean + row.error.mean_interval) << row.method << " " << row.settings;
+  }
+}
+
+}  // namespace
+
+// Opaque fibres as a camera sees them. Spread evenly between slices, one that lies behind a point takes nearly all of
+// its light, the more so the finer the texels.
+TEST(CompareWithTruth, OpaqueFibresThatACameraSees_FewSlicesAreBetterAtRandomDepths) {
+  const strands::Groom groom = study_coat(2000);
+  ComparisonRequest request = seen_opaque_fibres(groom);
+  for (const std::string between : {"random", "even"}) add_sizes(request, "opacity_map", "slices=4,between=" + between);
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  const auto& rows = comparison->rows;
+  expect_no_rise(*comparison, 0);
+  for (std::size_t i = 0; i < 4; ++i)
+    std::printf("spread evenly %.4f, light %+.4f beside %+.4f\n", rows[i + 4].error.mean,
+                rows[i + 4].light_left - comparison->light_left, rows[i].light_left - comparison->light_left);
+  EXPECT_LT(rows[3].error.mean, 0.9 * rows[7].error.mean);
+}
+
+// The same of series in depth, whose shares before a point are rarely 0 where one opaque fibre lies behind it.
+TEST(CompareWithTruth, OpaqueFibresThatACameraSees_SeriesKeepTheLightInFineMaps) {
+  const strands::Groom groom = study_coat(2000);
+  ComparisonRequest request = seen_opaque_fibres(groom);
+  const std::pair<std::string, std::string> series[] = {
+      {"moments", "basis=power_4"}, {"moments", "basis=power_6"}, {"fourier", "harmonics=7"}};
+  for (const auto& [method, settings] : series) add_sizes(request, method, settings);
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  const auto& rows = comparison->rows;
+  for (std::size_t i = 0; i < rows.size(); i += 4) {
+    expect_no_rise(*comparison, i);
+    const double light = rows[i + 3].light_left - comparison->light_left;
+    std::printf("%s %s: error %.4f, light %+.4f\n", rows[i + 3].method.c_str(), rows[i + 3].settings.c_str(),
+                rows[i + 3].error.mean, light);
+    EXPECT_NEAR(light, 0, 0.01) << rows[i + 3].method;
+  }
+}
+
+}  // namespace cuticle::study::seen_opaque_fibres_test
