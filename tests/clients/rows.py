@@ -324,7 +324,7 @@ def paraview(folder, full):
 
 
 def alembic(folder, full):
-    raise NotRun("Cuticle writes no Alembic: Debian 12 has no package of the library, nor has the Python index; Blender and usd-core read .usda, .usdc")
+    raise NotRun("Cuticle writes no Alembic: Debian 12 has no package of the library; Blender and usd-core read .usda, .usdc")
 
 
 # Quick ones are those of continuous integration.
