@@ -18,7 +18,7 @@ def group_id(study, group):
 
 
 def time(seconds):
-    factor, unit = results.unit_of([seconds])
+    factor, unit = (1, "s") if seconds >= 1 else results.unit_of([seconds])
     return f"{results.shown(seconds * factor, 2)} {unit}"
 
 
@@ -115,6 +115,7 @@ def setting(text):
     knobs = [part.split("=", 1) for part in parts if "=" in part]
     said = [f"{value} x {value} texels" if name in ("size", "resolution") else f"{value} {name}".replace("_", " ") if value.replace(".", "").isdigit() else f"{name} {value}".replace("_", " ")
             for name, value in knobs]
+    said = [text.removesuffix("s") if text.startswith("1 ") else text for text in said]
     return " ".join(part for part in parts if "=" not in part).replace("_", " ") + (" with " + ", ".join(said) if said else "")
 
 

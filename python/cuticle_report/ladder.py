@@ -58,7 +58,7 @@ def strip(study, group):
     steps = [("path_tracing", "", "truth")]
     for point, time in zip(group.points, times(group)):
         error = point.error("picture")
-        told = f"MSE {results.shown(error['value'], 2)}" if is_told(error) else "not told from the truth"
+        told = f"MSE {results.shown(error['value'], 2)}" if is_told(error) else "within the noise"
         steps.append((point.method, time, told))
     found = [(files.get(f"{group.raw['name']}: {name}"), name.replace("_", " "), time, told) for name, time, told in steps]
     return found if all(file for file, *_ in found) else []

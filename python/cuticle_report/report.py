@@ -115,6 +115,8 @@ def curve_figure(study, plot, files):
     figure = curves.interactive(plot)
     rows = [[curve["name"], x, y] for curve in plot["curves"] for x, y in zip(curve["x"], curve["y"])]
     name = f"{study.name}-{plot['name']}"
+    if name in [findings.group_id(study, group) for group in study.groups]:
+        name += "-curves"
     downloads = downloads_of(study.folder, name, files, ["curve", plot["x_label"], plot["y_label"]], rows)
     return Figure(name, plot["title"], "", look.plot_html(figure), downloads)
 
