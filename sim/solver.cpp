@@ -1,5 +1,7 @@
 #include "sim/solver.h"
 
+#include "sim/negligible.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +13,18 @@ namespace cuticle::sim {
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions) {
   CUTICLE_EXPECT(positions.size() == rest.vertex_count(), "one position per vertex of the rest pose");
   std::vector<float> ratios(positions.size(), 1.f);
-  for (std::size_t s = 0; s < rest.strand_count(); ++s)
-    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i) {
-      const float length = glm::distance(rest.positions[i - 1], rest.positions[i]);
-      if (length > 0) ratios[i] = glm::distance(positions[i - 1], positions[i]) / length;
+  for (std::size_t s = 0; s < rest.strand_count(); ++s) {
+    double total = 0;
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i)
+      total += double(glm::distance(rest.positions[i - 1], rest.positions[i]));
+    std::size_t from = rest.offsets[s];
+    for (std::size_t i = from + 1; i < rest.offsets[s + 1]; ++i) {
+      const float length = glm::distance(rest.positions[from], rest.positions[i]);
+      if (!(double(length) > k_negligible_segment * total)) continue;
+      ratios[i] = glm::distance(positions[from], positions[i]) / length;
+      from = i;
     }
+  }
   return ratios;
 }
 
