@@ -10,7 +10,7 @@
 #include "core/json/json.h"
 #include "plan/simulation.h"
 #include "sim/rod/equilibrium.h"
-#include "sim/rod/holding.h"
+#include "sim/rod/hold.h"
 #include "strands/formats/formats.h"
 #include "strands/formats/vtp/vtp.h"
 

@@ -10,7 +10,7 @@
 #include "sim/colliders/distance_field.h"
 #include "sim/control/control.h"
 #include "sim/rod/equilibrium.h"
-#include "sim/rod/holding.h"
+#include "sim/rod/hold.h"
 #include "sim/solver.h"
 #include "sim/telemetry.h"
 #include "strands/formats/formats.h"

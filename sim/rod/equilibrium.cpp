@@ -9,6 +9,7 @@
 
 #include "core/interrupt.h"
 #include "sim/rod/holding.h"
+#include "sim/rod/rod.h"
 #include "sim/rod/strand_energy.h"
 
 namespace cuticle::sim::rod {

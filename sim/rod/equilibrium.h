@@ -5,7 +5,6 @@
 
 #include "core/progress.h"
 #include "sim/colliders/placed.h"
-#include "sim/rod/rod.h"
 
 namespace cuticle::sim::rod {
 

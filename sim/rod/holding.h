@@ -2,15 +2,10 @@
 // A groom that holds: the natural shape that balances the rest pose, and so much stiffness that the balance is stable.
 #include <vector>
 
+#include "sim/rod/hold.h"
 #include "sim/rod/rod.h"
 
 namespace cuticle::sim::rod {
-
-/// Of a strand: the factor on EI and GJ, and whether its rest pose is then stable.
-struct Hold {
-  float stiffening = 1;
-  bool is_stable = true;
-};
 
 template <class Real>
 struct HeldHinges {
@@ -25,9 +20,5 @@ struct HeldHinges {
 /// hinge by hinge. Without balanced gravity nothing is done.
 template <class Real>
 HeldHinges<Real> make_held_hinges(const chains::Chains<Real>& chains, const Settings& settings);
-
-/// The same without a solver: what it would add to each strand. Error: that of strands::validate, usage of settings.
-Result<std::vector<Hold>> find_holds(const strands::Groom& rest, const registry::ParameterValues& solver,
-                                     const EffectBlocks& effects);
 
 }  // namespace cuticle::sim::rod

@@ -1,6 +1,6 @@
 // Grooms that gravity would tip over are stiffened as little as holds them.
-#include "sim/rod/holding.h"
 #include "sim/classic/test_strands.h"
+#include "sim/rod/hold.h"
 
 namespace cuticle::sim::holding_test {
 namespace {
