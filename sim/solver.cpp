@@ -1,7 +1,5 @@
 #include "sim/solver.h"
 
-#include "sim/negligible.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +8,11 @@
 
 namespace cuticle::sim {
 
+namespace {
+/// Of a strand's length: files have segments of 1e-7 m, of which the length is rounding. Shorter ones do not stretch.
+constexpr double k_negligible_segment = 1e-4;
+}  // namespace
+
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions) {
   CUTICLE_EXPECT(positions.size() == rest.vertex_count(), "one position per vertex of the rest pose");
   std::vector<float> ratios(positions.size(), 1.f);
@@ -17,12 +20,10 @@ std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3
     double total = 0;
     for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i)
       total += double(glm::distance(rest.positions[i - 1], rest.positions[i]));
-    std::size_t from = rest.offsets[s];
-    for (std::size_t i = from + 1; i < rest.offsets[s + 1]; ++i) {
-      const float length = glm::distance(rest.positions[from], rest.positions[i]);
-      if (!(double(length) > k_negligible_segment * total)) continue;
-      ratios[i] = glm::distance(positions[from], positions[i]) / length;
-      from = i;
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i) {
+      const float length = glm::distance(rest.positions[i - 1], rest.positions[i]);
+      if (double(length) > k_negligible_segment * total)
+        ratios[i] = glm::distance(positions[i - 1], positions[i]) / length;
     }
   }
   return ratios;

@@ -4,14 +4,13 @@
 #include <glm/geometric.hpp>
 
 #include "sim/chains/chains.h"
-#include "sim/negligible.h"
 
 #include "sim/classic/verlet.glslh"
 
 namespace cuticle::sim::chains {
 namespace {
 
-constexpr double k_welded = k_negligible_segment;  // of the strand's length
+constexpr double k_welded = 1e-7;  // of the strand's length
 
 /// One strand's chain: vertex 0 is the anchor.
 struct Chain {
@@ -33,8 +32,8 @@ Chain chain_of(std::span<const glm::vec3> strand, std::size_t anchor, std::span<
   double arc = arc_length(strand.first(anchor + 1));
   Chain chain{{glm::dvec3(0)}, {0}, {0}, glm::dvec3(strand[anchor])};
   for (std::size_t i = anchor + 1; i < strand.size(); ++i) {
-    arc += glm::distance(glm::dvec3(strand[i - 1]), glm::dvec3(strand[i]));
-    const double length = glm::distance(chain.places.back() + chain.anchor, glm::dvec3(strand[i]));
+    const double length = glm::distance(glm::dvec3(strand[i - 1]), glm::dvec3(strand[i]));
+    arc += length;
     if (length > k_welded * total) {
       chain.places.push_back(glm::dvec3(strand[i]) - chain.anchor);
       chain.lengths.push_back(length);

@@ -39,8 +39,8 @@ struct BlockPlace {
   std::uint32_t links = 0, first_vertex = 0, strands = 0, unused = 0;
 };
 
-/// What lies no farther than k_negligible_segment of the strand from a vertex of the chain is welded to it. Masses are
-/// half of the adjacent rest lengths.
+/// Segments no longer than 1e-7 of the strand are welded: their ends are one vertex of the chain. Masses are half of
+/// the adjacent rest lengths.
 template <class Real>
 struct Chains {
   std::vector<ChainPlace> places;              ///< one per strand

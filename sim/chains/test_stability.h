@@ -3,7 +3,6 @@
 #include <random>
 
 #include "sim/classic/test_strands.h"
-#include "sim/negligible.h"
 
 namespace cuticle::sim::testing {
 
@@ -12,7 +11,7 @@ inline const std::vector<double> k_durations = {1e-3, 1.0 / 60, 0.1, 1, 100};
 /// One substep a frame, whatever its duration.
 inline std::string settings(const std::string& more) { return "inner_step=100,max_substeps=1," + more; }
 
-/// Largest |ratio - 1| over its bound max(1e-5, 4 2^-24 L / l), and length of negligible segments over theirs at most.
+/// Largest |ratio - 1| over its bound max(1e-5, 4 2^-24 L / l), and length of segments without rest length over 1e-7 L.
 inline double worst_over_bound(const strands::Groom& rest, const State& state) {
   double worst = 0;
   for (std::size_t s = 0; s < rest.strand_count(); ++s) {
@@ -21,17 +20,12 @@ inline double worst_over_bound(const strands::Groom& rest, const State& state) {
       return glm::distance(glm::dvec3(places[i - 1]), glm::dvec3(places[i]));
     };
     for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i) total += length(rest.positions, i);
-    std::size_t from = rest.offsets[s];
-    for (std::size_t i = from + 1; i < rest.offsets[s + 1]; ++i) {
-      const auto since = [&](std::span<const glm::vec3> places) {
-        return glm::distance(glm::dvec3(places[from]), glm::dvec3(places[i]));
-      };
-      const double own = since(rest.positions), now = since(state.positions);
-      if (own > k_negligible_segment * total) from = i;
-      if (own > k_negligible_segment * total)
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i) {
+      const double own = length(rest.positions, i), now = length(state.positions, i);
+      if (own > 1e-7 * total)
         worst = std::max(worst, std::abs(now / own - 1) / std::max(1e-5, 4 * std::pow(2.0, -24) * total / own));
       else if (total > 0)
-        worst = std::max(worst, now / (k_negligible_segment * total));
+        worst = std::max(worst, now / (1e-7 * total));
     }
   }
   return worst;

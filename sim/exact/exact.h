@@ -19,7 +19,7 @@ chains::ChainSettings make_settings(const registry::ParameterValues& values, con
 /// "wind", "water". Runs blocks of strands in parallel; the result is bit-identical at any number of threads, and a
 /// strand's does not depend on those beside it (beside spheres: but for rounding, by which of a block's 16 strands can
 /// reach one). Every segment keeps its rest length to max(1e-5, 4 2^-24 L / l) of it in float, relative to the anchor,
-/// at any duration (ExactStability, tests); segments below k_negligible_segment of the strand are welded, of no length.
+/// at any duration (ExactStability, tests); segments shorter than 1e-7 of the strand are welded and stay of no length.
 /// A strand whose state is not finite after a frame is put back into the rest pose carried by the head, with the head's
 /// velocity, and counted. Error: that of strands::validate.
 Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registry::ParameterValues& solver,
