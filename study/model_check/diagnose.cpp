@@ -144,7 +144,9 @@ double off_the_cone(const Batch& scattering, const bsdf::Point& view) {
 
 /// Only with the axes exchanged once more S lies about the cone of mirror directions.
 Finding frame(const Case& at) {
-  const std::optional<Scatterer> scatterer = at.subject.make({Absorption::none, Roughness::usual, Tilt::none});
+  std::optional<Scatterer> scatterer = at.subject.make({Absorption::none, Roughness::usual, Tilt::none});
+  if (!scatterer) scatterer = at.subject.make({});
+  if (!scatterer) return {};
   const Batch unswapped = [&](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
     std::vector<bsdf::Point> others(points.size());
     std::transform(points.begin(), points.end(), others.begin(), with_axes_swapped);
