@@ -310,8 +310,11 @@ def paraview(folder, full):
         raise NotRun("pvpython; Debian 12's python3-paraview takes libvtk9-dev away, which builds Cuticle: install it elsewhere, or put that back afterwards")
     work.must("simulate", work.ROOT / "scenes/head_turn.json", "--frames", "0:2", "--out", folder / "run")
     work.must("view", "strands", folder / "groom.npz", "--export", folder / "view")
-    done = subprocess.run(["xvfb-run", "-a", program, "--force-offscreen-rendering", HERE / "paraview_open.py", next((folder / "view").glob("*.py")), folder,
-                           folder / "run/states.pvd"], capture_output=True, text=True, timeout=300)
+    for _ in range(3):  # xvfb-run -a of two programs at once may choose one display, which the second is not let into
+        done = subprocess.run(["xvfb-run", "-a", program, "--force-offscreen-rendering", HERE / "paraview_open.py", next((folder / "view").glob("*.py")), folder,
+                               folder / "run/states.pvd"], capture_output=True, text=True, timeout=300)
+        if (folder / "paraview.json").exists():
+            break
     if not (folder / "paraview.json").exists():
         raise RuntimeError(done.stdout[-700:] + done.stderr[-700:])
     found, arrays = json.loads((folder / "paraview.json").read_text()), numpy.load(folder / "paraview.npz")
