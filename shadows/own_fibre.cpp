@@ -53,9 +53,13 @@ LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std
   const glm::vec3 along = own_along(asked.groom, *own);
   if (along == glm::vec3(0)) return place;  // a puff
   const float radius = asked.groom.radii[own->vertex];
-  place.held = half_crossing(along, light_way(axes, place.point), radius);
+  const glm::vec3 way = light_way(axes, place.point);
+  place.held = half_crossing(along, way, radius);
   place.is_seen = asked.receivers.seen_from.has_value();
-  if (place.is_seen) place.point += to_seen_surface(place.point, along, glm::vec3(*asked.receivers.seen_from), radius);
+  if (!place.is_seen) return place;
+  const glm::vec3 eye(*asked.receivers.seen_from), view = eye - on_axis;
+  place.power = seen_power(-glm::dot(view, way) / std::max(glm::length(view), 1e-20f));
+  place.point += to_seen_surface(on_axis, along, eye, radius);
   return place;
 }
 
