@@ -56,10 +56,10 @@ Probes places_of(const strands::Groom& groom, const Asked& asked) {
   return places;
 }
 
-shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_lamp) {
+shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_point_light) {
   shadows::Casters casters{.groom = &file.groom, .alpha = alpha};
-  if (is_lamp)
-    casters.lamp = vector_of(light);
+  if (is_point_light)
+    casters.point_light = vector_of(light);
   else
     casters.to_light = value_or_raise(shadows::unit_to_light(vector_of(light)));
   return casters;
@@ -92,12 +92,12 @@ nb::dict in_dictionary(shadows::Transmittance result, const Probes& places) {
 }
 
 nb::dict transmittance(const GroomFile& file, const std::string& method_name, const std::string& settings, double alpha,
-                       const Triple& light, bool is_lamp, const std::optional<Floats>& points,
+                       const Triple& light, bool is_point_light, const std::optional<Floats>& points,
                        const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
                        std::size_t receivers) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
-  const shadows::Casters casters = casters_of(file, alpha, light, is_lamp);
+  const shadows::Casters casters = casters_of(file, alpha, light, is_point_light);
   const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
   return in_dictionary(
       value_or_raise(interruptible([&] { return method->evaluate(casters, places.receivers(), values); })), places);
@@ -105,12 +105,12 @@ nb::dict transmittance(const GroomFile& file, const std::string& method_name, co
 
 /// Of three opacities: rows of red, green and blue.
 nb::object coloured(const GroomFile& file, const std::string& method_name, const std::string& settings,
-                    const Triple& alpha, const Triple& light, bool is_lamp, const std::optional<Floats>& points,
+                    const Triple& alpha, const Triple& light, bool is_point_light, const std::optional<Floats>& points,
                     const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
                     std::size_t receivers) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
-  const shadows::Casters casters = casters_of(file, alpha[0], light, is_lamp);
+  const shadows::Casters casters = casters_of(file, alpha[0], light, is_point_light);
   const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
   const auto result = value_or_raise(interruptible(
       [&] { return shadows::evaluate_channels(*method, casters, vector_of(alpha), places.receivers(), values); }));

@@ -1,4 +1,6 @@
 """Shadow methods on arrays of points: how much of a light reaches them through hair."""
+import warnings
+
 import numpy
 
 from . import _cuticle
@@ -10,11 +12,11 @@ from ._registries import methods
 __all__ = ["footprint_radius", "methods", "transmittance", "truth"]
 
 
-def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, lamp=False, seen_from=None, camera=None, receivers=2000,
+def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, point_light=False, seen_from=None, camera=None, receivers=2000,
                   details=False, progress=None, **settings):
     """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
 
-    light: direction to the light (of any length), or with lamp=True its place in metres. points: (n, 3), metres; none: the
+    light: direction to the light (of any length), or with point_light=True its place in metres. points: (n, 3), metres; none: the
     groom's vertices, where a fibre does not shadow itself. seen_from: a viewer's place, metres, who sees these vertices' surface,
     as pictures do. camera: direction to an orthographic camera, instead: at most `receivers` points that its pixels see. alpha:
     opacity of one fibre crossing, 0 .. 1, or (3) for red, green and blue. Result: float32 (n), or (n, 3) of three opacities; with
@@ -24,7 +26,10 @@ def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *,
         cuticle.shadows.transmittance(groom, (1, 1, 0.3), points, method="deep_opacity", layers=16, resolution=512)
         cuticle.shadows.transmittance(groom, (1, 1, 0.3), camera=(1, 0.3, 1), alpha=1, resolution=512).mean()
     """
-    arguments = (triple("light", light), bool(lamp), *_places(points, seen_from, camera, receivers))
+    if "lamp" in settings:
+        warnings.warn("'lamp' is called 'point_light' now; the next version no longer reads the former name", stacklevel=2)
+        point_light = settings.pop("lamp")
+    arguments = (triple("light", light), bool(point_light), *_places(points, seen_from, camera, receivers))
     opacity = numbers("alpha", alpha)
     if opacity.ndim == 0:
         with ticking(progress, method):

@@ -74,8 +74,8 @@ def test_Transmittance_OfThreeOpacities_AtWhatACameraSees():
     assert cuticle.shadows.transmittance(sheet(), camera=(0, 1, 0), receivers=50, alpha=(0.2, 0.4, 0.6)).shape[1] == 3
 
 
-def test_Transmittance_OfALamp_DependsOnItsPlace():
-    lit, dark = (cuticle.shadows.transmittance(sheet(), (0, y, 0), BELOW, "deep_opacity", lamp=True).mean() for y in (-1, 1))
+def test_Transmittance_OfAPointLight_DependsOnItsPlace():
+    lit, dark = (cuticle.shadows.transmittance(sheet(), (0, y, 0), BELOW, "deep_opacity", point_light=True).mean() for y in (-1, 1))
     assert dark < lit
 
 
