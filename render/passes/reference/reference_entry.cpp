@@ -4,6 +4,7 @@
 
 #include "render/frame.h"
 #include "shadows/method.h"
+#include "strands/rays/curve_kind.h"
 
 namespace cuticle::render::reference {
 
@@ -35,13 +36,18 @@ void describe(registry::Members& members, Parameters& p) {
           "of models that have both; near: at the offset of the hit; far: the mean over the fibre's width");
   members(p.lamp_radius, "lamp_radius", "m", 0, 10, "of every lamp, a sphere of even radiance; 0: points");
   members(p.sun_angle, "sun_angle", "rad", 0, 1.5, "half the angle under which distant lights are seen; 0: points");
-  members(p.clamp_indirect, "clamp_indirect", "1", 0, 1e6,
-          "radiance that a path brings at most by light that scattered more than once; less noise, too dark; 0: no limit");
+  members(
+      p.clamp_indirect, "clamp_indirect", "1", 0, 1e6,
+      "radiance that a path brings at most by light that scattered more than once; less noise, too dark; 0: no limit");
   members(p.tables, "tables",
           "lookup tables of the material's layout and size, of the far field, in the place of the model");
   members(p.shadow, "shadow", shadow_choices(),
           "what of a light arrives at hair: by rays, or by a shadow method at the vertices; with the parameters "
           "of shadow.method where it is the scene's, and with fibre_alpha");
+  members(
+      p.curves, "curves", strands::curve_kind_names(),
+      "what a strand's vertices are: ends of straight pieces, or control points of cubic curves; round, or flat and "
+      "facing every ray");
 }
 
 const Pass& entry() {
