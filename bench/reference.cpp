@@ -104,7 +104,7 @@ void print_ambient(const strands::Groom& hair) {
   print_row("kajiya_kay and surroundings", scene, 1, 8);
 }
 
-/// The same curve as that of Catmull and Rom through a strand's points, ends as strands/rays/curve_kind.h has them.
+/// The same curve as that of Catmull and Rom through a strand's points, ends as strands/curve_kind.h has them.
 strands::Groom bezier_of(const strands::Groom& hair) {
   strands::Groom bezier;
   for (std::size_t s = 0; s < hair.strand_count(); ++s) {

@@ -12,7 +12,7 @@
 #include "render/reference/random_numbers.h"
 #include "render/reference/restrictions.h"
 #include "render/reference/traced_scene.h"
-#include "strands/rays/curve_kind.h"
+#include "strands/curve_kind.h"
 
 namespace cuticle::render::reference {
 

@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "strands/rays/curve_kind.h"
+#include "strands/curve_kind.h"
 
 namespace cuticle::strands {
 

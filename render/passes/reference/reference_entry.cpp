@@ -4,7 +4,7 @@
 
 #include "render/frame.h"
 #include "shadows/method.h"
-#include "strands/rays/curve_kind.h"
+#include "strands/curve_kind.h"
 
 namespace cuticle::render::reference {
 

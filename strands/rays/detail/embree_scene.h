@@ -9,9 +9,9 @@
 #include <glm/vec4.hpp>
 
 #include "core/result.h"
+#include "strands/curve_kind.h"
 #include "strands/groom.h"
 #include "strands/mesh.h"
-#include "strands/rays/curve_kind.h"
 #include "strands/rays/detail/embree.h"
 
 namespace cuticle::strands {

@@ -1,5 +1,5 @@
 #pragma once
-// What lies between the vertices of a strand for a ray: straight pieces or cubic curves, round or flat.
+// What lies between the vertices of a strand: straight pieces or cubic curves, round or flat.
 #include <cstdint>
 #include <span>
 #include <string_view>

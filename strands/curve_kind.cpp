@@ -1,4 +1,4 @@
-#include "strands/rays/curve_kind.h"
+#include "strands/curve_kind.h"
 
 #include <algorithm>
 #include <array>
