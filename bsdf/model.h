@@ -64,7 +64,7 @@ struct AzimuthMean {
 };
 
 /// A check of `cuticle check model` that this model does not meet by its nature, why, and with which value of one
-/// parameter ("variant=literal", "aspect!=1"; empty: always).
+/// parameter ("variant=as_published", "aspect!=1"; empty: always).
 struct Exception {
   std::string_view check, why, when = {};
 };

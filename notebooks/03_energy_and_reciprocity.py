@@ -38,7 +38,7 @@ WHITE = {"sigma_a": 0.0}
 # %%
 view = numpy.append(numpy.arange(0.0, 85.0, 5.0), [85.0, 87.0, 88.0, 89.0])
 energy = {
-    "Marschner, as printed": cuticle.albedo("marschner", view, {**WHITE, "variant": "literal"})[:, 0],
+    "Marschner, as printed": cuticle.albedo("marschner", view, {**WHITE, "variant": "as_published"})[:, 0],
     "Marschner, corrected": cuticle.albedo("marschner", view, WHITE)[:, 0],
     "d'Eon": cuticle.albedo("deon", view, WHITE)[:, 0],
 }

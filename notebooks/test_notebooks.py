@@ -13,7 +13,7 @@ from matplotlib import image, pyplot
 
 matplotlib.use("agg")
 HERE = pathlib.Path(__file__).parent
-FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar", "models_longitudinal", "models_azimuthal"], "02_literal_and_corrected": ["energy", "absorption"],
+FIGURES = {"01_lobes": ["longitudinal", "azimuthal", "caustic", "polar", "models_longitudinal", "models_azimuthal"], "02_as_published_and_corrected": ["energy", "absorption"],
            "03_energy_and_reciprocity": ["energy", "reciprocity", "suspects"], "04_tables": ["tables", "error"], "05_opacity_maps": ["counts", "points"],
            "06_ladder": ["pictures", "ladder"], "07_strand_truth": ["truths", "elastica", "stretch"], "08_head_turn": ["turn", "above"],
            "09_four_ways": ["pictures", "against_reference"], "10_fit_a_lobe": ["fit", "intervals"], "11_plan": ["passes", "cost"],

@@ -151,8 +151,10 @@ registry::Facts facts_of(const scene::Scene& scene) {
   add_ways_of_strands(scene, facts);
   facts["light"] = {!scene.lights.empty(),
                     scene.lights.empty() ? "the scene has no light" : counted(scene.lights.size(), "light")};
-  const auto lamps = std::ranges::count_if(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
-  facts["distant_lights"] = {lamps == 0, lamps == 0 ? "all lights are far away" : counted(std::size_t(lamps), "lamp")};
+  const auto point_lights =
+      std::ranges::count_if(scene.lights, [](const Light& light) { return light.point_light.has_value(); });
+  facts["distant_lights"] = {point_lights == 0, point_lights == 0 ? "all lights are far away"
+                                                                  : counted(std::size_t(point_lights), "point light")};
   facts["shadow_method"] = shadow_fact(scene);
   facts["coloured_shadow"] = facts["shadow_method"].holds ? opacities_fact(scene) : facts["shadow_method"];
   facts["motion"] = motion_fact(scene);

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"schema_version": 1, "material": {"model": {"marschner": {"etta": 1.5}}}})",
                     R"({"schema_version": 1, "material": {"layout": "nalo"}})",
                     R"({"schema_version": 1, "lights": [{"to_light": [0, 1, 0]}]})",
-                    R"({"schema_version": 1, "lamps": [{"intensity": [1, 1, 1]}]})",
+                    R"({"schema_version": 1, "point_lights": [{"intensity": [1, 1, 1]}]})",
                     R"({"schema_version": 1, "outputs": {"color": 1}})"));
 
 }  // namespace

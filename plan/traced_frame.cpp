@@ -75,7 +75,7 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .layers = scene.outputs.aovs,
                                           .far_field = parameters.far_field,
                                           .lens = lens_of(scene, camera),
-                                          .lamp_radius = parameters.lamp_radius,
+                                          .point_light_radius = parameters.point_light_radius,
                                           .sun_angle = parameters.sun_angle,
                                           .clamp_indirect = parameters.clamp_indirect};
   if (parameters.tables) options.tables = {scene.material.layout, scene.material.lut_size};

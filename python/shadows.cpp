@@ -41,10 +41,10 @@ Places places_of(const strands::Groom& groom, const std::optional<Floats>& point
   return points ? Places{.points = rows_of<glm::vec3>(*points, "points")} : all_vertices(groom);
 }
 
-shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_lamp) {
+shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_point_light) {
   shadows::Casters casters{.groom = &file.groom, .alpha = alpha};
-  if (is_lamp)
-    casters.lamp = vector_of(light);
+  if (is_point_light)
+    casters.point_light = vector_of(light);
   else
     casters.to_light = value_or_raise(shadows::unit_to_light(vector_of(light)));
   return casters;
@@ -70,10 +70,10 @@ nb::dict in_dictionary(shadows::Transmittance result) {
 }
 
 nb::dict transmittance(const GroomFile& file, const std::string& method_name, const std::string& settings, double alpha,
-                       const Triple& light, bool is_lamp, const std::optional<Floats>& points) {
+                       const Triple& light, bool is_point_light, const std::optional<Floats>& points) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
-  const shadows::Casters casters = casters_of(file, alpha, light, is_lamp);
+  const shadows::Casters casters = casters_of(file, alpha, light, is_point_light);
   const Places places = places_of(file.groom, points);
   return in_dictionary(
       value_or_raise(interruptible([&] { return method->evaluate(casters, places.receivers(), values); })));
@@ -81,10 +81,11 @@ nb::dict transmittance(const GroomFile& file, const std::string& method_name, co
 
 /// Of three opacities: rows of red, green and blue.
 nb::object coloured(const GroomFile& file, const std::string& method_name, const std::string& settings,
-                    const Triple& alpha, const Triple& light, bool is_lamp, const std::optional<Floats>& points) {
+                    const Triple& alpha, const Triple& light, bool is_point_light,
+                    const std::optional<Floats>& points) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
-  const shadows::Casters casters = casters_of(file, alpha[0], light, is_lamp);
+  const shadows::Casters casters = casters_of(file, alpha[0], light, is_point_light);
   const Places places = places_of(file.groom, points);
   const auto result = value_or_raise(interruptible(
       [&] { return shadows::evaluate_channels(*method, casters, vector_of(alpha), places.receivers(), values); }));

@@ -9,6 +9,8 @@
 #include "core/registry/read_json.h"
 #include "sim/colliders/distance_field.h"
 #include "sim/control/control.h"
+#include "sim/rod/equilibrium.h"
+#include "sim/rod/hold.h"
 #include "sim/solver.h"
 #include "sim/telemetry.h"
 #include "strands/formats/formats.h"
@@ -105,6 +107,37 @@ class Simulation {
   void set_moving(const Numbers& rows) {
     moving_ = spheres_of(rows);
     if (moving_from_.size() != moving_.size()) moving_from_ = moving_;
+  }
+
+  /// Places, and arrays with a number per strand, by name.
+  nb::dict at_rest(const nb::object& call) {
+    if (effect_->entry.name != "rod")
+      raise(usage_error(fmt::format("at_rest: solver '{}' has no equilibrium of its own", effect_->entry.name),
+                        "solver=\"rod\""));
+    CalledProgress progress(call);
+    const std::vector<sim::PlacedCollider> colliders =
+        sim::placed_colliders({.colliders = spheres_, .boxes = boxes_, .fields = fields_});
+    auto found =
+        value_or_raise(sim::rod::find_equilibrium(rest_, values_, effects_, {.colliders = colliders}, progress));
+    const auto holds = value_or_raise(sim::rod::find_holds(rest_, values_, effects_));
+    strands::Groom groom = rest_;
+    groom.positions = std::move(found.positions);
+    nb::dict result;
+    result["groom"] = in_file(std::move(groom));
+    const auto put = [&](const char* name, auto&& of_strand) {
+      std::vector<float> numbers;
+      for (std::size_t s = 0; s < holds.size(); ++s) numbers.push_back(float(of_strand(s)));
+      const std::size_t count = numbers.size();
+      result[name] = take(std::move(numbers), {count});
+    };
+    put("residual", [&](std::size_t s) { return found.strands[s].residual; });
+    put("steps", [&](std::size_t s) { return found.strands[s].steps; });
+    put("depth", [&](std::size_t s) { return found.strands[s].depth; });
+    put("balanced", [&](std::size_t s) { return found.strands[s].is_balanced; });
+    put("stable", [&](std::size_t s) { return found.strands[s].is_stable; });
+    put("stiffening", [&](std::size_t s) { return holds[s].stiffening; });
+    put("held", [&](std::size_t s) { return holds[s].is_stable; });
+    return result;
   }
 
   sim::State state() { return value_or_raise(solver_->state()); }
@@ -204,6 +237,7 @@ void add_simulation(nb::module_& module) {
       .def("set_moving", &Simulation::set_moving)
       .def("add_mesh", &Simulation::add_mesh)
       .def("clear_meshes", &Simulation::clear_meshes)
+      .def("at_rest", &Simulation::at_rest, nb::arg().none())
       .def("state", &Simulation::state)
       .def("groom", &Simulation::groom)
       .def("time", &Simulation::time)

@@ -4,9 +4,9 @@
 const uint k_max_lights = 8u;
 
 struct LightRow {
-  vec4 place;  // w = 0: unit direction to a distant light; 1: where a lamp stands, metres
-  vec4 power;  // rgb: irradiance on a plane facing the distant light, or the lamp's intensity, power per solid angle
-  vec4 cone;   // of a lamp: with the unit direction d away from it, clamp(xyz . d + w)^2 of its intensity goes there
+  vec4 place;  // w = 0: unit direction to a distant light; 1: where a point light stands, metres
+  vec4 power;  // rgb: irradiance on a plane facing the distant light, or the point light's intensity, power per solid angle
+  vec4 cone;   // of a point light: with the unit direction d away from it, clamp(xyz . d + w)^2 of its intensity goes there
 };
 
 struct Arriving {
@@ -14,7 +14,7 @@ struct Arriving {
   vec3 irradiance;  // on a plane facing the light, where nothing shadows
 };
 
-const float k_least_distance = 1e-3;  // metres: what lies nearer to a lamp is lit as from there
+const float k_least_distance = 1e-3;  // metres: what lies nearer to a point light is lit as from there
 
 Arriving arriving_at(vec3 point, LightRow light) {
   if (light.place.w == 0.0) return Arriving(light.place.xyz, light.power.rgb);
@@ -25,6 +25,6 @@ Arriving arriving_at(vec3 point, LightRow light) {
   return Arriving(to_light, light.power.rgb * (share * share / max(square, k_least_distance * k_least_distance)));
 }
 
-// Radiance as the targets' halves hold it: beside a lamp it passes the largest.
+// Radiance as the targets' halves hold it: beside a point light it passes the largest.
 vec3 held_by_halves(vec3 radiance) { return min(radiance, vec3(65504.0)); }
 #endif

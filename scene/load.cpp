@@ -191,19 +191,20 @@ void read_floor(const Reader& root, Scene& scene) {
 }
 
 /// Some shadow methods take distant lights alone, and say so by demanding them.
-Result<void> check_lamps(const Reader& root, const registry::Entry& method, const Scene& scene) {
-  const bool has_lamp = std::ranges::any_of(scene.lights, [](const Light& light) { return light.lamp.has_value(); });
-  if (!has_lamp || std::ranges::find(method.demands, "distant_lights") == method.demands.end()) return {};
-  return bad_input(
-      fmt::format("{}: shadow.method: '{}' takes distant lights alone; the scene has lamps", root.where, method.name),
-      "deep_opacity or shadow_map");
+Result<void> check_point_lights(const Reader& root, const registry::Entry& method, const Scene& scene) {
+  const bool has_point_light =
+      std::ranges::any_of(scene.lights, [](const Light& light) { return light.point_light.has_value(); });
+  if (!has_point_light || std::ranges::find(method.demands, "distant_lights") == method.demands.end()) return {};
+  return bad_input(fmt::format("{}: shadow.method: '{}' takes distant lights alone; the scene has point lights",
+                               root.where, method.name),
+                   "deep_opacity or shadow_map");
 }
 
 Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   if (!root.has("shadow")) return {};
   const Reader reader = root.child("shadow");
   scene.shadow = block_of(catalogue.methods, reader.value["method"]);
-  CUTICLE_TRY(check_lamps(root, entry_of(catalogue.methods, scene.shadow->name), scene));
+  CUTICLE_TRY(check_point_lights(root, entry_of(catalogue.methods, scene.shadow->name), scene));
   if (reader.has("fibre_alpha")) reader.get_rgb("fibre_alpha", scene.fibre_alpha.emplace(1));
   reader.get("caster_share", scene.caster_share);
   return {};

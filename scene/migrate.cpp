@@ -12,7 +12,7 @@ namespace {
 struct Renamed {
   std::string_view object, from, to;
 };
-/// What leads from one format to the next.
+/// What leads from one format to the next; of the newest: names that it has changed and reads for one version more.
 struct Migration {
   std::int64_t from;
   std::span<const Renamed> renamed;
@@ -20,7 +20,8 @@ struct Migration {
 
 /// Format 0, before the first release, kept the counts of drawn strands in an object of their own.
 constexpr Renamed k_from_0[] = {{"strands", "count", "strand_count"}, {"strands", "vertices", "strand_vertices"}};
-constexpr Migration k_migrations[] = {{0, k_from_0}};
+constexpr Renamed k_in_1[] = {{"", "lamps", "point_lights"}};
+constexpr Migration k_migrations[] = {{0, k_from_0}, {1, k_in_1}};
 
 void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes) {
   const Json* object = renamed.object.empty() ? &scene : scene.find(renamed.object);
@@ -39,13 +40,14 @@ void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes
 
 std::vector<std::string> migrate(Json& scene) {
   const Json* const version = scene.find("schema_version");
-  if (!version || !version->is_whole() || version->whole() >= k_schema_version) return {};
+  if (!version || !version->is_whole() || version->whole() > k_schema_version) return {};
   const std::int64_t given = version->whole();
   if (given < k_migrations[0].from) return {};
   std::vector<std::string> notes;
   for (const Migration& migration : k_migrations)
     if (migration.from >= given)
       for (const Renamed& renamed : migration.renamed) rename(scene, renamed, notes);
+  if (given == k_schema_version) return notes;
   scene["schema_version"] = Json(k_schema_version);
   notes.insert(notes.begin(),
                fmt::format("the scene is of format {}; it is read as format {}", given, k_schema_version));

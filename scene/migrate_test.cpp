@@ -1,4 +1,5 @@
 // Scenes of earlier formats are read as those of this one, and say what has changed.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,6 +21,17 @@ TEST(Migration, EarlierVersion_IsBroughtUpAndSaysWhatChanged) {
                                   "/", "s.json", Catalogue());
   EXPECT_EQ(as_now->strand_count, scene->strand_count);
   EXPECT_TRUE(as_now->notes.empty());
+}
+
+TEST(Migration, FormerNameOfThisVersion_IsReadAndSaid) {
+  constexpr std::string_view k_light = R"([{"position_m": [0, 2, 0], "intensity": [1, 2, 3]}])";
+  const auto scene =
+      parse_scene(fmt::format(R"({{"schema_version": 1, "lamps": {}}})", k_light), "/", "s.json", Catalogue());
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_TRUE(scene->lights.back().point_light);
+  EXPECT_THAT(scene->notes, testing::ElementsAre("'lamps' is called 'point_lights' now"));
+  EXPECT_FALSE(parse_scene(fmt::format(R"({{"schema_version": 1, "lamps": {0}, "point_lights": {0}}})", k_light), "/",
+                           "s.json", Catalogue()));
 }
 
 TEST(Migration, KeyOfAnEarlierVersion_IsRefusedInThisOneAndBesideItsNewName) {

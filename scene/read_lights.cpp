@@ -7,8 +7,8 @@ namespace cuticle::scene {
 
 namespace {
 
-/// The cone of a spot, from its lamp.
-Result<void> read_spot(const Reader& light, const std::string& path, Lamp& lamp) {
+/// The cone of a spot, from its point light.
+Result<void> read_spot(const Reader& light, const std::string& path, PointLight& point_light) {
   if (!light.has("spot")) return {};
   const Reader reader = light.child("spot");
   glm::dvec3 to(0);
@@ -19,20 +19,20 @@ Result<void> read_spot(const Reader& light, const std::string& path, Lamp& lamp)
   if (inner >= outer)
     return bad_input(
         fmt::format("{}: {}.spot.inner_deg = {} is not below outer_deg = {}", light.where, path, inner, outer));
-  if (!(glm::length(to - lamp.position) > 0))
-    return bad_input(fmt::format("{}: {}.spot.to_m is where the lamp stands", light.where, path));
-  lamp.axis = glm::normalize(to - lamp.position);
-  lamp.inner_angle = glm::radians(inner);
-  lamp.outer_angle = glm::radians(outer);
+  if (!(glm::length(to - point_light.position) > 0))
+    return bad_input(fmt::format("{}: {}.spot.to_m is where the point light stands", light.where, path));
+  point_light.axis = glm::normalize(to - point_light.position);
+  point_light.inner_angle = glm::radians(inner);
+  point_light.outer_angle = glm::radians(outer);
   return {};
 }
 
-Result<Lamp> read_lamp(const Reader& reader, const std::string& path) {
-  Lamp lamp;
-  reader.get("position_m", lamp.position);
-  reader.get("intensity", lamp.intensity);
-  CUTICLE_TRY(read_spot(reader, path, lamp));
-  return lamp;
+Result<PointLight> read_point_light(const Reader& reader, const std::string& path) {
+  PointLight point_light;
+  reader.get("position_m", point_light.position);
+  reader.get("intensity", point_light.intensity);
+  CUTICLE_TRY(read_spot(reader, path, point_light));
+  return point_light;
 }
 
 Result<void> read_distant_lights(const Reader& root, Scene& scene) {
@@ -48,16 +48,16 @@ Result<void> read_distant_lights(const Reader& root, Scene& scene) {
   return {};
 }
 
-Result<void> read_lamps(const Reader& root, Scene& scene) {
+Result<void> read_point_lights(const Reader& root, Scene& scene) {
   std::size_t count = 0;
-  for (const Reader& reader : items(root, "lamps")) {
+  for (const Reader& reader : items(root, "point_lights")) {
     Light light;
     reader.get("name", light.name);
-    CUTICLE_ASSIGN(light.lamp, read_lamp(reader, fmt::format("lamps[{}]", count++)));
+    CUTICLE_ASSIGN(light.point_light, read_point_light(reader, fmt::format("point_lights[{}]", count++)));
     scene.lights.push_back(light);
   }
   if (scene.lights.size() <= k_max_lights) return {};
-  return bad_input(fmt::format("{}: lamps: {} beside {} of `lights`; allowed are {} in all", root.where, count,
+  return bad_input(fmt::format("{}: point_lights: {} beside {} of `lights`; allowed are {} in all", root.where, count,
                                scene.lights.size() - count, k_max_lights));
 }
 
@@ -79,8 +79,9 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
   reader.get("turn_deg", environment.turn_degrees);
   reader.get("scale", environment.scale);
   if (scene.lights.size() + std::size_t(environment.lights) > k_max_lights)
-    return bad_input(fmt::format("{}: environment.lights: {} beside {} of `lights` and `lamps`; allowed are {} in all",
-                                 root.where, environment.lights, scene.lights.size(), k_max_lights));
+    return bad_input(
+        fmt::format("{}: environment.lights: {} beside {} of `lights` and `point_lights`; allowed are {} in all",
+                    root.where, environment.lights, scene.lights.size(), k_max_lights));
   CUTICLE_ASSIGN(const std::string name, surroundings_file(reader, scene));
   CUTICLE_ASSIGN(const Image picture, surroundings_of(name));
   const auto lights = environment_lights(picture, environment);
@@ -94,7 +95,7 @@ Result<void> read_environment(const Reader& root, Scene& scene) {
 
 Result<void> read_lights(const Reader& root, Scene& scene) {
   CUTICLE_TRY(read_distant_lights(root, scene));
-  CUTICLE_TRY(read_lamps(root, scene));
+  CUTICLE_TRY(read_point_lights(root, scene));
   return read_environment(root, scene);
 }
 

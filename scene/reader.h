@@ -83,7 +83,7 @@ Result<void> read_colliders(const Reader& reader, Scene& scene);
 /// The camera and its path. `reader`: of "camera".
 Result<void> read_camera(const Reader& reader, Scene& scene);
 
-/// The scene's distant lights, lamps and environment.
+/// The scene's distant lights, point lights and environment.
 Result<void> read_lights(const Reader& root, Scene& scene);
 
 }  // namespace cuticle::scene

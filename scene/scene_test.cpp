@@ -215,31 +215,34 @@ TEST(Scene, EnvironmentWithoutAFile_IsTheBuiltInSky) {
   EXPECT_EQ(scene->lights[1].name, "environment 2");
 }
 
-TEST(Scene, Lamp_IsALightWithAPlaceAndASpotACone) {
-  const auto scene = parsed(R"("lamps": [{"position_m": [0, 2, 0], "intensity": [1, 2, 3]}, {"position_m": [1, 2, 0],
+TEST(Scene, PointLight_IsALightWithAPlaceAndASpotACone) {
+  const auto scene =
+      parsed(R"("point_lights": [{"position_m": [0, 2, 0], "intensity": [1, 2, 3]}, {"position_m": [1, 2, 0],
     "intensity": [1, 1, 1], "spot": {"to_m": [1, 0, 0], "inner_deg": 30, "outer_deg": 45}}],
     "lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}])");
   ASSERT_TRUE(scene) << scene.error().message;
   ASSERT_EQ(scene->lights.size(), 3u);
-  ASSERT_TRUE(scene->lights[1].lamp && scene->lights[2].lamp && !scene->lights[0].lamp);
-  EXPECT_EQ(scene->lights[1].lamp->intensity, glm::dvec3(1, 2, 3));
-  EXPECT_EQ(scene->lights[1].lamp->outer_angle, k_all_around);
-  EXPECT_EQ(scene->lights[2].lamp->axis, glm::dvec3(0, -1, 0));
-  EXPECT_NEAR(scene->lights[2].lamp->outer_angle, 0.7853981633974483, 1e-15);
+  ASSERT_TRUE(scene->lights[1].point_light && scene->lights[2].point_light && !scene->lights[0].point_light);
+  EXPECT_EQ(scene->lights[1].point_light->intensity, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene->lights[1].point_light->outer_angle, k_all_around);
+  EXPECT_EQ(scene->lights[2].point_light->axis, glm::dvec3(0, -1, 0));
+  EXPECT_NEAR(scene->lights[2].point_light->outer_angle, 0.7853981633974483, 1e-15);
 }
 
-TEST(Scene, BadLamp_IsRefused) {
-  const std::string lamp = R"({"position_m": [0, 2, 0], "intensity": [1, 1, 1])",
-                    spot = lamp + R"(, "spot": {"to_m": )";
-  expect_refused(R"("lamps": [{"position_m": [0, 2, 0]}])", {"lamps[0].intensity", "missing"});
-  expect_refused(R"("lamps": [)" + spot + R"([0, 2, 0], "outer_deg": 20}}])", {"lamps[0].spot.to_m", "stands"});
-  expect_refused(R"("lamps": [)" + spot + R"([0, 0, 0], "outer_deg": 20, "inner_deg": 20}}])",
-                 {"lamps[0].spot.inner_deg", "20", "below"});
-  expect_refused(R"("shadow": {"method": {"distant": {}}}, "lamps": [)" + lamp + "}]", {"'distant'", "distant lights"});
-  std::string nine = lamp + "}";
-  for (int k = 1; k < 8; ++k) nine += ", " + lamp + "}";
-  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}], "lamps": [)" + nine + "]",
-                 {"lamps", "8 in all"});
+TEST(Scene, BadPointLight_IsRefused) {
+  const std::string point_light = R"({"position_m": [0, 2, 0], "intensity": [1, 1, 1])",
+                    spot = point_light + R"(, "spot": {"to_m": )";
+  expect_refused(R"("point_lights": [{"position_m": [0, 2, 0]}])", {"point_lights[0].intensity", "missing"});
+  expect_refused(R"("point_lights": [)" + spot + R"([0, 2, 0], "outer_deg": 20}}])",
+                 {"point_lights[0].spot.to_m", "stands"});
+  expect_refused(R"("point_lights": [)" + spot + R"([0, 0, 0], "outer_deg": 20, "inner_deg": 20}}])",
+                 {"point_lights[0].spot.inner_deg", "20", "below"});
+  expect_refused(R"("shadow": {"method": {"distant": {}}}, "point_lights": [)" + point_light + "}]",
+                 {"'distant'", "distant lights"});
+  std::string nine = point_light + "}";
+  for (int k = 1; k < 8; ++k) nine += ", " + point_light + "}";
+  expect_refused(R"("lights": [{"to_light": [0, 1, 0], "irradiance": [1, 1, 1]}], "point_lights": [)" + nine + "]",
+                 {"point_lights", "8 in all"});
 }
 
 TEST(Scene, VariableInAFileName_IsReplacedOrNamed) {

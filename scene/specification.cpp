@@ -85,7 +85,8 @@ Spec groom() {
             .table = registry::table_of<strands::Style>()};
   return object(
       "groom", "the hair: a file, or grown on the head",
-      {file("file", "strands: a groom file, of any format of strands/formats"), real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
+      {file("file", "strands: a groom file, of any format of strands/formats"),
+       real("metres_per_unit", 0, 1000, "scale of the file; 0 = guess"),
        real("radius_m", 0, 1e-3, "fibre radius; 0 = the file's own, or 35 micrometres"),
        boolean("interpolate",
                "the file's strands are control hairs: smoothed, strand_count strands between them; false unless given: "
@@ -202,23 +203,24 @@ Spec lights() {
   return array("lights", k_max_lights, "lights; none: no shading by light and no shadow", std::move(light));
 }
 
-Spec lamps() {
+Spec point_lights() {
   Spec spot = object("spot", "shines to one side; absent: all around",
                      {required(numbers("to_m", 3, -k_metres, k_metres, "what the middle of its cone points at")),
                       required(real("outer_deg", 0.1, 179, "from its middle to where it ends")),
                       real("inner_deg", 0, 179, "up to here in full, below outer_deg; 0 unless given")});
-  Spec lamp =
+  Spec point_light =
       object("", "a light with a place",
              {text("name", "for messages"), required(numbers("position_m", 3, -k_metres, k_metres, "where it stands")),
               required(numbers("intensity", 3, 0, 1e6,
                                "irradiance at 1 m, linear Rec.709; falls as 1 / distance^2, within 1 mm as at 1 mm")),
               std::move(spot)});
-  return array("lamps", k_max_lights, "lights with a place, eight with `lights` and `environment`", std::move(lamp));
+  return array("point_lights", k_max_lights, "lights with a place, eight with `lights` and `environment`",
+               std::move(point_light));
 }
 
 Spec environment() {
   return object(
-      "environment", "light from all around, as distant lights beside `lights` and `lamps`, eight in all",
+      "environment", "light from all around, as distant lights beside `lights` and `point_lights`, eight in all",
       {file("file",
             "picture in latitude and longitude, linear radiance: top row up, middle at +z; absent: a built-in sky"),
        boolean("or_sky", "the built-in sky where the file is not there; false unless given"),
@@ -312,7 +314,7 @@ Spec specification(const Catalogue& catalogue) {
        fins(),
        floor(),
        lights(),
-       lamps(),
+       point_lights(),
        environment(),
        shadow(catalogue),
        camera(),

@@ -36,7 +36,7 @@ LightAxes light_axes(const glm::dvec3& unit_to_light) {
 
 namespace {
 
-/// Unit, from the middle of what is lit to the lamp; up where they are at one place.
+/// Unit, from the middle of what is lit to the point light; up where they are at one place.
 glm::dvec3 direction_of(const glm::dvec3& from_middle) {
   const double distance = glm::length(from_middle);
   return distance > 1e-9 ? from_middle / distance : glm::dvec3(0, 1, 0);
@@ -58,11 +58,11 @@ Result<LightAxes> light_axes(const LightSource& light, const strands::Bounds& bo
   axes.origin = glm::vec3(-glm::dot(glm::dvec3(axes.right), place), -glm::dot(glm::dvec3(axes.up), place),
                           -glm::dot(glm::dvec3(axes.forward), place));
   const double distance = std::max(glm::length(from_middle), 0.5 * glm::length(upper - lower));
-  axes.reach = float(2 * std::max(distance, double(k_least_lamp_distance)));
+  axes.reach = float(2 * std::max(distance, double(k_least_point_light_distance)));
   return axes;
 }
 
-Error lamp_refused(std::string_view method) {
+Error point_light_refused(std::string_view method) {
   return usage_error(fmt::format("{}: a light with a place; this method takes distant lights", method),
                      "a method of the light's view: deep_opacity, shadow_map");
 }

@@ -21,7 +21,7 @@ struct PlaneAxes {
 };
 PlaneAxes plane_axes(const glm::dvec3& direction);
 
-/// A light as shadows see it: far away along `to_light`, not zero; or a lamp at `position`, metres, if given.
+/// A light as shadows see it: far away along `to_light`, not zero; or a point light at `position`, metres, if given.
 struct LightSource {
   glm::dvec3 to_light{0, 1, 0};
   std::optional<glm::dvec3> position = {};
@@ -34,13 +34,13 @@ struct LightAxes {
   float reach = 0;      ///< of seen_by_light: 0 for a distant light
 };
 LightAxes light_axes(const glm::dvec3& unit_to_light);
-/// The view of a light on what lies within the bounds: a lamp looks at their middle, or down from there. Its depth is
-/// the distance in floats, so that a lamp 1 km away sees in steps of .06 mm. Error: usage, for a direction that is
-/// zero, or a direction or place that is not finite or farther than 1e6 m from the origin.
+/// The view of a light on what lies within the bounds: a point light looks at their middle, or down from there. Its
+/// depth is the distance in floats, so that a point light 1 km away sees in steps of .06 mm. Error: usage, for a
+/// direction that is zero, or a direction or place that is not finite or farther than 1e6 m from the origin.
 Result<LightAxes> light_axes(const LightSource& light, const strands::Bounds& bounds);
 
-/// What a method says that takes no lamp (LightSource::position).
-Error lamp_refused(std::string_view method);
+/// What a method says that takes no point light (LightSource::position).
+Error point_light_refused(std::string_view method);
 
 /// A world point, metres, in the light's view (light_frame.glslh).
 glm::vec3 view_point(const LightAxes& axes, const glm::vec3& p);

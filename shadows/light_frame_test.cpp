@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "shadows/light_frame.h"
 #include "shadows/light_frame.glslh"
+#include "shadows/light_frame.h"
 
 namespace cuticle::shadows::light_frame_test {
 
@@ -83,7 +83,7 @@ TEST(LightFrame, OnePointOrNone_HasAnExtent) {
 }
 
 // Small steps to any side become steps of one length, so that a disc stays a disc.
-TEST(LightFrame, LampsView_KeepsSmallDiscsRound) {
+TEST(LightFrame, PointLightsView_KeepsSmallDiscsRound) {
   const LightAxes axes = light_axes(LightSource{{}, glm::dvec3(0, 0, 2)}, {glm::vec3(-1), glm::vec3(1)}).value();
   for (const glm::vec3 point : {glm::vec3(0), {0.7f, 0, 0.5f}, {0.3f, -1, 1.9f}, {1, 1, 2.4f}}) {
     const glm::vec3 seen = view_point(axes, point);
@@ -98,18 +98,19 @@ TEST(LightFrame, LampsView_KeepsSmallDiscsRound) {
   }
 }
 
-TEST(LightFrame, FarLampsView_IsThatOfADistantLight) {
+TEST(LightFrame, FarPointLightsView_IsThatOfADistantLight) {
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(1, 2, -0.5));
   const strands::Bounds bounds{glm::vec3(-0.1f), glm::vec3(0.1f)};
-  const LightAxes lamp = light_axes(LightSource{{}, 100.0 * to_light}, bounds).value(), distant = light_axes(to_light);
+  const LightAxes point_light = light_axes(LightSource{{}, 100.0 * to_light}, bounds).value(),
+                  distant = light_axes(to_light);
   for (const glm::vec3 point : {glm::vec3(0), {0.1f, 0.1f, -0.1f}, {-0.1f, 0.05f, 0.1f}}) {
-    const glm::vec3 apart = view_point(lamp, point) - view_point(distant, point);
+    const glm::vec3 apart = view_point(point_light, point) - view_point(distant, point);
     EXPECT_LT(glm::length(apart - glm::vec3(0, 0, 100)), 2e-4f);
-    EXPECT_NEAR(view_scale(view_point(lamp, point), lamp.reach), 1, 2e-3);
+    EXPECT_NEAR(view_scale(view_point(point_light, point), point_light.reach), 1, 2e-3);
   }
 }
 
-TEST(LightFrame, AtTheLampAndBehindIt_IsFiniteAndUnseen) {
+TEST(LightFrame, AtThePointLightAndBehindIt_IsFiniteAndUnseen) {
   const strands::Bounds bounds{glm::vec3(-1), glm::vec3(1)};
   const LightAxes axes = light_axes(LightSource{{}, glm::dvec3(0, 0, 0.5)}, bounds).value();
   for (const glm::vec3 point : {glm::vec3(0, 0, 0.5f), {0, 0, 1}, {0, 0.1f, 0.8f}, {0, 1e-7f, 0.5f}}) {

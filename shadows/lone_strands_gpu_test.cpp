@@ -70,10 +70,10 @@ TEST(LoneStrandsGpu, AnyMethodFilterAndOpacity_AreLit) {
       }
 }
 
-TEST(LoneStrandsGpu, UnderALamp_AreLit) {
-  const LightSource lamp{{0, 1, 0}, glm::dvec3(0.3, 0.4, 0.3)};
+TEST(LoneStrandsGpu, UnderAPointLight_AreLit) {
+  const LightSource point_light{{0, 1, 0}, glm::dvec3(0.3, 0.4, 0.3)};
   for (const std::string method : {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow"})
-    EXPECT_GT(light_left(method, "resolution=256", 1, lamp), 0.995) << method;
+    EXPECT_GT(light_left(method, "resolution=256", 1, point_light), 0.995) << method;
 }
 
 // The kernels would shadow the strands by themselves, did they not take their fibre out: half of these vertices name no

@@ -106,18 +106,19 @@ TEST(LoneStrands, TruthOfAnyFootprint_IsLit) {
     expect_lit("truth", "rays=64,footprint_radius_mm=" + disc, 1);
 }
 
-// The same under a lamp, whose rays are not parallel.
-TEST(LoneStrands, UnderALamp_AreLit) {
+// The same under a point light, whose rays are not parallel.
+TEST(LoneStrands, UnderAPointLight_AreLit) {
   const Lone lone = lone_strands();
   for (const Setting& setting : map_settings())
-    for (const glm::dvec3 lamp : {glm::dvec3(0.3, 0.4, 0.3), glm::dvec3(0.1, 3, 0.4)})
+    for (const glm::dvec3 point_light : {glm::dvec3(0.3, 0.4, 0.3), glm::dvec3(0.1, 3, 0.4)})
       for (const std::string map : {"resolution=256", "resolution=768,filter_texels=2.5"}) {
         const auto values = tests::values_of(setting.method, with(setting.full, map)).value();
         const auto result =
             (*find_method(setting.method))
-                ->evaluate({&lone.groom, 1, {0, 1, 0}, lamp}, {lone.groom.positions, lone.strands}, values);
+                ->evaluate({&lone.groom, 1, {0, 1, 0}, point_light}, {lone.groom.positions, lone.strands}, values);
         ASSERT_TRUE(result) << result.error().message;
-        EXPECT_GT(tests::mean(result->values), 0.995) << setting.method << " " << map << ", lamp at " << lamp.y;
+        EXPECT_GT(tests::mean(result->values), 0.995)
+            << setting.method << " " << map << ", point light at " << point_light.y;
       }
 }
 

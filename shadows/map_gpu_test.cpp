@@ -9,9 +9,9 @@
 #include "shadows/groom_gpu.h"
 #include "shadows/light_frame.h"
 #include "shadows/opacity_map/map.h"
+#include "tests/support/device_bound.h"
 #include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
-#include "tests/support/device_bound.h"
 
 namespace cuticle::shadows::map_gpu_test {
 
@@ -76,7 +76,7 @@ std::span<Scene> scenes() {
       {"opaque thick coat", tests::coat(200, 6, 0.03, 2e-3f, 6), {{-0.5, 0.3, 1}}, 1, glm::vec3(0.2f, 0.1f, 0.3f)},
       {"along the light", along_the_light(), {{0, 1, 0}}, 0.4},
       {"points", points(), {{0, 0.1, -1}}, 0.4},
-      {"lamp",
+      {"point_light",
        tests::coat(1500, 8, 0.03, 1e-4f, 5),
        {{}, glm::dvec3(0.1, 0.11, 0.03)},
        0.4,

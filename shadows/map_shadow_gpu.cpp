@@ -267,7 +267,7 @@ Result<void> MapShadowGpu::record(gpu::Commands& commands, const GpuStrands& str
     if (strands.vertex_count > 0) commands.fill(transmittance, std::bit_cast<std::uint32_t>(1.0f));
     return {};
   }
-  if (description_.in_world && light.position) return lamp_refused(description_.settings.method);
+  if (description_.in_world && light.position) return point_light_refused(description_.settings.method);
   CUTICLE_ASSIGN(const LightAxes axes, light_axes(light, strands.bounds));
   CUTICLE_TRY(deposits_.update(*device_, alpha, (description_.signed_sums ? 2ull : 1ull) * strands.segment_count));
   MapPush push = push_for(axes, strands);

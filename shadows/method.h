@@ -19,11 +19,11 @@ namespace cuticle::shadows {
 /// What casts: strands as cylinders of their radii, each crossing taking away `alpha` of the light.
 struct Casters {
   const strands::Groom* groom = nullptr;
-  double alpha = 0.4;                   ///< opacity of one fibre crossing, 0 .. 1
-  glm::dvec3 to_light{0, 1, 0};         ///< unit, from the scene to the light
-  std::optional<glm::dvec3> lamp = {};  ///< a light at this place, metres, instead
+  double alpha = 0.4;                          ///< opacity of one fibre crossing, 0 .. 1
+  glm::dvec3 to_light{0, 1, 0};                ///< unit, from the scene to the light
+  std::optional<glm::dvec3> point_light = {};  ///< a light at this place, metres, instead
 
-  LightSource light() const { return {to_light, lamp}; }
+  LightSource light() const { return {to_light, point_light}; }
 };
 /// The light's view of the casters. Errors: those of light_axes.
 Result<LightAxes> axes_of(const Casters& casters);

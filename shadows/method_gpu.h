@@ -36,8 +36,9 @@ struct MapRoom {
   std::string note = {};  ///< what the shadow lacks, one sentence; empty: nothing
 };
 
-/// A method's passes, recorded into a frame. `transmittance` receives one float per vertex. A lamp's view is fitted to
-/// the strands' bounds and what lies in them. Error: usage, for a light that light_axes or the method refuses.
+/// A method's passes, recorded into a frame. `transmittance` receives one float per vertex. A point light's view is
+/// fitted to the strands' bounds and what lies in them. Error: usage, for a light that light_axes or the method
+/// refuses.
 class GpuShadow {
  public:
   virtual ~GpuShadow() = default;

@@ -141,26 +141,26 @@ TEST(ShadowMethods, BeforeAllHair_IsLit) {
   }
 }
 
-bool takes_lamps(const Method& method) {
+bool takes_point_lights(const Method& method) {
   const auto& demands = method.entry.demands;
   return std::find(demands.begin(), demands.end(), "distant_lights") == demands.end();
 }
 
-// A lamp before, beside and inside the hair, at a vertex of it, and at no distance from a receiver.
-TEST(ShadowMethods, LampAnywhere_GivesATransmittanceOrIsRefused) {
+// A point light before, beside and inside the hair, at a vertex of it, and at no distance from a receiver.
+TEST(ShadowMethods, PointLightAnywhere_GivesATransmittanceOrIsRefused) {
   const strands::Groom groom = bars();
   const std::vector<glm::vec3> points = receivers_of(groom);
   for (const Method* method : methods())
-    for (const glm::dvec3 lamp :
+    for (const glm::dvec3 point_light :
          {glm::dvec3(0, 0.3, 0), {0.2, 0.02, 0}, {0.01, 0.015, 0.001}, {0, 0.02, 0}, {0, 1.01, 0}}) {
-      const auto result = method->evaluate({&groom, 0.4, {0, 1, 0}, lamp}, {points, {}}, small_values(*method));
-      ASSERT_EQ(result.ok(), takes_lamps(*method) || method->entry.name == "none") << method->entry.name;
+      const auto result = method->evaluate({&groom, 0.4, {0, 1, 0}, point_light}, {points, {}}, small_values(*method));
+      ASSERT_EQ(result.ok(), takes_point_lights(*method) || method->entry.name == "none") << method->entry.name;
       for (std::size_t i = 0; result && i < points.size(); ++i)
         EXPECT_TRUE(result->values[i] >= 0 && result->values[i] <= 1) << method->entry.name << " at point " << i;
     }
 }
 
-// A direction has a length; a lamp may stand anywhere.
+// A direction has a length; a point light may stand anywhere.
 TEST(ShadowMethods, LightWithoutDirection_IsRefused) {
   const strands::Groom groom = bars();
   const glm::vec3 point(0);
@@ -196,7 +196,7 @@ TEST(ShadowMethods, NoGroom_LetsAllThrough) {
 }
 
 /// Every study case of every method against the truth, printed.
-void compare_with_truth(const std::optional<glm::dvec3>& lamp) {
+void compare_with_truth(const std::optional<glm::dvec3>& point_light) {
   const auto truth_method = find_method("truth");
   if (!truth_method) GTEST_SKIP() << "this build has no Embree";
   const strands::Groom groom = tests::coat(4000, 8, 0.03, 1.5e-4f, 3);
@@ -206,14 +206,14 @@ void compare_with_truth(const std::optional<glm::dvec3>& lamp) {
     points.push_back(groom.positions[v]);
     strands.push_back(v / 8);
   }
-  const Casters casters{&groom, 0.4, {1, 1, 0.3}, lamp};
+  const Casters casters{&groom, 0.4, {1, 1, 0.3}, point_light};
   const Receivers receivers{points, strands};
   const auto truth_values = tests::values_of("truth", "rays=256,footprint_radius_mm=3").value();
   const std::vector<float> truth = (*truth_method)->evaluate(casters, receivers, truth_values)->values;
   const double none = mean_difference(std::vector<float>(points.size(), 1.0f), truth);
   for (const Method* method : methods())
     for (const registry::StudyCase& study_case : method->entry.study_cases) {
-      if (casters.lamp && !takes_lamps(*method)) continue;
+      if (casters.point_light && !takes_point_lights(*method)) continue;
       auto values = tests::values_of(method->entry.name, std::string(study_case.settings)).value();
       if (values.all().contains("filter_radius_mm")) values.set("filter_radius_mm", 3.0);
       if (values.all().contains("fibre_spacing_mm")) values.set("fibre_spacing_mm", 60.0);
@@ -231,9 +231,9 @@ void compare_with_truth(const std::optional<glm::dvec3>& lamp) {
 
 // The accuracy that the README files state: `methods_test --gtest_filter=*AgainstTruth` prints it for every study case.
 TEST(ShadowMethods, StudyCases_AgainstTruth) { compare_with_truth({}); }
-TEST(ShadowMethods, StudyCasesByALamp_AgainstTruth) { compare_with_truth(glm::dvec3(0.18, 0.16, 0.05)); }
+TEST(ShadowMethods, StudyCasesByAPointLight_AgainstTruth) { compare_with_truth(glm::dvec3(0.18, 0.16, 0.05)); }
 
-TEST(ShadowMethods, FarLamp_IsADistantLight) {
+TEST(ShadowMethods, FarPointLight_IsADistantLight) {
   const strands::Groom groom = tests::coat(1000, 8, 0.03, 1.5e-4f, 3);
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(1, 1, 0.3));
   // An opaque first fibre lights or darkens a receiver altogether; a ray begins within a fibre or beside it.
@@ -244,11 +244,12 @@ TEST(ShadowMethods, FarLamp_IsADistantLight) {
     if (values.all().contains("filter_radius_mm")) values.set("filter_radius_mm", 3.0);
     const Receivers receivers{groom.positions, {}};
     const auto distant = (*method)->evaluate({&groom, 0.4, to_light}, receivers, values).value().values;
-    const auto lamp = (*method)->evaluate({&groom, 0.4, to_light, 100.0 * to_light}, receivers, values).value().values;
+    const auto point_light =
+        (*method)->evaluate({&groom, 0.4, to_light, 100.0 * to_light}, receivers, values).value().values;
     double sum = 0;
-    for (std::size_t i = 0; i < lamp.size(); ++i) sum += std::abs(double(lamp[i]) - double(distant[i]));
-    std::printf("%s: mean |difference| of T %.5f\n", name, sum / double(lamp.size()));
-    EXPECT_LT(sum / double(lamp.size()), bound) << name;
+    for (std::size_t i = 0; i < point_light.size(); ++i) sum += std::abs(double(point_light[i]) - double(distant[i]));
+    std::printf("%s: mean |difference| of T %.5f\n", name, sum / double(point_light.size()));
+    EXPECT_LT(sum / double(point_light.size()), bound) << name;
   }
 }
 

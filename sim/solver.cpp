@@ -8,14 +8,24 @@
 
 namespace cuticle::sim {
 
+namespace {
+/// Of a strand's length: files have segments of 1e-7 m, of which the length is rounding. Shorter ones do not stretch.
+constexpr double k_negligible_segment = 1e-4;
+}  // namespace
+
 std::vector<float> stretch(const strands::Groom& rest, std::span<const glm::vec3> positions) {
   CUTICLE_EXPECT(positions.size() == rest.vertex_count(), "one position per vertex of the rest pose");
   std::vector<float> ratios(positions.size(), 1.f);
-  for (std::size_t s = 0; s < rest.strand_count(); ++s)
+  for (std::size_t s = 0; s < rest.strand_count(); ++s) {
+    double total = 0;
+    for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i)
+      total += double(glm::distance(rest.positions[i - 1], rest.positions[i]));
     for (std::size_t i = rest.offsets[s] + 1; i < rest.offsets[s + 1]; ++i) {
       const float length = glm::distance(rest.positions[i - 1], rest.positions[i]);
-      if (length > 0) ratios[i] = glm::distance(positions[i - 1], positions[i]) / length;
+      if (double(length) > k_negligible_segment * total)
+        ratios[i] = glm::distance(positions[i - 1], positions[i]) / length;
     }
+  }
   return ratios;
 }
 

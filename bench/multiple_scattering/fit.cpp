@@ -48,7 +48,7 @@ struct Case {
   int across = 0, blocks = 0;
   double thickness = 0;
   glm::dvec3 albedo{0};
-  std::vector<glm::dvec3> direct, often, variance;
+  std::vector<glm::dvec3> direct, multiple, variance;
   std::vector<char> lit;
   /// Of a block: rows of k_factors times k_depths.
   std::vector<std::array<glm::dvec3, k_factors * k_depths>> parts;
@@ -86,7 +86,7 @@ void add_light(Case& picture, const std::vector<float>& light, int width) {
       const float* pixel = light.data() + std::size_t(y * width + x) * k_light;
       for (int c = 0; c < 3; ++c) {
         picture.direct[block][c] += double(pixel[c]) / (k_side * k_side);
-        picture.often[block][c] += double(pixel[3 + c]) / (k_side * k_side);
+        picture.multiple[block][c] += double(pixel[3 + c]) / (k_side * k_side);
         picture.variance[block][c] += double(pixel[6 + c]) / std::pow(k_side, 4);
       }
     }
@@ -131,14 +131,14 @@ Case read_case(const std::string& folder, int method) {
   picture.blocks = picture.across * (height / k_side);
   picture.thickness = about[4];
   const auto blocks = std::size_t(picture.blocks);
-  for (auto* sums : {&picture.direct, &picture.often, &picture.variance}) sums->assign(blocks, glm::dvec3(0));
+  for (auto* sums : {&picture.direct, &picture.multiple, &picture.variance}) sums->assign(blocks, glm::dvec3(0));
   picture.parts.assign(blocks, {});
   for (int c = 0; c < 3; ++c)
     picture.albedo[c] = terms[std::size_t(k_rows / 2 * 27 + c)] + terms[std::size_t(k_rows / 2 * 27 + 9 + c)];
   add_light(picture, read<float>(folder + "/light.f32"), width);
   add_parts(picture, terms, read<float>(folder + "/seen.f32"), width, about[3] / (k_side * k_side * about[2]));
   double brightest = 0;
-  const auto sum = [&](std::size_t b) { return glm::dot(picture.direct[b] + picture.often[b], glm::dvec3(1)); };
+  const auto sum = [&](std::size_t b) { return glm::dot(picture.direct[b] + picture.multiple[b], glm::dvec3(1)); };
   for (std::size_t b = 0; b < blocks; ++b) brightest = std::max(brightest, sum(b));
   for (std::size_t b = 0; b < blocks; ++b) picture.lit.push_back(sum(b) > 0.05 * brightest);
   return picture;
@@ -147,7 +147,7 @@ Case read_case(const std::string& folder, int method) {
 /// What a block's light is by the table's numbers.
 lut::PositiveEquation equation_of(const Case& picture, std::size_t block, int c) {
   const Between a = between_albedos(picture.albedo[c]), t = between_thicknesses(picture.thickness);
-  lut::PositiveEquation equation{.terms = {}, .value = picture.often[block][c], .weight = 1};
+  lut::PositiveEquation equation{.terms = {}, .value = picture.multiple[block][c], .weight = 1};
   for (int f = 0; f < k_factors; ++f)
     for (int d = 0; d < k_depths; ++d)
       for (int corner = 0; corner < 4; ++corner) {
@@ -164,7 +164,7 @@ void append_equations(const Case& picture, double weight_of_mean, std::vector<lu
   for (int c = 0; c < 3; ++c) {
     double squares = 0, lit = 0, all = 0;
     for (std::size_t b = 0; b < picture.lit.size(); ++b) {
-      const double light = picture.direct[b][c] + picture.often[b][c];
+      const double light = picture.direct[b][c] + picture.multiple[b][c];
       all += light;
       if (picture.lit[b]) squares += light * light, lit += 1;
     }
@@ -190,11 +190,11 @@ struct Errors {
 Errors errors_of(const Case& picture, std::span<const double> numbers) {
   glm::dvec3 drawn(0), wanted(0), squares(0), off(0), noise(0);
   for (std::size_t b = 0; b < picture.lit.size(); ++b) {
-    glm::dvec3 often(0);
+    glm::dvec3 multiple(0);
     for (int c = 0; c < 3; ++c)
-      for (const auto& [place, factor] : equation_of(picture, b, c).terms) often[c] += factor * numbers[place];
-    const glm::dvec3 right = picture.direct[b] + picture.often[b], difference = often - picture.often[b];
-    drawn += picture.direct[b] + often;
+      for (const auto& [place, factor] : equation_of(picture, b, c).terms) multiple[c] += factor * numbers[place];
+    const glm::dvec3 right = picture.direct[b] + picture.multiple[b], difference = multiple - picture.multiple[b];
+    drawn += picture.direct[b] + multiple;
     wanted += right;
     if (!picture.lit[b]) continue;
     squares += right * right;

@@ -108,7 +108,7 @@ std::vector<float> seen_by_camera(const TracedScene& traced, std::span<const Sha
   return seen;
 }
 
-/// Of each pixel: light scattered once, light scattered more often, variance of their sum; red, green, blue.
+/// Of each pixel: light scattered once, light scattered more multiple, variance of their sum; red, green, blue.
 std::vector<float> light_of(const TracedScene& traced, int samples) {
   const auto picture = must(trace_picture(traced, {.layers = true}, {.samples = samples}, silent_progress()));
   const auto& names = picture.layers.channel_names;

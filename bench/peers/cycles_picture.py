@@ -57,10 +57,10 @@ def material(fibre):
 def add_light(scene, light):
     sun = bpy.data.lights.new("sun", "SUN")
     sun.energy, sun.angle = light["irradiance"][0], 0
-    lamp = bpy.data.objects.new("sun", sun)
-    lamp.rotation_mode = "QUATERNION"
-    lamp.rotation_quaternion = mathutils.Vector(light["to_light"]).normalized().to_track_quat("Z", "Y")
-    scene.collection.objects.link(lamp)
+    sun_object = bpy.data.objects.new("sun", sun)
+    sun_object.rotation_mode = "QUATERNION"
+    sun_object.rotation_quaternion = mathutils.Vector(light["to_light"]).normalized().to_track_quat("Z", "Y")
+    scene.collection.objects.link(sun_object)
 
 
 def add_camera(scene, camera):

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> lobe_names = {"R", "TT", "TRT"};
 constexpr std::array<std::string_view, 3> measurable = {"sigma_a", "beta", "alpha"};
-constexpr std::array<std::string_view, 2> variants = {"corrected", "literal"};
+constexpr std::array<std::string_view, 2> variants = {"corrected", "as_published"};
 constexpr std::array<std::string_view, 2> caustics = {"exact", "smoothed"};
 constexpr std::array<std::string_view, 2> attenuation_angles = {"theta_d", "theta_o"};
 constexpr std::array<std::string_view, 4> system_rows = {"N11", "N16", "G1", "G7"};
 
 // The last is what the others are compared with: the paper's cubic and its M, and its caustic without singularities.
 constexpr std::array<registry::StudyCase, 3> tiers = {{
-    {"literal, cubic roots", "variant=literal"},
+    {"as_published, cubic roots", "variant=as_published"},
     {"smoothed caustic", "caustic=smoothed"},
     {"exact roots", "variant=corrected,caustic=exact"},
 }};
@@ -29,17 +29,17 @@ constexpr std::array<registry::StudyCase, 3> tiers = {{
 /// Where N_TRT reaches further than the exits of a round fibre; found by trying for a low variance (README.md).
 AzimuthMixture<double> mixture_for(const Marschner<double>& m) {
   const double glow = m.removal.acts ? 0.4 : 0;
-  const double even = m.literal || m.ellipse.acts ? 0.3 : m.removal.acts ? 0.1 : 0;
+  const double even = m.as_published || m.ellipse.acts ? 0.3 : m.removal.acts ? 0.1 : 0;
   return {glow, even};
 }
 
 Marschner<double> prepare(const Parameters& p) {
   Marschner<double> m = make_marschner<double>(p.eta, p.sigma_a, p.beta, p.alpha);
-  m.literal = p.variant == Variant::literal;
+  m.as_published = p.variant == Variant::as_published;
   m.removal = {p.k_g, p.w_c, p.delta_eta, p.delta_h_max, p.caustic == CausticKind::smoothed};
   m.ellipse = make_ellipse(p.eta, p.aspect);
   m.mixture = mixture_for(m);
-  m.at_theta_o = !m.literal && p.attenuation_angle == AttenuationAngle::theta_o;
+  m.at_theta_o = !m.as_published && p.attenuation_angle == AttenuationAngle::theta_o;
   return m;
 }
 
@@ -110,13 +110,14 @@ FibreMapping from_fibre(const Fibre& fibre) {
 // The corrected model of a round fibre with its exact caustic keeps energy up to what tilted lobes shift apart: a check
 // tilts it whatever its own tilt.
 constexpr std::array<Exception, 7> exceptions = {{
-    {"white_furnace", "M is 2 in theta_i and 1 / cos^2 theta_d has no bound", "variant=literal"},
+    {"white_furnace", "M is 2 in theta_i and 1 / cos^2 theta_d has no bound", "variant=as_published"},
     {"white_furnace", "glints add energy", "caustic=smoothed"},
     {"white_furnace", "energies of several indices are mixed", "aspect!=1"},
     {"white_furnace",
      "lobes that a tilt shifts apart take their shares at different theta_d; attenuation_angle=theta_o keeps energy",
      "attenuation_angle=theta_d"},
-    {"absorbing_furnace", "as white_furnace, and a crossing absorbs by the square of its chord", "variant=literal"},
+    {"absorbing_furnace", "as white_furnace, and a crossing absorbs by the square of its chord",
+     "variant=as_published"},
     {"absorbing_furnace", "glints add energy", "caustic=smoothed"},
     {"reciprocity", "A and N belong to theta_o alone, which keeps energy; attenuation_angle=theta_d is reciprocal",
      "attenuation_angle=theta_o"},
@@ -150,7 +151,7 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.alpha, "alpha", "rad", -0.17453292519943295, 0.17453292519943295,
           "shift of the R lobe in theta_h by the cuticle's scales (the paper's alpha_R)");
   members(p.variant, "variant", variants,
-          "corrected: energy-conserving M, exact roots, true chord; literal: the paper as printed");
+          "corrected: energy-conserving M, exact roots, true chord; as_published: the paper as printed");
   members(p.aspect, "aspect", "1", 0.5, 2,
           "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
   members(p.caustic, "caustic", caustics,

@@ -4,7 +4,7 @@
 
 namespace cuticle::bsdf::marschner {
 
-enum class Variant { corrected, literal };
+enum class Variant { corrected, as_published };
 enum class CausticKind { exact, smoothed };
 enum class AttenuationAngle { theta_d, theta_o };
 /// Defaults: the middle of the paper's ranges. Its beta_R of 5 .. 10 degrees is a width in theta_h, so 7.5 is 15

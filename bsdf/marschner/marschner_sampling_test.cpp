@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Settings, MarschnerSampler,
                                          Setting{"beta=0.12,sigma_a=3", -0.4, -1}, Setting{"beta=0.4", 0.3, 0},
                                          Setting{"beta=0.4", 0.3, 1}, Setting{"beta=0.4", 0.3, 2},
                                          Setting{"eta=1.3,caustic=smoothed", 0.2, -1}, Setting{"aspect=0.85", 0.5, 2},
-                                         Setting{"variant=literal", 0.5, -1}));
+                                         Setting{"variant=as_published", 0.5, -1}));
 
 TEST_P(MarschnerSampler, Density_IsThatOfTheDrawsAndIntegratesToOne) {
   const std::vector<double> expected = masses(GetParam());
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Estimate{"", 0.3, 0.6}, Estimate{"beta=0.02", -0.7, 0.85}, Estimate{"sigma_a=5,eta=1.4", 1.2, 1.2},
                     Estimate{"beta=1,alpha=0.17", 0.2, 0.35}, Estimate{"caustic=smoothed", 0.3, 0.65},
                     Estimate{"aspect=0.85", 0.3, 0.95, pi / 2}, Estimate{"caustic=smoothed,aspect=0.9", 0.3, 0.65},
-                    Estimate{"attenuation_angle=theta_o", -0.7, 0.6}, Estimate{"variant=literal", 0.3, 1.8}));
+                    Estimate{"attenuation_angle=theta_o", -0.7, 0.6}, Estimate{"variant=as_published", 0.3, 1.8}));
 TEST_P(MarschnerWeights, Mean_IsTheAlbedo) {
   const Setting s{GetParam().settings, GetParam().theta_o, -1, GetParam().phi_o};
   for (Precision precision : {Precision::f64, Precision::f32}) {
@@ -185,7 +185,7 @@ TEST_P(MarschnerWeights, Mean_IsTheAlbedo) {
 }
 
 TEST(MarschnerSampler, AtTheEdgesOfTheDomain_DrawsAreFinite) {
-  for (const char* settings : {"beta=0.001,sigma_a=0", "beta=1,sigma_a=100,eta=1.05", "eta=3,variant=literal",
+  for (const char* settings : {"beta=0.001,sigma_a=0", "beta=1,sigma_a=100,eta=1.05", "eta=3,variant=as_published",
                                "caustic=smoothed,aspect=0.5,eta=2", "aspect=2,alpha=0.17"})
     for (double theta_o : {-pi / 2, 0.0, pi / 2})
       for (Precision precision : {Precision::f64, Precision::f32})

@@ -39,9 +39,9 @@ double worst_error(const std::string& word, Precision precision) {
   return worst;
 }
 
-TEST(MarschnerVariants, Literal_AgreesWithMpmath) {
-  EXPECT_LE(worst_error("variant=literal;eta", Precision::f64), 4e-14);
-  EXPECT_LE(worst_error("variant=literal;eta", Precision::f32), 1e-5);
+TEST(MarschnerVariants, AsPublished_AgreesWithMpmath) {
+  EXPECT_LE(worst_error("variant=as_published;eta", Precision::f64), 4e-14);
+  EXPECT_LE(worst_error("variant=as_published;eta", Precision::f32), 1e-5);
 }
 TEST(MarschnerVariants, Smoothed_AgreesWithMpmath) {
   EXPECT_LE(worst_error("caustic=smoothed", Precision::f64), 4e-14);
@@ -63,25 +63,25 @@ double trt_peak(const std::string& settings) {
   return best / degree;
 }
 TEST(MarschnerVariants, CausticOfTheCubic_IsTwoDegreesOff) {
-  EXPECT_NEAR(trt_peak("variant=literal"), 20.49, 0.012);
+  EXPECT_NEAR(trt_peak("variant=as_published"), 20.49, 0.012);
   EXPECT_NEAR(trt_peak("variant=corrected"), 18.62, 0.006);
 }
 
 // Erratum a: the printed absorption of a central crossing is that of a chord of length four radii.
-TEST(MarschnerVariants, LiteralAbsorption_IsThatOfTheSquaredChord) {
+TEST(MarschnerVariants, AbsorptionAsPublished_IsThatOfTheSquaredChord) {
   const Point centre{.h = 0};
   const auto crossing = [&](const std::string& variant) {
     return value_at(variant + ",sigma_a=1", Quantity::A, 1, centre) /
            value_at(variant + ",sigma_a=0", Quantity::A, 1, centre);
   };
-  EXPECT_NEAR(crossing("variant=literal"), std::exp(-4), 1e-15);
+  EXPECT_NEAR(crossing("variant=as_published"), std::exp(-4), 1e-15);
   EXPECT_NEAR(crossing("variant=corrected"), std::exp(-2), 1e-15);
 }
 
 // Errata c and d: the integral of M cos^2 theta_i / cos^2 theta_d over theta_i, as the paper's foreshortening would
 // have it.
 double printed_energy(double beta_theta_h, double alpha, double theta_o) {
-  const std::string settings = fmt::format("variant=literal,beta={},alpha={}", 2 * beta_theta_h, alpha);
+  const std::string settings = fmt::format("variant=as_published,beta={},alpha={}", 2 * beta_theta_h, alpha);
   double sum = 0;
   const int count = 20000;
   for (int i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ double printed_energy(double beta_theta_h, double alpha, double theta_o) {
   }
   return sum;
 }
-TEST(MarschnerVariants, LiteralM_HasTwiceTheEnergy) {
+TEST(MarschnerVariants, MAsPublished_HasTwiceTheEnergy) {
   EXPECT_NEAR(printed_energy(5 * degree, 0, 0), 1.955, 0.002);
   EXPECT_NEAR(printed_energy(10 * degree, 0, 0), 1.829, 0.002);
   EXPECT_NEAR(printed_energy(5 * degree, -7.5 * degree, 80 * degree), 0.36, 0.01);
@@ -121,7 +121,7 @@ TEST(MarschnerVariants, Ellipse_LeavesROfTheRoundFibreAndTt) {
 
 // Erratum e: the glint fades as eta' grows; the model is continuous in it through 2 and beyond.
 TEST(MarschnerVariants, SmoothedNearTheLastCaustic_IsContinuousInTheIndex) {
-  for (const char* variant : {"corrected", "literal"})
+  for (const char* variant : {"corrected", "as_published"})
     for (double eta : {2.0, 2.3}) {
       const auto at = [&](double index) {
         return value_at(fmt::format("variant={},caustic=smoothed,delta_eta=0.3,eta={:.12f}", variant, index),
@@ -152,8 +152,8 @@ struct Whole {
 };
 class MarschnerVariantAlbedo : public testing::TestWithParam<Whole> {};
 INSTANTIATE_TEST_SUITE_P(Settings, MarschnerVariantAlbedo,
-                         testing::Values(Whole{"variant=literal,beta=0.3", 0, 2e-2},
-                                         Whole{"variant=literal,caustic=smoothed,beta=0.3", 0, 2e-3},
+                         testing::Values(Whole{"variant=as_published,beta=0.3", 0, 2e-2},
+                                         Whole{"variant=as_published,caustic=smoothed,beta=0.3", 0, 2e-3},
                                          Whole{"caustic=smoothed,beta=0.3", 0, 2e-3},
                                          Whole{"caustic=smoothed,aspect=0.85,beta=0.3", 0.5, 1e-2},
                                          Whole{"attenuation_angle=theta_o,caustic=smoothed,beta=0.3", 0, 2e-3},

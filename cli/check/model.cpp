@@ -69,8 +69,8 @@ int check_model(const ModelOptions& options, const Context& context) {
 }  // namespace
 
 void add_check_model(CLI::App& check, Context& context) {
-  auto* command =
-      check.add_subcommand("model", "check energy, reciprocity, density, samples and tails of a fibre model, and that nothing is NaN");
+  auto* command = check.add_subcommand(
+      "model", "check energy, reciprocity, density, samples and tails of a fibre model, and that nothing is NaN");
   auto options = std::make_shared<ModelOptions>();
   command->add_option("model", options->name, "a model (cuticle models), or all")->required();
   add_parameter_options(*command, options->parameters);
@@ -80,7 +80,7 @@ void add_check_model(CLI::App& check, Context& context) {
   command->add_option("--seed", options->check.seed, "of the samples and of the search for NaN")->capture_default_str();
   command->add_flag("--quick", options->check.quick, "fewer directions and samples");
   command->add_flag("--variants", options->variants,
-                    "each variant of the model too: near field, literal, elliptical, ...");
+                    "each variant of the model too: near field, as published, elliptical, ...");
   command->callback(
       [&context, options] { context.action = [&context, options] { return check_model(*options, context); }; });
 }

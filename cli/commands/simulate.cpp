@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/at_rest.h"
 #include "cli/run_folder.h"
 #include "cli/skipped_frames.h"
 #include "core/file.h"
@@ -26,6 +27,7 @@ namespace {
 struct SimulateOptions {
   std::string scene, frames = "0:0", format = "vtp", out = "simulation";
   double max_gigabytes = 10;
+  bool rest = false;
 };
 
 struct Formats {
@@ -189,7 +191,14 @@ Result<void> simulate(const SimulateOptions& options, Context& context, Trace* t
   return {};
 }
 
+int act_at_rest(const SimulateOptions& options, Context& context) {
+  const Result<Formats> formats = parse_formats(options.format);
+  if (!formats) return report(formats.error());
+  return simulate_at_rest({options.scene, options.out, formats->vtp, formats->hair}, context);
+}
+
 int act(const SimulateOptions& options, Context& context) {
+  if (options.rest) return act_at_rest(options, context);
   Trace trace;
   const bool tracing = !context.trace_file.empty();
   if (const auto done = simulate(options, context, tracing ? &trace : nullptr); !done) return report(done.error());
@@ -206,6 +215,12 @@ void add_simulate(CLI::App& app, Context& context) {
   auto options = std::make_shared<SimulateOptions>();
   command->add_option("scene", options->scene, "scene file (JSON)")->required();
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
+  command
+      ->add_flag(
+          "--rest", options->rest,
+          "no frames: the equilibrium of rods under gravity and colliders, in the head's rest space, by Newton's "
+          "method; rest.csv has residual, steps and stiffening of each strand")
+      ->excludes("--frames");
   command->add_option("--format", options->format, "vtp (with states.pvd), hair, or both: vtp,hair");
   command->add_option("--out", options->out, "folder to write (default: simulation)");
   command->add_option("--max-gb", options->max_gigabytes, "gigabytes to write, at most")->check(CLI::Range(0.0, 1e6));

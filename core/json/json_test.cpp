@@ -75,15 +75,14 @@ TEST(Json, WhatIsNoJson_IsRefusedWithLineAndColumn) {
 }
 
 TEST(Json, Comments_AreReadOnlyWhereTheyAreAllowed) {
-  const char* text = "{ // a lamp\n\"a\": [1, /* two */ 2]}";
+  const char* text = "{ // a point light\n\"a\": [1, /* two */ 2]}";
   EXPECT_EQ(Json::parse(without_comments(text)).value()["a"].size(), 2u);
   EXPECT_FALSE(Json::parse(text).ok());
   EXPECT_EQ(without_comments("\"// kept\" /* open"), "\"// kept\"        ");
 }
 
 TEST(JsonPosition, OfKeysAndItems_CountsLinesAndSkipsComments) {
-  std::string text =
-      "{\n  // \"b\": 0,\n  \"a\": {\"b\": \"x\\\"}\"},\n  \"list\": [1, [2, 3], {\"b\": true}]\n}";
+  std::string text = "{\n  // \"b\": 0,\n  \"a\": {\"b\": \"x\\\"}\"},\n  \"list\": [1, [2, 3], {\"b\": true}]\n}";
   text = without_comments(text);
   const auto place = [&](std::vector<std::string> steps) {
     const TextPosition found = position_of(text, find_in_json(text, steps));

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "core/registry/former_names.h"
 #include "core/text.h"
 
 namespace cuticle::registry {
@@ -65,8 +66,9 @@ Result<Value> parse_boolean(const Parameter& parameter, std::string_view text) {
 }
 
 Result<Value> parse_choice(const Parameter& parameter, std::string_view text) {
+  const std::string_view now = name_now(parameter.name, text);
   for (std::string_view choice : parameter.choices)
-    if (text == choice) return Value(std::string(choice));
+    if (now == choice) return Value(std::string(choice));
   Error error = refusal(parameter, text, fmt::format("one of {}", fmt::join(parameter.choices, ", ")));
   if (const std::string near = nearest_name(text, parameter.choices); !near.empty())
     error.hint = fmt::format("{}={}", parameter.name, near);
@@ -93,7 +95,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// The angle that `name` means in degrees: "alpha_deg" for a real parameter "alpha" in radians; null for any other name.
+/// The angle that `name` means in degrees: "alpha_deg" for a real parameter "alpha" in radians; null for any other
+/// name.
 const Parameter* find_angle(ParameterTable table, std::string_view name) {
   if (!name.ends_with(degree_suffix)) return nullptr;
   name.remove_suffix(degree_suffix.size());
@@ -143,22 +146,29 @@ glm::dvec3 ParameterValues::rgb(std::string_view name) const { return held<glm::
 
 Result<const Parameter*> find_parameter(ParameterTable table, std::string_view name) {
   std::vector<std::string_view> known;
+  const std::string_view now = name_now("", name);
   for (const Parameter& parameter : table) {
-    if (parameter.name == name) return &parameter;
+    if (parameter.name == now) return &parameter;
     known.push_back(parameter.name);
   }
   const std::string near = nearest_name(name, known);
   const std::string list = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
-  return usage_error(fmt::format("unknown parameter {} (known: {})", in_quotes(name), list), near.empty() ? "" : "did you mean " + near + "?");
+  return usage_error(fmt::format("unknown parameter {} (known: {})", in_quotes(name), list),
+                     near.empty() ? "" : "did you mean " + near + "?");
 }
 
 Result<Value> parse_value(const Parameter& parameter, std::string_view text) {
   switch (parameter.type) {
-    case ParameterType::integer: return parse_integer(parameter, text);
-    case ParameterType::boolean: return parse_boolean(parameter, text);
-    case ParameterType::choice: return parse_choice(parameter, text);
-    case ParameterType::rgb: return parse_rgb(parameter, text);
-    case ParameterType::real: break;
+    case ParameterType::integer:
+      return parse_integer(parameter, text);
+    case ParameterType::boolean:
+      return parse_boolean(parameter, text);
+    case ParameterType::choice:
+      return parse_choice(parameter, text);
+    case ParameterType::rgb:
+      return parse_rgb(parameter, text);
+    case ParameterType::real:
+      break;
   }
   CUTICLE_ASSIGN(double value, parse_component(parameter, text));
   return Value(value);

@@ -32,15 +32,19 @@ Json rgb_schema(const Parameter& parameter) {
 
 Json type_schema(const Parameter& parameter) {
   switch (parameter.type) {
-    case ParameterType::integer: return number_schema(parameter, "integer");
-    case ParameterType::boolean: return {{"type", "boolean"}};
+    case ParameterType::integer:
+      return number_schema(parameter, "integer");
+    case ParameterType::boolean:
+      return {{"type", "boolean"}};
     case ParameterType::choice: {
       Json names = Json::list();
       for (std::string_view choice : parameter.choices) names.push_back(copy(choice));
       return {{"type", "string"}, {"enum", names}};
     }
-    case ParameterType::rgb: return rgb_schema(parameter);
-    case ParameterType::real: break;
+    case ParameterType::rgb:
+      return rgb_schema(parameter);
+    case ParameterType::real:
+      break;
   }
   return number_schema(parameter, "number");
 }
@@ -48,17 +52,23 @@ Json type_schema(const Parameter& parameter) {
 Json property_schema(const Parameter& parameter) {
   Json schema = type_schema(parameter);
   schema["description"] = fmt::format("{} [{}]", parameter.summary, parameter.unit);
-  if (const Result<Value> value = parse_value(parameter, parameter.default_text)) schema["default"] = value_json(*value);
+  if (const Result<Value> value = parse_value(parameter, parameter.default_text))
+    schema["default"] = value_json(*value);
   return schema;
 }
 
 const char* type_words(ParameterType type) {
   switch (type) {
-    case ParameterType::integer: return "a whole number";
-    case ParameterType::boolean: return "true or false";
-    case ParameterType::choice: return "a string";
-    case ParameterType::rgb: return "a number or [r, g, b]";
-    case ParameterType::real: break;
+    case ParameterType::integer:
+      return "a whole number";
+    case ParameterType::boolean:
+      return "true or false";
+    case ParameterType::choice:
+      return "a string";
+    case ParameterType::rgb:
+      return "a number or [r, g, b]";
+    case ParameterType::real:
+      break;
   }
   return "a number";
 }
@@ -109,7 +119,7 @@ Error at_key(std::string_view where, const Error& error) {
 Result<void> assign_json(ParameterTable table, const std::string& key, const Json& value, ParameterValues& values) {
   CUTICLE_ASSIGN(const Parameter* parameter, find_parameter(table, key));
   CUTICLE_ASSIGN(Value read, value_of(*parameter, value));
-  values.set(key, std::move(read));
+  values.set(parameter->name, std::move(read));
   return {};
 }
 
@@ -129,7 +139,8 @@ Result<ParameterValues> values_from_object(ParameterTable table, const Json& obj
   if (!object.is_object()) return bad_input(fmt::format("{}: not a JSON object", where), "{\"name\": value}");
   ParameterValues values = default_values(table);
   for (const auto& [key, value] : object.items())
-    if (Result<void> assigned = assign_json(table, key, value, values); !assigned) return at_key(where, assigned.error());
+    if (Result<void> assigned = assign_json(table, key, value, values); !assigned)
+      return at_key(where, assigned.error());
   return values;
 }
 

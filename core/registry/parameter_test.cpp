@@ -37,6 +37,25 @@ TEST(Parameters, Assignments_OverrideTheDefaults) {
   EXPECT_EQ(values.rgb("sigma_a"), glm::dvec3(0.2, 0.4, 0.8));
 }
 
+// Read for one version more, with a message.
+TEST(Parameters, FormerNames_AreReadAsThoseOfNow) {
+  constexpr std::string_view variants[] = {"corrected", "as_published"};
+  const Parameter table[] = {
+      {"variant", ParameterType::choice, "", 0, 0, "corrected", variants, "of the model"},
+      {"point_light_radius", ParameterType::real, "m", 0, 10, "0", {}, "of every point light"},
+  };
+  testing::internal::CaptureStderr();
+  const auto typed = parse_assignments(table, "variant=literal,lamp_radius=0.5");
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("'literal' is called 'as_published' now"));
+  ASSERT_TRUE(typed.ok());
+  EXPECT_EQ(typed->choice("variant"), "as_published");
+  EXPECT_EQ(typed->real("point_light_radius"), 0.5);
+  const auto read = values_from_json(table, R"({"lamp_radius": 0.25, "variant": "literal"})", "s");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->real("point_light_radius"), 0.25);
+  EXPECT_EQ(read->choice("variant"), "as_published");
+}
+
 TEST(Parameters, EmptyAssignments_GiveTheDefaults) {
   EXPECT_EQ(parse_assignments(k_table, "").value(), default_values(k_table));
 }

@@ -1,4 +1,6 @@
 // Kernels, recorded work and what it costs.
+#include <cstdlib>
+#include <cstring>
 #include <numeric>
 
 #include "gpu/groups.h"
@@ -88,8 +90,7 @@ TEST(GpuKernel, BuffersReadAsTexels_AreConverted) {
                b = must(make_buffer_from<std::uint32_t>(device, halves)),
                c = must(make_buffer_from<std::uint32_t>(device, words)), items = must(device.make_buffer(k_items * 16));
   const Kernel kernel = must(device.make_kernel(
-      texels_comp,
-      {.storage_buffers = 4, .texels = {{0}, {1, TextureFormat::rgba16f}, {2, TextureFormat::rgba32u}}}));
+      texels_comp, {.storage_buffers = 4, .texels = {{0}, {1, TextureFormat::rgba16f}, {2, TextureFormat::rgba32u}}}));
   Commands commands = device.record();
   commands.dispatch(kernel, {&a, &b, &c, &items}, {}, {}, 1);
   must(device.submit(std::move(commands)));
@@ -259,6 +260,21 @@ TEST(GpuValidation, MisdeclaredShader_FailsTheNextSubmitOnly) {
   EXPECT_EQ(cost.error().kind, ErrorKind::internal);
   EXPECT_NE(cost.error().message.find("validation"), std::string::npos);
   EXPECT_TRUE(device->submit(device->record()).ok());
+}
+
+// Runs under scripts/gpu_assisted_validation.sh, which switches the layer's instrumented shaders on.
+TEST(GpuValidation, WritePastABuffer_IsNamedByInstrumentedShaders) {
+  const char* enabled = std::getenv("VK_LAYER_ENABLES");
+  if (!enabled || !std::strstr(enabled, "GPU_ASSISTED")) GTEST_SKIP() << "GPU-assisted validation is off";
+  const auto device = open_device();
+  const Kernel kernel = must(device->make_kernel(
+      scale_comp, {.storage_buffers = 2, .push_constant_bytes = sizeof(ScaleConstants), .specialization = {64, 0}}));
+  const Buffer source = must(device->make_buffer(4096)), target = must(device->make_buffer(64));
+  Commands commands = device->record();
+  commands.dispatch(kernel, {&source, &target}, {}, bytes_of(ScaleConstants{1, 1000}), groups_for(1000).x, 1);
+  const auto cost = device->submit(std::move(commands));
+  ASSERT_FALSE(cost.ok());
+  EXPECT_NE(cost.error().message.find("out of bounds"), std::string::npos) << cost.error().message;
 }
 
 }  // namespace

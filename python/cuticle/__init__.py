@@ -13,7 +13,7 @@ from ._grooms import (Binding, Cards, Groom, Head, Mesh, SceneHair, bind, carry,
 from ._models import (Batch, Gradients, Samples, absorption_of_assembly, absorption_of_fibre, absorption_of_pigments, albedo, check_model, conformance, eval, gradients, hair_mapping, hairs, lobes, models, pdf, sample)
 from ._registries import effects, formats, layouts, methods, passes, render_methods, shapings, solvers
 from ._rendering import Pass, Plan, Renderer, plan, render, scene_schema, tone_map
-from ._simulation import Simulation, State, simulate
+from ._simulation import Rest, Simulation, State, simulate
 from ._studies import Study, studies, study
 from ._tables import AnalyticFit, bake, check_tables, fit_analytic, read_tables, snippet, table_choices
 from .sweeps import sweep
@@ -21,7 +21,7 @@ from .sweeps import sweep
 __version__ = _version()
 
 __all__ = ["AnalyticFit", "Batch", "Binding", "Cards", "Error", "Fit", "Gradients", "Groom", "Head", "Mesh", "Pass", "Plan", "Renderer",
-           "Samples", "SceneHair", "Simulation", "State", "Study", "absorption_of_assembly", "absorption_of_fibre",
+           "Rest", "Samples", "SceneHair", "Simulation", "State", "Study", "absorption_of_assembly", "absorption_of_fibre",
            "absorption_of_pigments", "albedo", "bake", "bind", "carry", "check_groom", "check_model", "check_tables", "conformance", "effects",
            "eval", "fit", "fit_analytic", "formats", "gradients", "grow", "hair_mapping", "hair_of", "hairs", "layouts",
            "load_groom", "lobes", "make_cards", "make_groom", "make_head", "methods", "models", "passes", "pdf", "plan", "read_tables", "render",

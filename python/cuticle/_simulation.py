@@ -1,4 +1,6 @@
 """Strand solvers step by step."""
+from typing import NamedTuple
+
 import numpy
 
 from . import _cuticle
@@ -7,7 +9,19 @@ from ._errors import Error
 from ._inputs import blocks, doubles, floats, indices, numbers, to_json
 from ._progress import progress_of
 
-__all__ = ["Simulation", "State", "simulate"]
+__all__ = ["Rest", "Simulation", "State", "simulate"]
+
+
+class Rest(NamedTuple):
+    """Hair at rest (`Simulation.at_rest`): the groom, and an array with one entry per strand each."""
+    groom: Groom
+    residual: numpy.ndarray  # the largest moment that is not balanced, over the strand's weight times its length
+    steps: numpy.ndarray  # of Newton's
+    depth: numpy.ndarray  # of the deepest place in a collider, metres
+    balanced: numpy.ndarray  # whether the residual is below 1e-9
+    stable: numpy.ndarray  # whether the energy's second derivatives are positive definite there
+    stiffening: numpy.ndarray  # what `sag_free` added so that the groom holds: the factor on EI and GJ
+    held: numpy.ndarray  # whether the groom's own pose is stable with it
 
 
 class Simulation:
@@ -51,6 +65,16 @@ class Simulation:
     def head(self) -> numpy.ndarray:
         """Where the head is, (4, 4)."""
         return self._head.copy()
+
+    def at_rest(self, *, progress=None) -> Rest:
+        """The equilibrium of the hair under gravity and the colliders, by Newton's method on the energy of the solver "rod"; see `Rest`.
+
+        The head stands as in the rest pose; wind, friction and hair beside hair take no part. The simulation itself stays where it is.
+        progress: True (tqdm) or a function of task, done, total.
+        """
+        found = self._simulation.at_rest(progress_of(progress))
+        return Rest(**{name: found[name] if name in ("groom", "residual", "depth", "stiffening") else found[name].astype(int if name == "steps" else bool)
+                       for name in Rest._fields})
 
     def groom(self) -> Groom:
         """The hair as it is now."""

@@ -1,4 +1,6 @@
 """Shadow methods on arrays of points: how much of a light reaches them through hair."""
+import warnings
+
 import numpy
 
 from . import _cuticle
@@ -10,10 +12,10 @@ from ._registries import methods
 __all__ = ["footprint_radius", "methods", "transmittance", "truth"]
 
 
-def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, lamp=False, details=False, progress=None, **settings):
+def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, point_light=False, details=False, progress=None, **settings):
     """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
 
-    light: direction to the light (of any length), or with lamp=True its place in metres. points: (n, 3), metres; none: the
+    light: direction to the light (of any length), or with point_light=True its place in metres. points: (n, 3), metres; none: the
     groom's vertices, where a fibre does not shadow itself. alpha: opacity of one fibre crossing, 0 .. 1, or (3) for red,
     green and blue. Result: float32 (n), or (n, 3) of three opacities; with details a dictionary with values, clamped,
     build_ms, lookup_ms, bytes, device and, of the truth, standard_error and occluders (metres). progress: True (tqdm) or a
@@ -21,8 +23,11 @@ def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *,
 
         cuticle.shadows.transmittance(groom, (1, 1, 0.3), points, method="deep_opacity", layers=16, resolution=512)
     """
+    if "lamp" in settings:
+        warnings.warn("'lamp' is called 'point_light' now; the next version no longer reads the former name", stacklevel=2)
+        point_light = settings.pop("lamp")
     places = None if points is None else floats("points", points, 3)
-    arguments = (triple("light", light), bool(lamp), places)
+    arguments = (triple("light", light), bool(point_light), places)
     opacity = numbers("alpha", alpha)
     if opacity.ndim == 0:
         with ticking(progress, method):

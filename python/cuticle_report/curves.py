@@ -6,6 +6,7 @@ import plotly.graph_objects as plotly
 from . import look
 
 DECADES = 5  # shown of a polar plot, below its largest value
+MARKS = [("o", "circle"), ("s", "square"), ("^", "triangle-up"), ("D", "diamond")]  # of matplotlib and of plotly: hollow, each larger than the one before, so that all show where they coincide
 PLOT_PIXELS, LABEL_PIXELS = 340, 14  # heights of the axis and of a name
 
 
@@ -31,6 +32,17 @@ def radii(values, largest):
     return [max(0.0, math.log10(max(value, 1e-300) / largest) + DECADES) for value in values]
 
 
+def is_logarithmic(plot, axis):
+    """Whether its axis "x" or "y" is logarithmic."""
+    return bool(plot.get("logarithmic") or plot.get(f"logarithmic_{axis}"))
+
+
+def counts_of(plot):
+    """The values of x where they are a few whole numbers, as modes are: the only ticks; else none."""
+    values = sorted({value for curve in plot["curves"] for value in curve["x"]})
+    return values if not is_logarithmic(plot, "x") and len(values) <= 8 and all(value == round(value) for value in values) else []
+
+
 def largest_of(plot):
     return max((max(curve["y"], default=0) for curve in plot["curves"]), default=0) or 1
 
@@ -47,8 +59,9 @@ def lowest(plot):
 
 def label_ends(figure, plot, colors):
     """The name of each curve right of the axis at the height of its last point, moved so far up or down that no name covers another."""
-    scale = (lambda value: math.log10(max(value, 1e-300))) if plot.get("logarithmic") else float
-    values = [scale(value) for curve in plot["curves"] for value in curve["y"] if value > 0 or not plot.get("logarithmic")] or [0.0]
+    logarithmic = is_logarithmic(plot, "y")
+    scale = (lambda value: math.log10(max(value, 1e-300))) if logarithmic else float
+    values = [scale(value) for curve in plot["curves"] for value in curve["y"] if value > 0 or not logarithmic] or [0.0]
     per_pixel = (max(values) - min(values) or 1) / PLOT_PIXELS
     ends = sorted((max(scale(curve["y"][-1]), min(values)), place) for place, curve in enumerate(plot["curves"]) if curve["y"])
     reached = -math.inf
@@ -88,12 +101,16 @@ def interactive(plot):
     if plot["polar"]:
         return polar(plot)
     figure, looks = plotly.Figure(), looks_of(plot)
-    for (color, dash), curve in zip(looks, plot["curves"]):
+    for place, ((color, dash), curve) in enumerate(zip(looks, plot["curves"])):
         width = 1.2 if color == look.OTHERS else 2
-        figure.add_scatter(x=curve["x"], y=curve["y"], name=curve["name"], mode="lines", line={"color": color, "dash": dash, "width": width})
+        marks = {"symbol": f"{MARKS[place % len(MARKS)][1]}-open", "color": color, "size": 7 + 2 * place, "line": {"width": 1.5}}
+        figure.add_scatter(x=curve["x"], y=curve["y"], name=curve["name"], mode="markers" if curve.get("marks") else "lines", line={"color": color, "dash": dash, "width": width},
+                           marker=marks)
     look.dress(figure, 420, 20 + 7 * max(len(curve["name"]) for curve in plot["curves"]))
     label_ends(figure, plot, [color for color, _ in looks])
-    scale = "log" if plot.get("logarithmic") else "linear"
     for update, label, along in ((figure.update_xaxes, plot["x_label"], "x"), (figure.update_yaxes, plot["y_label"], "y")):
+        scale = "log" if is_logarithmic(plot, along) else "linear"
         update(title=label, type=scale, **(look.log_ticks([value for curve in plot["curves"] for value in curve[along]]) if scale == "log" else {}))
+    if counts_of(plot):
+        figure.update_xaxes(tickvals=counts_of(plot))
     return figure

@@ -40,12 +40,18 @@ def flat(plot):
     looks = curves.looks_of(plot)
     with pyplot.rc_context(look.PRINT):
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.3), layout="constrained")
-        for (color, dash), curve in zip(looks, plot["curves"]):
-            axes.plot(curve["x"], curve["y"], DASHES[dash], color=color, linewidth=0.7 if color == look.OTHERS else 1)
-        scale = "log" if plot.get("logarithmic") else "linear"
-        axes.set(xlabel=plot["x_label"], ylabel=look.wrapped(plot["y_label"]), xscale=scale, yscale=scale)
-        for axis in (axes.xaxis, axes.yaxis) if plot.get("logarithmic") else ():
-            look.plain_ticks(axis)
+        for place, ((color, dash), curve) in enumerate(zip(looks, plot["curves"])):
+            if curve.get("marks"):
+                axes.plot(curve["x"], curve["y"], curves.MARKS[place % len(curves.MARKS)][0], color=color, markersize=3 + place, markerfacecolor="none", markeredgewidth=0.8)
+            else:
+                axes.plot(curve["x"], curve["y"], DASHES[dash], color=color, linewidth=0.7 if color == look.OTHERS else 1)
+        scales = {axis: "log" if curves.is_logarithmic(plot, axis) else "linear" for axis in "xy"}
+        axes.set(xlabel=plot["x_label"], ylabel=look.wrapped(plot["y_label"]), xscale=scales["x"], yscale=scales["y"])
+        for name, axis in (("x", axes.xaxis), ("y", axes.yaxis)):
+            if scales[name] == "log":
+                look.plain_ticks(axis)
+        if curves.counts_of(plot):
+            axes.set_xticks(curves.counts_of(plot))
         name_ends(axes, plot, looks)
         return files_of(figure, ("pdf", "svg"))
 

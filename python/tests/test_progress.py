@@ -29,6 +29,7 @@ LONG = {
     "shadows.transmittance": lambda **p: cuticle.shadows.transmittance(STRANDS, points=[[0, -1, 0]], **p),
     "shadows.truth": lambda **p: cuticle.shadows.truth(STRANDS, points=[[0, -1, 0]], rays=4, **p),
     "Simulation.step": lambda **p: cuticle.simulate(STRANDS, "exact").step(3, **p),
+    "Simulation.at_rest": lambda **p: cuticle.simulate(STRANDS, "rod").at_rest(**p),
     "render": lambda **p: cuticle.render(SCENE, "reference", size=(8, 8), samples=2, **p),
     "study": lambda **p: cuticle.study("skinning", quick=True, **p),
     "sweep": lambda folder, **p: cuticle.sweep({"task": "eval", "fixed": {"model": "karis", "quantity": "S", **POINT}, "vary": {"theta_i_deg": [1, 2]}}, folder, **p),

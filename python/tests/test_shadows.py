@@ -56,8 +56,8 @@ def test_Transmittance_WithoutPoints_IsThatOfTheVertices():
     assert details["values"].shape == (600,) and details["bytes"] > 0 and details["build_ms"] >= 0 and "cpu" in details["device"]
 
 
-def test_Transmittance_OfALamp_DependsOnItsPlace():
-    lit, dark = (cuticle.shadows.transmittance(sheet(), (0, y, 0), BELOW, "deep_opacity", lamp=True).mean() for y in (-1, 1))
+def test_Transmittance_OfAPointLight_DependsOnItsPlace():
+    lit, dark = (cuticle.shadows.transmittance(sheet(), (0, y, 0), BELOW, "deep_opacity", point_light=True).mean() for y in (-1, 1))
     assert dark < lit
 
 

@@ -108,3 +108,28 @@ def test_Groom_OfASimulation_CanBeWritten(tmp_path):
     cuticle.write(simulation.groom(), tmp_path / "moved.hair")
     assert cuticle.load_groom(tmp_path / "moved.hair", metres_per_unit=1).positions == pytest.approx(simulation.state.positions)
     assert simulation.curvature().shape == (24,)
+
+
+def test_AtRest_OfACantilever_IsTheHeavyElastica():
+    """Drop over width of the tip at a weight of 10 over the stiffness: 1.0668 (study/mechanics/reference)."""
+    length = (10 * 3.9e9 * 3.5e-5 ** 2 / (4 * 1300) / 9.80665) ** (1 / 3)
+    hair = cuticle.make_groom(numpy.linspace([0, 0, 0], [length, 0, 0], 65)[None])
+    rest = cuticle.simulate(hair, "rod", ["gravity"], sag_free=False).at_rest()
+    tip = rest.groom.positions[-1]
+    assert -tip[1] / tip[0] == pytest.approx(1.066802, rel=1e-3)
+    assert rest.balanced.all() and rest.stable.all() and rest.residual[0] < 1e-9 and rest.stiffening[0] == 1
+
+
+def test_AtRest_OfAStrandThatStands_SaysHowMuchItWasStiffened():
+    """Gamma is 100 for 13 cm: it stands with 1.25 * 100 / 7.837 times the stiffness."""
+    length = (100 * 3.9e9 * 3.5e-5 ** 2 / (4 * 1300) / 9.80665) ** (1 / 3)
+    hair = cuticle.make_groom(numpy.linspace([0, 0, 0], [0, length, 0], 65)[None])
+    rest = cuticle.simulate(hair, "rod", ["gravity"]).at_rest()
+    assert rest.stiffening[0] == pytest.approx(15.95, rel=0.015) and rest.held.all()
+    numpy.testing.assert_allclose(rest.groom.positions, hair.positions, atol=1e-6)
+    assert not cuticle.simulate(hair, "rod", ["gravity"], stiffen_at_most=4).at_rest().held.any()
+
+
+def test_AtRest_OfAnotherSolver_IsRefused():
+    with pytest.raises(cuticle.Error, match="no equilibrium"):
+        cuticle.simulate(strands(), "exact").at_rest()

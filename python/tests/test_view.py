@@ -62,4 +62,4 @@ def test_Page_WithoutThree_SaysWhatToInstall(tmp_path):
     with pytest.raises(cuticle.Error, match="three.module.js"):
         cuticle.view.page(strands, tmp_path / "page", three=tmp_path)
     with pytest.raises(cuticle.Error, match="variant=corrected"):
-        cuticle.view.page(strands, tmp_path / "page", "variant=literal", three=tmp_path)
+        cuticle.view.page(strands, tmp_path / "page", "variant=as_published", three=tmp_path)

@@ -129,10 +129,11 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   for (const Light& light : scene.lights) {
     hash.add(light.to_light);
     hash.add(light.irradiance);
-    if (!light.lamp) continue;
-    for (const glm::dvec3& part : {light.lamp->position, light.lamp->intensity, light.lamp->axis}) hash.add(part);
-    hash.add(light.lamp->inner_angle);
-    hash.add(light.lamp->outer_angle);
+    if (!light.point_light) continue;
+    for (const glm::dvec3& part : {light.point_light->position, light.point_light->intensity, light.point_light->axis})
+      hash.add(part);
+    hash.add(light.point_light->inner_angle);
+    hash.add(light.point_light->outer_angle);
   }
   for (const Surface& surface : scene.surfaces) {
     hash.add(std::span<const glm::vec3>(surface.mesh.positions));
@@ -148,8 +149,9 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
     hash.add(camera.vertical_field_of_view);
   }
   hash.add(std::span<const glm::vec3>(scene.positions_at_end));
-  for (const double number : {double(options.scatterings), double(options.seed), double(options.far_field),
-                              options.lens.radius, options.lamp_radius, options.sun_angle, options.clamp_indirect, options.lens.focus_distance})
+  for (const double number :
+       {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
+        options.point_light_radius, options.sun_angle, options.clamp_indirect, options.lens.focus_distance})
     hash.add(number);
   if (options.tables) {
     hash.add(options.tables->layout);

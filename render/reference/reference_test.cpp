@@ -117,15 +117,16 @@ TEST(Reference, ErrorAskedFor_IsMetWithFewerSamplesWhereItIsEasy) {
   EXPECT_LT(picture.error, 0.32);
 }
 
-// A lamp far away is a distant light.
-TEST(Reference, LampFarAway_LightsAsADistantLight) {
+// A point light far away is a distant light.
+TEST(Reference, PointLightFarAway_LightsAsADistantLight) {
   TracedScene scene = lit_ball();
   scene.lights.resize(1);
   const Mean distant = mean_where_covered(picture_of(scene, {.scatterings = 2}, {.samples = 8}));
   const double away = 1000;
-  scene.lights[0].lamp = Lamp{.position = away * scene.lights[0].to_light, .intensity = glm::dvec3(3 * away * away)};
-  const Mean lamp = mean_where_covered(picture_of(scene, {.scatterings = 2}, {.samples = 8}));
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(lamp.color[c] / distant.color[c], 1, 2e-3);
+  scene.lights[0].point_light =
+      PointLight{.position = away * scene.lights[0].to_light, .intensity = glm::dvec3(3 * away * away)};
+  const Mean point_light = mean_where_covered(picture_of(scene, {.scatterings = 2}, {.samples = 8}));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(point_light.color[c] / distant.color[c], 1, 2e-3);
 }
 
 // The limit holds for each path, and leaves direct light alone.

@@ -75,7 +75,7 @@ Result<VertexTransmittance> VertexTransmittance::make(const TracedScene& scene, 
   VertexTransmittance result;
   for (const Light& light : scene.lights) {
     shadows::Casters casters{.groom = &hair, .to_light = light.to_light};
-    if (light.lamp) casters.lamp = light.lamp->position;
+    if (light.point_light) casters.point_light = light.point_light->position;
     CUTICLE_ASSIGN(shadows::ColouredTransmittance reached,
                    shadows::evaluate_channels(*method, casters, choice.alpha, receivers, choice.values));
     result.of_light_.push_back(std::move(reached.values));

@@ -23,8 +23,8 @@ struct TraceOptions {
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
   Lens lens = {};
-  double lamp_radius = 0;  ///< of every lamp, a sphere of even radiance, metres; 0: points
-  double sun_angle = 0;    ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
+  double point_light_radius = 0;  ///< of every point light, a sphere of even radiance, metres; 0: points
+  double sun_angle = 0;       ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
   double clamp_indirect = 0;  ///< radiance of a path's brightest channel, at most, of light from one scattering after
                               ///< the first; 0: no limit
 };

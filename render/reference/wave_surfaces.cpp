@@ -11,12 +11,12 @@ namespace cuticle::render::reference {
 
 namespace {
 
-constexpr double k_least_distance = 1e-3;  // metres: what lies nearer to a lamp is lit as from there
+constexpr double k_least_distance = 1e-3;  // metres: what lies nearer to a point light is lit as from there
 
-double spot_share(const Lamp& lamp, const glm::dvec3& to_light) {
-  if (lamp.outer_angle >= k_all_around) return 1;
-  const double inner = std::cos(lamp.inner_angle), outer = std::cos(lamp.outer_angle);
-  const double share = std::clamp((glm::dot(-to_light, lamp.axis) - outer) / (inner - outer), 0.0, 1.0);
+double spot_share(const PointLight& point_light, const glm::dvec3& to_light) {
+  if (point_light.outer_angle >= k_all_around) return 1;
+  const double inner = std::cos(point_light.inner_angle), outer = std::cos(point_light.outer_angle);
+  const double share = std::clamp((glm::dot(-to_light, point_light.axis) - outer) / (inner - outer), 0.0, 1.0);
   return share * share;
 }
 
@@ -35,16 +35,16 @@ glm::dvec3 direction_in_cone(const glm::dvec3& axis, double cosine_of_edge, doub
 /// angle 2 pi (1 - c) with radiance E / (pi s^2), c and s the cosine and sine of half its angle.
 void Wave::spread(Arriving& from, const Light& light, std::uint32_t k) const {
   const TraceOptions& options = scene_.options;
-  const bool is_lamp = light.lamp.has_value();
-  const double away = from.distance, radius = options.lamp_radius;
-  const double sine = is_lamp ? radius / away : std::sin(options.sun_angle);
-  if (!(sine > 0) || !(sine < 1)) return;  // a point; or inside the lamp, which is lit as by a point
+  const bool is_point_light = light.point_light.has_value();
+  const double away = from.distance, radius = options.point_light_radius;
+  const double sine = is_point_light ? radius / away : std::sin(options.sun_angle);
+  if (!(sine > 0) || !(sine < 1)) return;  // a point; or inside the point light, which is lit as by a point
   const double cosine = std::sqrt(1 - sine * sine);
   const auto u = numbers(k, Purpose::light);
   from.to_light = direction_in_cone(from.to_light, cosine, double(u[1]), double(u[2]));
   from.irradiance *= 2 / (1 + cosine);
-  if (!is_lamp) return;
-  const double along = glm::dot(light.lamp->position - from.point, from.to_light);
+  if (!is_point_light) return;
+  const double along = glm::dot(light.point_light->position - from.point, from.to_light);
   from.distance = along - std::sqrt(std::max(0.0, radius * radius - away * away + along * along));
 }
 
@@ -68,16 +68,16 @@ Wave::Arriving Wave::arriving(const glm::dvec3& point, std::uint32_t k, int roun
   Arriving from{
       .to_light = light.to_light, .irradiance = (draws ? double(lights.size()) : 1) * light.irradiance, .light = at};
   from.point = point;
-  if (!light.lamp) {
+  if (!light.point_light) {
     spread(from, light, k);
     return from;
   }
-  const glm::dvec3 way = light.lamp->position - point;
+  const glm::dvec3 way = light.point_light->position - point;
   from.distance = glm::length(way);
   from.to_light = from.distance > 0 ? way / from.distance : glm::dvec3(0, 1, 0);
   const double away = std::max(from.distance, k_least_distance);
-  from.irradiance = (draws ? double(lights.size()) : 1) * light.lamp->intensity *
-                    (spot_share(*light.lamp, from.to_light) / (away * away));
+  from.irradiance = (draws ? double(lights.size()) : 1) * light.point_light->intensity *
+                    (spot_share(*light.point_light, from.to_light) / (away * away));
   spread(from, light, k);
   return from;
 }

@@ -118,7 +118,7 @@ inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const stra
 /// How a lookup averages.
 struct MapFilter {
   float radius = 1;        ///< texels; under 0.5: the one texel that holds the point
-  float metres = 0;        ///< the same where it is not 0: in a lamp's view as many texels as it is wide there
+  float metres = 0;        ///< the same where it is not 0: in a point light's view as many texels as it is wide there
   float depth_offset = 0;  ///< metres behind the point that fibres still count
   bool poisson = false;    ///< average the optical depth; else T
 };

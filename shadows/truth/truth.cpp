@@ -74,11 +74,11 @@ class Tracer {
     double distance;
   };
   Way way_from(const glm::dvec3& point) const {
-    if (!casters_.lamp)
+    if (!casters_.point_light)
       return {casters_.to_light / glm::length(casters_.to_light), std::numeric_limits<double>::infinity()};
-    const glm::dvec3 to_lamp = *casters_.lamp - point;
-    const double distance = glm::length(to_lamp);
-    return {distance > 0 ? to_lamp / distance : glm::dvec3(0, 1, 0), distance};
+    const glm::dvec3 to_point_light = *casters_.point_light - point;
+    const double distance = glm::length(to_point_light);
+    return {distance > 0 ? to_point_light / distance : glm::dvec3(0, 1, 0), distance};
   }
 
   /// Where a ray starts, relative to the point: a random place in the ray's cell of the disc, by rings and sectors of

@@ -134,7 +134,7 @@ float crossing_met_at_random(double alpha, const Settings& settings) {
 
 Result<Volume> build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes,
                             const Settings& settings) {
-  if (axes.reach > 0) return lamp_refused("voxel");
+  if (axes.reach > 0) return point_light_refused("voxel");
   const strands::Bounds box = strands::bounds(groom);
   Volume volume{volume_placement(box.lower, box.upper, settings.map.resolution),
                 axes,

@@ -41,7 +41,7 @@ struct Volume {
 
 /// Counts each piece of hair, at most half a cell long, in the cell of its middle; the same integers at any thread
 /// count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
-/// Error: usage, for a lamp's view.
+/// Error: usage, for a point light's view.
 Result<Volume> build_volume(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 
 /// Mean transmittance over the rays from each receiver.

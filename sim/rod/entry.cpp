@@ -19,6 +19,10 @@ void describe(registry::Members& members, Rod& rod) {
   members(rod.density, "density", "kg/m^3", 1, 1e5, "of the fibre");
   members(rod.sag_free, "sag_free",
           "the groom is combed under gravity: the natural shape is the one that gravity bends into the rest pose");
+  members(
+      rod.stiffen_at_most, "stiffen_at_most", "1", 1, 1e9,
+      "with sag_free: a strand whose rest pose gravity would tip over gets the least factor on EI and GJ that makes it "
+      "stable, up to this; 1: none does");
   members(rod.clamped_vertices, "clamped_vertices", 1, 2,
           "first vertices of a strand that the head carries; the rod is clamped at the last of them");
   members(rod.double_precision, chains::k_double_precision);

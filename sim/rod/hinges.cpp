@@ -122,12 +122,22 @@ void fill_lane(chains::Rows<Real>& hinges, std::size_t first, std::size_t lane, 
 }  // namespace
 
 template <class Real>
+void put_hinges(const chains::Chains<Real>& chains, std::size_t block, std::size_t lane, const Stiffness& stiffness,
+                const glm::dvec3& gravity, chains::Rows<Real>& hinges) {
+  fill_lane(hinges, chains.blocks[block].first_vertex, lane, rest_rod(chains, block, lane), stiffness, gravity);
+}
+template void put_hinges<float>(const chains::Chains<float>&, std::size_t, std::size_t, const Stiffness&,
+                                const glm::dvec3&, chains::Rows<float>&);
+template void put_hinges<double>(const chains::Chains<double>&, std::size_t, std::size_t, const Stiffness&,
+                                 const glm::dvec3&, chains::Rows<double>&);
+
+template <class Real>
 chains::Rows<Real> make_hinges(const chains::Chains<Real>& chains, const Stiffness& stiffness,
                                const glm::dvec3& gravity) {
   chains::Rows<Real> hinges(chains.rest.size() / chains::rest_row::count * hinge_row::count, Real(0));
   for (std::size_t b = 0; b < chains.blocks.size(); ++b)
     for (std::size_t lane = 0; lane < std::size_t(k_lanes); ++lane)
-      fill_lane(hinges, chains.blocks[b].first_vertex, lane, rest_rod(chains, b, lane), stiffness, gravity);
+      put_hinges(chains, b, lane, stiffness, gravity, hinges);
   return hinges;
 }
 template chains::Rows<float> make_hinges<float>(const chains::Chains<float>&, const Stiffness&, const glm::dvec3&);

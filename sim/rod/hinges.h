@@ -17,4 +17,9 @@ template <class Real>
 chains::Rows<Real> make_hinges(const chains::Chains<Real>& chains, const Stiffness& stiffness,
                                const glm::dvec3& gravity);
 
+/// The same of one strand of them, written into its rows.
+template <class Real>
+void put_hinges(const chains::Chains<Real>& chains, std::size_t block, std::size_t lane, const Stiffness& stiffness,
+                const glm::dvec3& gravity, chains::Rows<Real>& hinges);
+
 }  // namespace cuticle::sim::rod

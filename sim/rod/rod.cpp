@@ -2,6 +2,7 @@
 
 #include "core/instruction_set.h"
 #include "sim/chains/chain_solver.h"
+#include "sim/rod/holding.h"
 #include "sim/rod/kernel.h"
 
 namespace cuticle::sim::rod {
@@ -23,7 +24,7 @@ Result<std::unique_ptr<Solver>> make(const strands::Groom& rest, const Settings&
                                      const chains::Advance<Real> (&variants)[2][2]) {
   const auto& advance = variants[settings.chain.clumping.has_value()];
   chains::Chains<Real> chains = chains::make_chains<Real>(rest, settings.chain);
-  chains::Rows<Real> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  chains::Rows<Real> hinges = make_held_hinges(chains, settings).rows;
   return chains::make_chain_solver<Real>(rest, settings.chain, std::move(chains),
                                          {.free = advance[0],
                                           .touching = advance[1],
@@ -41,6 +42,7 @@ Settings make_settings(const registry::ParameterValues& values, const EffectBloc
   settings.stiffness.bending = rod.young_modulus * rod.fibre_radius * rod.fibre_radius / (4 * rod.density);
   settings.stiffness.twisting = rod.shear_modulus * rod.fibre_radius * rod.fibre_radius / (2 * rod.density);
   if (rod.sag_free) settings.balanced_gravity = settings.chain.gravity;
+  settings.stiffen_at_most = rod.stiffen_at_most;
   return settings;
 }
 

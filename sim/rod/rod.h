@@ -10,6 +10,7 @@ namespace cuticle::sim::rod {
 struct Rod : chains::ChainParameters {
   static constexpr std::string_view name = "rod";
   double young_modulus = 3.9e9, shear_modulus = 0.9e9, fibre_radius = 3.5e-5, density = 1300;
+  double stiffen_at_most = 1000;
   std::uint32_t clamped_vertices = 1;
 };
 void describe(registry::Members& members, Rod& rod);
@@ -19,6 +20,7 @@ struct Settings {
   chains::ChainSettings chain;
   Stiffness stiffness;
   glm::dvec3 balanced_gravity{0};  ///< that the natural shape holds up; zero unless sag_free
+  double stiffen_at_most = 1;      ///< of a strand whose rest pose would not be stable: holding.h
 };
 Settings make_settings(const registry::ParameterValues& values, const EffectBlocks& effects);
 

@@ -1,4 +1,5 @@
 #include "sim/chains/device/chain_solver_gpu.h"
+#include "sim/rod/holding.h"
 #include "sim/rod/kernel.h"
 #include "sim/rod/rod.h"
 
@@ -16,7 +17,7 @@ Result<std::unique_ptr<GpuSolver>> create_gpu(std::shared_ptr<gpu::Device> devic
   const Settings settings = make_settings(solver, effects);
   CUTICLE_TRY(chains::check_for_gpu(rest, settings.chain));
   chains::Chains<float> chains = chains::make_chains<float>(rest, settings.chain);
-  chains::Rows<float> hinges = make_hinges(chains, settings.stiffness, settings.balanced_gravity);
+  chains::Rows<float> hinges = make_held_hinges(chains, settings).rows;
   return chains::make_chain_solver_gpu(std::move(device), rest, settings.chain, std::move(chains),
                                        {.name = "rod",
                                         .free = rod_free,

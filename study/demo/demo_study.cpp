@@ -43,7 +43,7 @@ DemoSection section_of(const Comparison& comparison) {
 Result<DemoSection> run_demo_study(const strands::Groom& drawn, const scene::Scene& scene, const std::string& folder,
                                    Progress& progress) {
   DemoSection skipped{"Opacity maps and deep opacity maps against ray-traced truth", "", {}, {}};
-  const auto light = std::ranges::find_if(scene.lights, [](const Light& each) { return !each.lamp; });
+  const auto light = std::ranges::find_if(scene.lights, [](const Light& each) { return !each.point_light; });
   if (light == scene.lights.end()) {
     skipped.text = "Not run: the scene has no distant light.";
     return skipped;

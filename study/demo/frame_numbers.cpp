@@ -70,7 +70,7 @@ Result<ComparisonRow> shadow_error(const scene::Scene& scene, const Light& light
 std::vector<Row> shadow_rows(const scene::Scene& scene, const strands::Groom& drawn, Progress& progress) {
   std::vector<Row> rows;
   for (const Light& light : scene.lights) {
-    if (light.lamp || !scene.shadow) continue;
+    if (light.point_light || !scene.shadow) continue;
     const std::string what = fmt::format("transmittance to the light '{}', mean error", light.name);
     const auto error = shadow_error(scene, light, drawn, progress);
     if (!error)

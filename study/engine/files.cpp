@@ -62,9 +62,16 @@ Json group_json(const Group& group, const GroupResult& result) {
 
 Json plot_json(const Plot& plot) {
   Json curves = Json::list();
-  for (const Curve& curve : plot.curves) curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}});
-  return {{"name", plot.name},       {"title", plot.title}, {"x_label", plot.x_label},
-          {"y_label", plot.y_label}, {"polar", plot.polar}, {"logarithmic", plot.logarithmic},
+  for (const Curve& curve : plot.curves)
+    curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}, {"marks", curve.marks}});
+  return {{"name", plot.name},
+          {"title", plot.title},
+          {"x_label", plot.x_label},
+          {"y_label", plot.y_label},
+          {"polar", plot.polar},
+          {"logarithmic", plot.logarithmic},
+          {"logarithmic_x", plot.logarithmic_x},
+          {"logarithmic_y", plot.logarithmic_y},
           {"curves", curves}};
 }
 

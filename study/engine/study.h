@@ -66,7 +66,8 @@ struct Group {
   std::string name, title, truth = {};  ///< `truth` says in words what errors are against
   std::vector<Metric> metrics = {};
   std::string item = "item";  ///< what the errors are means over ("direction", "receiver")
-  double floor = 0;           ///< how well the truth is known: errors below it mean nothing, one of a single item is known to within it
+  double floor =
+      0;  ///< how well the truth is known: errors below it mean nothing, one of a single item is known to within it
   std::vector<Point> points = {};
 };
 
@@ -74,11 +75,13 @@ struct Group {
 struct Curve {
   std::string name;
   std::vector<double> x = {}, y = {};
+  bool marks = false;  ///< drawn as marks instead of a line: what was measured beside what is expected
 };
 struct Plot {
   std::string name, title = {}, x_label = {}, y_label = {};
-  bool polar = false, logarithmic = false;
+  bool polar = false, logarithmic = false;  ///< logarithmic: both axes
   std::vector<Curve> curves = {};
+  bool logarithmic_x = false, logarithmic_y = false;  ///< one axis alone
 };
 /// A function of two coordinates: values [y][x].
 struct Grid {
@@ -119,8 +122,8 @@ struct StudyOption {
 struct StudyRequest {
   bool quick = false;
   std::map<std::string, std::string> options = {};  ///< every one of the entry's
-  std::string device = {};                     ///< as --device
-  std::string share = {};                      ///< folder of the files that travel with the program (scenes)
+  std::string device = {};                          ///< as --device
+  std::string share = {};                           ///< folder of the files that travel with the program (scenes)
 };
 
 /// A registered study. `declare` makes it; what it computes itself (truths, curves) is deterministic.

@@ -40,6 +40,13 @@ Result<Outcome> cantilever_run(int links, double gamma) {
   return Outcome{point_at(cantilever_curve(), gamma).value, -tip.y / tip.x, speed_over_fall(state, length)};
 }
 
+Result<Outcome> cantilever_at_rest(int links, double gamma) {
+  const double length = length_of(gamma);
+  CUTICLE_ASSIGN(const AtRest rest, rest_of(straight(links, length, {1, 0, 0}), "sag_free=false"));
+  const glm::dvec3 tip = rest.positions.back();
+  return Outcome{point_at(cantilever_curve(), gamma).value, -tip.y / tip.x, rest.residual};
+}
+
 /// A planar arc of natural curvature K / L, its first link half a link on from the clamp, in the plane z = 0. `clamp`:
 /// angle of its tangent from the downward vertical.
 strands::Groom arc(int links, double length, double natural, double clamp) {
@@ -109,30 +116,40 @@ strands::Groom tress(int links, double length) {
   return groom;
 }
 
+RoundedBox cylinder_of(double length) {
+  const double radius = k_cylinder * length;
+  return make_capsule({0, -radius, -0.1}, {0, -radius, 0.1}, radius);
+}
 Result<sim::State> draped(const std::string& name, const std::string& settings, int links, double length) {
   CUTICLE_ASSIGN(const auto solver, solver_of(name, tress(links, length), "damping=5," + settings,
                                               {.colliders = "pearl_radius=0,friction=0"}));
-  const double radius = k_cylinder * length;
-  const RoundedBox cylinder = make_capsule({0, -radius, -0.1}, {0, -radius, 0.1}, radius);
+  const RoundedBox cylinder = cylinder_of(length);
   return run_still(*solver, 6, 1.0 / 60, {.boxes = {&cylinder, 1}});
 }
 /// Drop of the tips over the length.
-double drop_of(const sim::State& state, double length) {
+double drop_of(std::span<const glm::vec3> positions, double length) {
   double sum = 0;
-  const std::size_t each = state.positions.size() / 8;
-  for (std::size_t s = 1; s <= 8; ++s) sum -= double(state.positions[s * each - 1].y);
+  const std::size_t each = positions.size() / 8;
+  for (std::size_t s = 1; s <= 8; ++s) sum -= double(positions[s * each - 1].y);
   return sum / 8 / length;
 }
 Result<Outcome> drape_run(int links, double gamma) {
   const double length = length_of(gamma);
   CUTICLE_ASSIGN(const sim::State state, draped("rod", "sag_free=false", links, length));
-  return Outcome{point_at(drape_curve(), gamma).value, drop_of(state, length), speed_over_fall(state, length)};
+  return Outcome{point_at(drape_curve(), gamma).value, drop_of(state.positions, length),
+                 speed_over_fall(state, length)};
+}
+Result<Outcome> drape_at_rest(int links, double gamma) {
+  const double length = length_of(gamma);
+  const RoundedBox cylinder = cylinder_of(length);
+  CUTICLE_ASSIGN(const AtRest rest, rest_of(tress(links, length), "sag_free=false", {&cylinder, 1}));
+  return Outcome{point_at(drape_curve(), gamma).value, drop_of(rest.positions, length), rest.residual};
 }
 /// Without stiffness it follows the cylinder for a quarter turn and hangs.
 Result<Outcome> limp_drape_run(const std::string& name, const std::string& settings) {
   const double length = 0.3, truth = 1 - k_cylinder * (std::numbers::pi / 2 - 1);
   CUTICLE_ASSIGN(const sim::State state, draped(name, settings, 64, length));
-  return Outcome{truth, drop_of(state, length), speed_over_fall(state, length)};
+  return Outcome{truth, drop_of(state.positions, length), speed_over_fall(state, length)};
 }
 
 }  // namespace
@@ -149,6 +166,8 @@ Experiment cantilever(bool quick) {
   for (const int links : {32, 64})
     e.contestants.push_back(
         {"rod", {{"links", std::to_string(links)}}, at, [=](double gamma) { return cantilever_run(links, gamma); }});
+  e.contestants.push_back(
+      {"rod", {{"links", "64"}, {"steps", "no"}}, at, [](double gamma) { return cantilever_at_rest(64, gamma); }});
   return e;
 }
 
@@ -183,10 +202,15 @@ Experiment drape(bool quick) {
       .truth = "the heavy elastica that leaves a cylinder (reference/make_curves.py); without stiffness a quarter turn",
       .x_label = "weight over stiffness, rho g A L^3 / EI",
       .y_label = "drop of the tip over the length",
+      .logarithmic_x = true,
       .curves = {curve_of("elastica", drape_curve())}};
   e.contestants.push_back({"rod", {{"links", "64"}}, some_of(places_of(drape_curve()), quick), [](double gamma) {
                              return drape_run(64, gamma);
                            }});
+  e.contestants.push_back(
+      {"rod", {{"links", "64"}, {"steps", "no"}}, some_of(places_of(drape_curve()), quick), [](double gamma) {
+         return drape_at_rest(64, gamma);
+       }});
   const std::string free(k_free);
   e.contestants.push_back(
       {"exact", {{"links", "64"}}, {1e6}, [=](double) { return limp_drape_run("exact", free); }, false});

@@ -193,6 +193,7 @@ Experiment catenary(bool quick) {
                .truth = "the catenary whose directrix is at the free end",
                .x_label = "length over span",
                .y_label = "sag over span",
+               .logarithmic_y = true,
                .error = "error of the sag over the span",
                .is_relative = false,
                .curves = {{"catenary", {}, {}}}};

@@ -39,7 +39,7 @@ Point point_of(const Experiment& experiment, const Contestant& contestant, const
 }
 
 Curve drawn(const Contestant& contestant, const Runs& runs) {
-  Curve curve{contestant.solver, contestant.at, {}};
+  Curve curve{contestant.solver, contestant.at, {}, true};
   for (const Knob& knob : contestant.knobs) curve.name += fmt::format(", {} {}", knob.value, knob.name);
   for (const Outcome& outcome : runs.outcomes) curve.y.push_back(outcome.found);
   return curve;
@@ -59,8 +59,8 @@ Result<void> add_experiment(Study& study, const Experiment& experiment, Progress
               .truth = experiment.truth,
               .metrics = {{"error", experiment.error}, {"residual", experiment.residual}},
               .item = "run"};
-  Plot plot{experiment.name, experiment.title,       experiment.x_label, experiment.y_label,
-            false,           experiment.logarithmic, experiment.curves};
+  Plot plot{experiment.name,        experiment.title,  experiment.x_label,       experiment.y_label,      false,
+            experiment.logarithmic, experiment.curves, experiment.logarithmic_x, experiment.logarithmic_y};
   for (const Contestant& contestant : experiment.contestants) {
     progress.message(fmt::format("{}: {}", experiment.name, contestant.solver));
     CUTICLE_ASSIGN(const Runs runs, run_all(contestant));

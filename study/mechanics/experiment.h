@@ -31,6 +31,7 @@ struct Experiment {
   std::string name, title, truth;  ///< as of a Group
   std::string x_label, y_label;    ///< of the figure
   bool logarithmic = false;        ///< both axes
+  bool logarithmic_x = false, logarithmic_y = false;
   std::string residual = "speed of the fastest vertex at the end, over sqrt(g L)";
   std::string error = "error, relative";
   bool is_relative = true;         ///< error: of found over truth less 1; else their difference

@@ -61,7 +61,10 @@ Result<Study> mechanics_study(const MechanicsRequest& request, Progress& progres
     CUTICLE_TRY(add_experiment(study, find(names[k])->make(request.quick), progress));
   }
   progress.update("experiments", names.size(), names.size());
-  study.notes = {"classic and exact have no bending: they take part where limp hair does. classic has no friction."};
+  study.notes = {
+      "classic and exact have no bending: they take part where limp hair does. classic has no friction.",
+      "Rod with no steps through time is the equilibrium of `simulate --rest`: its residual is the largest moment "
+      "that is not balanced, over weight times length."};
   return study;
 }
 

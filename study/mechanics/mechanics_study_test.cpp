@@ -15,13 +15,13 @@ constexpr double k_not_judged = 0;
 TEST(MechanicsStudy, Experiments_AreMetWithinWhatWasMeasured) {
   // By experiment, and then by its points: the largest error.
   const std::map<std::string, std::vector<double>> bounds = {
-      {"cantilever", {0.7, 0.18}},  // at Gamma 10,000 and that few links; below 1,000 within 6 % and 2 %
+      {"cantilever", {0.7, 0.18, 0.18}},  // at Gamma 10,000 and that few links; below 1,000 within 6 % and 2 %
       {"bend_twist", {0.025, 0.009}},
       {"lateral_buckling", {0.013, 0.0025}},
       {"clamped_beam", {0.012}},
       {"hanging_chain", {k_not_judged, 0.018, 0.018}},  // of classic the second and third mode do not swing
       {"falling_chain", {0.006, 0.014, 0.014}},
-      {"drape", {0.01, 0.0008, 0.0008}}};
+      {"drape", {0.01, 0.0006, 0.0008, 0.0008}}};
   std::vector<std::string> names;
   for (const auto& [name, _] : bounds) names.push_back(name);
   const auto study = mechanics_study({true, names}, silent_progress());

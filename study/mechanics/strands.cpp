@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/rod/equilibrium.h"
 #include "study/motion/effect_values.h"
 
 namespace cuticle::study::mechanics {
@@ -44,6 +45,19 @@ Result<sim::State> run_still(sim::Solver& solver, double seconds, double step, c
   input.duration = step;
   for (int k = 0; k < int(std::ceil(seconds / step - 1e-9)); ++k) CUTICLE_TRY(solver.advance(input));
   return solver.state();
+}
+
+Result<AtRest> rest_of(const strands::Groom& groom, const std::string& settings, std::span<const RoundedBox> boxes) {
+  CUTICLE_ASSIGN(const registry::ParameterValues values, effect_values("rod", settings));
+  sim::EffectBlocks effects;
+  CUTICLE_ASSIGN(effects["gravity"], effect_values("gravity", ""));
+  CUTICLE_ASSIGN(effects["colliders"], effect_values("colliders", "pearl_radius=0"));
+  const std::vector<sim::PlacedCollider> colliders = sim::placed_colliders({.boxes = boxes});
+  CUTICLE_ASSIGN(auto found,
+                 sim::rod::find_equilibrium(groom, values, effects, {.colliders = colliders}, silent_progress()));
+  AtRest rest{std::move(found.positions), 0};
+  for (const sim::rod::StrandRest& strand : found.strands) rest.residual = std::max(rest.residual, strand.residual);
+  return rest;
 }
 
 double fastest(const sim::State& state) {

@@ -33,6 +33,15 @@ Result<std::unique_ptr<sim::Solver>> solver_of(std::string_view name, const stra
 
 /// The state after so many frames beside these, the head at rest.
 Result<sim::State> run_still(sim::Solver& solver, double seconds, double step, const sim::FrameInput& beside = {});
+/// The same without a run through time (sim/rod/equilibrium.h), `rod` with these settings. Residual: the largest moment
+/// that is not balanced, over weight times length.
+struct AtRest {
+  std::vector<glm::vec3> positions;
+  double residual = 0;
+};
+Result<AtRest> rest_of(const strands::Groom& groom, const std::string& settings,
+                       std::span<const RoundedBox> boxes = {});
+
 /// The fastest vertex, m/s.
 double fastest(const sim::State& state);
 

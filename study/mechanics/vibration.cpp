@@ -211,7 +211,7 @@ Experiment falling_chain(bool quick) {
       .title = "A folded chain let go of: its tip falls faster than g",
       .truth = "Runge-Kutta on the same links; drawn beside it, the chain without a fold (Calkin and March 1989)",
       .x_label = "way that the tip has fallen, over the length",
-      .y_label = "its acceleration in the mean, over g",
+      .y_label = "mean acceleration, over g",
       .residual = k_stretch,
       .curves = {{"without a fold", {}, {}}, {"49 links", {}, {}}}};
   for (double share = 0.1; share <= 0.901; share += 0.02) {

@@ -74,7 +74,7 @@ def test_Picture_OfTheFolderFromDisk_ShowsTheHairAndFollowsTheSliders(seen):
 
 
 def test_Viewer_OfAModelThatThePageCannotBake_IsRefused(tmp_path):
-    assert "variant=corrected" in refused(2, "viewer", "x.hair", "--set", "variant=literal", "--out", tmp_path / "viewer")
+    assert "variant=corrected" in refused(2, "viewer", "x.hair", "--set", "variant=as_published", "--out", tmp_path / "viewer")
 
 
 def test_Viewer_WithoutThree_SaysHowToGetIt(tmp_path):

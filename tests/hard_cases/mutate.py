@@ -103,7 +103,7 @@ def build(tree, folder, on_device):
     flags = [] if on_device else [f"-DCMAKE_CXX_FLAGS=-include {header}"]
     environment = dict(os.environ, CCACHE_BASEDIR=str(tree), CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="pch_defines,time_macros",
                        PATH=f"{ROOT}/.venv/bin:{os.environ['PATH']}")
-    built = folder / "build"
+    built = tree / "build/release"  # where the preset builds: the compiler's cache then knows what no guard touches
     subprocess.run(["cmake", "-G", "Ninja", "-S", tree, "-B", built, "-DCMAKE_BUILD_TYPE=Release", "-DCUTICLE_UNITY=ON",
                     f"-DPython_EXECUTABLE={ROOT}/.venv/bin/python", *flags, *OPTIONS[on_device]],
                    check=True, env=environment, stdout=subprocess.DEVNULL)

@@ -148,7 +148,7 @@ def exact(text):
 def printed_rows():
     eta, sigma, beta, alpha = "1.55", "0.2", "0.25", "-0.125"
     for eta in ("1.55", "1.12", "2.3"):
-        base = f"variant=literal;eta={eta};sigma_a={sigma};beta={beta};alpha={alpha}"
+        base = f"variant=as_published;eta={eta};sigma_a={sigma};beta={beta};alpha={alpha}"
         for theta_i, theta_o in (("0.2", "-0.3"), ("-0.9", "0.6"), ("1.2", "0.1")):
             theta_d = (exact(theta_o) - exact(theta_i)) / 2
             for lobe in (0, 1, 2):
@@ -163,11 +163,11 @@ def printed_rows():
 
 
 def smoothed_rows():
-    for variant in ("corrected", "literal"):
+    for variant in ("corrected", "as_published"):
         for eta in ("1.55", "1.97", "2.05", "2.5"):
             for width in ("0.1745", "0.4"):
                 settings = f"variant={variant};caustic=smoothed;eta={eta};sigma_a=0.2;k_g=0.7;w_c={width};delta_eta=0.3;delta_h_max=0.5"
-                path = Path(exact(eta), exact("0.2"), exact("0.2"), 2, variant == "literal")
+                path = Path(exact(eta), exact("0.2"), exact("0.2"), 2, variant == "as_published")
                 for phi in ("0", "0.1", "0.4", "1", "3.1"):
                     n = path.smoothed(exact(phi), exact("0.7"), exact(width), exact("0.3"), exact("0.5"))
                     yield row(settings, "N", 2, n, theta_d="0.2", phi=phi)

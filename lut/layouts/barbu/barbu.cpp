@@ -17,7 +17,7 @@ const Layout& entry() {
       .entry = {.kind = registry::EntryKind::layout,
                 .name = "barbu",
                 .summary = "two textures addressed by value / 2 + 1 / 2: M and cos theta_d; N_R, N_TT, N_TRT without "
-                           "colour; for marschner with variant=literal",
+                           "colour; for marschner with variant=as_published",
                 .source = "tcoppex/barbu, src/shaders/hair/marschner and 03_rendering/fs_render_hair.glsl at 38913e7",
                 .systems = k_systems},
       .tables = k_tables,

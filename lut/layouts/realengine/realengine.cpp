@@ -15,7 +15,7 @@ const Layout& entry() {
                 .name = "realengine",
                 .summary =
                     "two textures addressed by value / 2 + 1 / 2 and by cos theta_d: M and cos theta_d; N_R, N_TT, "
-                    "N_TRT without colour; for marschner with variant=literal",
+                    "N_TRT without colour; for marschner with variant=as_published",
                 .source =
                     "zhaijialong/RealEngine, source/renderer/marschner_hair_lut.cpp at 918a3c1, shaders/brdf.hlsli "
                     "at e9f2a69",

@@ -15,10 +15,10 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 tangent;
 layout(location = 2) flat in float brightness;
 layout(location = 3) in vec4 reached[2 * CHANNELS];
-layout(location = 3 + 2 * CHANNELS) in vec3 often;
-layout(constant_id = 4) const uint k_dual = 0u;  // 1: `often` in place of the frame's `multiple`
+layout(location = 3 + 2 * CHANNELS) in vec3 at_vertex;
+layout(constant_id = 4) const uint k_dual = 0u;  // 1: `at_vertex` in place of the frame's `multiple`
 layout(constant_id = 8) const uint k_samples = 1u;  // of a texel
-layout(constant_id = 9) const uint k_direct = 0u;   // 1: `often` is all of the light
+layout(constant_id = 9) const uint k_direct = 0u;   // 1: `at_vertex` is all of the light
 layout(location = 5 + 2 * CHANNELS) in float opacity;
 layout(location = 6 + 2 * CHANNELS) flat in float chance;
 #include "render/passes/lines/thin.glsl"
@@ -47,7 +47,7 @@ void main() {
     tangent_below = dFdy(t);
   }
   vec3 to_eye = normalize(eye.xyz - position);
-  vec3 sum = k_dual + k_direct != 0u ? max(often, 0.0) : vec3(0.0);
+  vec3 sum = k_dual + k_direct != 0u ? max(at_vertex, 0.0) : vec3(0.0);
   for (uint k = 0u; k < light_count && k_direct == 0u; ++k) {
     vec3 transmittance = clamp(share_of(k), 0.0, 1.0);  // a sample beside the line extrapolates
     const Arriving arriving = arriving_at(position, lights[k]);

@@ -168,27 +168,27 @@ double error(const glm::vec4& pixel, const glm::dvec3& exact) {
   return std::max({apart.x, apart.y, apart.z}) / std::max({exact.x, exact.y, exact.z, k_dim});
 }
 
-// A lamp's light at the strand: 1 / distance^2 of its intensity, of which a spot's ramp leaves ((cos 20 - cos 40) /
-// (cos 10 - cos 40))^2 to what lies 20 degrees beside its axis.
-TEST(Lines, PixelByALamp_IsThatByItsLightThere) {
+// A point light's light at the strand: 1 / distance^2 of its intensity, of which a spot's ramp leaves ((cos 20 - cos
+// 40) / (cos 10 - cos 40))^2 to what lies 20 degrees beside its axis.
+TEST(Lines, PixelByAPointLight_IsThatByItsLightThere) {
   const double degree = std::numbers::pi / 180, distance = 0.4;
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(0.3, 0.05, 1)),
                    beside = glm::normalize(glm::cross(to_light, glm::dvec3(0, 1, 0)));
   const double ramp = (std::cos(20 * degree) - std::cos(40 * degree)) / (std::cos(10 * degree) - std::cos(40 * degree));
   for (const bool is_spot : {false, true}) {
-    Light lamp{.name = "", .lamp = Lamp{.position = distance * to_light, .intensity = {1, 2, 3}}};
+    Light point_light{.name = "", .point_light = PointLight{.position = distance * to_light, .intensity = {1, 2, 3}}};
     if (is_spot) {
-      lamp.lamp->axis = -std::cos(20 * degree) * to_light + std::sin(20 * degree) * beside;
-      lamp.lamp->inner_angle = 10 * degree;
-      lamp.lamp->outer_angle = 40 * degree;
+      point_light.point_light->axis = -std::cos(20 * degree) * to_light + std::sin(20 * degree) * beside;
+      point_light.point_light->inner_angle = 10 * degree;
+      point_light.point_light->outer_angle = 40 * degree;
     }
     const Light there{.name = "",
                       .to_light = to_light,
                       .irradiance = glm::dvec3(1, 2, 3) * ((is_spot ? ramp * ramp : 1) / (distance * distance))};
-    const glm::vec4 by_lamp = OneStrand{{0, 1, 0}, {lamp}, {0.5f}}.center_pixel(),
+    const glm::vec4 by_point_light = OneStrand{{0, 1, 0}, {point_light}, {0.5f}}.center_pixel(),
                     by_distant = OneStrand{{0, 1, 0}, {there}, {0.5f}}.center_pixel();
     ASSERT_GT(by_distant.x, 0.01f);
-    EXPECT_LT(error(by_lamp, glm::dvec3(by_distant)), 1e-3) << is_spot;
+    EXPECT_LT(error(by_point_light, glm::dvec3(by_distant)), 1e-3) << is_spot;
   }
 }
 

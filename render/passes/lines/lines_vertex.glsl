@@ -32,7 +32,7 @@ layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
 layout(location = 2) flat out float brightness;
 layout(location = 3) out vec4 reached[2 * CHANNELS];
-layout(location = 3 + 2 * CHANNELS) out vec3 often;  // radiance by dual scattering, or, of k_direct, all of it
+layout(location = 3 + 2 * CHANNELS) out vec3 at_vertex;  // radiance by dual scattering, or, of k_direct, all of it
 layout(location = 4 + 2 * CHANNELS) flat out uint id;  // of the segment, from 1
 layout(location = 5 + 2 * CHANNELS) out float opacity;       // the strand's width over the line's
 layout(location = 6 + 2 * CHANNELS) flat out float chance;   // of the strand
@@ -95,8 +95,8 @@ void main() {
     const vec3 share = k < light_count ? transmitted(k, vertex) : vec3(0.0);
     for (uint c = 0u, n = CHANNELS * k; c < CHANNELS; ++c, ++n) reached[n >> 2][n & 3u] = share[c];
   }
-  often = k_dual == 0u ? vec3(0.0) : multiple_scattering_of_lights(vertex);
-  if (k_direct != 0u) often += light_by_formulas(vertex);
+  at_vertex = k_dual == 0u ? vec3(0.0) : multiple_scattering_of_lights(vertex);
+  if (k_direct != 0u) at_vertex += light_by_formulas(vertex);
   // A segment of a tip that chance cuts away, and one with numbers that are none, lie outside the view.
   const uint other = vertex_of(strand, begin + 1u - (uint(gl_VertexIndex) & 1u));
   const bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation) &&

@@ -33,10 +33,12 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.seed, "seed", 0, 4294967295.0, "of the random numbers");
   members(p.far_field, "field", k_fields,
           "of models that have both; near: at the offset of the hit; far: the mean over the fibre's width");
-  members(p.lamp_radius, "lamp_radius", "m", 0, 10, "of every lamp, a sphere of even radiance; 0: points");
+  members(p.point_light_radius, "point_light_radius", "m", 0, 10,
+          "of every point light, a sphere of even radiance; 0: points");
   members(p.sun_angle, "sun_angle", "rad", 0, 1.5, "half the angle under which distant lights are seen; 0: points");
-  members(p.clamp_indirect, "clamp_indirect", "1", 0, 1e6,
-          "radiance that a path brings at most by light that scattered more than once; less noise, too dark; 0: no limit");
+  members(
+      p.clamp_indirect, "clamp_indirect", "1", 0, 1e6,
+      "radiance that a path brings at most by light that scattered more than once; less noise, too dark; 0: no limit");
   members(p.tables, "tables",
           "lookup tables of the material's layout and size, of the far field, in the place of the model");
   members(p.shadow, "shadow", shadow_choices(),

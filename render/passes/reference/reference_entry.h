@@ -9,7 +9,7 @@ struct Parameters {
   double max_error = 0;
   std::uint64_t seed = 0;
   bool far_field = false;
-  double lamp_radius = 0, sun_angle = 0;
+  double point_light_radius = 0, sun_angle = 0;
   double clamp_indirect = 0;
   bool tables = false;
   std::string shadow = "traced";  ///< or the name of a shadow method

@@ -161,8 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
     ShadeDirect, EveryLayout,
     testing::Values(LayoutCase{"marschner", "", "nalu"}, LayoutCase{"marschner", "", "nalu_borders"},
                     LayoutCase{"marschner", "", "nalu_theta"}, LayoutCase{"marschner", "", "nalu_caustic"},
-                    LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=literal", "barbu"},
-                    LayoutCase{"marschner", "variant=literal", "realengine"}, LayoutCase{"deon", "", "deon", 32},
+                    LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=as_published", "barbu"},
+                    LayoutCase{"marschner", "variant=as_published", "realengine"}, LayoutCase{"deon", "", "deon", 32},
                     LayoutCase{"kajiya_kay", "", "factored", 16}),
     [](const auto& info) { return info.param.layout; });
 

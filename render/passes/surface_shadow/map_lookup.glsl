@@ -1,5 +1,5 @@
 // A point in a light's map, from what its matrix gives, `bias` metres of depth nearer to the light: x, y in texels of the
-// texture, z depth. What lies behind a lamp is beside its map.
+// texture, z depth. What lies behind a point light is beside its map.
 vec3 place_in_light_map(vec4 at, float bias) {
   if (at.w <= 0.0) return vec3(-1e6, -1e6, 0.0);
   const float near = 1.0 / at.w;
@@ -9,7 +9,7 @@ vec3 place_in_light_map(vec4 at, float bias) {
 // How much of a square of a light's map lies no nearer to the light than a point. `at`: x, y in texels of the texture,
 // z depth; the square's half side in texels is at least 1/2, so that the mean is continuous in the point's place.
 float unshadowed(sampler2D map, vec3 at, uint light, uint resolution, uint columns, float half_side) {
-  // Both ends stay in the map: beside a lamp's plane a place lies farther off than whole numbers reach.
+  // Both ends stay in the map: beside a point light's plane a place lies farther off than whole numbers reach.
   vec2 first_texel = vec2(light % columns, light / columns) * float(resolution);
   vec2 last_texel = first_texel + float(resolution);
   vec2 low = clamp(at.xy - half_side, first_texel, last_texel), high = clamp(at.xy + half_side, first_texel, last_texel);

@@ -127,12 +127,13 @@ LightMap distant_map(const glm::dvec3& to_light, std::span<const glm::dvec3> poi
 
 /// A perspective view towards the middle of the points, up to 75 degrees to each side; what lies beyond is beside the
 /// map.
-LightMap lamp_map(const glm::dvec3& lamp, std::span<const glm::dvec3> points, const Settings& settings, int index) {
+LightMap point_light_map(const glm::dvec3& point_light, std::span<const glm::dvec3> points, const Settings& settings,
+                         int index) {
   constexpr double k_widest = 3.7, k_least_near = 1e-3;
   glm::dvec3 middle(0);
   for (const glm::dvec3& point : points) middle += point / double(points.size());
-  const double distance = glm::length(middle - lamp);
-  View view(distance > 1e-9 ? (middle - lamp) / distance : glm::dvec3(0, -1, 0), lamp);
+  const double distance = glm::length(middle - point_light);
+  View view(distance > 1e-9 ? (middle - point_light) / distance : glm::dvec3(0, -1, 0), point_light);
   double nearest = std::numeric_limits<double>::max(), far = 1e-3;
   for (const glm::dvec3& point : points) {
     nearest = std::min(nearest, view.seen(point).z);
@@ -148,12 +149,12 @@ LightMap lamp_map(const glm::dvec3& lamp, std::span<const glm::dvec3> points, co
   const glm::dmat4 rows(texels.scale.x * view.row(0) + texels.first.x * view.row(2),
                         texels.scale.y * view.row(1) + texels.first.y * view.row(2),
                         depth * (view.row(2) - glm::dvec4(0, 0, 0, near)), view.row(2));
-  return {glm::transpose(rows), glm::dvec4(-lamp, 1), depth * near};
+  return {glm::transpose(rows), glm::dvec4(-point_light, 1), depth * near};
 }
 
 Result<LightMap> light_map(const Light& light, std::span<const glm::dvec3> points, const Settings& settings,
                            int index) {
-  if (light.lamp) return lamp_map(light.lamp->position, points, settings, index);
+  if (light.point_light) return point_light_map(light.point_light->position, points, settings, index);
   CUTICLE_ASSIGN(const glm::dvec3 to_light, shadows::unit_to_light(light.to_light));
   return distant_map(to_light, points, settings, index);
 }

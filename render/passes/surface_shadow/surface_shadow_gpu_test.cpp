@@ -50,9 +50,9 @@ strands::Groom bundle(std::uint32_t count, float lower, float upper, float radiu
 
 Light light(const glm::dvec3& to_light) { return {"", glm::normalize(to_light), glm::dvec3(std::numbers::pi)}; }
 
-Light lamp(const glm::dvec3& position) { return {.name = "", .lamp = Lamp{.position = position}}; }
+Light point_light(const glm::dvec3& position) { return {.name = "", .point_light = PointLight{.position = position}}; }
 glm::dvec3 to_light_from(const glm::dvec3& point, const Light& light) {
-  return light.lamp ? glm::normalize(light.lamp->position - point) : light.to_light;
+  return light.point_light ? glm::normalize(light.point_light->position - point) : light.to_light;
 }
 
 /// The plate, strands and lights in a frame, with what the pass makes of them.
@@ -152,12 +152,16 @@ Place place_of(const glm::dvec3& point, const glm::dvec3& to_light) {
   return {way, k_half_side - std::max(std::abs(hit.x), std::abs(hit.z))};
 }
 
-// Five distant lights and two lamps: two rows of maps.
+// Five distant lights and two point lights: two rows of maps.
 TEST(SurfaceShadow, PlateOverStrands_TakesEachLightOfWhatLiesBehindIt) {
   const strands::Groom groom = bundle(200, -0.1f, 0.1f, 1e-4f);
-  const std::vector<Light> lights = {light({0, 1, 0.01}),     light({0.5, 1, 0}),   light({-0.4, 1, 0.6}),
-                                     light({0, 0.7, -1}),     light({1, 0.8, 0.3}), lamp({0.1, 0.5, 0.05}),
-                                     lamp({-0.05, 0.25, 0.1})};
+  const std::vector<Light> lights = {light({0, 1, 0.01}),
+                                     light({0.5, 1, 0}),
+                                     light({-0.4, 1, 0.6}),
+                                     light({0, 0.7, -1}),
+                                     light({1, 0.8, 0.3}),
+                                     point_light({0.1, 0.5, 0.05}),
+                                     point_light({-0.05, 0.25, 0.1})};
   constexpr double k_edge = 1.5e-3;  // texels are up to 0.4 mm wide, seen at up to 60 degrees
   const std::vector<std::vector<float>> reached = Frame(groom, lights, 0.4).transmittance();
   for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -200,17 +204,17 @@ class HairShare : public testing::TestWithParam<Share> {};
 
 TEST_P(HairShare, StrandsOverAPlate_CastAsMuchAsRaysFind) {
   const strands::Groom groom = bundle(400, 0.02f, 0.1f, 4e-4f);
-  const Light lamp = light({0.3, 1, 0.2});
+  const Light point_light = light({0.3, 1, 0.2});
   constexpr int k_size = 32, k_block = 8;
   constexpr double k_alpha = 0.5;
-  const std::vector<float> picture = Frame(groom, {lamp}, k_alpha, GetParam().share).picture(k_size);
+  const std::vector<float> picture = Frame(groom, {point_light}, k_alpha, GetParam().share).picture(k_size);
   std::vector<glm::vec3> points;
   for (int y = 0; y < k_size; ++y)
     for (int x = 0; x < k_size; ++x)
       points.emplace_back(0.16f * ((float(x) + 0.5f) / k_size - 0.5f), 0, 0.16f * ((float(y) + 0.5f) / k_size - 0.5f));
   const shadows::Method& truth = **shadows::find_method("truth");
-  const auto reached =
-      truth.evaluate({&groom, k_alpha, lamp.to_light}, {points, {}}, registry::default_values(truth.entry.parameters));
+  const auto reached = truth.evaluate({&groom, k_alpha, point_light.to_light}, {points, {}},
+                                      registry::default_values(truth.entry.parameters));
   ASSERT_TRUE(reached) << reached.error().message;
   double error = 0, bias = 0, shadow = 0;
   constexpr int k_blocks = k_size / k_block;
@@ -218,7 +222,7 @@ TEST_P(HairShare, StrandsOverAPlate_CastAsMuchAsRaysFind) {
     double drawn = 0, expected = 0;
     for (int k = 0; k < k_block * k_block; ++k) {
       const int x = block % k_blocks * k_block + k % k_block, y = block / k_blocks * k_block + k / k_block;
-      drawn += double(picture[std::size_t(4 * (y * k_size + x))]) / lamp.to_light.y;
+      drawn += double(picture[std::size_t(4 * (y * k_size + x))]) / point_light.to_light.y;
       expected += double(reached->values[std::size_t(y * k_size + x)]);
     }
     error += std::abs(drawn - expected) / (k_block * k_block);

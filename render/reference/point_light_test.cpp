@@ -1,7 +1,7 @@
-// Lamps and suns of some size.
+// Point lights and suns of some size.
 #include "render/reference/test_scenes.h"
 
-namespace cuticle::render::reference::lamp_test {
+namespace cuticle::render::reference::point_light_test {
 namespace {
 
 /// A white floor at y = 0 seen from above, without hair.
@@ -20,9 +20,10 @@ TracedScene floor_scene() {
   return scene;
 }
 
-TracedScene floor_under_lamp() {
+TracedScene floor_under_point_light() {
   TracedScene scene = floor_scene();
-  scene.lights = {{.name = "lamp", .lamp = Lamp{.position = {0.3, 1, 0.2}, .intensity = glm::dvec3(2)}}};
+  scene.lights = {
+      {.name = "point_light", .point_light = PointLight{.position = {0.3, 1, 0.2}, .intensity = glm::dvec3(2)}}};
   return scene;
 }
 
@@ -31,14 +32,14 @@ double mean_green(const TracedScene& scene, const TraceOptions& options) {
 }
 
 // The irradiance of a sphere of even radiance that is wholly above a plane is that of a point in its middle.
-TEST(Lamp, SphereAboveAFloor_LightsItAsAPoint) {
-  const TracedScene scene = floor_under_lamp();
+TEST(PointLight, SphereAboveAFloor_LightsItAsAPoint) {
+  const TracedScene scene = floor_under_point_light();
   const double point = mean_green(scene, {.scatterings = 1});
   for (const double radius : {0.01, 0.3, 0.6})
-    EXPECT_NEAR(mean_green(scene, {.scatterings = 1, .lamp_radius = radius}) / point, 1, 2e-3) << radius;
+    EXPECT_NEAR(mean_green(scene, {.scatterings = 1, .point_light_radius = radius}) / point, 1, 2e-3) << radius;
 }
 
-TEST(Lamp, SunOfSomeAngle_LightsAFloorAsAPoint) {
+TEST(PointLight, SunOfSomeAngle_LightsAFloorAsAPoint) {
   TracedScene scene = floor_scene();
   scene.lights = {{.name = "sun", .to_light = glm::normalize(glm::dvec3(0.3, 1, 0.1)), .irradiance = glm::dvec3(2)}};
   const double point = mean_green(scene, {.scatterings = 1});
@@ -59,10 +60,11 @@ double half_lit(const TracedScene& scene, const TraceOptions& options) {
   return double(count) / (image.width * image.height);
 }
 
-// The half shadow of an edge at half the lamp's height is as wide as the lamp.
-TEST(Lamp, ShadowOfAnEdge_IsSoftByTheLampsWidth) {
+// The half shadow of an edge at half the point light's height is as wide as the point light.
+TEST(PointLight, ShadowOfAnEdge_IsSoftByThePointLightsWidth) {
   TracedScene scene = floor_scene();
-  scene.lights = {{.name = "lamp", .lamp = Lamp{.position = {0, 1, 0}, .intensity = glm::dvec3(2)}}};
+  scene.lights = {
+      {.name = "point_light", .point_light = PointLight{.position = {0, 1, 0}, .intensity = glm::dvec3(2)}}};
   Surface edge = scene.surfaces[0];
   edge.mesh.positions = {{-3, 0.5f, -3}, {0, 0.5f, -3}, {-3, 0.5f, 3}, {0, 0.5f, 3}};
   edge.albedo.assign(4, glm::vec3(0));
@@ -71,8 +73,8 @@ TEST(Lamp, ShadowOfAnEdge_IsSoftByTheLampsWidth) {
   scene.camera.target = {0, 0, 0};
   scene.camera.vertical_field_of_view = 0.12;
   EXPECT_LT(half_lit(scene, {.scatterings = 1}), 0.06);
-  EXPECT_GT(half_lit(scene, {.scatterings = 1, .lamp_radius = 0.15}), 0.15);
+  EXPECT_GT(half_lit(scene, {.scatterings = 1, .point_light_radius = 0.15}), 0.15);
 }
 
 }  // namespace
-}  // namespace cuticle::render::reference::lamp_test
+}  // namespace cuticle::render::reference::point_light_test

@@ -1,4 +1,4 @@
-// Lamps in whole pictures, by every way of drawing.
+// Point lights in whole pictures, by every way of drawing.
 #include "plan/frame_runner_gpu.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace cuticle::plan::lamp_gpu_test {
+namespace cuticle::plan::point_light_gpu_test {
 namespace {
 
 std::shared_ptr<gpu::Device> device() {
@@ -44,48 +44,50 @@ double difference(const Image& a, const Image& b) {
   return sum / double(a.pixels.size());
 }
 
-class Lamps : public testing::TestWithParam<const char*> {};
+class PointLights : public testing::TestWithParam<const char*> {};
 
-TEST_P(Lamps, FarAway_LightAsADistantLight) {
+TEST_P(PointLights, FarAway_LightAsADistantLight) {
   constexpr double k_distance = 200;
   const glm::dvec3 place = k_distance * glm::normalize(glm::dvec3(0.3, 0.6, 1));
   const Image distant = picture(GetParam(), R"("lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}])");
-  const Image lamp =
-      picture(GetParam(), fmt::format(R"("lamps": [{{"position_m": [{0}, {1}, {2}], "intensity": [{3}, {3},
+  const Image point_light =
+      picture(GetParam(), fmt::format(R"("point_lights": [{{"position_m": [{0}, {1}, {2}], "intensity": [{3}, {3},
       {3}]}}])",
                                       place.x, place.y, place.z, 6 * k_distance * k_distance));
-  const double share = difference(distant, lamp) / mean(distant);
+  const double share = difference(distant, point_light) / mean(distant);
   std::printf("%s: %.5f of the mean\n", GetParam(), share);
   EXPECT_LT(share, 0.0043);  // measured: at most 0.00403, of tiles
 }
 
 // In the middle of the head's hair, at no distance from some of it, and brighter than halves hold.
-TEST_P(Lamps, InsideTheHair_GiveAFinitePicture) {
-  const Image image = picture(GetParam(), R"("lamps": [{"position_m": [0, 0.1, 0.1], "intensity": [1e5, 1e5, 1e5]}])");
+TEST_P(PointLights, InsideTheHair_GiveAFinitePicture) {
+  const Image image =
+      picture(GetParam(), R"("point_lights": [{"position_m": [0, 0.1, 0.1], "intensity": [1e5, 1e5, 1e5]}])");
   for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
   EXPECT_GT(mean(image), 0);
 }
-INSTANTIATE_TEST_SUITE_P(Methods, Lamps, testing::Values("lines", "quads", "tiles", "cards", "truth"),
+INSTANTIATE_TEST_SUITE_P(Methods, PointLights, testing::Values("lines", "quads", "tiles", "cards", "truth"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-// A lamp beside the head: what tiles make of it is as near the truth as by a distant light.
-TEST(Lamp, BesideTheHair_TilesAgreeWithTheTruth) {
-  const std::string near = R"("lamps": [{"position_m": [0.25, 0.4, 0.3], "intensity": [1.5, 1.5, 1.5]}])",
+// A point light beside the head: what tiles make of it is as near the truth as by a distant light.
+TEST(PointLight, BesideTheHair_TilesAgreeWithTheTruth) {
+  const std::string near = R"("point_lights": [{"position_m": [0.25, 0.4, 0.3], "intensity": [1.5, 1.5, 1.5]}])",
                     far = R"("lights": [{"to_light": [0.25, 0.3, 0.3], "irradiance": [6, 6, 6]}])";
   double share[2];
   for (const bool is_near : {false, true}) {
     const Image truth = picture("truth", is_near ? near : far);
     share[is_near] = difference(picture("tiles", is_near ? near : far), truth) / mean(truth);
   }
-  std::printf("tiles against the truth: %.4f of the mean by a distant light, %.4f by a lamp\n", share[0], share[1]);
+  std::printf("tiles against the truth: %.4f of the mean by a distant light, %.4f by a point light\n", share[0],
+              share[1]);
   EXPECT_LT(share[1], 1.3 * share[0]);
 }
 
-TEST(Lamp, SpotThatPointsAway_LightsNothing) {
-  const std::string lamp =
-      R"("lamps": [{"position_m": [0, 1, 1], "intensity": [1, 1, 1], "spot": {"outer_deg": 40, "to_m": )";
-  EXPECT_EQ(mean(picture("quads", lamp + "[0, 2, 2]}}]")), 0);
-  EXPECT_GT(mean(picture("quads", lamp + "[0, 0, 0]}}]")), 0.002);
+TEST(PointLight, SpotThatPointsAway_LightsNothing) {
+  const std::string point_light =
+      R"("point_lights": [{"position_m": [0, 1, 1], "intensity": [1, 1, 1], "spot": {"outer_deg": 40, "to_m": )";
+  EXPECT_EQ(mean(picture("quads", point_light + "[0, 2, 2]}}]")), 0);
+  EXPECT_GT(mean(picture("quads", point_light + "[0, 0, 0]}}]")), 0.002);
 }
 
 // Above the camera, and below it.
@@ -99,4 +101,4 @@ TEST(Floor, FromAboveAlone_IsSeen) {
 }
 
 }  // namespace
-}  // namespace cuticle::plan::lamp_gpu_test
+}  // namespace cuticle::plan::point_light_gpu_test

@@ -11,7 +11,7 @@
 # %% [markdown]
 # # Marschner's model as printed, and as it has to be
 #
-# The paper of 2003 is the root of every hair shader, and not all that is printed in it holds. The variant `literal` evaluates it word by
+# The paper of 2003 is the root of every hair shader, and not all that is printed in it holds. The variant `as_published` evaluates it word by
 # word; `corrected` is what it has to be. Two differences can be measured without trusting either:
 #
 # - **Energy.** A fibre that absorbs nothing gives back what it receives: the albedo is 1. The printed S is M N / cos^2 theta_d with a
@@ -31,7 +31,7 @@ import cuticle
 
 figures = pathlib.Path(os.environ.get("CUTICLE_FIGURES", "figures"))
 figures.mkdir(parents=True, exist_ok=True)
-VARIANTS = {"literal": "#bf3845", "corrected": "#3378bf"}
+VARIANTS = {"as_published": "#bf3845", "corrected": "#3378bf"}
 WHITE = {"sigma_a": 0, "alpha": 0}
 
 # %% [markdown]
@@ -102,9 +102,9 @@ figure.savefig(figures / "absorption.png", dpi=130)
 print({variant: numpy.round(values, 3) for variant, values in areas.items()})
 print({variant: numpy.round(values[[0, -1]], 3) for variant, values in albedo.items()})
 assert numpy.abs(numpy.array(areas["corrected"]) - 1).max() < 0.01
-assert areas["literal"][0] > 1.5
-assert albedo["literal"].max() > 2 and max(albedo["at theta_o"].max(), albedo["corrected"].max()) < 1.001
+assert areas["as_published"][0] > 1.5
+assert albedo["as_published"].max() > 2 and max(albedo["at theta_o"].max(), albedo["corrected"].max()) < 1.001
 assert albedo["corrected"][-1] < albedo["at theta_o"][-1] < 1
 assert numpy.abs(albedo["corrected"][grazing < 50] - 1).max() < 0.05
 assert numpy.allclose(crossing["corrected"], (1 - fresnel) ** 2 * numpy.exp(-2 * sigma), rtol=1e-9)
-assert crossing["literal"][-1] < 0.5 * crossing["corrected"][-1]
+assert crossing["as_published"][-1] < 0.5 * crossing["corrected"][-1]

@@ -1,0 +1,82 @@
+"""The distance curve: what fewer segments cost at the distance where a strand is an eighth of a pixel wide.
+
+Strands are left out in random order, the rest as much wider; vertices are left out evenly along each strand. Each picture is drawn
+by `tiles` and compared with that of all strands: relative mean squared error of the luminance, light, coverage.
+
+  PYTHONPATH=build/release/python python bench/distance_curve.py [--groom FILE] [--figure FILE.png]
+"""
+import argparse
+import math
+
+import numpy
+
+import cuticle
+
+PIXELS, PIXELS_OF_A_STRAND, DISTANCE = 128, 1 / 8, 1.5
+TARGET = numpy.array([0.0, 0.10, 0.06])
+# Share of the strands, and of the segments of each.
+CHOICES = [(1, 1 / 2), (1, 1 / 4), (1, 1 / 8), (1, 1 / 16), (1 / 2, 1), (1 / 2, 1 / 2), (1 / 2, 1 / 4), (1 / 2, 1 / 8), (1 / 4, 1), (1 / 4, 1 / 4), (1 / 8, 1 / 2), (1 / 16, 1)]
+
+
+def thinned(points, order, strands, segments):
+    """(strands, vertices, 3) with these shares of both."""
+    chosen = points[order[:max(1, round(len(points) * strands))]]
+    vertices = max(2, round((points.shape[1] - 1) * segments) + 1)
+    at = numpy.linspace(0, points.shape[1] - 1, vertices)
+    low = numpy.minimum(at.astype(int), points.shape[1] - 2)
+    share = (at - low)[:, None]
+    return chosen[:, low] * (1 - share) + chosen[:, low + 1] * share
+
+
+def picture(points, radius):
+    half = 2 * radius[1] / PIXELS_OF_A_STRAND * PIXELS / 2
+    groom = cuticle.make_groom(points.astype(numpy.float32), radii=radius[0])
+    return cuticle.render({
+        "groom": groom, "lights": [{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14, 13]}],
+        "material": {"model": {"marschner": {"eta": 1.55, "sigma_a": [0.02, 0.06, 0.17], "beta": 0.14, "alpha": -0.0524}}},
+        "shadow": {"method": {"deep_opacity": {"layers": 16, "resolution": 1024}}},
+        "camera": {"position_m": (TARGET + [0, 0, DISTANCE]).tolist(), "target_m": TARGET.tolist(), "fov_deg": math.degrees(2 * math.atan(half / DISTANCE)), "near_m": 0.2,
+                   "far_m": 5, "resolution_px": [PIXELS, PIXELS]}}, method="tiles")
+
+
+def draw(rows, file):
+    import matplotlib
+    matplotlib.use("agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(3.4, 2.5), layout="constrained")
+    for strands, color, marker in ((1, "#1b5fa8", "o"), (1 / 2, "#2a8f4d", "s"), (1 / 4, "#8a4fa3", "^")):
+        of = sorted((segments * strands, error) for s, segments, error in rows if s == strands)
+        axes.plot(*zip(*of), marker, color=color, linestyle="-", markerfacecolor="none", markersize=4, linewidth=1)
+        axes.annotate({1: "all strands", 1 / 2: "half", 1 / 4: "a quarter"}[strands], of[-1], xytext=(3, 3), textcoords="offset points", color=color, fontsize=7)
+    axes.axhline(0.014, color="#777777", linewidth=0.6, linestyle="--")
+    axes.annotate("goal at 1/16", (1 / 30, 0.014), xytext=(0, 2), textcoords="offset points", fontsize=6, color="#777777")
+    axes.set(xscale="log", yscale="log", xlabel="share of the segments", ylabel="relative mean squared error")
+    figure.savefig(file, dpi=200)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--groom")
+    parser.add_argument("--figure")
+    options = parser.parse_args()
+    hair = cuticle.load_groom(options.groom, metres_per_unit=1) if options.groom else cuticle.grow({"schema_version": 1, "strands": {"density": 180000, "vertices": 32}})
+    points, radius = hair.positions.reshape(len(hair), -1, 3), float(hair.radii.mean())
+    order = numpy.random.default_rng(1).permutation(len(hair))
+    truth = picture(points, (radius, radius))
+    print(f"{len(hair)} strands of {points.shape[1]} vertices, {PIXELS} x {PIXELS} pixels, a strand {PIXELS_OF_A_STRAND} pixels wide")
+    print("strands  segments  share  relative MSE  light  coverage")
+    rows = []
+    for strands, segments in CHOICES:
+        thin = thinned(points, order, strands, segments)
+        found = picture(thin, (radius * len(hair) / len(thin), radius))
+        light = [image[..., :3].mean(-1) for image in (found, truth)]
+        error = float(((light[0] - light[1]) ** 2).mean() / (light[1] ** 2).mean())
+        kept = thin.shape[0] * (thin.shape[1] - 1) / (points.shape[0] * (points.shape[1] - 1))
+        rows.append((strands, kept / strands, error))
+        print(f"1/{1 / strands:<5.0f}  1/{1 / segments:<6.0f}  1/{1 / kept:<4.1f} {error:11.4f} {light[0].mean() / light[1].mean():9.3f} {found[..., 3].mean():8.4f}", flush=True)
+    if options.figure:
+        draw(rows, options.figure)
+
+
+if __name__ == "__main__":
+    main()

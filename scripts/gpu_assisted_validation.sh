@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Runs device tests with instrumented shaders: the validation layer then names reads and writes past the end of a buffer, and
+# descriptors that are not there. scripts/gpu_assisted_validation.sh [-R REGEX]; without it, every test with the label gpu.
+# Wants the preset `release`. First it proves that the instrumentation is on: a kernel writes past its buffer and must be named.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT
+proof=$(CUTICLE_VALIDATION=1 CUTICLE_DEVICE=cpu build/release/tests/gpu_kernel_test --gtest_filter='GpuValidation.WritePastABuffer*' 2>&1) ||
+    { echo "$proof"; exit 1; }
+if grep -q SKIPPED <<<"$proof"; then
+  echo "GPU-assisted validation is off on this machine"
+  exit 1
+fi
+if [ $# = 0 ]; then set -- -L gpu -R '_gpu_test|^gpu_|hard_cases|parity'; fi
+exec ctest --preset release -j2 "$@"
