@@ -17,7 +17,6 @@ template <class Number, int N>
 
 namespace cuticle::sim::rod {
 namespace {
-
 using namespace chains;
 
 /// The band's numbers of a vertex: rows in memory, or packs of which every index is known, which need no memory.
@@ -67,7 +66,6 @@ template <class Real>
 struct Coasting {
   Vector<Real> here, place, inertial, predicted;
 };
-/// From there to where the other forces, and spheres, would put the vertex.
 /// What forces other than bending move a vertex, and its mass against bending and lengths over its own, which is kept.
 template <bool Pulls, class Real>
 [[gnu::always_inline]] inline Displacement<Real> displacement(const RodVertex<Real>& v, const ChainStep<Real>& step,
@@ -339,20 +337,19 @@ struct Forces {
   const ChainBlock<Scalar>& block;
   const ChainStep<Real>& step;
   Displacement<Real> displaced(int i, const StrandStep<Real>& strand, const Vector<Real>& begin) const {
-    const RodVertex<Real> v(block, i);
-    return displacement<Pulls>(v, step, strand, begin, v.state_vector(state_row::velocity_before) * strand.time);
+    const Vector<Real> drift = RodVertex<Real>(block, i).state_vector(state_row::velocity_before) * strand.time;
+    return displacement<Pulls>(RodVertex<Real>(block, i), step, strand, begin, drift);
   }
-  Real stored(const StrandStep<Real>& strand) const {
-    Real sum(0);
-    const Vector<Real> clamp = RodVertex<Real>(block, 0).scratch_vector(scratch_row::direction);
-    Vector<Real> place(Real(0)), carried(Real(0));
-    LinkDirections<Real> parent{clamp, clamp, clamp};
+  Real stored(const StrandStep<Real>& strand, Real sum = Real(0)) const {
+    Vector<Real> place(Real(0)), carried = place;
+    LinkDirections<Real> parent;
+    parent.linear = parent.begin = parent.end = RodVertex<Real>(block, 0).scratch_vector(scratch_row::direction);
     for (int i = 1; i <= block.links; ++i) {
       const RodVertex<Real> v(block, i);
       const Vector<Real> here = v.state_vector(state_row::here), begun = ways_of(v, step, strand).carried;
-      const Real inverse = v.rest_at(rest_row::inverse_length);
-      const LinkDirections<Real> link{v.scratch_vector(scratch_row::direction), (begun - carried) * inverse,
-                                      (here - place) * inverse};
+      const LinkDirections<Real> link{v.scratch_vector(scratch_row::direction),
+                                      (begun - carried) * v.rest_at(rest_row::inverse_length),
+                                      (here - place) * v.rest_at(rest_row::inverse_length)};
       sum += stored_in_hinge(parent, link, v.scratch_vector(rod_row::pull), v.scratch_vector(rod_row::spin_pull),
                              v.scratch_at(rod_row::gain));
       place = here;
