@@ -44,13 +44,18 @@ def draw(rows, file):
     matplotlib.use("agg")
     from matplotlib import pyplot
     figure, axes = pyplot.subplots(figsize=(3.4, 2.5), layout="constrained")
-    for strands, color, marker in ((1, "#1b5fa8", "o"), (1 / 2, "#2a8f4d", "s"), (1 / 4, "#8a4fa3", "^")):
-        of = sorted((segments * strands, error) for s, segments, error in rows if s == strands)
-        axes.plot(*zip(*of), marker, color=color, linestyle="-", markerfacecolor="none", markersize=4, linewidth=1)
-        axes.annotate({1: "all strands", 1 / 2: "half", 1 / 4: "a quarter"}[strands], of[-1], xytext=(3, 3), textcoords="offset points", color=color, fontsize=7)
-    axes.axhline(0.014, color="#777777", linewidth=0.6, linestyle="--")
-    axes.annotate("goal at 1/16", (1 / 30, 0.014), xytext=(0, 2), textcoords="offset points", fontsize=6, color="#777777")
-    axes.set(xscale="log", yscale="log", xlabel="share of the segments", ylabel="relative mean squared error")
+    lines = {"all strands": ([row for row in rows if row[0] == 1], "#1b5fa8", "o"), "half of them": ([row for row in rows if row[0] == 1 / 2], "#2a8f4d", "s"),
+             "a quarter": ([row for row in rows if row[0] == 1 / 4], "#8a4fa3", "^"), "all segments": ([row for row in rows if row[1] > 0.99], "#b5452c", "D")}
+    for name, (of, color, marker) in lines.items():
+        at = sorted((strands * segments, error) for strands, segments, error in of)
+        axes.plot(*zip(*at), marker, color=color, linestyle="-", markerfacecolor="none", markersize=4, linewidth=1)
+        axes.annotate(name, at[0], xytext=(-4, 0), textcoords="offset points", color=color, fontsize=7, ha="right", va="center")
+    axes.plot([1 / 16], [0.014], "*", color="#555555")
+    axes.annotate("goal", (1 / 16, 0.014), xytext=(-5, 0), textcoords="offset points", fontsize=7, color="#555555", ha="right", va="center")
+    axes.set(xscale="log", yscale="log", xlabel="share of the segments", ylabel="relative mean squared error", xlim=(1 / 48, 0.7))
+    axes.set_xticks([1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2], ["1/32", "1/16", "1/8", "1/4", "1/2"])
+    axes.set_yticks([0.01, 0.1, 1], ["0.01", "0.1", "1"])
+    axes.minorticks_off()
     figure.savefig(file, dpi=200)
 
 

@@ -1,7 +1,7 @@
 // What paths through hair cost: bench_reference [ROW ...]. Rows: dense (the head that bench/results/reference_peers.txt
-// draws by other programs), bounces, colours, ambient (a Kajiya-Kay tracer's work), segments=N (memory of so many).
-// CSV: wall clock and processor seconds, samples a second, mean radiance, standard error of the picture's mean
-// luminance.
+// draws by other programs), bounces, colours, ambient (a Kajiya-Kay tracer's work), curves (every kind of curve: tree,
+// memory, direct light), segments=N (memory of so many). CSV: wall clock and processor seconds, samples a second, mean
+// radiance, standard error of the picture's mean luminance.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -78,13 +78,14 @@ double error_of(const Image& layers) {
   return std::sqrt(variance) / (layers.width * layers.height) / mean;
 }
 
-void print_row(std::string_view name, const TracedScene& scene, int bounces, int samples) {
+void print_row(std::string_view name, const TracedScene& scene, int bounces, int samples,
+               strands::CurveKind curves = {}) {
   Watch watch;
-  const auto tracer = Tracer::make(scene, {}).value();
+  const auto tracer = Tracer::make(scene, {.curves = curves}).value();
   const double build = watch.seconds();
   watch = {};
   const Picture picture =
-      trace_picture(scene, {.scatterings = bounces}, {.samples = samples}, silent_progress()).value();
+      trace_picture(scene, {.scatterings = bounces, .curves = curves}, {.samples = samples}, silent_progress()).value();
   const double paths = double(samples) * scene.camera.resolution.x * scene.camera.resolution.y;
   const double processor = watch.processor_seconds();
   fmt::print("{},{},{},{:.2f},{:.2f},{:.3g},{:.5f},{:.5f},{:.5f},{:.2e},{:.2f},{:.1f}\n", name, bounces, samples,
@@ -101,6 +102,37 @@ void print_ambient(const strands::Groom& hair) {
   scene.surroundings = {std::move(white)};
   scene.camera.resolution = {1280, 720};
   print_row("kajiya_kay and surroundings", scene, 1, 8);
+}
+
+/// The same curve as that of Catmull and Rom through a strand's points, ends as strands/curve_kind.h has them.
+strands::Groom bezier_of(const strands::Groom& hair) {
+  strands::Groom bezier;
+  for (std::size_t s = 0; s < hair.strand_count(); ++s) {
+    const auto points = hair.strand(s);
+    const std::size_t last = points.size() - 1;
+    const auto half_chord = [&](std::size_t k) {
+      const glm::vec3 before = k > 0 ? points[k - 1] : 2.0f * points[0] - points[1];
+      const glm::vec3 after = k < last ? points[k + 1] : 2.0f * points[last] - points[last - 1];
+      return (after - before) / 6.0f;
+    };
+    for (std::size_t k = 0; k < last; ++k)
+      bezier.positions.insert(bezier.positions.end(),
+                              {points[k], points[k] + half_chord(k), points[k + 1] - half_chord(k + 1)});
+    bezier.positions.push_back(points[last]);
+    bezier.offsets.push_back(std::uint32_t(bezier.positions.size()));
+  }
+  bezier.radii.assign(bezier.positions.size(), hair.radii[0]);
+  return bezier;
+}
+
+/// Direct light and all light of one head by every kind of curve.
+void print_curves(const strands::Groom& hair) {
+  for (const std::string_view name : strands::curve_kind_names()) {
+    const strands::CurveKind kind = strands::curve_kind(name);
+    const TracedScene scene =
+        scene_of(kind.basis == strands::CurveBasis::bezier ? bezier_of(hair) : hair, "chiang", chiang(k_blond));
+    for (const int bounces : {1, 0}) print_row(name, scene, bounces, 8, kind);
+  }
 }
 
 /// Even fibres of a lawn, and what the process held at most.
@@ -135,6 +167,7 @@ void print_rows(std::string_view row) {
     print_row("black", scene_of(hair, "chiang", chiang(k_black)), 0, 8);
   }
   if (row == "ambient") print_ambient(hair);
+  if (row == "curves") print_curves(hair);
 }
 
 }  // namespace

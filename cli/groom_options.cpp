@@ -38,7 +38,7 @@ FarStrand farthest_strand(const strands::Groom& groom) {
 }
 
 std::string groom_help(bool to_write) {
-  return "groom: " + strands::list_of_extensions(to_write) + (to_write ? ", .glb, .usd, .usdc (usd-core)" : ", .usd, .usdc, .usdz, .abc (usd-core)");
+  return "groom: " + strands::list_of_extensions(to_write) + (to_write ? ", .glb, .usd, .usdc (usd-core), .abc (alembic3d)" : ", .usd, .usdc, .usdz (usd-core), .abc (alembic3d)");
 }
 
 }  // namespace cuticle::cli

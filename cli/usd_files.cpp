@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/abc_files.h"
 #include "cli/shared_files.h"
 #include "core/output_file.h"
 #include "strands/gltf/strands_glb.h"
@@ -26,7 +27,7 @@ std::string text_in(const Temporary& folder) { return folder.path() + "/groom.us
 
 bool goes_through_usd(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
-  return extension == ".usd" || extension == ".usdc" || extension == ".usdz" || extension == ".abc";
+  return extension == ".usd" || extension == ".usdc" || extension == ".usdz";
 }
 
 Result<void> convert(const std::string& from, const std::string& to, const std::string& named) {
@@ -36,9 +37,7 @@ Result<void> convert(const std::string& from, const std::string& to, const std::
     case unreadable:
       return bad_input(fmt::format("{}: USD cannot read or write it", named));
     case no_plug_in:
-      return bad_input(
-          fmt::format("{}: this USD has no plug-in for the format", named),
-          "usd-core has none for Alembic: save .usdc instead, or name a Python whose USD has it in CUTICLE_PYTHON_EXE");
+      return bad_input(fmt::format("{}: this USD has no plug-in for the format", named), "save .usdc instead");
     default:
       return bad_input(fmt::format("{}: needs Python with usd-core", named),
                        "pip install usd-core, or convert to .usda elsewhere");
@@ -48,15 +47,21 @@ Result<void> convert(const std::string& from, const std::string& to, const std::
 }  // namespace
 
 Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options) {
-  if (!goes_through_usd(path)) return strands::read_groom(path, options);
+  if (!goes_through_usd(path) && !is_abc(path)) return strands::read_groom(path, options);
   if (!fs::exists(path)) return bad_input(fmt::format("{}: no such file", path), "check the name");
+  if (is_abc(path)) return read_abc(path, options);
   CUTICLE_ASSIGN(const Temporary folder, folder_for_text());
   CUTICLE_TRY(convert(path, text_in(folder), path));
   return strands::read_groom(text_in(folder), options);
 }
 
 Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
-                                                  double metres_per_unit) {
+                                                  double asked_unit) {
+  const double metres_per_unit = asked_unit != 0 ? asked_unit : is_abc(path) ? k_abc_unit : 1;
+  if (is_abc(path)) {
+    CUTICLE_TRY(write_abc(path, groom, metres_per_unit));
+    return std::vector<std::string>{};
+  }
   if (fs::path(path).extension() == ".glb") return strands::write_strands_glb(path, groom, metres_per_unit);
   if (!goes_through_usd(path)) return strands::write_groom(path, groom, metres_per_unit);
   CUTICLE_ASSIGN(const Temporary folder, folder_for_text());

@@ -1,5 +1,6 @@
 #pragma once
-// Grooms of every file that the program takes: the formats of strands, and what Python's usd-core turns into USD text.
+// Grooms of every file that the program takes: the formats of strands, and those that Python's usd-core or alembic3d
+// open.
 #include <string>
 #include <vector>
 
@@ -7,11 +8,12 @@
 
 namespace cuticle::cli {
 
-/// As strands::read_groom; also .usd, .usdc, .usdz and, where Python's USD has its plug-in, .abc. Error: bad_input
-/// naming the file, and what to install where Python or usd-core is missing.
+/// As strands::read_groom; also .usd, .usdc, .usdz and .abc (abc_files.h). Error: bad_input naming the file, and what
+/// to install where Python, usd-core or alembic3d is missing.
 Result<strands::GroomFile> read_groom_file(const std::string& path, const strands::ReadOptions& options);
-/// As strands::write_groom; also .usd, .usdc and, as lines, .glb.
+/// As strands::write_groom; also .usd, .usdc, .abc and, as lines, .glb. `metres_per_unit` 0: the format's own, metres
+/// or k_abc_unit.
 Result<std::vector<std::string>> write_groom_file(const std::string& path, const strands::Groom& groom,
-                                                  double metres_per_unit = 1);
+                                                  double metres_per_unit = 0);
 
 }  // namespace cuticle::cli

@@ -75,6 +75,7 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .layers = scene.outputs.aovs,
                                           .far_field = parameters.far_field,
                                           .lens = lens_of(scene, camera),
+                                          .curves = strands::curve_kind(parameters.curves),
                                           .point_light_radius = parameters.point_light_radius,
                                           .sun_angle = parameters.sun_angle,
                                           .clamp_indirect = parameters.clamp_indirect};

@@ -6,7 +6,9 @@
 
 #include "shadows/channels.h"
 #include "shadows/footprint.h"
+#include "shadows/light_frame.h"
 #include "strands/formats/formats.h"
+#include "study/shadows/probes.h"
 
 #include "python/arrays.h"
 #include "python/interruptible.h"
@@ -19,16 +21,18 @@ using Triple = std::array<double, 3>;
 
 glm::dvec3 vector_of(const Triple& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-/// The points, and of which strands and vertices they are where they lie on one.
-struct Places {
-  std::vector<glm::vec3> points = {};
-  std::vector<std::uint32_t> strands = {}, vertices = {};
-
-  shadows::Receivers receivers() const { return {.points = points, .strands = strands, .vertices = vertices}; }
+/// Where transmittance is asked for: at the rows of `points`; at `receivers` points that an orthographic camera sees;
+/// else at the groom's vertices, as a viewer sees them where `seen_from` says from which place.
+using study::Probes;
+struct Asked {
+  std::optional<Floats> points;
+  std::optional<Triple> seen_from, camera;
+  std::size_t receivers = 0;
 };
 
-Places all_vertices(const strands::Groom& groom) {
-  Places places{.points = groom.positions};
+Probes all_vertices(const strands::Groom& groom) {
+  Probes places;
+  places.points = groom.positions;
   for (std::size_t s = 0; s < groom.strand_count(); ++s)
     for (std::uint32_t v = groom.offsets[s]; v < groom.offsets[s + 1]; ++v) {
       places.strands.push_back(std::uint32_t(s));
@@ -37,8 +41,19 @@ Places all_vertices(const strands::Groom& groom) {
   return places;
 }
 
-Places places_of(const strands::Groom& groom, const std::optional<Floats>& points) {
-  return points ? Places{.points = rows_of<glm::vec3>(*points, "points")} : all_vertices(groom);
+Probes places_of(const strands::Groom& groom, const Asked& asked) {
+  Probes places;
+  if (asked.points) {
+    places.points = rows_of<glm::vec3>(*asked.points, "points");
+    return places;
+  }
+  if (asked.camera) {
+    const glm::dvec3 to_camera = value_or_raise(shadows::unit_to_light(vector_of(*asked.camera)));
+    return study::visible_probes(groom, to_camera, asked.receivers);
+  }
+  places = all_vertices(groom);
+  if (asked.seen_from) places.seen_from = vector_of(*asked.seen_from);
+  return places;
 }
 
 shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& light, bool is_point_light) {
@@ -50,7 +65,13 @@ shadows::Casters casters_of(const GroomFile& file, double alpha, const Triple& l
   return casters;
 }
 
-nb::dict in_dictionary(shadows::Transmittance result) {
+nb::object rows_of_three(std::span<const glm::vec3> rows) {
+  std::vector<float> flat(3 * rows.size());
+  if (!rows.empty()) std::memcpy(flat.data(), rows.data(), flat.size() * sizeof(float));
+  return nb::cast(take(std::move(flat), {rows.size(), 3}));
+}
+
+nb::dict in_dictionary(shadows::Transmittance result, const Probes& places) {
   nb::dict all;
   const auto put = [&](const char* name, std::vector<float>& values) {
     const std::size_t count = values.size();
@@ -66,42 +87,43 @@ nb::dict in_dictionary(shadows::Transmittance result) {
   all["lookup_ms"] = result.cost.lookup_ms;
   all["bytes"] = result.cost.bytes;
   all["device"] = result.cost.device;
+  all["points"] = rows_of_three(places.points);
   return all;
 }
 
 nb::dict transmittance(const GroomFile& file, const std::string& method_name, const std::string& settings, double alpha,
-                       const Triple& light, bool is_point_light, const std::optional<Floats>& points) {
+                       const Triple& light, bool is_point_light, const std::optional<Floats>& points,
+                       const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
+                       std::size_t receivers) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
   const shadows::Casters casters = casters_of(file, alpha, light, is_point_light);
-  const Places places = places_of(file.groom, points);
+  const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
   return in_dictionary(
-      value_or_raise(interruptible([&] { return method->evaluate(casters, places.receivers(), values); })));
+      value_or_raise(interruptible([&] { return method->evaluate(casters, places.receivers(), values); })), places);
 }
 
 /// Of three opacities: rows of red, green and blue.
 nb::object coloured(const GroomFile& file, const std::string& method_name, const std::string& settings,
-                    const Triple& alpha, const Triple& light, bool is_point_light,
-                    const std::optional<Floats>& points) {
+                    const Triple& alpha, const Triple& light, bool is_point_light, const std::optional<Floats>& points,
+                    const std::optional<Triple>& seen_from, const std::optional<Triple>& camera,
+                    std::size_t receivers) {
   const shadows::Method* method = value_or_raise(shadows::find_method(method_name));
   const auto values = value_or_raise(registry::values_from_json(method->entry.parameters, settings, method_name));
   const shadows::Casters casters = casters_of(file, alpha[0], light, is_point_light);
-  const Places places = places_of(file.groom, points);
+  const Probes places = places_of(file.groom, {points, seen_from, camera, receivers});
   const auto result = value_or_raise(interruptible(
       [&] { return shadows::evaluate_channels(*method, casters, vector_of(alpha), places.receivers(), values); }));
-  const std::size_t count = result.values.size();
-  std::vector<float> flat(3 * count);
-  if (count > 0) std::memcpy(flat.data(), result.values.data(), flat.size() * sizeof(float));
-  return nb::cast(take(std::move(flat), {count, 3}));
+  return rows_of_three(result.values);
 }
 
 }  // namespace
 
 void add_shadows(nb::module_& module) {
   module.def("transmittance", &transmittance, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-             nb::arg().none());
+             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg());
   module.def("coloured_transmittance", &coloured, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-             nb::arg().none());
+             nb::arg().none(), nb::arg().none(), nb::arg().none(), nb::arg());
   module.def("footprint_radius", [](const GroomFile& file) { return shadows::default_footprint_radius(file.groom); });
 }
 

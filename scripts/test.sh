@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests: scripts/test.sh [--full]. Builds `release` and runs its tests, runs the CPU tests under ASan + UBSan, and
 # fuzzes every reader (the same inputs in every run). --full fuzzes each for 10 minutes from random seeds, and adds the sweeps
-# under sanitizers and the presets `minimal`, `double` and `dev`.
+# under sanitizers, ThreadSanitizer, valgrind, GPU-assisted validation and the presets `minimal`, `double` and `dev`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 full=no
@@ -28,6 +28,12 @@ scripts/fuzz.sh
 [ $full = no ] || scripts/fuzz.sh --each 600
 
 if [ $full = yes ]; then
+  say "valgrind"
+  scripts/valgrind.sh
+  say "GPU-assisted validation"
+  scripts/gpu_assisted_validation.sh
+  say "ThreadSanitizer"
+  scripts/thread_sanitizer.sh
   for preset in minimal double dev; do
     say "build and tests of $preset"
     scripts/build.sh $preset

@@ -1,4 +1,8 @@
 // Strands far apart keep all of the light on the device too: lone_strands_test.cpp by kernels.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "shadows/groom_gpu.h"
@@ -68,6 +72,24 @@ TEST(LoneStrandsGpu, AnyMethodFilterAndOpacity_AreLit) {
         EXPECT_GT(left, 0.995) << method << " " << set << ", " << map << ", alpha " << alpha;
         EXPECT_LE(left, 1.0 + 1e-6) << method << " " << set << ", " << map << ", alpha " << alpha;
       }
+}
+
+// Every method as it is by default, printed as a table; fine maps take long on software Vulkan, so only with
+// CUTICLE_SWEEPS.
+TEST(LoneStrandsGpu, DefaultsAtEveryResolution_AreLit) {
+  if (!std::getenv("CUTICLE_SWEEPS")) GTEST_SKIP() << "only with CUTICLE_SWEEPS";
+  for (const std::string method :
+       {"opacity_map", "deep_opacity", "moments", "fourier", "exact_list", "deep_shadow", "shadow_map", "voxel"})
+    for (const double alpha : {1.0, 0.4}) {
+      std::printf("%s, alpha %.1f:", method.c_str(), alpha);
+      for (const int size : {256, 512, 1024, 2048, 4096}) {
+        const std::string set = "resolution=" + std::to_string(method == "voxel" ? std::min(size, 256) : size);
+        const double left = light_left(method, set, alpha);
+        std::printf(" %.4f", left);
+        EXPECT_GT(left, 0.995) << method << " " << set << ", alpha " << alpha;
+      }
+      std::printf("\n");
+    }
 }
 
 TEST(LoneStrandsGpu, UnderAPointLight_AreLit) {

@@ -2,6 +2,8 @@
 // resolution, filter, opacity and tilt.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -88,6 +90,26 @@ TEST(LoneStrands, FinestMaps_AreLit) {
   expect_lit("opacity_map", "slices=2,resolution=4096", 1);
 }
 
+// Every method as it is by default, printed as a table; up to a gigabyte a map, so only with CUTICLE_SWEEPS.
+TEST(LoneStrands, DefaultsAtEveryResolution_AreLit) {
+  if (!std::getenv("CUTICLE_SWEEPS")) GTEST_SKIP() << "only with CUTICLE_SWEEPS";
+  const Lone lone = lone_strands();
+  const Receivers named{.points = lone.groom.positions, .strands = lone.strands};
+  for (const Method* method : methods())
+    for (const double alpha : {1.0, 0.4}) {
+      std::printf("%s, alpha %.1f:", std::string(method->entry.name).c_str(), alpha);
+      for (const int size : {256, 512, 1024, 2048, 4096}) {
+        const std::string name(method->entry.name);
+        const bool has_size = name != "none" && name != "truth", is_volume = name == "voxel";
+        const std::string set = !has_size ? "" : "resolution=" + std::to_string(is_volume ? std::min(size, 512) : size);
+        const double left = light_left(name, set, alpha, lone, named);
+        std::printf(" %.4f", left);
+        EXPECT_GT(left, 0.995) << name << " " << set << ", alpha " << alpha;
+      }
+      std::printf("\n");
+    }
+}
+
 TEST(LoneStrands, OtherAccumulationAndForms_AreLit) {
   for (const std::string method : {"opacity_map", "deep_opacity", "exact_list", "deep_shadow", "moments", "fourier"})
     expect_lit(method, "accumulate=poisson,resolution=512", 0.4);
@@ -158,7 +180,8 @@ TEST(LoneStrands, PointsThatKnowNoStrand_AreShadowedByIt) {
 TEST(LoneStrands, AStrandThatTurnsBack_ShadowsItself) {
   const Lone lone = tests::hairpin();
   for (const std::string method : {"opacity_map", "deep_opacity", "exact_list", "deep_shadow", "fourier"}) {
-    const auto values = tests::values_of(method, method == "opacity_map" ? "slices=64" : "").value();
+    const std::string set = method == "opacity_map" ? "slices=64" : method == "fourier" ? "harmonics=3" : "";
+    const auto values = tests::values_of(method, set).value();
     const auto result =
         (*find_method(method))->evaluate({&lone.groom, 0.4, {0, 1, 0}}, {lone.groom.positions, lone.strands}, values);
     ASSERT_TRUE(result);

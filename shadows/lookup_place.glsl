@@ -7,14 +7,18 @@ struct LookupPlace {
   vec3 point;
   float held;
   bool is_seen;  // by a viewer
+  float power;   // seen_power() of a place that a viewer sees, on a strand that casts or not; else 1
 };
 /// Of a point of a fibre's axis, metres; `along` the fibre, or zero for a point that lies on none that casts.
 LookupPlace lookup_place(vec3 on_axis, vec3 along, float radius) {
   const bool is_on_strand = dot(along, along) > 0.0;
-  LookupPlace place = LookupPlace(on_axis, 0.0, is_on_strand && (push.flags & k_seen) != 0u);
-  if (is_on_strand) place.held = half_crossing(along, way_of_light(on_axis), radius * push.caster_width);
-  if (place.is_seen)
-    place.point += to_seen_surface(on_axis, along, vec3(push.eye[0], push.eye[1], push.eye[2]), radius);
+  const bool has_viewer = (push.flags & k_seen) != 0u;
+  LookupPlace place = LookupPlace(on_axis, 0.0, is_on_strand && has_viewer, 1.0);
+  const vec3 way = way_of_light(on_axis), eye = vec3(push.eye[0], push.eye[1], push.eye[2]);
+  if (has_viewer) place.power = power_seen_from(eye - on_axis, way);
+  if (!is_on_strand) return place;
+  place.held = half_crossing(along, way, radius * push.caster_width);
+  if (place.is_seen) place.point += to_seen_surface(on_axis, along, eye, radius);
   return place;
 }
 

@@ -6,6 +6,8 @@
 /// -k sigma before depth z (in steps) at a texel of the map, own_texel, without what walk_own() finds there.
 float exponent_at(uint texel, float z);
 
+float lookup_power = 1.0;  // LookupPlace::power of the lookup
+
 float averaged(int i, int j, float z) {
   const bool outside = i < 0 || j < 0 || i >= int(columns) || j >= int(rows);
   own_texel = ivec2(i, j);
@@ -45,6 +47,7 @@ float transmittance_at(MapPlacement placement, vec3 position, uint s, uint v, fl
   const vec3 seen = in_light_axes(there.point), point = place_in_map(placement, seen);
   const float texels = push.filter_radius * placement.scale.x * view_scale(seen, push.reach);
   const float radius = push.filter_radius > 0.0 ? clamp(texels, 0.5, k_max_filter_radius) : push.filter_texels;
+  lookup_power = there.power;
   if (!is_in_strip(point.y)) return -1.0;
   const float limit = float(max(columns, rows)) + 130.0;
   if (!(abs(point.x) < limit && abs(point.y) < limit) || !is_seen_by_light(seen, push.reach)) return 1.0;

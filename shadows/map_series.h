@@ -40,6 +40,11 @@ struct SeriesMap {
   /// What a deposit adds to sum i, as an unsigned number that wraps.
   std::uint32_t amount(std::uint32_t covered, std::uint32_t step, std::size_t i) const;
 };
+/// LookupPlace::power where fibres lie at random depths; else 1.
+inline float scattered_power(const MapSettings& settings, float power) {
+  return settings.accumulation.poisson ? 1.0f : power;
+}
+
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers). Half of the
 /// range of fixed_point_scale is left to the sign.
 SeriesMap build_series(const strands::Groom& groom, double alpha, const LightAxes& axes, const MapSettings& settings,

@@ -49,13 +49,17 @@ glm::vec3 own_along(const strands::Groom& groom, const OwnVertex& own) {
 LookupPlace lookup_place(const Asked& asked, const glm::vec3& on_axis, const std::optional<OwnVertex>& own,
                          const LightAxes& axes) {
   LookupPlace place{on_axis};
+  const glm::vec3 way = light_way(axes, on_axis);
+  const std::optional<glm::dvec3>& viewer = asked.receivers.seen_from;
+  if (viewer) place.power = power_seen_from(glm::vec3(*viewer) - on_axis, way);
   if (!own) return place;
   const glm::vec3 along = own_along(asked.groom, *own);
   if (along == glm::vec3(0)) return place;  // a puff
   const float radius = asked.groom.radii[own->vertex];
-  place.held = half_crossing(along, light_way(axes, place.point), radius);
-  place.is_seen = asked.receivers.seen_from.has_value();
-  if (place.is_seen) place.point += to_seen_surface(place.point, along, glm::vec3(*asked.receivers.seen_from), radius);
+  place.held = half_crossing(along, way, radius);
+  place.is_seen = viewer.has_value();
+  if (!place.is_seen) return place;
+  place.point += to_seen_surface(on_axis, along, glm::vec3(*viewer), radius);
   return place;
 }
 

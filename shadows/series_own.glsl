@@ -28,8 +28,11 @@ void read_sums(uint texel) {
 /// hair where sums are proportional to opacity.
 float exponent_of_share(float whole, float share) {
   const uint amount = (push.flags & k_poisson) != 0u ? 0u : table[fibre_coverage(fibre_weights, fibre_coverages)];
-  return exponent_of_part(push.per_unit * whole, push.per_unit * float(amount), share);
+  return exponent_of_part(push.per_unit * whole, seen_fibre(push.per_unit * float(amount), lookup_power), share);
 }
+
+/// The power of the lookup where fibres lie at random depths; else 1.
+float scattered_power() { return (push.flags & k_poisson) != 0u ? 1.0 : lookup_power; }
 
 void look_up(uint v) {
   const float through = transmittance_of_vertex(placement_of(least), v, float(k_series_steps));

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "cli/abc_files.h"
 #include "cli/check/check.h"
 #include "cli/groom_options.h"
 #include "cli/usd_files.h"
@@ -47,14 +48,33 @@ std::vector<strands::Refusal> asked_for(std::vector<strands::Refusal> all, const
   return all;
 }
 
+struct Findings {
+  std::vector<strands::Refusal> refusals, missing;
+};
+
+/// Of a groom and, where the file is Alembic and Unreal is asked for, of its schema.
+Result<Findings> findings_of(const std::string& path, const strands::Groom& groom,
+                             const std::vector<std::string>& importers) {
+  Findings found{asked_for(strands::refusals(groom), importers), {}};
+  if (importers.empty()) return found;
+  if (!is_abc(path) || std::ranges::find(importers, "unreal") == importers.end()) {
+    found.missing = asked_for(strands::missing(groom), importers);
+    return found;
+  }
+  CUTICLE_ASSIGN(AbcSchema schema, check_abc(path));
+  found.refusals.insert(found.refusals.end(), schema.refuses.begin(), schema.refuses.end());
+  found.missing = std::move(schema.fills_in);
+  return found;
+}
+
 int check_groom(const CheckGroomRequest& request, const Context& context) {
   const std::string& path = request.path;
   const auto file = read_groom_file(path, request.options);
   if (!file) return report(file.error());
   const auto verdicts = strands::check::check_groom(file->groom);
-  const auto refusals = asked_for(strands::refusals(file->groom), request.importers);
-  std::vector<strands::Refusal> missing;
-  if (!request.importers.empty()) missing = asked_for(strands::missing(file->groom), request.importers);
+  const auto findings = findings_of(path, file->groom, request.importers);
+  if (!findings) return report(findings.error());
+  const auto& [refusals, missing] = *findings;
   if (context.json) {
     fmt::print("{}\n", to_json(path, verdicts, refusals, missing).dump(2));
   } else {

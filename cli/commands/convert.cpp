@@ -11,7 +11,7 @@ namespace {
 struct ConvertRequest {
   std::string input, output;
   strands::ReadOptions read;
-  double output_metres_per_unit = 1;
+  double output_metres_per_unit = 0;  ///< 0: the format's own
 };
 
 int convert(const ConvertRequest& request, Progress& progress) {
@@ -37,7 +37,8 @@ void add_convert(CLI::App& app, Context& context) {
   command->add_option("--radius", request->read.radius, "fibre radius in metres; 0 = the input's own");
   command->add_flag("--repair", request->read.repair,
                     "mend points that are NaN or coincide, strands of one point or no length");
-  command->add_option("--output-metres-per-unit", request->output_metres_per_unit, "scale of the output; 1 = metres");
+  command->add_option("--output-metres-per-unit", request->output_metres_per_unit,
+                      "scale of the output; 0 = metres, in .abc centimetres");
   command->callback(
       [&context, request] { context.action = [&context, request] { return convert(*request, *context.progress); }; });
 }

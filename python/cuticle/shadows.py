@@ -12,22 +12,24 @@ from ._registries import methods
 __all__ = ["footprint_radius", "methods", "transmittance", "truth"]
 
 
-def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, point_light=False, details=False, progress=None, **settings):
+def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *, alpha=0.4, point_light=False, seen_from=None, camera=None, receivers=2000,
+                  details=False, progress=None, **settings):
     """Transmittance of light to points, 0 .. 1, by a shadow method (`cuticle.methods()`) with its parameters by name.
 
     light: direction to the light (of any length), or with point_light=True its place in metres. points: (n, 3), metres; none: the
-    groom's vertices, where a fibre does not shadow itself. alpha: opacity of one fibre crossing, 0 .. 1, or (3) for red,
-    green and blue. Result: float32 (n), or (n, 3) of three opacities; with details a dictionary with values, clamped,
-    build_ms, lookup_ms, bytes, device and, of the truth, standard_error and occluders (metres). progress: True (tqdm) or a
-    function of task, done, total.
+    groom's vertices, where a fibre does not shadow itself. seen_from: a viewer's place, metres, who sees these vertices' surface,
+    as pictures do. camera: direction to an orthographic camera, instead: at most `receivers` points that its pixels see. alpha:
+    opacity of one fibre crossing, 0 .. 1, or (3) for red, green and blue. Result: float32 (n), or (n, 3) of three opacities; with
+    details a dictionary with values, points, clamped, build_ms, lookup_ms, bytes, device and, of the truth, standard_error and
+    occluders (metres). progress: True (tqdm) or a function of task, done, total.
 
         cuticle.shadows.transmittance(groom, (1, 1, 0.3), points, method="deep_opacity", layers=16, resolution=512)
+        cuticle.shadows.transmittance(groom, (1, 1, 0.3), camera=(1, 0.3, 1), alpha=1, resolution=512).mean()
     """
     if "lamp" in settings:
         warnings.warn("'lamp' is called 'point_light' now; the next version no longer reads the former name", stacklevel=2)
         point_light = settings.pop("lamp")
-    places = None if points is None else floats("points", points, 3)
-    arguments = (triple("light", light), bool(point_light), places)
+    arguments = (triple("light", light), bool(point_light), *_places(points, seen_from, camera, receivers))
     opacity = numbers("alpha", alpha)
     if opacity.ndim == 0:
         with ticking(progress, method):
@@ -37,6 +39,24 @@ def transmittance(groom, light=(0, 1, 0), points=None, method="deep_opacity", *,
         raise Error("details: of one opacity only")
     with ticking(progress, method):
         return _cuticle.coloured_transmittance(groom, method, to_json(settings), triple("alpha", alpha), *arguments)
+
+
+def _places(points, seen_from, camera, receivers):
+    """Where transmittance is asked for, as _cuticle takes it."""
+    given = [name for name, value in (("points", points), ("seen_from", seen_from), ("camera", camera)) if value is not None]
+    if len(given) > 1:
+        raise Error(f"{' and '.join(given)}: one of points, seen_from (of the groom's vertices) and camera")
+    if not 1 <= receivers <= 10_000_000:
+        raise Error(f"receivers = {receivers}: outside 1 .. 10000000")
+    return (None if points is None else floats("points", points, 3), None if seen_from is None else triple("seen_from", seen_from),
+            None if camera is None else _direction("camera", camera), int(receivers))
+
+
+def _direction(name, value):
+    found = triple(name, value)
+    if not 0 < numpy.linalg.norm(found) < numpy.inf:
+        raise Error(f"{name}: direction {tuple(found)} must be finite and not zero")
+    return found
 
 
 def truth(groom, light=(0, 1, 0), points=None, *, rays=1024, footprint_radius_mm=0.0, **arguments):

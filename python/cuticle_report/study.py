@@ -96,6 +96,8 @@ def load(path):
     if not raw["rows"]:
         raise ReportError(f"{path}: 'rows' is empty")
     study = Study(raw, Axis(**raw["x"]), Axis(**raw["y"]))
+    named = {row["method"] for row in raw["baselines"] if "method" in row}  # `none` has no resolution, and stands there
+    raw["rows"] = [row for row in raw["rows"] if study.x.key in row or row.get("method") not in named] or raw["rows"]
     for i, row in enumerate(raw["rows"] + raw["baselines"]):
         wanted = (study.y.key,) if i >= len(raw["rows"]) else (study.x.key, study.y.key, "method")
         for key in wanted:

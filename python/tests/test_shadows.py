@@ -56,6 +56,24 @@ def test_Transmittance_WithoutPoints_IsThatOfTheVertices():
     assert details["values"].shape == (600,) and details["bytes"] > 0 and details["build_ms"] >= 0 and "cpu" in details["device"]
 
 
+@pytest.mark.skipif(not HAS_TRUTH, reason="built without Embree")
+def test_Transmittance_AtWhatACameraSees_LeavesTheLightOfTheTruth():
+    groom = sheet(3)
+    seen = cuticle.shadows.transmittance(groom, (0.2, 1, 0.1), camera=(0.1, 1, 0.2), receivers=400, alpha=1, details=True)
+    true, _ = cuticle.shadows.truth(groom, (0.2, 1, 0.1), camera=(0.1, 1, 0.2), receivers=400, alpha=1, rays=16, footprint_radius_mm=0.02)
+    assert seen["points"].shape == (seen["values"].size, 3) and seen["values"].shape == true.shape
+    assert seen["values"].mean() == pytest.approx(true.mean(), abs=0.02) and true.mean() > 0.9
+
+
+def test_Transmittance_SeenFromEitherSide_IsThatOfTheSideSeen():
+    lit, dark = (cuticle.shadows.transmittance(sheet(), (0, 1, 0), seen_from=(0, y, 0), alpha=1, resolution=1024).mean() for y in (1, -1))
+    assert lit > 0.95 and lit >= dark
+
+
+def test_Transmittance_OfThreeOpacities_AtWhatACameraSees():
+    assert cuticle.shadows.transmittance(sheet(), camera=(0, 1, 0), receivers=50, alpha=(0.2, 0.4, 0.6)).shape[1] == 3
+
+
 def test_Transmittance_OfAPointLight_DependsOnItsPlace():
     lit, dark = (cuticle.shadows.transmittance(sheet(), (0, y, 0), BELOW, "deep_opacity", point_light=True).mean() for y in (-1, 1))
     assert dark < lit
@@ -64,7 +82,8 @@ def test_Transmittance_OfAPointLight_DependsOnItsPlace():
 @pytest.mark.parametrize("arguments, words", [
     (dict(method="deep_opacty"), ["deep_opacty", "deep_opacity"]), (dict(layers=0), ["layers", "0", "1"]), (dict(layer=3), ["layer", "layers"]),
     (dict(alpha=2), ["alpha", "2", "1"]), (dict(light=(0, 0, 0)), ["light"]), (dict(light=(0, 1)), ["light", "(3,)"]),
-    (dict(points=[[0, 1]]), ["points", "(1, 2)", "(n, 3)"]), (dict(points=[[0, numpy.nan, 1]]), ["finite"]),
+    (dict(points=[[0, 1]]), ["points", "(1, 2)", "(n, 3)"]), (dict(points=BELOW, camera=(0, 1, 0)), ["points", "camera"]),
+    (dict(camera=(0, 0, 0), points=None), ["camera"]), (dict(camera=(0, 1, 0), points=None, receivers=0), ["receivers", "0"]), (dict(points=[[0, numpy.nan, 1]]), ["finite"]),
 ])
 def test_Transmittance_BadInput_SaysWhat(arguments, words):
     with pytest.raises(cuticle.Error) as error:

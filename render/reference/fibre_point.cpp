@@ -13,6 +13,18 @@ glm::dvec3 FibrePoint::world(const glm::vec3& v) const {
   return glm::normalize(double(v.x) * x + double(v.y) * y + double(v.z) * z);
 }
 
+namespace {
+
+/// Axes of a fibre that runs along `tangent`, which is not zero.
+void set_axes(FibrePoint& point, const glm::dvec3& tangent) {
+  point.x = tangent;
+  const glm::dvec3 other = std::abs(point.x.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  point.y = glm::normalize(glm::cross(point.x, other));
+  point.z = glm::cross(point.x, point.y);
+}
+
+}  // namespace
+
 FibrePoint fibre_point(const FibreSegment& segment, const strands::RayHit& hit, const glm::dvec3& origin,
                        const glm::dvec3& direction) {
   FibrePoint point{.position = origin + hit.distance * direction, .from = {hit.strand, hit.vertex}};
@@ -24,10 +36,21 @@ FibrePoint fibre_point(const FibreSegment& segment, const strands::RayHit& hit, 
   point.h = width > 0 ? std::clamp(glm::dot(across, side) / width, -1.0, 1.0) : 0;
   const glm::dvec3 tangent = glm::mix(segment.tangent_at_begin, segment.tangent_at_end, point.share);
   const double length = glm::length(tangent);
-  point.x = length > 1e-6 ? tangent / length : axis;
-  const glm::dvec3 other = std::abs(point.x.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  point.y = glm::normalize(glm::cross(point.x, other));
-  point.z = glm::cross(point.x, point.y);
+  set_axes(point, length > 1e-6 ? tangent / length : axis);
+  return point;
+}
+
+FibrePoint fibre_point(const strands::CurvePoint& curve, bool is_flat, const strands::RayHit& hit,
+                       const glm::dvec3& origin, const glm::dvec3& direction) {
+  FibrePoint point{
+      .position = origin + hit.distance * direction, .share = hit.share, .from = {hit.strand, hit.vertex, hit.share}};
+  const double speed = glm::length(curve.tangent);
+  const glm::dvec3 axis = speed > 0 ? curve.tangent / speed : glm::dvec3(1, 0, 0),
+                   away = point.position - curve.position;
+  const glm::dvec3 across = away - glm::dot(away, axis) * axis, side = glm::cross(axis, -direction);
+  const double width = (is_flat ? curve.radius : glm::length(across)) * glm::length(side);
+  point.h = width > 0 ? std::clamp(glm::dot(across, side) / width, -1.0, 1.0) : 0;
+  set_axes(point, axis);
   return point;
 }
 

@@ -25,6 +25,10 @@ struct FibreSegment {
 };
 FibrePoint fibre_point(const FibreSegment& segment, const strands::RayHit& hit, const glm::dvec3& origin,
                        const glm::dvec3& direction);
+/// Of a fibre that is a curve: `curve` is RayScene::curve_at of the hit; `is_flat`: a ribbon, whose offset is the hit's
+/// distance from its middle, in radii.
+FibrePoint fibre_point(const strands::CurvePoint& curve, bool is_flat, const strands::RayHit& hit,
+                       const glm::dvec3& origin, const glm::dvec3& direction);
 /// The same of hair that does not move. `tangents`: unit, one per vertex of the hair; between them the fibre's
 /// direction is interpolated. The offset is that of the point from the segment's own axis: h = n . (u x w) / |u x w|
 /// with n across the axis, u along it, w toward the viewer (docs/conventions.md: the ray meets the fibre at azimuth

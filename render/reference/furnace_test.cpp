@@ -46,6 +46,31 @@ INSTANTIATE_TEST_SUITE_P(Models, Furnaces,
                                          Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 300},
                                          Furnace{"yan_fur", "sigma_a=0,sigma_ma=0", 1000}));
 
+/// Without the last of each strand's five vertices, as many as a Bezier curve has.
+strands::Groom ball_of_fours(int count, float radius) {
+  const strands::Groom whole = ball(count, radius);
+  strands::Groom hair;
+  for (std::size_t s = 0; s < whole.strand_count(); ++s) {
+    const auto points = whole.strand(s).first(4);
+    hair.positions.insert(hair.positions.end(), points.begin(), points.end());
+    hair.offsets.push_back(std::uint32_t(hair.positions.size()));
+  }
+  hair.radii.assign(hair.positions.size(), radius);
+  return hair;
+}
+
+TEST(Furnaces, BallOfEveryKindOfCurve_IsInvisibleWithinThreeStandardErrors) {
+  for (const std::string_view name : strands::curve_kind_names()) {
+    TracedScene scene = scene_of("chiang", k_clear);
+    scene.hair = ball_of_fours(300, 4e-4f);
+    scene.surroundings = white();
+    scene.camera.vertical_field_of_view = 0.08;
+    const Mean mean = mean_where_covered(picture_of(scene, {.curves = strands::curve_kind(name)}, {.samples = 8}));
+    EXPECT_GT(mean.coverage, 50) << name;
+    EXPECT_NEAR(mean.color.y, 1, 3 * mean.error.y) << name << ", standard error " << mean.error.y;
+  }
+}
+
 double sum_of(const Image& layers, const std::string& name) {
   const auto found = std::ranges::find(layers.channel_names, name + ".G");
   EXPECT_NE(found, layers.channel_names.end()) << name;

@@ -12,6 +12,7 @@
 #include "render/reference/random_numbers.h"
 #include "render/reference/restrictions.h"
 #include "render/reference/traced_scene.h"
+#include "strands/curve_kind.h"
 
 namespace cuticle::render::reference {
 
@@ -23,7 +24,8 @@ struct TraceOptions {
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
   Lens lens = {};
-  double point_light_radius = 0;  ///< of every point light, a sphere of even radiance, metres; 0: points
+  strands::CurveKind curves = {};  ///< what the hair's vertices are
+  double point_light_radius = 0;   ///< of every point light, a sphere of even radiance, metres; 0: points
   double sun_angle = 0;       ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
   double clamp_indirect = 0;  ///< radiance of a path's brightest channel, at most, of light from one scattering after
                               ///< the first; 0: no limit

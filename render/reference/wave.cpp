@@ -24,7 +24,7 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
   }
   std::vector<strands::Mesh> meshes;
   for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
-  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end));
+  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end, options.curves));
   if (options.shadows) {
     CUTICLE_ASSIGN(transmittance, VertexTransmittance::make(traced, *options.shadows));
     CUTICLE_ASSIGN(surfaces, strands::RayScene::build({}, meshes));
@@ -51,6 +51,12 @@ FibreSegment WaveScene::segment_at(std::uint32_t v, double time) const {
   segment.tangent_at_begin = glm::mix(segment.tangent_at_begin, glm::dvec3(tangents_at_end[v]), time);
   segment.tangent_at_end = glm::mix(segment.tangent_at_end, glm::dvec3(tangents_at_end[v + 1]), time);
   return segment;
+}
+
+FibrePoint WaveScene::point_of(const strands::RayHit& hit, const glm::dvec3& origin, const glm::dvec3& direction,
+                               double time) const {
+  if (options.curves.is_cone()) return fibre_point(segment_at(hit.vertex, time), hit, origin, direction);
+  return fibre_point(rays->curve_at(hit, time), options.curves.is_flat, hit, origin, direction);
 }
 
 Wave::Wave(const WaveScene& scene, std::span<const PathName> names, std::span<PathLight> light)
@@ -144,7 +150,7 @@ void Wave::leave(std::uint32_t k) {
 
 void Wave::meet_fibre(std::uint32_t k, const strands::RayHit& hit) {
   const Path& path = paths_[k];
-  fibre_points_.push_back(fibre_point(scene_.segment_at(hit.vertex, path.time), hit, path.origin, path.direction));
+  fibre_points_.push_back(scene_.point_of(hit, path.origin, path.direction, path.time));
   fibre_paths_.push_back(k);
   if (scattering_ > 0) return;
   light_[k].covered = true;

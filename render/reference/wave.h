@@ -27,6 +27,8 @@ struct WaveScene {
 
   Result<void> build(const TracedScene& traced, const TraceOptions& trace_options);
   FibreSegment segment_at(std::uint32_t vertex, double time) const;
+  FibrePoint point_of(const strands::RayHit& hit, const glm::dvec3& origin, const glm::dvec3& direction,
+                      double time) const;
   /// S; arrays of one size.
   void evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const;
 };

@@ -146,12 +146,13 @@ float exponent_at(const Map& map, std::span<const Layer> layers, std::size_t tex
 Result<std::vector<float>> look_up_by(const Map& map, const Settings& settings, const Asked& asked,
                                       const auto& exponent_before) {
   const std::vector<Layer> layers = layer_table(map.ends);
-  return look_up_receivers(map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z) {
-    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
-      const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
-      return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
-    };
-  });
+  return look_up_receivers(
+      map.view, settings.map, k_deepest, k_pieces_per_step, asked, [&](std::size_t, float z, float) {
+        return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+          const std::size_t stored = map.slots.empty() ? texel : stored_texel(map, texel);
+          return stored == k_no_slot ? 0.0f : exponent_at(map, layers, stored, z, own, exponent_before);
+        };
+      });
 }
 
 /// How many of the thresholds, which fall, are not below the sum.

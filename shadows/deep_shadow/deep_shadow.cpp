@@ -37,7 +37,7 @@ float visibility_without(const Map& map, float bound, std::size_t texel, float z
 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   const auto bound = float(std::max(double(k_least_bound), settings.error_bound));
-  const auto at_depth = [&](std::size_t, float z) {
+  const auto at_depth = [&](std::size_t, float z, float) {
     return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
       return std::log(std::max(0x1p-17f, visibility_without(map, bound, texel, z, own)));
     };

@@ -27,10 +27,10 @@ inline Result<MapFilter> map_filter(const MapView& view, const MapSettings& sett
   return MapFilter{radius, float(settings.filter_radius), float(settings.depth_offset), settings.accumulation.poisson};
 }
 
-/// Transmittance at the receivers. at_depth(i, z) gives, for receiver i, a function of a texel and of what the
-/// receiver's own fibre has left there: the exponent of T before depth z without that; depths are limited to 0 ..
-/// deepest, in steps. Pieces of fibres are at most 1 / steps_to_pieces steps deep. Error: usage, for a filter too wide
-/// for the map.
+/// Transmittance at the receivers. at_depth(i, z, power) gives, for receiver i with its LookupPlace::power, a function
+/// of a texel and of what the receiver's own fibre has left there: the exponent of T before depth z without that;
+/// depths are limited to 0 .. deepest, in steps. Pieces of fibres are at most 1 / steps_to_pieces steps deep. Error:
+/// usage, for a filter too wide for the map.
 Result<std::vector<float>> look_up_receivers(const MapView& view, const MapSettings& settings, float deepest,
                                              float steps_to_pieces, const Asked& asked, const auto& at_depth) {
   CUTICLE_ASSIGN(const MapFilter filter, map_filter(view, settings));
@@ -42,8 +42,9 @@ Result<std::vector<float>> look_up_receivers(const MapView& view, const MapSetti
       own_fibre.leave_none();
       if (own) own_fibre.find(view, asked.groom, *own, seen, at, radius, steps_to_pieces);
     };
-    values[i] = transmittance_at(view, filter, deepest, lookup_place(asked, asked.receivers.points[i], own, view.axes),
-                                 own_fibre, find_own, [&](float z) { return at_depth(i, z); });
+    const LookupPlace place = lookup_place(asked, asked.receivers.points[i], own, view.axes);
+    values[i] = transmittance_at(view, filter, deepest, place, own_fibre, find_own,
+                                 [&](float z) { return at_depth(i, z, place.power); });
   });
   return values;
 }

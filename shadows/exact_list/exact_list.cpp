@@ -25,7 +25,7 @@ float sum_before(const FragmentLists& lists, std::size_t texel, float z, std::sp
 Result<std::vector<float>> look_up(const FragmentLists& lists, const Settings& settings, const Asked& asked) {
   const float per_unit = exponent_per_unit(settings.map, lists.scale);
   return look_up_receivers(lists.view, settings.map, k_behind_lists, k_list_pieces_per_step, asked,
-                           [&](std::size_t, float z) {
+                           [&](std::size_t, float z, float) {
                              return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
                                return per_unit * sum_before(lists, texel, z, own);
                              };

@@ -12,13 +12,14 @@ float known_z = -1.0;  // the depth that `basis` is of: one for all texels of a 
 Integrals basis;
 
 float exponent_at(uint texel, float z) {
-  const float depth = z / float(k_series_steps);
+  const uint harmonics = (push.layers - 1u) / 2u;
+  const float depth = seen_depth(z / float(k_series_steps), harmonics, scattered_power());
   if (!(depth > 0.0) || sum_of(texel, 0u) <= 0) return 0.0;
   read_sums(texel);
   const float whole = float(sums_left[0]);
   if (!(whole > 0.0)) return 0.0;
   if (depth >= 1.0) return exponent_of_share(whole, 1.0);
-  if (z != known_z) basis = integrals(depth, (push.layers - 1u) / 2u, push.own[0]);
+  if (z != known_z) basis = integrals(depth, harmonics, push.own[0]);
   known_z = z;
   float sum = 0.0;
   for (uint i = 0u; i < push.layers; ++i) sum += basis.of[i] * float(sums_left[i]);

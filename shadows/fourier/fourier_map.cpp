@@ -35,10 +35,12 @@ SeriesMap build_map(const strands::Groom& groom, double alpha, const LightAxes& 
 Result<std::vector<float>> look_up(const SeriesMap& map, const Settings& settings, const Asked& asked) {
   const float per_unit = exponent_per_unit(settings.map, map.scale),
               fibre = map.scattered_fibre(settings.map, per_unit);
-  const auto at_depth = [&](std::size_t, float z) {
-    const float depth = z / float(k_series_steps);
+  const auto at_depth = [&](std::size_t, float z, float seen) {
+    const float power = scattered_power(settings.map, seen);
+    const float depth = seen_depth(z / float(k_series_steps), settings.harmonics, power);
     const Integrals<float> basis = integrals(depth, settings.harmonics, float(settings.smoothing));
-    return [&map, per_unit, fibre, depth, basis](std::size_t texel, std::span<const OwnDeposit> own) {
+    return [&map, per_unit, fibre = seen_fibre(fibre, power), depth, basis](std::size_t texel,
+                                                                            std::span<const OwnDeposit> own) {
       const float whole = map.sum(texel, 0, own);
       if (!(whole > 0)) return 0.0f;
       return exponent_of_part(per_unit * whole, fibre, share_at(map, basis, depth, whole, texel, own));

@@ -13,7 +13,8 @@ const uint k_trigonometric = 2u;  // k_trigonometric_flag of moments_gpu.cpp
 float moment(uint i) { return float(sums_left[i]) / float(sums_left[0]); }
 
 float share_before(float depth) {
-  const float bias = push.own[0], overestimation = push.own[1];
+  const float bias = stored_bias(push.own[0], float(sums_left[0])),
+              overestimation = seen_overestimation(push.own[1], scattered_power());
   if ((push.flags & k_trigonometric) != 0u)
     return circle_share(vec2(moment(1u), moment(2u)), vec2(moment(3u), moment(4u)), bias, depth, overestimation);
   PowerMoments moments;

@@ -41,10 +41,11 @@ float even_sum(const Around& around) {
   return between_planes(float(around.nearer), float(around.farther), around.share);
 }
 
-/// The exponent there of fibres that lie between the slices at random depths, `fibre` each.
-float scattered_exponent(const Around& around, float per_unit, float fibre) {
+/// The exponent there of fibres that lie between the slices at random depths, `fibre` each; `power`: seen_power().
+float scattered_exponent(const Around& around, float per_unit, float fibre, float power) {
   const float between = float(around.farther - std::min(around.nearer, around.farther));
-  return per_unit * float(around.nearer) + exponent_of_part(per_unit * between, fibre, around.share);
+  return per_unit * float(around.nearer) +
+         exponent_of_part(per_unit * between, seen_fibre(fibre, power), share_before_seen(around.share, power));
 }
 
 /// To the 11 significant bits of a half float, ties to even.
@@ -60,7 +61,7 @@ std::uint32_t rounded_to_half(std::uint32_t sum) {
 Result<std::vector<float>> look_up_by_vertex(const Map& map, const Settings& settings, const Asked& asked) {
   CUTICLE_ASSIGN(const MapFilter filter, map_filter(map.view, settings.map));
   const float per_unit = exponent_per_unit(settings.map, map.scale), deepest = settings.intervals();
-  const auto at_depth = [&](std::size_t i, float) {
+  const auto at_depth = [&](std::size_t i, float, float) {
     const SegmentPlace& place = asked.receivers.segments[i];
     const auto own = own_vertex(asked.groom, asked.receivers, i);
     const auto depth_of = [&](const glm::vec3& p) {
@@ -130,10 +131,10 @@ Result<std::vector<float>> look_up(const Map& map, const Settings& settings, con
   const float per_unit = exponent_per_unit(settings.map, map.scale),
               fibre = fibre_exponent(map.fibre, map.table, per_unit);
   const bool is_scattered = settings.is_scattered();
-  const auto at_depth = [&](std::size_t, float z) {
-    return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
+  const auto at_depth = [&](std::size_t, float z, float power) {
+    return [&, z, power](std::size_t texel, std::span<const OwnDeposit> own) {
       const Around around = slices_around(map, texel, z, own);
-      return is_scattered ? scattered_exponent(around, per_unit, fibre) : per_unit * even_sum(around);
+      return is_scattered ? scattered_exponent(around, per_unit, fibre, power) : per_unit * even_sum(around);
     };
   };
   return look_up_receivers(map.view, settings.map, settings.intervals(), k_pieces_per_step, asked, at_depth);

@@ -28,7 +28,7 @@ Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, 
 Result<std::vector<float>> look_up(const Map& map, const Settings& settings, const Asked& asked) {
   const float bias = float(settings.bias), steps_per_metre = map.view.scale.z;
   const float spacing = float(settings.fibre_spacing) * steps_per_metre;
-  const auto at_depth = [&](std::size_t, float z) {
+  const auto at_depth = [&](std::size_t, float z, float) {
     return [&, z](std::size_t texel, std::span<const OwnDeposit> own) {
       if (map.nearest[texel] == k_no_depth || is_own(map.nearest[texel], own)) return 0.0f;
       const float behind = steps_behind(z, map.nearest[texel], bias, steps_per_metre);

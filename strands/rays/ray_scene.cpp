@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include "strands/rays/detail/curve_set.h"
 #include "strands/rays/detail/embree_scene.h"
 #include "strands/rays/round_cone.h"
 
@@ -25,8 +26,12 @@ struct RayScene::Impl {
   std::vector<RaySegment> segments;
   std::vector<glm::vec4> spheres, spheres_at_end;  ///< at_end: empty where nothing moves
   std::vector<std::uint32_t> offsets;
+  CurveKind kind;
+  CurveSet curves;  ///< in the place of segments and spheres, where the kind is not the cone
 
   Result<void> build(const Groom& groom, std::span<const Mesh> surfaces, std::span<const glm::vec3> positions_at_end);
+  void add_cones(const Groom& groom, std::span<const glm::vec3> positions_at_end);
+  void add_curves(const Groom& groom, std::span<const glm::vec3> positions_at_end);
   glm::vec4 sphere_at(std::uint32_t vertex, float time) const {
     return spheres_at_end.empty() ? spheres[vertex] : glm::mix(spheres[vertex], spheres_at_end[vertex], time);
   }
@@ -42,7 +47,8 @@ struct Query {
   FibreLeft from;
   double limit;  ///< hits from here on do not count
   float time;
-  double left_at = -1;  ///< where the ray is out of the fibre that it leaves; negative: not asked yet
+  double left_at = -1;    ///< where the ray is out of the fibre that it leaves; negative: not asked yet
+  CurvePlace place = {};  ///< of the hit on a curve
 
   LineInterval interval(std::uint32_t vertex) const {
     return round_cone_interval(origin, direction, scene->sphere_at(vertex, time), scene->sphere_at(vertex + 1, time));
@@ -88,6 +94,42 @@ void filter_fibre(const RTCFilterFunctionNArguments* arguments) {
   if (!takes(query, hit.primID, ray.tfar)) arguments->valid[0] = 0;
 }
 
+/// How far the ray does not meet the curve that it leaves. A round one has only sides that it enters by, so that
+/// rounding alone has to be kept away; a ribbon faces the ray from wherever it begins in its width.
+double leaves_curve_at(const Query& query) {
+  const FibreLeft& from = query.from;
+  const CurvePlace place{from.strand, from.vertex, from.share};
+  const CurveSpan span = query.scene->curves.span_at(place, double(query.time));
+  const double u = query.scene->curves.parameter(place), slack = 1e-3 * span.at(u).w;
+  if (!query.scene->kind.is_flat) return slack;
+  return leaves_tube_at(span, {query.origin, query.direction}, u) + slack;
+}
+
+/// As `takes`, of curves.
+bool takes_curve(Query& query, const CurveHit& guess, unsigned primitive, float& distance) {
+  const CurveSet& curves = query.scene->curves;
+  const CurveSpan span = curves.span(primitive, double(query.time));
+  const Line line{query.origin, query.direction};
+  const auto hit = query.scene->kind.is_flat ? flat_entry(span, line, guess) : round_entry(span, line, guess);
+  if (!hit || !(hit->distance > 0) || !(hit->distance < query.limit)) return false;
+  if (curves.strand(primitive) == query.from.strand) {
+    if (query.left_at < 0) query.left_at = leaves_curve_at(query);
+    if (hit->distance <= query.left_at) return false;
+  }
+  query.limit = hit->distance;
+  query.place = curves.place(primitive, hit->u);
+  distance = float(hit->distance);
+  return true;
+}
+
+void filter_curve(const RTCFilterFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  auto& query = *reinterpret_cast<Query*>(arguments->context);
+  auto& ray = *reinterpret_cast<RTCRay*>(arguments->ray);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  if (!takes_curve(query, {double(ray.tfar), double(hit.u)}, hit.primID, ray.tfar)) arguments->valid[0] = 0;
+}
+
 /// A surface that the ray leaves is not met again.
 void filter_surface(const RTCFilterFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
@@ -103,28 +145,41 @@ void filter_surface(const RTCFilterFunctionNArguments* arguments) {
 
 Result<void> RayScene::Impl::build(const Groom& groom, std::span<const Mesh> surfaces,
                                    std::span<const glm::vec3> positions_at_end) {
+  CUTICLE_TRY(tree.open(RTC_BUILD_QUALITY_HIGH));
+  if (kind.is_cone())
+    add_cones(groom, positions_at_end);
+  else
+    add_curves(groom, positions_at_end);
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+    tree.add_mesh(surfaces[k], k_fibres + 1 + unsigned(k), filter_surface);
+  return tree.commit(kind.is_cone() ? segments.size() : curves.first().size());
+}
+
+void RayScene::Impl::add_cones(const Groom& groom, std::span<const glm::vec3> positions_at_end) {
   spheres = spheres_of(groom);
   for (std::size_t v = 0; v < positions_at_end.size(); ++v)
     spheres_at_end.emplace_back(positions_at_end[v], groom.radii[v]);
   offsets = groom.offsets;
   segments = segments_of(groom, true);
-  CUTICLE_TRY(tree.open(RTC_BUILD_QUALITY_HIGH));
   tree.add_segments(spheres, spheres_at_end, segments, k_fibres, filter_fibre);
-  for (std::size_t k = 0; k < surfaces.size(); ++k)
-    tree.add_mesh(surfaces[k], k_fibres + 1 + unsigned(k), filter_surface);
-  return tree.commit(segments.size());
+}
+
+void RayScene::Impl::add_curves(const Groom& groom, std::span<const glm::vec3> positions_at_end) {
+  curves = CurveSet(groom, positions_at_end, kind);
+  tree.add_curves(kind, curves.controls(), curves.controls_at_end(), curves.first(), k_fibres, filter_curve);
 }
 
 RayScene::RayScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayScene::~RayScene() = default;
 
 Result<std::unique_ptr<RayScene>> RayScene::build(const Groom& groom, std::span<const Mesh> surfaces,
-                                                  std::span<const glm::vec3> positions_at_end) {
-  CUTICLE_TRY(validate(groom));
+                                                  std::span<const glm::vec3> positions_at_end, CurveKind kind) {
+  CUTICLE_TRY(validate(groom, kind));
   if (!positions_at_end.empty() && positions_at_end.size() != groom.vertex_count())
     return internal_error(fmt::format("{} positions at the end of the motion, {} vertices", positions_at_end.size(),
                                       groom.vertex_count()));
   auto impl = std::make_unique<Impl>();
+  impl->kind = kind;
   CUTICLE_TRY(impl->build(groom, surfaces, positions_at_end));
   return std::unique_ptr<RayScene>(new RayScene(std::move(impl)));
 }
@@ -140,10 +195,14 @@ RayHit RayScene::closest(const glm::dvec3& origin, const glm::dvec3& direction, 
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.distance = query.limit;
   if (found.hit.geomID == k_fibres) {
-    const RaySegment& segment = impl_->segments[found.hit.primID];
     hit.kind = RayHit::Kind::fibre;
-    hit.strand = segment.strand;
-    hit.vertex = segment.first;
+    if (impl_->kind.is_cone()) {
+      const RaySegment& segment = impl_->segments[found.hit.primID];
+      query.place = {segment.strand, segment.first};
+    }
+    hit.strand = query.place.strand;
+    hit.vertex = query.place.vertex;
+    hit.share = query.place.share;
   } else {
     hit.kind = RayHit::Kind::surface;
     hit.surface = found.hit.geomID - k_fibres - 1;
@@ -161,6 +220,15 @@ bool RayScene::is_blocked(const glm::dvec3& origin, const glm::dvec3& direction,
   ray.time = query.time;
   trace_any(impl_->tree.scene(), query.context, ray);
   return ray.tfar < 0;
+}
+
+CurvePoint RayScene::curve_at(const RayHit& hit, double time) const {
+  CUTICLE_EXPECT(!impl_->kind.is_cone(), "a scene of curves");
+  const CurvePlace place{hit.strand, hit.vertex, hit.share};
+  const CurveSpan span = impl_->curves.span_at(place, time);
+  const double u = impl_->curves.parameter(place);
+  const glm::dvec4 centre = span.at(u);
+  return {glm::dvec3(centre), glm::dvec3(span.slope(u)), centre.w};
 }
 
 std::size_t RayScene::memory_bytes() const { return impl_->tree.memory_bytes(); }

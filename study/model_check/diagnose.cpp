@@ -107,6 +107,64 @@ Finding cosine(const Case& at) {
   return {};
 }
 
+/// Both directions with the fibre's axis and the direction of azimuth 0 exchanged.
+bsdf::Point with_axes_swapped(const bsdf::Point& at) {
+  const auto swapped = [](double& theta, double& phi) {
+    const double along = std::cos(theta) * std::cos(phi), across = std::cos(theta) * std::sin(phi);
+    phi = std::atan2(across, std::sin(theta));
+    theta = std::asin(std::clamp(along, -1.0, 1.0));
+  };
+  bsdf::Point other = at;
+  double phi_i = at.phi_o + at.phi;
+  swapped(other.theta_i, phi_i);
+  swapped(other.theta_o, other.phi_o);
+  other.phi = phi_i - other.phi_o;
+  other.theta_d = (other.theta_o - other.theta_i) / 2;
+  return other;
+}
+
+/// How far S lies from the cone of mirror directions: the mean of (sin(theta_i) + sin(theta_o))^2 over S.
+double off_the_cone(const Batch& scattering, const bsdf::Point& view) {
+  constexpr int rings = 96, around = 192;
+  std::vector<bsdf::Point> points(std::size_t(rings) * around, view);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k].theta_i = std::asin(-1 + 2 * (double(k / around) + 0.5) / rings);
+    points[k].phi = 2 * pi * (double(k % around) + 0.5) / around - pi;
+    points[k].theta_d = (view.theta_o - points[k].theta_i) / 2;
+  }
+  const std::vector<glm::dvec3> values = values_at(scattering, points);
+  double sum = 0, whole = 1e-300;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double off = std::sin(points[k].theta_i) + std::sin(view.theta_o);
+    sum += brightness(values[k]) * off * off;
+    whole += brightness(values[k]);
+  }
+  return sum / whole;
+}
+
+/// Only with the axes exchanged once more S lies about the cone of mirror directions.
+Finding frame(const Case& at) {
+  std::optional<Scatterer> scatterer = at.subject.make({Absorption::none, Roughness::usual, Tilt::none});
+  if (!scatterer) scatterer = at.subject.make({});
+  if (!scatterer) return {};
+  const Batch unswapped = [&](std::span<const bsdf::Point> points, std::span<glm::dvec3> out) {
+    std::vector<bsdf::Point> others(points.size());
+    std::transform(points.begin(), points.end(), others.begin(), with_axes_swapped);
+    scatterer->scattering(others, out);
+  };
+  double own = 1e300, other = 0;
+  for (bsdf::Point view : probe_views(at.subject)) {
+    view.phi_o = 0;  // a function that is given the difference of azimuths alone counts from the viewer's
+    own = std::min(own, off_the_cone(scatterer->scattering, view));
+    other = std::max(other, off_the_cone(unswapped, view));
+  }
+  if (own < 2 * other) return {};
+  return Diagnosis{Cause::frame_swapped,
+                   fmt::format("S lies off the cone of mirror directions by {:.2f}, with the fibre's axis and the "
+                               "binormal exchanged by {:.2f} at most",
+                               std::sqrt(own), std::sqrt(other))};
+}
+
 /// S along theta_i at points spread evenly over a range.
 struct Line {
   std::vector<double> theta, value;
@@ -123,8 +181,8 @@ Line line_along_theta(const Scatterer& scatterer, const bsdf::Point& view, doubl
   return line;
 }
 
-/// The relative step of S that is left when a range is narrowed around its sharpest bend: a smooth bend vanishes, a
-/// jump stays.
+/// The relative step of S towards smaller |theta_i| that is left when a range is narrowed around its sharpest bend: a
+/// smooth bend vanishes, a jump stays.
 double jump_within(const Scatterer& scatterer, const bsdf::Point& view, double low, double high) {
   while (high - low > 1e-10) {
     const Line line = line_along_theta(scatterer, view, low, high, 16);
@@ -135,8 +193,11 @@ double jump_within(const Scatterer& scatterer, const bsdf::Point& view, double l
     high = line.theta[sharpest + 1];
   }
   const Line ends = line_along_theta(scatterer, view, low, high, 1);
-  return std::abs(ends.value[1] - ends.value[0]) / std::max(ends.value[0], ends.value[1]);
+  const double step = (ends.value[1] - ends.value[0]) / std::max(ends.value[0], ends.value[1]);
+  return std::abs(ends.theta[1]) < std::abs(ends.theta[0]) ? step : -step;
 }
+
+double larger(double a, double b) { return std::abs(a) > std::abs(b) ? a : b; }
 
 /// The largest jump among the sharpest bends of S where it is above a thousandth of its peak.
 double jump_along_theta(const Scatterer& scatterer, const bsdf::Point& view) {
@@ -149,32 +210,43 @@ double jump_along_theta(const Scatterer& scatterer, const bsdf::Point& view) {
   double worst = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(bends.size(), 8); ++k)
     worst =
-        std::max(worst, jump_within(scatterer, view, line.theta[bends[k].second - 1], line.theta[bends[k].second + 1]));
+        larger(worst, jump_within(scatterer, view, line.theta[bends[k].second - 1], line.theta[bends[k].second + 1]));
   return worst;
 }
 
-/// Energy and density miss the same share: the longitudinal lobe, which both hold, is not normalised.
+/// Energy and density miss the same share: the longitudinal lobe, which both hold, is not normalised. Without a density
+/// a jump tells. The argument of I0 grows towards theta_i = 0: where S steps up on that way, what was left behind, the
+/// series of small arguments, is too little.
 Finding longitudinal_lobe(const Case& at) {
   const std::optional<Scatterer> scatterer = at.subject.make({Absorption::none, Roughness::usual, Tilt::given});
-  if (!scatterer->pdf || !at.failed("pdf_normalised")) return {};
-  const bsdf::Point view = probe_views(at.subject)[0];
-  const Partition partition = partition_for(*scatterer, view);
-  const double missing = 1 - largest(integrate_sphere(scatterer->scattering, view, partition, {1e-5}).value) /
-                                 expected_energy(at.subject, *scatterer, view);
-  const double density = 1 - integrate_sphere(scatterer->pdf, view, partition, {1e-5}).value.x;
+  if (scatterer->pdf && !at.failed("pdf_normalised")) return {};
+  double missing = 0;
+  bsdf::Point view;  // the one that misses most
+  for (const bsdf::Point& probe : probe_views(at.subject)) {
+    const SphereIntegral sum = integrate_sphere(scatterer->scattering, probe, partition_for(*scatterer, probe), {1e-5});
+    const double share = 1 - largest(sum.value) / expected_energy(at.subject, *scatterer, probe);
+    if (std::abs(share) > std::abs(missing)) view = probe;
+    missing = larger(missing, share);
+  }
+  const double density =
+      scatterer->pdf ? 1 - integrate_sphere(scatterer->pdf, view, partition_for(*scatterer, view), {1e-5}).value.x
+                     : missing;
   if (std::abs(missing) < 1e-4 || std::abs(missing - density) > 0.3 * std::abs(missing)) return {};
   double jump = 0;
   for (double phi : {0.3, -0.6, 2.8}) {
     bsdf::Point along = view;
     along.phi = phi;
-    jump = std::max(jump, jump_along_theta(*scatterer, along));
+    jump = larger(jump, jump_along_theta(*scatterer, along));
   }
-  const std::string words =
-      fmt::format("S misses {:.3f} % of the energy and the density {:.3f} %", 100 * missing, 100 * density);
-  if (jump < 1e-4 + 100 * at.subject.rounding) return Diagnosis{Cause::lobe_not_normalised, words};
-  return Diagnosis{
-      Cause::halved_bessel_correction,
-      fmt::format("{}; along theta_i S jumps by {:.2f} %, as where two branches of I0 meet", words, 100 * jump)};
+  std::string words = fmt::format("S misses {:.3f} % of the energy", 100 * missing);
+  if (scatterer->pdf) words += fmt::format(" and the density {:.3f} %", 100 * density);
+  if (std::abs(jump) < 1e-4 + 100 * at.subject.rounding)
+    return scatterer->pdf ? Finding(Diagnosis{Cause::lobe_not_normalised, words}) : Finding();
+  const bool is_short = jump > 0;
+  return Diagnosis{is_short ? Cause::short_bessel_series : Cause::halved_bessel_correction,
+                   fmt::format("{}; along theta_i S jumps by {:.2f} %, as where two branches of I0 meet, and is too "
+                               "small on the side of the {} argument",
+                               words, 100 * std::abs(jump), is_short ? "smaller" : "larger")};
 }
 
 /// The largest difference between the energy scattered and that of a cylinder with a mistake built in.
@@ -230,7 +302,7 @@ Finding tilt(const Case& at) {
 }  // namespace
 
 std::string_view name_of(Cause cause) {
-  constexpr std::array<std::string_view, 11> names = {"none",
+  constexpr std::array<std::string_view, 13> names = {"none",
                                                       "unknown",
                                                       "halved_bessel_correction",
                                                       "lobe_not_normalised",
@@ -240,7 +312,9 @@ std::string_view name_of(Cause cause) {
                                                       "cosine_included",
                                                       "spurious_one_over_pi",
                                                       "tilt_after_sampling",
-                                                      "value_times_pdf"};
+                                                      "value_times_pdf",
+                                                      "short_bessel_series",
+                                                      "frame_swapped"};
   return names[std::size_t(cause)];
 }
 
@@ -249,7 +323,7 @@ Diagnosis diagnose(const Subject& subject, std::span<const Verdict> verdicts, co
   const bool any =
       std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.state == State::failed; });
   if (!any) return {};
-  std::vector<Finding (*)(const Case&)> probes = {weights_are_values};
+  std::vector<Finding (*)(const Case&)> probes = {weights_are_values, frame};
   if (at.failed("white_furnace")) probes.insert(probes.end(), {factor_of_pi, cosine, longitudinal_lobe});
   probes.insert(probes.end(), {absorption, tilt});
   for (const auto probe : probes)

@@ -16,7 +16,9 @@ enum class Cause {
   cosine_included,           ///< S carries cos(theta_i)
   spurious_one_over_pi,      ///< S is off by a factor of pi
   tilt_after_sampling,       ///< the tilt is put on the direction drawn, not on theta_o before drawing
-  value_times_pdf            ///< the weights are S or S pdf, not S / pdf
+  value_times_pdf,           ///< the weights are S or S pdf, not S / pdf
+  short_bessel_series,       ///< I0 for small x by too few terms of its series (ten, up to 12: 2 % too little)
+  frame_swapped              ///< tangent and binormal are exchanged
 };
 
 /// "halved_bessel_correction", ...

@@ -40,7 +40,7 @@ constexpr Setting k_shadows[] = {{"opacity_map", "slices=16,resolution=256"},
                                  {"deep_shadow", "resolution=512"},
                                  {"deep_shadow", "resolution=1024"},
                                  {"moments", ""},
-                                 {"fourier", ""}};
+                                 {"fourier", "harmonics=3"}};
 constexpr std::string_view k_draws[] = {"lines", "quads", "tiles"};
 constexpr int k_table_sizes[] = {16, 32, 64, 128};
 constexpr int k_steps_a_second[] = {120, 240, 480, 960};

@@ -31,7 +31,7 @@ def groom(path, points=4):
 PLANTED = "import pathlib\npathlib.Path({mark!r}).write_text('run')\nraise ImportError('planted')\n"
 
 
-def plant(folder, mark, names=("cuticle_usd", "cuticle_report", "numpy", "pxr", "matplotlib", "plotly", "jinja2", "site", "runpy",
+def plant(folder, mark, names=("cuticle_usd", "cuticle_abc", "cuticle_report", "alembic3d", "imath", "numpy", "pxr", "matplotlib", "plotly", "jinja2", "site", "runpy",
                                "sitecustomize", "usercustomize")):
     for name in names:
         (folder / f"{name}.py").write_text(PLANTED.format(mark=str(mark)))
@@ -48,7 +48,7 @@ def test_Python_PlantedModules_AreNotRun(tmp_path, where):
     groom(here / "m.hair")
     (here / "m.usd").write_text("#usda 1.0\n")
     assert run("grow", "--strands", "vertices=8", "--share", "0.01", "--out", here / "a.hair").returncode == 0
-    for arguments in (["info", "m.usd"], ["convert", "m.hair", "n.usdc"],
+    for arguments in (["info", "m.usd"], ["convert", "m.hair", "n.usdc"], ["convert", "m.hair", "n.abc"],
                       ["shadows", "a.hair", "--light", "0,1,0", "--methods", "opacity_map", "--layers", "4", "--resolution", "32", "--quick", "--rays",
                        "16", "--out", str(out)]):
         done = subprocess.run([PROGRAM, *arguments], cwd=here, env=environment, capture_output=True, text=True, timeout=200)

@@ -172,12 +172,6 @@ def test_UsdBinary_OfAnotherWriter_IsReadAndWritten(tmp_path):
     check_counts_and_lengths(tmp_path / "b.usdc")
 
 
-def test_Alembic_WithoutAPlugIn_SaysWhatToDo(tmp_path):
-    (tmp_path / "a.abc").write_bytes(b"Ogawa")
-    message = refused(3, "info", tmp_path / "a.abc")
-    assert "a.abc" in message and "usd-core" in message
-
-
 def test_Repair_CountsWhatWasMended(tmp_path):
     damaged = POSITIONS.copy()
     damaged[2, 3] = numpy.nan

@@ -22,15 +22,18 @@ def values(attribute, name, count, components=1):
     return found.reshape(count, components) if components > 1 else found
 
 
-def curves():
-    """The one curves object that a groom's USD becomes, and its arrays in world units."""
+def curves(file="groom.usda", arrays="blender_curves.npz"):
+    """The one curves object that a groom's USD or Alembic becomes, and its arrays in world units."""
     emptied()
-    bpy.ops.wm.usd_import(filepath=str(WORK / "groom.usda"))
+    if file.endswith(".abc"):
+        bpy.ops.wm.alembic_import(filepath=str(WORK / file), scale=0.01, as_background_job=False)
+    else:
+        bpy.ops.wm.usd_import(filepath=str(WORK / file))
     made = next(each for each in bpy.data.objects if each.type == "CURVES")
     data, count = made.data, len(made.data.points)
     places = values(data.attributes["position"], "vector", count, 3)
     matrix = numpy.array(made.matrix_world)
-    numpy.savez(WORK / "blender_curves.npz", positions=places @ matrix[:3, :3].T + matrix[:3, 3], radii=values(data.attributes["radius"], "value", count),
+    numpy.savez(WORK / arrays, positions=places @ matrix[:3, :3].T + matrix[:3, 3], radii=values(data.attributes["radius"], "value", count),
                 offsets=numpy.array([curve.first_point_index for curve in data.curves] + [count]))
     return made, {"curves": len(data.curves), "points": count, "attributes": sorted(each.name for each in data.attributes)}
 
@@ -91,7 +94,8 @@ def draw(model, name):
 
 
 def main():
-    found = {"version": bpy.app.version_string, "usda": curves()[1], "cards.glb": mesh_of(bpy.ops.import_scene.gltf, "cards.glb"),
+    found = {"version": bpy.app.version_string, "usda": curves()[1],
+             "abc": curves("groom.abc", "blender_abc.npz")[1], "cards.glb": mesh_of(bpy.ops.import_scene.gltf, "cards.glb"),
              "strands.glb": mesh_of(bpy.ops.import_scene.gltf, "strands.glb"), "cards.obj": mesh_of(bpy.ops.wm.obj_import, "cards.obj")}
     draw("CHIANG", "blender_chiang.png")
     draw("HUANG", "blender_huang.png")

@@ -49,7 +49,7 @@ def angles(pair):
 def make(folder, strands):
     """Grows the groom and writes it in every form; `folder` exists."""
     must("grow", "--share", strands, "--out", folder / "groom.npz", ROOT / "scenes/looks/straight.json")
-    for name in ("groom.usda", "strands.glb"):
+    for name in ("groom.usda", "groom.abc", "strands.glb"):
         must("convert", folder / "groom.npz", folder / name)
     must("cards", folder / "groom.npz", "--out", folder / "cards")
     for name in ("cards.glb", "cards.obj", "cards.mtl", "base.png", "alpha.png"):

@@ -4,6 +4,7 @@
 
 #include "render/frame.h"
 #include "shadows/method.h"
+#include "strands/curve_kind.h"
 
 namespace cuticle::render::reference {
 
@@ -44,6 +45,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.shadow, "shadow", shadow_choices(),
           "what of a light arrives at hair: by rays, or by a shadow method at the vertices; with the parameters "
           "of shadow.method where it is the scene's, and with fibre_alpha");
+  members(
+      p.curves, "curves", strands::curve_kind_names(),
+      "what a strand's vertices are: ends of straight pieces, or control points of cubic curves; round, or flat and "
+      "facing every ray");
 }
 
 const Pass& entry() {

@@ -12,7 +12,8 @@ struct Parameters {
   double point_light_radius = 0, sun_angle = 0;
   double clamp_indirect = 0;
   bool tables = false;
-  std::string shadow = "traced";  ///< or the name of a shadow method
+  std::string shadow = "traced";        ///< or the name of a shadow method
+  std::string curves = "round_linear";  ///< what vertices are: strands::curve_kind_names()
 };
 void describe(registry::Members& members, Parameters& parameters);
 

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/result.h"
+#include "strands/curve_kind.h"
 #include "strands/groom.h"
 #include "strands/mesh.h"
 #include "strands/rays/detail/embree.h"
@@ -40,6 +41,9 @@ class EmbreeScene {
   /// `spheres_at_end`: at time 1; empty: nothing moves.
   void add_segments(std::span<const glm::vec4> spheres, std::span<const glm::vec4> spheres_at_end,
                     std::span<const RaySegment> segments, unsigned id, RTCFilterFunctionN filter);
+  /// Spans of any kind but the cone: `first` of each in `controls`, position and radius.
+  void add_curves(CurveKind kind, std::span<const glm::vec4> controls, std::span<const glm::vec4> controls_at_end,
+                  std::span<const std::uint32_t> first, unsigned id, RTCFilterFunctionN filter);
   void add_points(std::span<const glm::vec4> spheres, std::span<const RaySegment> points, unsigned id,
                   RTCFilterFunctionN filter);
   void add_mesh(const Mesh& mesh, unsigned id, RTCFilterFunctionN filter);

@@ -11,15 +11,17 @@
 namespace cuticle::study::model_check {
 namespace {
 
-constexpr std::array<Cause, 9> exhibits = {Cause::none,
-                                           Cause::halved_bessel_correction,
-                                           Cause::squared_absorption_path,
-                                           Cause::missing_cosine,
-                                           Cause::cosine_included,
-                                           Cause::spurious_one_over_pi,
-                                           Cause::tilt_after_sampling,
-                                           Cause::value_times_pdf,
-                                           Cause::wrong_bravais_index};
+constexpr std::array<Cause, 11> exhibits = {Cause::none,
+                                            Cause::halved_bessel_correction,
+                                            Cause::squared_absorption_path,
+                                            Cause::missing_cosine,
+                                            Cause::cosine_included,
+                                            Cause::spurious_one_over_pi,
+                                            Cause::tilt_after_sampling,
+                                            Cause::value_times_pdf,
+                                            Cause::wrong_bravais_index,
+                                            Cause::short_bessel_series,
+                                            Cause::frame_swapped};
 
 TextbookFibre in_situation(TextbookFibre fibre, const Situation& situation) {
   constexpr std::array<double, 5> widths = {0.3, 1e-3, 0.1, 0.25, 0.6};

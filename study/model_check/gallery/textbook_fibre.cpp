@@ -14,9 +14,14 @@ constexpr int lobes = 4;  // R, TT, TRT, and all further orders at once
 
 /// exp(-x) I0(x): the series of the standard library, and from 12 on 1 + 1/(8x) + 9/(128 x^2) + ... (Abramowitz and
 /// Stegun 9.7.1).
-double scaled_bessel(double x, bool halved) {
+double scaled_bessel(double x, Cause mistake) {
+  if (x <= 12 && mistake == Cause::short_bessel_series) {
+    double term = 1, sum = 1;
+    for (int k = 1; k < 10; ++k) sum += term *= x * x / (4.0 * k * k);
+    return std::exp(-x) * sum;
+  }
   if (x <= 12) return std::exp(-x) * std::cyl_bessel_i(0.0, x);
-  if (halved) return std::exp(1 / (16 * x)) / std::sqrt(2 * pi * x);
+  if (mistake == Cause::halved_bessel_correction) return std::exp(1 / (16 * x)) / std::sqrt(2 * pi * x);
   double term = 1, sum = 1;
   for (int k = 1; k < 12; ++k) sum += term *= (2 * k - 1) * (2 * k - 1) / (8.0 * k * x);
   return sum / std::sqrt(2 * pi * x);
@@ -36,8 +41,7 @@ double folded(double theta) { return std::asin(std::clamp(std::sin(theta), -1.0,
 double longitudinal(const TextbookFibre& fibre, int p, double theta_i, double theta_o) {
   const double variance = std::pow(lobe_width(fibre, p), 2), tilted = folded(theta_o - lobe_shift(fibre, p));
   const double half = std::sin(0.5 * (theta_i + tilted));
-  const double bessel =
-      scaled_bessel(std::cos(theta_i) * std::cos(tilted) / variance, fibre.mistake == Cause::halved_bessel_correction);
+  const double bessel = scaled_bessel(std::cos(theta_i) * std::cos(tilted) / variance, fibre.mistake);
   return bessel * std::exp(-2 * half * half / variance) / (variance * -std::expm1(-2 / variance));
 }
 
@@ -120,9 +124,24 @@ double drawn_azimuth(const TextbookFibre& fibre, int p, const Path& path, double
   return std::remainder(path.azimuth(p) - fibre.beta * std::log(1 / share - 1), 2 * pi);
 }
 
+/// The binormal, at azimuth 0, taken for the fibre's axis.
+bsdf::Point in_swapped_frame(const bsdf::Point& at) {
+  const auto vector = [](double theta, double phi) {
+    return glm::dvec3(std::cos(theta) * std::cos(phi), std::sin(theta), std::cos(theta) * std::sin(phi));
+  };
+  const glm::dvec3 in = vector(at.theta_i, at.phi_o + at.phi), out = vector(at.theta_o, at.phi_o);
+  const double phi_o = std::atan2(out.z, out.y);
+  return {.theta_i = std::asin(std::clamp(in.x, -1.0, 1.0)),
+          .theta_o = std::asin(std::clamp(out.x, -1.0, 1.0)),
+          .phi = std::atan2(in.z, in.y) - phi_o,
+          .h = at.h,
+          .phi_o = phi_o};
+}
+
 }  // namespace
 
-glm::dvec3 scattering(const TextbookFibre& fibre, const bsdf::Point& at) {
+glm::dvec3 scattering(const TextbookFibre& fibre, const bsdf::Point& given) {
+  const bsdf::Point at = fibre.mistake == Cause::frame_swapped ? in_swapped_frame(given) : given;
   const Path path = path_at(fibre, at.theta_o, at.h);
   glm::dvec3 sum(0);
   for (int p = 0; p < lobes; ++p)
