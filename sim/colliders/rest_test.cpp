@@ -25,6 +25,8 @@ RoundedBox capsule_at(double x, double y, double radius) { return make_capsule({
 
 std::vector<Collider> colliders() {
   const glm::dmat3 edge(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 0, 1)));
+  const glm::dmat3 aslant(
+      glm::rotate(glm::rotate(glm::dmat4(1), 0.785, glm::dvec3(0, 0, 1)), 0.3, glm::dvec3(1, 0, 0)));
   return {{"ball under the root, centred", {{{0, -0.15, 0}, 0.1}}, {}, {}},
           {"ball under the root, off-centre", {{{0.02, -0.15, 0.01}, 0.1}}, {}, {}},
           {"ball at the side", {{{0.05, -0.2, 0}, 0.08}}, {}, {}},
@@ -32,7 +34,8 @@ std::vector<Collider> colliders() {
           {"capsule of 1 cm", {}, {capsule_at(0.02, -0.06, 0.01)}, {}},
           {"capsule of 2 mm", {}, {capsule_at(0.008, -0.03, 0.002)}, {}},
           {"box", {}, {{{0.04, -0.06, 0}, glm::dmat3(1), {0.06, 0.03, 0.1}, 0}}, {}, 6e-3},
-          {"edge of a box", {}, {{{0.02, -0.08, 0}, edge, {0.04, 0.04, 0.2}, 0}}, {}, 0.35, 0.35},
+          {"edge of a box", {}, {{{0.02, -0.08, 0}, edge, {0.04, 0.04, 0.2}, 0}}, {}, 2e-2},
+          {"edge aslant", {}, {{{0.03, -0.08, 0}, aslant, {0.04, 0.04, 0.2}, 0}}, {}, 0.1, 0.3},
           {"ball as a mesh", {}, {}, {ball_field({0.03, -0.11, 0.01}, 0.09)}}};
 }
 

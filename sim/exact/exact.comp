@@ -6,17 +6,24 @@
 const uint k_scratch_rows = scratch_row_count;
 #include "sim/chains/device/chain_kernel.glsl"
 
+Displacement displacement(uint i, ChainStep s, StrandStep strand, vec3 from, vec3 inertial) {
+#if PULLS
+  vec3 target = turned_to_end(s, target_of(i));
+  return pulled_displacement(s, strand, inertial, rest[rest_at(i, rest_row_pull)], target - from,
+                             target - turned_to_begin(s, target_of(i)) + strand.root_step);
+#else
+  return free_displacement(s, strand, inertial);
+#endif
+}
+#if TOUCHES
+float stored(uint links, ChainStep s, StrandStep strand) { return 0.0; }
+#endif
+
 // Tip to root.
 void predict(uint i, ChainStep s, StrandStep strand, inout TensionCarry below) {
   ChainVertex v = chain_vertex(i);
   vec3 from = scheme_from(v, strand), inertial = inertial_displacement(v, strand);
-#if PULLS
-  vec3 target = turned_to_end(s, target_of(i));
-  Displacement d = pulled_displacement(s, strand, inertial, rest[rest_at(i, rest_row_pull)], target - from,
-                                       target - turned_to_begin(s, target_of(i)) + strand.root_step);
-#else
-  Displacement d = free_displacement(s, strand, inertial);
-#endif
+  Displacement d = displacement(i, s, strand, from, inertial);
   TensionCarry carry;
   Led place = led(from + d.moved, rest[rest_at(i, rest_row_mass)] * d.inertia,
                   state[state_at(i, state_row_tension)] * (strand.time * strand.time), below, carry);
@@ -57,11 +64,11 @@ void eliminate(uint i, ChainStep s, inout LinkCarry carry) {
   LinkRow row;
   float weight = scratch[scratch_at(i, scratch_row_inverse_mass)];
 #if TOUCHES
-  LinkMasses masses = touching_masses(carry, direction, normal_of(i), weight);
+  LinkMasses masses = touching_masses(carry, direction, normal_of(i), second_normal_of(i), weight);
 #else
   LinkMasses masses = free_masses(carry, direction, weight);
 #endif
-  carry = eliminated(carry, masses, place, direction, normal_of(i), weight, rest_length, row);
+  carry = eliminated(carry, masses, place, direction, normal_of(i), second_normal_of(i), weight, rest_length, row);
   put_scratch(i, scratch_row_place, place);
   put_scratch(i, scratch_row_direction, direction);
   scratch[scratch_at(i, scratch_row_coupling)] = row.coupling;
@@ -71,7 +78,8 @@ void eliminate(uint i, ChainStep s, inout LinkCarry carry) {
 vec3 newton_of(uint i) {
   vec3 above = scratch_vector(i, scratch_row_direction) * scratch[scratch_at(i, scratch_row_value)];
   vec3 under = scratch_vector(i + 1u, scratch_row_direction) * scratch[scratch_at(i + 1u, scratch_row_value)];
-  return scratch_vector(i, scratch_row_place) + along_surface((above - under) * scratch[scratch_at(i, scratch_row_inverse_mass)], normal_of(i));
+  vec3 moved = along_surface((above - under) * scratch[scratch_at(i, scratch_row_inverse_mass)], normal_of(i));
+  return scratch_vector(i, scratch_row_place) + along_surface(moved, second_normal_of(i));
 }
 
 void substep(uint links, ChainStep s) {
@@ -101,5 +109,5 @@ void substep(uint links, ChainStep s) {
                                                  rest[rest_at(i, rest_row_inverse_length)], strand.inverse_time);
     go_down(i, s, strand, newton_of(i), scratch_vector(i, scratch_row_direction), f);
   }
-  ended(f);
+  ended(links, s, strand, f);
 }

@@ -8,22 +8,24 @@ namespace {
 
 using namespace chains;
 
+/// What forces move a vertex, and its mass against the lengths over its own.
+template <bool Pulls, class Real>
+[[gnu::always_inline]] inline Displacement<Real> displacement(const VertexRows<Real>& v, const ChainStep<Real>& step,
+                                                              const StrandStep<Real>& strand, const Vector<Real>& from,
+                                                              const Vector<Real>& inertial) {
+  if constexpr (!Pulls) return free_displacement(step, strand, inertial);
+  const Vector<Real> rest = v.rest_vector(rest_row::target), target = turned_to_end(step, rest);
+  return pulled_displacement(step, strand, inertial, v.rest_at(rest_row::pull), target - from,
+                             target - turned_to_begin(step, rest) + strand.root_step);
+}
+
 /// Tip to root: the scheme's prediction, and the lagged tensions' elimination.
 template <bool Pulls, class Real>
 [[gnu::always_inline]] inline void predict(const VertexRows<Real>& v, const ChainStep<Real>& step,
                                            const StrandStep<Real>& strand, TensionCarry<Real>& below) {
   const ChainVertex<Real> vertex = chain_vertex(v);
   const Vector<Real> from = scheme_from(vertex, strand), inertial = inertial_displacement(vertex, strand);
-  Displacement<Real> d;
-  Real inverse_mass = v.rest_at(rest_row::inverse_mass);
-  if constexpr (Pulls) {
-    const Vector<Real> rest = v.rest_vector(rest_row::target), target = turned_to_end(step, rest);
-    d = pulled_displacement(step, strand, inertial, v.rest_at(rest_row::pull), target - from,
-                            target - turned_to_begin(step, rest) + strand.root_step);
-    inverse_mass *= reciprocal(d.inertia);
-  } else {
-    d = free_displacement(step, strand, inertial);
-  }
+  const Displacement<Real> d = displacement<Pulls>(v, step, strand, from, inertial);
   TensionCarry<Real> carry;
   const Led<Real> place = led(from + d.moved, v.rest_at(rest_row::mass) * d.inertia,
                               v.state_at(state_row::tension) * (strand.time * strand.time), below, carry);
@@ -31,7 +33,8 @@ template <bool Pulls, class Real>
   keep_before(v, vertex, strand, from);
   v.put_scratch(scratch_row::place, place.place);
   v.put_scratch(scratch_row::follows, place.follows);
-  if constexpr (Pulls) v.put_scratch(scratch_row::inverse_mass, inverse_mass);
+  if constexpr (Pulls)
+    v.put_scratch(scratch_row::inverse_mass, v.rest_at(rest_row::inverse_mass) * reciprocal(d.inertia));
 }
 
 /// Of a vertex against the lengths.
@@ -103,17 +106,21 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
                                                         const LinkCarry<Real>& parent) {
   const VertexRows<Real> v(block, i), above(block, i - 1);
   const Real length = v.rest_at(rest_row::length), inverse_mass = inverse_mass_of<Pulls>(v);
-  Vector<Real> normal(Real(0)), place = Touches ? v.scratch_vector(scratch_row::place) : lead(v, parent.place);
-  if (Touches && beside.contains(i)) normal = v.scratch_vector(scratch_row::normal);
+  Vector<Real> normal(Real(0)), second(Real(0)),
+      place = Touches ? v.scratch_vector(scratch_row::place) : lead(v, parent.place);
+  if (Touches && beside.contains(i)) {
+    normal = v.scratch_vector(scratch_row::normal);
+    second = v.scratch_vector(scratch_row::second_normal);
+  }
   Vector<Real> link = place - parent.place, direction = link * reciprocal_root(inner(link, link));
   if (any(is_short(link, Real(1e-3) * length) || is_far(place, v.rest_at(rest_row::reach)) ||
           is_folded(direction, parent)))
     mend<Touches>(v, above, parent, i % 2 ? step.end_x : step.end_y, place, direction);
   LinkMasses<Real> masses = free_masses(parent, direction, inverse_mass);
   if (Touches && (beside.contains(i) || beside.contains(i - 1)))
-    masses = touching_masses(parent, direction, normal, inverse_mass);
+    masses = touching_masses(parent, direction, normal, second, inverse_mass);
   LinkRow<Real> row;
-  const LinkCarry<Real> carry = eliminated(parent, masses, place, direction, normal, inverse_mass, length, row);
+  const LinkCarry<Real> carry = eliminated(parent, masses, place, direction, normal, second, inverse_mass, length, row);
   v.put_scratch(scratch_row::place, place);
   v.put_scratch(scratch_row::direction, direction);
   v.put_scratch(scratch_row::coupling, row.coupling);
@@ -142,7 +149,10 @@ template <bool Pulls, bool Touches, class Real, class Scalar>
   const Vector<Real> under = below.scratch_vector(scratch_row::direction) * below.scratch_at(scratch_row::value);
   Vector<Real> moved = (pull - under) * inverse_mass_of<Pulls>(v);
   pull = under;
-  if (Touches && beside.contains(i)) moved = along_surface(moved, v.scratch_vector(scratch_row::normal));
+  if (Touches && beside.contains(i)) {
+    moved = along_surface(moved, v.scratch_vector(scratch_row::normal));
+    moved = along_surface(moved, v.scratch_vector(scratch_row::second_normal));
+  }
   Real change = v.scratch_at(scratch_row::value);
   if constexpr (Touches) change = change * tension_share(strand);
   v.put_state(state_row::tension, next_tension(v.state_at(state_row::tension), change,
@@ -163,6 +173,18 @@ template <bool Pulls, class Scalar>
   fetch(block.state, state_row::count, state_row::count);
 }
 
+/// As dissipate wants it.
+template <bool Pulls, class Real, class Scalar>
+struct Forces {
+  const ChainBlock<Scalar>& block;
+  const ChainStep<Real>& step;
+  Displacement<Real> displaced(int i, const StrandStep<Real>& strand, const Vector<Real>& begin) const {
+    const VertexRows<Real> v(block, i);
+    return displacement<Pulls>(v, step, strand, begin, v.state_vector(state_row::velocity_before) * strand.time);
+  }
+  Real stored(const StrandStep<Real>&) const { return Real(0); }
+};
+
 template <bool Pulls, bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
   const StrandStep<Real> strand = begin(block, step);
@@ -179,7 +201,7 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   substitute<Real>(block);
   const VertexRows<Real> first(block, 1);
   Vector<Real> pull = first.scratch_vector(scratch_row::direction) * first.scratch_at(scratch_row::value);
-  follow_all<Touches>(block, frame, step, strand, beside,
+  follow_all<Touches>(block, frame, step, strand, beside, Forces<Pulls, Real, Scalar>{block, step},
                       [&](int i) { return newton_step<Pulls, Touches>(block, i, strand, beside, pull); });
 }
 

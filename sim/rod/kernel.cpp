@@ -17,7 +17,6 @@ template <class Number, int N>
 
 namespace cuticle::sim::rod {
 namespace {
-
 using namespace chains;
 
 /// The band's numbers of a vertex: rows in memory, or packs of which every index is known, which need no memory.
@@ -67,7 +66,6 @@ template <class Real>
 struct Coasting {
   Vector<Real> here, place, inertial, predicted;
 };
-/// From there to where the other forces, and spheres, would put the vertex.
 /// What forces other than bending move a vertex, and its mass against bending and lengths over its own, which is kept.
 template <bool Pulls, class Real>
 [[gnu::always_inline]] inline Displacement<Real> displacement(const RodVertex<Real>& v, const ChainStep<Real>& step,
@@ -333,6 +331,35 @@ template <class Real, class Scalar>
   }
 }
 
+/// As dissipate wants it.
+template <bool Pulls, class Real, class Scalar>
+struct Forces {
+  const ChainBlock<Scalar>& block;
+  const ChainStep<Real>& step;
+  Displacement<Real> displaced(int i, const StrandStep<Real>& strand, const Vector<Real>& begin) const {
+    const Vector<Real> drift = RodVertex<Real>(block, i).state_vector(state_row::velocity_before) * strand.time;
+    return displacement<Pulls>(RodVertex<Real>(block, i), step, strand, begin, drift);
+  }
+  Real stored(const StrandStep<Real>& strand, Real sum = Real(0)) const {
+    Vector<Real> place(Real(0)), carried = place;
+    LinkDirections<Real> parent;
+    parent.linear = parent.begin = parent.end = RodVertex<Real>(block, 0).scratch_vector(scratch_row::direction);
+    for (int i = 1; i <= block.links; ++i) {
+      const RodVertex<Real> v(block, i);
+      const Vector<Real> here = v.state_vector(state_row::here), begun = ways_of(v, step, strand).carried;
+      const LinkDirections<Real> link{v.scratch_vector(scratch_row::direction),
+                                      (begun - carried) * v.rest_at(rest_row::inverse_length),
+                                      (here - place) * v.rest_at(rest_row::inverse_length)};
+      sum += stored_in_hinge(parent, link, v.scratch_vector(rod_row::pull), v.scratch_vector(rod_row::spin_pull),
+                             v.scratch_at(rod_row::gain));
+      place = here;
+      carried = begun;
+      parent = link;
+    }
+    return sum;
+  }
+};
+
 template <bool Pulls, bool Touches, class Real, class Scalar>
 void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, const ChainStep<Real>& step) {
   begin_untwisted<Real>(block);
@@ -342,15 +369,16 @@ void substep(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame, c
   bend_all(block, step, strand.time);
   for (int i = 1; i <= block.links; ++i) eliminate_vertex<Pulls, Touches>(block, i, frame, step, strand, beside);
   for (int i = block.links; i >= 1; --i) substitute_vertex<Real>(block, i);
-  follow_all<Touches>(block, frame, step, strand, beside, [&](int i) -> NewtonPlace<Real> {
-    const RodVertex<Real> v(block, i);
-    const Real before = v.state_at(state_row::tension),
-               now = next_tension(Real(0), -v.scratch_at(rod_row::right + 3), v.hinge_at(hinge_row::inverse_length),
-                                  strand.inverse_time);
-    v.put_state(state_row::tension, Touches ? before + (now - before) * tension_share(strand) : now);
-    return {v.scratch_vector(rod_row::inertial) + v.scratch_vector(rod_row::right),
-            v.scratch_vector(scratch_row::direction)};
-  });
+  follow_all<Touches>(
+      block, frame, step, strand, beside, Forces<Pulls, Real, Scalar>{block, step}, [&](int i) -> NewtonPlace<Real> {
+        const RodVertex<Real> v(block, i);
+        const Real before = v.state_at(state_row::tension),
+                   now = next_tension(Real(0), -v.scratch_at(rod_row::right + 3), v.hinge_at(hinge_row::inverse_length),
+                                      strand.inverse_time);
+        v.put_state(state_row::tension, Touches ? before + (now - before) * tension_share(strand) : now);
+        return {v.scratch_vector(rod_row::inertial) + v.scratch_vector(rod_row::right),
+                v.scratch_vector(scratch_row::direction)};
+      });
 }
 
 template <class Scalar, bool Pulls, bool Touches>

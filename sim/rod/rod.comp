@@ -141,6 +141,26 @@ void pull(uint i, StrandStep strand) {
   put_number(i, rod_row_spin, twist_weight * (along * along - 1.0));
 }
 
+#if TOUCHES
+float stored(uint links, ChainStep s, StrandStep strand) {
+  float sum = 0;
+  vec3 clamp_direction = scratch_vector(0u, scratch_row_direction), place = vec3(0), carried = vec3(0);
+  LinkDirections parent = LinkDirections(clamp_direction, clamp_direction, clamp_direction);
+  for (uint i = 1u; i <= links; ++i) {
+    vec3 here = state_vector(i, state_row_here), begun = ways_of(i, s, strand).carried;
+    float inverse = rest[rest_at(i, rest_row_inverse_length)];
+    LinkDirections link =
+        LinkDirections(scratch_vector(i, scratch_row_direction), (begun - carried) * inverse, (here - place) * inverse);
+    sum += stored_in_hinge(parent, link, scratch_vector(i, rod_row_pull), scratch_vector(i, rod_row_spin_pull),
+                           scratch_number(i, rod_row_gain));
+    place = here;
+    carried = begun;
+    parent = link;
+  }
+  return sum;
+}
+#endif
+
 HingeRow hinge_row(uint i) {
   return HingeRow(scratch_vector(i, rod_row_pull), scratch_vector(i, rod_row_spin_pull), scratch_number(i, rod_row_gain),
                   scratch_number(i, rod_row_spin), hinge(i, hinge_row_inverse_length));
@@ -204,5 +224,5 @@ void substep(uint links, ChainStep s) {
     state[state_at(i, state_row_tension)] = now;
     go_down(i, s, strand, scratch_vector(i, rod_row_inertial) + scratch_vector(i, rod_row_right), scratch_vector(i, scratch_row_direction), f);
   }
-  ended(f);
+  ended(links, s, strand, f);
 }

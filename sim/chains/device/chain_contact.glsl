@@ -125,7 +125,7 @@ void press_on_spheres(ChainStep s, float rest_length, inout PredictedLink link) 
 #if TOUCHES == 2
 // `number`: from 1, of a box or field; here: where the vertices begin.
 void press(ChainStep s, Pressed p, uint number, vec3 here_parent, vec3 here, inout PredictedLink link) {
-  if (!presses(link, p)) return;
+  if (!presses(link, p) && !lies_over_edge(link, p)) return;
   vec3 parent = link.parent_carried, child = link.child_carried;
   if (k_some_move) {
     parent = carried_by(s, number - 1u, here_parent);
@@ -163,14 +163,21 @@ PredictedLink pressed_from_all(uint i, ChainStep s, vec3 parent, vec3 child, flo
   float touched = k_some_move ? scratch[scratch_at(i, scratch_row_touched)] : 0.0;
   PredictedLink link = PredictedLink(parent, child, carried_by_head(s, here_parent), carried_by_head(s, here),
                                      i > 1u ? scratch_vector(i - 1u, scratch_row_normal) : vec3(0), scratch_vector(i, scratch_row_normal),
-                                     rest[rest_at(i, rest_row_mass_ratio)], follows, kept, touched, sharpest);
+                                     i > 1u ? scratch_vector(i - 1u, scratch_row_second_normal) : vec3(0), vec3(0),
+                                     rest[rest_at(i, rest_row_mass_ratio)], follows, kept, touched, sharpest,
+                                     i > 1u ? scratch[scratch_at(i - 1u, scratch_row_edge)] : 0.0, 0.0);
   press_on_spheres(s, rest_length, link);
 #if TOUCHES == 2
   press_on_boxes(s, here_parent, here, rest_length, link);
   if (k_meets_fields) press_on_fields(s, here_parent, here, rest_length, link);
 #endif
-  if (i > 1u) put_scratch(i - 1u, scratch_row_normal, link.parent_normal);
+  if (i > 1u) {
+    put_scratch(i - 1u, scratch_row_normal, link.parent_normal);
+    put_scratch(i - 1u, scratch_row_second_normal, link.parent_second);
+  }
   put_scratch(i, scratch_row_normal, link.child_normal);
+  put_scratch(i, scratch_row_second_normal, link.child_second);
+  scratch[scratch_at(i, scratch_row_edge)] = link.edge;
   if (k_some_move) scratch[scratch_at(i, scratch_row_touched)] = link.touched;
   return link;
 }
@@ -210,6 +217,13 @@ void push_out(uint i, ChainStep s) {
 vec3 normal_of(uint i) {
 #if TOUCHES
   return scratch_vector(i, scratch_row_normal);
+#else
+  return vec3(0);
+#endif
+}
+vec3 second_normal_of(uint i) {
+#if TOUCHES
+  return scratch_vector(i, scratch_row_second_normal);
 #else
   return vec3(0);
 #endif

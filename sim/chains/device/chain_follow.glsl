@@ -54,4 +54,46 @@ StrandStep begun(ChainStep s) {
   put_state(0u, state_row_velocity, strand.root_step * s.per_second);
   return strand;
 }
-void ended(Following f) { strands[strand_base + strand_row_guarded * k_lanes] = f.excess > 0 ? 1 : 0; }
+#if TOUCHES
+// The solver's own: what forces move vertex i, and what bending and twist store.
+Displacement displacement(uint i, ChainStep s, StrandStep strand, vec3 from, vec3 drift);
+float stored(uint links, ChainStep s, StrandStep strand);
+
+// As ways_of and dissipate of chain_lanes.h.
+struct Ways {
+  vec3 begin, carried, surface, way;
+};
+Ways ways_of(uint i, ChainStep s, StrandStep strand) {
+  vec3 begin = state_vector(i, state_row_before), carried = carried_by_head(s, begin + strand.root_step),
+       left = leaving_of(scratch_vector(i, scratch_row_begin_pushed), leaving(s)).moved;
+  return Ways(begin, carried, carried - begin, state_vector(i, state_row_here) - carried - left);
+}
+
+void dissipate(uint links, ChainStep s, StrandStep strand) {
+  StrandStep euler = first_order(s, strand);
+  Work work = no_work();
+  for (uint i = 1u; i <= links; ++i) {
+    Ways ways = ways_of(i, s, strand);
+    vec3 before = state_vector(i, state_row_velocity_before);
+    Displacement free = displacement(i, s, euler, ways.begin, before * s.duration);
+    work = with_vertex(work, rest[rest_at(i, rest_row_mass)] * free.inertia, ways.way, free.moved - ways.surface,
+                       state_vector(i, state_row_velocity) * s.duration - ways.surface, before * s.duration - ways.surface,
+                       s.duration);
+  }
+  float kept = kept_by_contact(work, stored(links, s, strand));
+  if (kept >= 1.0) return;
+  for (uint i = 1u; i <= links; ++i) {
+    vec3 surface = ways_of(i, s, strand).surface * s.per_second;
+    put_state(i, state_row_velocity, surface + (state_vector(i, state_row_velocity) - surface) * kept);
+  }
+}
+#endif
+
+void ended(uint links, ChainStep s, StrandStep strand, Following f) {
+#if TOUCHES
+  float edges = 0;
+  for (uint i = 1u; i <= links; ++i) edges += scratch[scratch_at(i, scratch_row_edge)];
+  if (!k_some_move && edges > 0) dissipate(links, s, strand);
+#endif
+  strands[strand_base + strand_row_guarded * k_lanes] = f.excess > 0 ? 1 : 0;
+}

@@ -6,6 +6,7 @@
 #define ON_SKIN 0
 #endif
 #include "sim/chains/device/chain_storage.glsl"
+#include "sim/chains/contact/dissipation.glslh"
 #include "sim/chains/device/chain_contact.glsl"
 #include "sim/chains/device/chain_follow.glsl"
 #include "sim/chains/device/chain_motion.glsl"

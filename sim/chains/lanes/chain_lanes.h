@@ -1,6 +1,7 @@
 #pragma once
 // What the solvers of rigid links do with all lanes of a block, for their units of one instruction set (row_lanes.h).
 #include "core/flush_to_zero.h"
+#include "sim/chains/contact/dissipation.glslh"
 #include "sim/chains/lanes/contact_lanes.h"
 
 namespace cuticle::sim::chains {
@@ -75,11 +76,59 @@ template <class Real, class Scalar>
   return f;
 }
 
+/// How far a vertex went from where the head takes it, less what leaving an overlap moved it; the head's way; and where
+/// from both are.
+template <class Real>
+struct Ways {
+  Vector<Real> begin, carried, surface, way;
+};
+template <class Real>
+[[gnu::always_inline]] inline Ways<Real> ways_of(const VertexRows<Real>& v, const ChainStep<Real>& step,
+                                                 const StrandStep<Real>& strand) {
+  const Vector<Real> begin = v.state_vector(state_row::before),
+                     carried = carried_by_head(step, begin + strand.root_step),
+                     left = leaving_of(v.scratch_vector(scratch_row::begin_pushed), leaving(step)).moved;
+  return {begin, carried, carried - begin, v.state_vector(state_row::here) - carried - left};
+}
+
+/// How many links of each strand lie over edges.
+template <class Real, class Scalar>
+[[gnu::always_inline]] inline Real edges_beside(const ChainBlock<Scalar>& block, const Beside& beside) {
+  Real edges(0);
+  for (int i = beside.first; i <= beside.last; ++i) edges += VertexRows<Real>(block, i).scratch_at(scratch_row::edge);
+  return edges;
+}
+
+/// Takes from the velocities of strands over edges what an exact step would not have left them.
+/// `forces.displaced(i, strand, begin)`: what forces move vertex i; `forces.stored(strand)`: as kept_by_contact has it.
+/// Colliders that move by themselves do work, so nothing is taken beside them.
+template <class Real, class Scalar, class Forces>
+[[gnu::noinline]] void dissipate(const ChainBlock<Scalar>& block, const ChainStep<Real>& step,
+                                 const StrandStep<Real>& strand, Real edges, const Forces& forces) {
+  const StrandStep<Real> euler = first_order(step, strand);
+  Work<Real> work = no_work<Real>();
+  for (int i = 1; i <= block.links; ++i) {
+    const VertexRows<Real> v(block, i);
+    const Ways<Real> ways = ways_of(v, step, strand);
+    const Displacement<Real> free = forces.displaced(i, euler, ways.begin);
+    work = with_vertex(work, v.rest_at(rest_row::mass) * free.inertia, ways.way, free.moved - ways.surface,
+                       v.state_vector(state_row::velocity) * step.duration - ways.surface,
+                       v.state_vector(state_row::velocity_before) * step.duration - ways.surface, step.duration);
+  }
+  const Real kept = selected(edges > Real(0), kept_by_contact(work, forces.stored(strand)), Real(1));
+  if (!any(kept < Real(1))) return;
+  for (int i = 1; i <= block.links; ++i) {
+    const VertexRows<Real> v(block, i);
+    const Vector<Real> surface = ways_of(v, step, strand).surface * step.per_second;
+    v.put_state(state_row::velocity, surface + (v.state_vector(state_row::velocity) - surface) * kept);
+  }
+}
+
 /// All links down from the anchor: `newton_of(i)` is the NewtonPlace of vertex i.
-template <bool Touches, class Real, class Scalar, class NewtonOf>
+template <bool Touches, class Real, class Scalar, class NewtonOf, class Forces>
 [[gnu::always_inline]] inline void follow_all(const ChainBlock<Scalar>& block, const ChainFrame<Scalar>& frame,
                                               const ChainStep<Real>& step, const StrandStep<Real>& strand,
-                                              const Beside& beside, const NewtonOf& newton_of) {
+                                              const Beside& beside, const Forces& forces, const NewtonOf& newton_of) {
   const Vector<Real> zero(Real(0));
   Following<Real> f{zero, zero, strand.root_step * step.per_second, zero, Real(0), Real(0), Real(0)};
   for (int i = 1; i <= block.links; ++i) {
@@ -96,6 +145,10 @@ template <bool Touches, class Real, class Scalar, class NewtonOf>
     v.put_state(state_row::here, f.place);
   }
   VertexRows<Real>(block, block.links).put_state(state_row::velocity, f.velocity);
+  if constexpr (Touches) {
+    const Real edges = edges_beside<Real>(block, beside);
+    if (!frame.carries && any(edges > Real(0))) dissipate(block, step, strand, edges, forces);
+  }
   put<Real>(block.strand + strand_row::guarded * S, selected(f.excess > Real(0), Real(1), Real(0)));
 }
 

@@ -134,6 +134,8 @@ template <class Real, class Scalar>
   for (; beside.last < i; ++beside.last) {
     const VertexRows<Real> v(block, beside.last + 1);
     v.put_scratch(scratch_row::normal, Vector<Real>(Real(0)));
+    v.put_scratch(scratch_row::second_normal, Vector<Real>(Real(0)));
+    v.put_scratch(scratch_row::edge, Real(0));
     v.put_scratch(scratch_row::begin_pushed, Vector<Real>(Real(0)));
   }
 }

@@ -148,6 +148,7 @@ template <class Real, class Scalar>
   if (frame.carries) v.put_scratch(scratch_row::touched, touch.collider);
   v.put_scratch(scratch_row::place, touch.place);
   v.put_scratch(scratch_row::normal, touch.normal);
+  v.put_scratch(scratch_row::second_normal, Vector<Real>(Real(0)));
   v.put_scratch(scratch_row::begin_pushed, touch.begin_pushed);
 }
 
@@ -170,7 +171,7 @@ struct LinkBegin {
 template <class Real, class Scalar>
 [[gnu::noinline]] void press(const Pressed<Real>& p, const ChainFrame<Scalar>& frame, const LinkBegin<Real>& here,
                              Real friction, Real number, PredictedLink<Real>& link) {
-  if (!any(presses(link, p))) return;
+  if (!any(presses(link, p) || lies_over_edge(link, p))) return;
   Vector<Real> parent = link.parent_carried, child = link.child_carried;
   if (frame.carries) {
     parent = carried_by_moving(frame, parent, here.parent, number);
@@ -220,23 +221,35 @@ template <class Real, class Scalar>
 /// A vertex at `touch` and the link above it, whose parent was predicted at `parent`, pressed out of all colliders and
 /// kept in the scratch rows, but for places.
 template <class Real, class Scalar>
-[[gnu::always_inline]] inline PredictedLink<Real> pressed_from_all(const VertexRows<Real>& v,
-                                                                   const VertexRows<Real>& above,
-                                                                   const ChainFrame<Scalar>& frame,
-                                                                   const ChainStep<Real>& step,
-                                                                   const LinkBegin<Real>& here,
-                                                                   const Vector<Real>& parent, Real follows,
-                                                                   const Touch<Real>& touch, Real sharpest) {
+[[gnu::always_inline]] inline PredictedLink<Real> pressed_from_all(
+    const VertexRows<Real>& v, const VertexRows<Real>& above, const ChainFrame<Scalar>& frame,
+    const ChainStep<Real>& step, const LinkBegin<Real>& here, const Vector<Real>& parent, Real follows,
+    const Touch<Real>& touch, Real sharpest) {
   const Vector<Real> above_pushed = above.scratch_vector(scratch_row::begin_pushed);
   Real kept(0);
   if (any(inner(touch.begin_pushed, touch.begin_pushed) + inner(above_pushed, above_pushed) > Real(0)))
     kept = max(leaving_of(touch.begin_pushed, leaving(step)).kept, leaving_of(above_pushed, leaving(step)).kept);
-  PredictedLink<Real> link{parent, touch.place, carried_by_head(step, here.parent), carried_by_head(step, here.child),
-                           above.scratch_vector(scratch_row::normal), touch.normal, v.rest_at(rest_row::mass_ratio),
-                           follows, kept, touch.collider, sharpest};
+  PredictedLink<Real> link{parent,
+                           touch.place,
+                           carried_by_head(step, here.parent),
+                           carried_by_head(step, here.child),
+                           above.scratch_vector(scratch_row::normal),
+                           touch.normal,
+                           above.scratch_vector(scratch_row::second_normal),
+                           Vector<Real>(Real(0)),
+                           v.rest_at(rest_row::mass_ratio),
+                           follows,
+                           kept,
+                           touch.collider,
+                           sharpest,
+                           above.scratch_at(scratch_row::edge),
+                           Real(0)};
   press_on_all(frame, step, here, v.rest_at(rest_row::length), link);
   above.put_scratch(scratch_row::normal, link.parent_normal);
   v.put_scratch(scratch_row::normal, link.child_normal);
+  above.put_scratch(scratch_row::second_normal, link.parent_second);
+  v.put_scratch(scratch_row::second_normal, link.child_second);
+  v.put_scratch(scratch_row::edge, link.edge);
   if (frame.carries) v.put_scratch(scratch_row::touched, link.touched);
   return link;
 }
@@ -245,7 +258,7 @@ template <class Real, class Scalar>
 template <class Real>
 [[gnu::always_inline]] inline bool is_in_contact(const Touch<Real>& touch, const PredictedLink<Real>& link) {
   return any(inner(touch.begin_pushed, touch.begin_pushed) + inner(link.parent_normal, link.parent_normal) +
-                 inner(link.child_normal, link.child_normal) >
+                 inner(link.child_normal, link.child_normal) + link.edge >
              Real(0));
 }
 
