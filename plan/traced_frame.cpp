@@ -120,7 +120,8 @@ TracedFrame frame_of(const scene::Scene& scene, render::reference::Picture pictu
   return {std::move(picture.color), std::move(picture.layers),
           fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
                       "mean, {:.1f} s",
-                      picture.samples, 100 * picture.error, picture.seconds)};
+                      picture.samples, 100 * picture.error, picture.seconds),
+          picture.seconds, picture.processor_seconds};
 }
 
 }  // namespace

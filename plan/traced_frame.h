@@ -14,6 +14,8 @@ namespace cuticle::plan {
 struct TracedFrame {
   Image color, layers;  ///< the colour over the scene's background; layers as render/reference has them
   std::string note;     ///< samples, error and time, in words
+  /// Of the paths; what is made ready before (ray tree, tables, shadow maps) is left out.
+  double seconds = 0, processor_seconds = 0;
 };
 
 /// Where things are in the frame, world.
@@ -29,7 +31,7 @@ struct TracedPlaces {
 Result<TracedFrame> trace_frame(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                 const Camera& camera, const std::string& state, Progress& progress);
 
-/// The same picture with each of these seeds in turn; lookup tables are baked once. Errors: those of
+/// The same picture with each of these seeds in turn; the scene is made ready once. Errors: those of
 /// trace_frame.
 Result<std::vector<TracedFrame>> trace_frames(const scene::Scene& scene, const StrandSet& set, TracedPlaces places,
                                               const Camera& camera, std::span<const std::uint64_t> seeds,

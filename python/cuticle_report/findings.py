@@ -18,7 +18,7 @@ def group_id(study, group):
 
 
 def time(seconds):
-    factor, unit = results.unit_of([seconds])
+    factor, unit = (1, "s") if seconds >= 1 else results.unit_of([seconds])
     return f"{results.shown(seconds * factor, 2)} {unit}"
 
 
@@ -32,8 +32,13 @@ def named(group, name):
     return next(point for point in group.points if point.name == name)
 
 
-def words(rung):
-    return rung.method.replace("_", " ")
+def words(point):
+    return point.method.replace("_", " ")
+
+
+def of_hair(group):
+    """A ladder's scene in words."""
+    return {"blond": "long blond hair", "curls": "black curls", "fur": "fur"}.get(group.raw["name"], group.raw["name"])
 
 
 def ladder(study):
@@ -45,12 +50,12 @@ def ladder(study):
         untold += [f"{words(rung)} ({group.raw['name']})" for rung in group.points if rung not in told]
         if told:
             worst = max(told, key=lambda rung: rung.error("added")["value"])
-            most.append(f"{words(worst)} on {group.raw['name']} (adds {results.shown(worst.error('added')['value'], 2)} of relative MSE)")
+            most.append(f"{words(worst)} for {of_hair(group)} (it adds a relative MSE of {results.shown(worst.error('added')['value'], 2)})")
     if most:
         group = study.groups[0]
         first, last = (rung.seconds and rung.seconds["value"] for rung in (group.points[0], group.points[-1]))
-        saved = f" A real-time frame of {group.raw['name']} takes {time(last)}; the traced one took {time(first)}." if first and last else ""
-        yield Finding(f"On the way from path tracing to the real-time picture, the step that changes the picture most is {', '.join(most)}.{saved}",
+        saved = f" A real-time frame of {of_hair(group)} takes {time(last)}; the traced one took {time(first)}." if first and last else ""
+        yield Finding(f"From path tracing to the real-time picture, the step that changes most is {', '.join(most)}.{saved}",
                       group_id(study, group), "the ladder")
     if untold:
         yield Finding(f"{rungs - len(untold)} of {rungs} steps of the ladder change the picture for certain; not told from zero: {', '.join(untold)}.",
@@ -76,10 +81,10 @@ def tables(study):
             continue
         faster = [p for p in sets if p.seconds["high"] is not None and arrays.seconds["low"] is not None and p.seconds["high"] < arrays.seconds["low"]]
         best = min(faster or sets, key=lambda p: p.error(group.metric)["value"])
-        words = f"the most exact set of tables that is faster for certain, {best.name}, is off by {percent(best.error(group.metric)['value'])}" if faster else \
-            f"no set of tables is faster for certain, and the most exact, {best.name}, is off by {percent(best.error(group.metric)['value'])}"
+        found = f"the most exact set of tables that is faster for certain, {setting(best.name)}, is off by {percent(best.error(group.metric)['value'])}" if faster else \
+            f"no set of tables is faster for certain, and the most exact, {setting(best.name)}, is off by {percent(best.error(group.metric)['value'])}"
         yield Finding(f"On a CPU, evaluating {group.raw['name']} itself in arrays takes {time(arrays.seconds['value'])} for one direction and is exact to "
-                      f"{percent(arrays.error(group.metric)['value'])}; {words}.", group_id(study, group))
+                      f"{percent(arrays.error(group.metric)['value'])}; {found}.", group_id(study, group))
 
 
 def precision(study):
@@ -105,15 +110,24 @@ def cheapest(group, wanted):
 
 
 def setting(text):
-    """"exact substeps=8" in words: "exact with substeps 8"."""
-    method, *knobs = text.split(" ")
-    return method + (" with " + ", ".join(knob.replace("=", " ") for knob in knobs) if knobs else "")
+    """"opacity_map slices=8" in words: "opacity map with 8 slices"; a size or resolution in texels each way."""
+    parts = text.split(" ")
+    knobs = [part.split("=", 1) for part in parts if "=" in part]
+    said = [f"{value} x {value} texels" if name in ("size", "resolution") else f"{value} {name}".replace("_", " ") if value.replace(".", "").isdigit() else f"{name} {value}".replace("_", " ")
+            for name, value in knobs]
+    said = [text.removesuffix("s") if text.startswith("1 ") else text for text in said]
+    return " ".join(part for part in parts if "=" not in part).replace("_", " ") + (" with " + ", ".join(said) if said else "")
+
+
+def place(study, group):
+    """" for a swing": of which of a study's groups something is said; nothing where there is one alone."""
+    return f" for {group.raw['name']}" if len(study.groups) > 1 else ""
 
 
 def choices(study, wanted, head, unit):
     """The cheapest setting for an error in each group of a study, in one sentence."""
     found = [(group, cheapest(group, wanted)) for group in study.groups if group.drawable()]
-    parts = [f"{setting(choice['point'])} for {group.raw['name']} ({time(choice['seconds'])} {unit})" for group, choice in found if choice]
+    parts = [f"{setting(choice['point'])}{place(study, group)} ({time(choice['seconds'])} {unit})" for group, choice in found if choice]
     none = [group.raw["name"] for group, choice in found if not choice]
     if parts:
         group = next(group for group, choice in found if choice)
@@ -144,9 +158,9 @@ def plan(study):
 
 
 MAKERS = {"picture": ladder, "plan": plan, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
-          "shadows": lambda study: choices(study, 0.03, "Shadows: the cheapest setting whose mean error of transmittance is at most 3 % is", "for all vertices"),
-          "motion": lambda study: choices(study, 0.03, "Motion: the cheapest solver that stays within 3 % of a strand's length for half a second is", "a strand and frame"),
-          "render": lambda study: choices(study, 0.03, "Drawing: the cheapest way whose mean error of coverage is at most 3 % is", "a frame")}
+          "shadows": lambda study: choices(study, 0.03, "Shadows with a mean error of transmittance of at most 3 % cost least by", "for all vertices"),
+          "motion": lambda study: choices(study, 0.03, "Motion that stays within 3 % of a strand's length for half a second costs least by", "a strand and frame"),
+          "render": lambda study: choices(study, 0.03, "Drawing with a mean error of coverage of at most 3 % costs least by", "a frame")}
 ORDER = ("picture", "luts", "shadows", "render", "motion", "plan", "models", "lobes", "skinning")
 
 

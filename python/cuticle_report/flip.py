@@ -1,5 +1,6 @@
 """Mean FLIP and its map for the pictures of a study, by the package flip-evaluator: each against the one it stands beside."""
 import json
+import os
 
 import numpy
 from matplotlib import image
@@ -11,6 +12,7 @@ FILE = "flip.json"
 
 def evaluate(reference, picture):
     """The mean FLIP of two PNGs, 0 .. 1, and its map in colours."""
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # read when the package is loaded: of small pictures, its threads cost nine times the work
     try:
         import flip_evaluator
     except ImportError as error:

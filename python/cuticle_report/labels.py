@@ -1,6 +1,8 @@
 """Names beside the ends of curves, instead of a legend: each where it covers no other name and as few points as may be."""
 import math
 
+from . import look
+
 LETTER_PIXELS, LINE_PIXELS = 6.6, 14
 EDGE = 6  # pixels that letters of a file may be wider than those measured here
 # Right of the end, above, below, left of it, then farther away: across, up and how the text is anchored.
@@ -66,7 +68,7 @@ def annotate(figure, ends, across, up, points, margin):
 
 def annotate_printed(axes, ends, points, size=6):
     """The same on a matplotlib figure, by what its letters really cover."""
-    axes.figure.canvas.draw()
+    look.lay_out(axes.figure)
     taken, inside = [], axes.figure.bbox
     dots = [axes.transData.transform(point) for point in points]
     for x, y, text, color in ends:

@@ -52,6 +52,18 @@ def times(group):
     return found
 
 
+def strip(study, group):
+    """The pictures of a ladder from the truth on: file, name of the rung, time of a frame, relative MSE so far in words."""
+    files = {picture["title"]: picture["file"] for picture in study.raw["pictures"]}
+    steps = [("path_tracing", "", "truth")]
+    for point, time in zip(group.points, times(group)):
+        error = point.error("picture")
+        told = f"MSE {results.shown(error['value'], 2)}" if is_told(error) else "within the noise"
+        steps.append((point.method, time, told))
+    found = [(files.get(f"{group.raw['name']}: {name}"), name.replace("_", " "), time, told) for name, time, told in steps]
+    return found if all(file for file, *_ in found) else []
+
+
 def hover(group, metric, point):
     error = point.error(metric)
     return (f"<b>{point.method.replace('_', ' ')}</b><br>{SHOWN[metric][0]}: {results.shown(error['value'])} ({results.shown(error['low'])} .. {results.shown(error['high'])})")
@@ -97,7 +109,7 @@ def interactive(group, _cost_label):
 def printed(group, _cost_label):
     """The same at column width."""
     labels = names(group)
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.6), layout="constrained")
         for metric in metrics(group):
             _, color, _, marker, shift = SHOWN[metric]

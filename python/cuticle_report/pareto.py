@@ -28,8 +28,16 @@ def curves(group):
     return {name: methods[name] for name in methods if name in chosen}
 
 
+def place_of(value):
+    """Numbers by size, words behind them."""
+    try:
+        return 0, float(value), ""
+    except ValueError:
+        return 1, 0.0, value
+
+
 def lines(points):
-    """The points of a method in lines along the knob that has most values; the other knobs stand still on a line, so that none zigzags."""
+    """The points of a method in lines along the knob that has most values, in the order of its values; the other knobs stand still on a line."""
     values = {}
     for point in points:
         for name, value in point.knobs.items():
@@ -38,7 +46,7 @@ def lines(points):
     found = {}
     for point in points:
         found.setdefault(tuple(item for item in sorted(point.knobs.items()) if item[0] != along), []).append(point)
-    return list(found.values())
+    return [sorted(line, key=lambda point: place_of(point.knobs.get(along, ""))) for line in found.values()]
 
 
 def others(group):
@@ -116,7 +124,7 @@ def name_axes(figure, group, factor, x_title):
 def printed(group, cost_label):
     """The same at column width."""
     factor, unit = results.unit_of([point.seconds["value"] for point in group.drawable()])
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.4), layout="constrained")
         if front := places(group, front_of(group), factor):
             axes.step(*zip(*front), where="post", color="#cccccc", linewidth=4, zorder=0)
@@ -135,8 +143,7 @@ def printed(group, cost_label):
 
 def files_of(figure, kinds=("pdf", "svg", "png")):
     """The bytes of a PDF with its fonts embedded, of an SVG with its letters as outlines, and of a PNG; the figure is closed."""
-    figure.canvas.draw()
-    figure.set_layout_engine("none")  # laid out once
+    look.lay_out(figure)
     options = {"pdf": {"metadata": {"CreationDate": None}}, "svg": {"metadata": {"Date": None}}, "png": {"dpi": 300}}
     files = {}
     for kind in kinds:

@@ -20,7 +20,7 @@ def plot_of(plot):
 
 def name_ends(axes, plot, colors):
     """The name of each curve right of the axes, a line apart from the next."""
-    axes.figure.canvas.draw()
+    look.lay_out(axes.figure)
     lines, ends = [], []
     for curve, (color, _) in zip(plot["curves"], colors):
         if curve["y"]:
@@ -38,7 +38,7 @@ def name_ends(axes, plot, colors):
 
 def flat(plot):
     looks = curves.looks_of(plot)
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.3), layout="constrained")
         for place, ((color, dash), curve) in enumerate(zip(looks, plot["curves"])):
             if curve.get("marks"):
@@ -58,7 +58,7 @@ def flat(plot):
 
 def polar(plot):
     looks, largest = curves.looks_of(plot), curves.largest_of(plot)
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.9), subplot_kw={"projection": "polar"}, layout="constrained")
         for (color, dash), curve in zip(looks, plot["curves"]):
             axes.plot(numpy.radians(curve["x"]), curves.radii(curve["y"], largest), DASHES[dash], color=color, linewidth=1)
@@ -80,7 +80,7 @@ def heights_of(grid):
 
 def heat(grid):
     heights = heights_of(grid)
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 2.4), layout="constrained")
         drawn = axes.pcolormesh(grid["x"], grid["y"], heights, cmap="viridis", shading="nearest", rasterized=True)
         axes.set(xlabel=grid["x_label"], ylabel=grid["y_label"])

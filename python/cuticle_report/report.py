@@ -115,6 +115,8 @@ def curve_figure(study, plot, files):
     figure = curves.interactive(plot)
     rows = [[curve["name"], x, y] for curve in plot["curves"] for x, y in zip(curve["x"], curve["y"])]
     name = f"{study.name}-{plot['name']}"
+    if name in [findings.group_id(study, group) for group in study.groups]:
+        name += "-curves"
     downloads = downloads_of(study.folder, name, files, ["curve", plot["x_label"], plot["y_label"]], rows)
     return Figure(name, plot["title"], "", look.plot_html(figure), downloads)
 
@@ -214,6 +216,13 @@ def every_model(studies):
     return ["model", "S, rms error over its rms", "albedo, error", f"one S, {unit}", "picture's light, direct", "path tracing, s", "picture's light, tables", "path tracing, s"], rows
 
 
+def strip_of(study, group):
+    """A ladder's pictures beside each other, inlined."""
+    if drawer_of(group) is not ladder:
+        return []
+    return [(page.Picture(study.folder / file).data_uri, *words) for file, *words in ladder.strip(study, group)]
+
+
 def section_of(study, everything=None):
     means = flip.measure(study)
     groups = []
@@ -221,7 +230,7 @@ def section_of(study, everything=None):
         drawer = drawer_of(group)
         said = {ladder: lambda _: [], states: states.sentences, pareto: sentences}[drawer](group)
         groups.append({"group": group, "figure": group_figure(study, group) if drawer is states or len(group.drawable()) > 1 else None, "table": table_of(study, group),
-                       "conclusions": conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "identity": findings.group_id(study, group)})
+                       "conclusions": conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "strip": strip_of(study, group), "identity": findings.group_id(study, group)})
     curved, grids = knobs.plots(study) + [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
     for plot in curved:
         check(study, plot)
@@ -241,8 +250,9 @@ def make(folder):
     thumbnails = {figure.identity: figure.thumbnail for section in sections for figure in [*(part["figure"] for part in section["groups"] if part["figure"]), *section["plots"]]}
     environment = jinja2.Environment(loader=jinja2.PackageLoader(__package__), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     title = studies[0].raw["title"] if len(studies) == 1 else "What accuracy costs in time: hair, from its fibres to the final picture"
+    strips = [(part["strip"], part["identity"]) for section in sections for part in section["groups"] if part["strip"]]
     text = environment.get_template("report.html.j2").render(
         title=title, sections=sections, findings=findings.find(studies), machine=studies[0].times["machine"], clock=studies[0].times,
         scripts=[plotly.offline.get_plotlyjs(), (HERE / "vendor/img-comparison-slider/index.js").read_text(encoding="utf-8")],
-        own_script=page.own_script(), thumbnails=thumbnails, most_plots=MOST_PLOTS, shown=results.shown)
+        own_script=page.own_script(), thumbnails=thumbnails, first_strip=strips[0] if strips else None, most_plots=MOST_PLOTS, shown=results.shown)
     page.write(folder / "index.html", text)

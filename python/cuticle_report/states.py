@@ -104,7 +104,7 @@ def printed(group, cost_label):
     factor, shown_unit = unit(group)
     rows = pairs(group)
     heights = list(range(len(rows), 0, -1))
-    with pyplot.rc_context(look.PRINT):
+    with look.printing():
         figure, axes = pyplot.subplots(figsize=(look.COLUMN_INCHES, 0.5 + 0.16 * max(4, len(rows))), layout="constrained")
         for height, pair in zip(heights, rows):
             axes.plot([point.seconds["value"] * factor for point in pair], [height, height], "-", color="#bbbbbb", linewidth=1.5, zorder=0)

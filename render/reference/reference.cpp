@@ -4,12 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include "lut/table_set.h"
 
 namespace cuticle::render::reference {
 
@@ -165,13 +164,16 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   return hash.value();
 }
 
-Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
-                              Progress& progress) {
-  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
+namespace {
+
+/// A picture by a tracer of the scene and options.
+Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const TraceOptions& options,
+                           const Quality& quality, Progress& progress) {
   Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
   const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);
   if (!quality.state.empty()) CUTICLE_TRY(film.load(quality.state, key));
-  Rounds rounds(*tracer, film, quality);
+  Rounds rounds(tracer, film, quality);
+  const std::clock_t processor = std::clock();
   const Clock::time_point begin = Clock::now();
   Clock::time_point saved = begin;
   while (rounds.next()) {
@@ -182,19 +184,27 @@ Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& opti
     saved = Clock::now();
   }
   if (!quality.state.empty()) CUTICLE_TRY(film.save(quality.state, key));
-  return Picture{film.color(), film.layers(), rounds.most_samples(), rounds.error(), seconds_since(begin)};
+  return Picture{film.color(),   film.layers(),        rounds.most_samples(),
+                 rounds.error(), seconds_since(begin), double(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+}  // namespace
+
+Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
+                              Progress& progress) {
+  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
+  return picture_by(*tracer, scene, options, quality, progress);
 }
 
 Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
                                             const Quality& quality, std::span<const std::uint64_t> seeds,
                                             Progress& progress) {
   CUTICLE_EXPECT(quality.state.empty(), "the state is of one picture");
-  TraceOptions of_seed = options;
-  if (of_seed.tables) of_seed.tables->kept = std::make_shared<lut::TableSet>();
+  CUTICLE_ASSIGN(const auto tracer, Tracer::make(scene, options));
   std::vector<Picture> pictures;
   for (const std::uint64_t seed : seeds) {
-    of_seed.seed = seed;
-    CUTICLE_ASSIGN(pictures.emplace_back(), trace_picture(scene, of_seed, quality, progress));
+    tracer->set_seed(seed);
+    CUTICLE_ASSIGN(pictures.emplace_back(), picture_by(*tracer, scene, options, quality, progress));
   }
   return pictures;
 }

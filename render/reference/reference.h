@@ -19,7 +19,8 @@ struct Picture {
   Image color, layers;  ///< layers: as Film's
   int samples = 0;      ///< most of a pixel
   double error = 0;     ///< standard error of a pixel, root mean square over the tiles that hold light, over their mean
-  double seconds = 0;
+  double seconds = 0;            ///< of its paths; what is made ready before (ray tree, tables, shadow maps) is left out
+  double processor_seconds = 0;  ///< the same, of all threads
 };
 
 /// What names a picture for its state file: scene, options, seed.
@@ -30,7 +31,8 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options);
 /// Errors: those of Tracer and Film.
 Result<Picture> trace_picture(const TracedScene& scene, const TraceOptions& options, const Quality& quality,
                               Progress& progress);
-/// The same with each of these seeds in turn, bit for bit as trace_picture draws them; lookup tables are baked once.
+/// The same with each of these seeds in turn, bit for bit as trace_picture draws them; the scene is made
+/// ready once.
 /// No state. Test: reference_test.cpp. Errors: those of trace_picture.
 Result<std::vector<Picture>> trace_pictures(const TracedScene& scene, const TraceOptions& options,
                                             const Quality& quality, std::span<const std::uint64_t> seeds,

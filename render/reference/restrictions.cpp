@@ -42,13 +42,8 @@ Result<std::unique_ptr<TableScattering>> TableScattering::make(const bsdf::Model
   if (layout->terms.empty())
     return usage_error(fmt::format("layout {}: its tables do not make S", choice.layout), "layout nalu");
   auto parts = std::make_unique<Parts>();
-  if (choice.kept && !choice.kept->tables.empty()) {
-    parts->set = *choice.kept;
-  } else {
-    CUTICLE_ASSIGN(parts->set, lut::bake(model, values, *layout, choice.size, silent_progress()));
-    CUTICLE_TRY(lut::store_as(parts->set, lut::half_exr()));
-    if (choice.kept) *choice.kept = parts->set;
-  }
+  CUTICLE_ASSIGN(parts->set, lut::bake(model, values, *layout, choice.size, silent_progress()));
+  CUTICLE_TRY(lut::store_as(parts->set, lut::half_exr()));
   parts->reader.emplace(parts->set);
   return std::unique_ptr<TableScattering>(new TableScattering(std::move(parts)));
 }

@@ -10,19 +10,12 @@
 #include "render/reference/traced_scene.h"
 #include "shadows/method.h"
 
-namespace cuticle::lut {
-struct TableSet;
-}
-
 namespace cuticle::render::reference {
 
 /// Lookup tables in the place of the model's formulas, stored as halves.
 struct TablesInstead {
   std::string layout = "nalu";  ///< of lut::layouts(), with terms
   int size = 128;               ///< texels each way
-  /// Where given, and without tables as yet: the first tracer puts its tables here; the next ones of the same model
-  /// take them.
-  std::shared_ptr<lut::TableSet> kept = {};
 };
 
 /// A shadow method in the place of rays from fibres to lights.

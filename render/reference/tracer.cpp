@@ -50,6 +50,7 @@ void Tracer::trace(std::span<const PathName> paths, std::span<PathLight> light) 
   Wave(parts_->wave, paths, light).run();
 }
 
+void Tracer::set_seed(std::uint64_t seed) { parts_->wave.options.seed = seed; }
 const TracedScene& Tracer::scene() const { return parts_->scene; }
 std::size_t Tracer::memory_bytes() const { return parts_->wave.rays->memory_bytes(); }
 

@@ -61,6 +61,8 @@ class Tracer {
   ~Tracer();
   /// The light of each path; `paths` and `light` have one size.
   void trace(std::span<const PathName> paths, std::span<PathLight> light) const;
+  /// Of the paths that are traced from now on; not while others are.
+  void set_seed(std::uint64_t seed);
   const TracedScene& scene() const;
   std::size_t memory_bytes() const;  ///< of the ray tree
 

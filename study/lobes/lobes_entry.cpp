@@ -13,9 +13,9 @@ Result<Study> declare_lobes(const StudyRequest& request, Progress& progress) {
   lobes.fibre_name = request.options.at("hair");
   if (request.options.at("models") != "all") lobes.models = split_commas(request.options.at("models"));
   if (request.quick) {
-    lobes.points = 256;
+    lobes.points = 128;
     lobes.samples = 91;
-    lobes.walks = 100000;
+    lobes.walks = 50000;
   }
   return lobes_study(lobes, progress);
 }
@@ -28,7 +28,7 @@ const StudyEntry& lobes_entry() {
                                 .options = {{"models", "all", "models, a,b,c, or all"},
                                             {"hair", "blond", "physical fibre that every model is mapped to"}},
                                 .declare = declare_lobes,
-                                .quick_seconds = 45,
+                                .quick_seconds = 10,
                                 .seconds = 240};
   return entry;
 }

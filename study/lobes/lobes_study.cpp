@@ -38,9 +38,9 @@ Result<void> add_model(Study& study, Plot& albedo, const bsdf::Model& model, con
   const std::string shown = shown_settings(model, mapping.settings, 12 * request.samples);
   CUTICLE_ASSIGN(std::vector<Plot> plots, lobe_plots(model, shown, request.samples));
   add_all(study.plots, std::move(plots));
-  CUTICLE_ASSIGN(Grid grid, lobe_grid(model, mapping.settings, std::min<std::size_t>(request.samples, 73)));
+  CUTICLE_ASSIGN(Grid grid, lobe_grid(model, mapping.settings, std::min<std::size_t>(request.samples / 2 + 1, 73)));
   study.grids.push_back(std::move(grid));
-  CUTICLE_ASSIGN(Curve curve, albedo_curve(model, shown, std::min<std::size_t>(request.samples, 61)));
+  CUTICLE_ASSIGN(Curve curve, albedo_curve(model, shown, std::min<std::size_t>(request.samples / 3 + 1, 61)));
   albedo.curves.push_back(std::move(curve));
   if (model.entry.name != "marschner") return {};
   CUTICLE_ASSIGN(Landmarks landmarks, landmarks_of(model, mapping.settings, request.samples));

@@ -61,7 +61,7 @@ Experiment capstan(const std::string& name, const std::string& title, const Supp
     e.curves[0].x.push_back(ratio);
     e.curves[0].y.push_back(law_friction(support, loop, ratio * loop));
   }
-  const std::vector<double> at = some_of({2, 2.75, 3.5, 4.25, 5}, quick);
+  const std::vector<double> at = ends_of({2, 2.75, 3.5, 4.25, 5}, quick);
   for (const std::string solver : {"exact", "rod"})
     e.contestants.push_back({solver, {}, at, [=](double ratio) { return capstan_run(solver, support, ratio); }});
   return e;
@@ -201,7 +201,7 @@ Experiment catenary(bool quick) {
     e.curves[0].x.push_back(ratio);
     e.curves[0].y.push_back(-catenary_of(ratio * k_span).lowest / k_span);
   }
-  const std::vector<double> at = some_of({2.2, 2.6, 3, 3.4, 3.8}, quick);
+  const std::vector<double> at = ends_of({2.2, 2.6, 3, 3.4, 3.8}, quick);
   for (const std::string solver : {"classic", "exact", "rod"})
     e.contestants.push_back(
         {solver, {{"links", "128"}}, at, [=](double ratio) { return catenary_run(solver, 128, ratio); }});

@@ -53,6 +53,10 @@ std::vector<double> some_of(const std::vector<double>& many, bool quick) {
   return some;
 }
 
+std::vector<double> ends_of(const std::vector<double>& many, bool quick) {
+  return quick ? std::vector{many.front(), many.back()} : many;
+}
+
 Result<void> add_experiment(Study& study, const Experiment& experiment, Progress& progress) {
   Group group{.name = experiment.name,
               .title = experiment.title,

@@ -44,6 +44,8 @@ Result<void> add_experiment(Study& study, const Experiment& experiment, Progress
 
 /// `many` in full, with `quick` every other from the first.
 std::vector<double> some_of(const std::vector<double>& many, bool quick);
+/// `many` in full, with `quick` the first and the last.
+std::vector<double> ends_of(const std::vector<double>& many, bool quick);
 
 // Each with fewer values in the quick form.
 Experiment cantilever(bool quick);

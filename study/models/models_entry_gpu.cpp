@@ -19,10 +19,10 @@ Result<Study> declare_models(const StudyRequest& request, Progress& progress) {
   ladder.truth_model = request.options.at("truth-model");
   ladder.samples = 64;
   if (request.quick) {
-    ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution * 3 / 16;
+    ladder.scene.camera.camera.resolution = ladder.scene.camera.camera.resolution / 8;
     ladder.samples = 8;
     ladder.batches = 8;  // as many as paths: the least noise
-    models.table_size = 32;
+    models.table_size = 24;
   }
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
   return models_study(device, models, progress);
@@ -39,7 +39,7 @@ const StudyEntry& models_entry() {
                                             {"hair", "brown", "physical fibre of all models"},
                                             {"truth-model", "huang", "model of the truth"}},
                                 .declare = declare_models,
-                                .quick_seconds = 30,
+                                .quick_seconds = 12,
                                 .seconds = 600};
   return entry;
 }

@@ -7,6 +7,7 @@
 #include "bsdf/fibre/fibres.h"
 #include "bsdf/model.h"
 #include "plan/plan.h"
+#include "study/picture/shown_picture.h"
 
 namespace cuticle::study {
 namespace {
@@ -107,7 +108,7 @@ Result<Study> models_study(std::shared_ptr<gpu::Device> device, const ModelsRequ
   const std::string first = fmt::format("{}_direct.png", request.ladder.truth_model);
   for (const Drawn& each : drawn) {
     const bool is_truth = &each == &drawn.front();
-    add_picture(study, each, mean_of(each.picture.picture), is_truth ? "" : first, exposure);
+    add_picture(study, each, shown_picture(each.picture.picture), is_truth ? "" : first, exposure);
     if (is_truth) continue;
     Measured measured{{squares.light(truth, each.picture.picture), squares.tiles(truth, each.picture.picture)}, 0};
     group.points.push_back({each.subject.model,

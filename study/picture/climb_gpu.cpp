@@ -41,9 +41,7 @@ Result<RungPicture> Stage::draw(const Rung& rung, const scene::Scene& scene) {
   RungPicture picture{.rung = rung, .scene = scene};
   CUTICLE_TRY(take_pose(scene));
   picture.pose = pose_;
-  const double start = now();
   CUTICLE_TRY(scene.render_method == "reference" ? trace(scene, picture) : run(scene, picture));
-  if (picture.seconds == 0) picture.seconds = now() - start;
   return picture;
 }
 
@@ -75,7 +73,10 @@ Result<std::vector<plan::TracedFrame>> Stage::trace_batches(scene::Scene scene, 
 
 Result<void> Stage::trace(const scene::Scene& scene, RungPicture& picture) {
   CUTICLE_ASSIGN(auto frames, trace_batches(scene, 0, request_.batches));
-  for (plan::TracedFrame& frame : frames) picture.picture.batches.push_back(std::move(frame.color));
+  for (plan::TracedFrame& frame : frames) {
+    picture.seconds += device_->info().is_software ? frame.processor_seconds : frame.seconds;
+    picture.picture.batches.push_back(std::move(frame.color));
+  }
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "study/picture/picture_study.h"
+#include "study/picture/shown_picture.h"
 
 namespace cuticle::study {
 namespace {
@@ -59,14 +60,14 @@ Table ladder_table(const std::string& name, const Ladder& ladder, const LadderSu
 }
 
 void add_pictures(Study& study, const std::string& name, const Ladder& ladder) {
-  const Image truth = mean_of(ladder.rungs.front().picture);
+  const Image truth = shown_picture(ladder.rungs.front().picture);
   const double exposure = ladder.rungs.front().scene.outputs.exposure_stops;
   const std::string first = name + "_00_path_tracing.png";
   study.pictures.push_back({fmt::format("{}_noise.png", name), fmt::format("{}: path tracing with other seeds", name),
-                            first, tone_map(ladder.again, exposure)});
+                            first, tone_map(evened(ladder.again), exposure)});
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
     const RungPicture& rung = ladder.rungs[k];
-    const Image color = mean_of(rung.picture);
+    const Image color = shown_picture(rung.picture);
     const std::string stem = fmt::format("{}_{:02}_{}", name, k, rung.rung.name);
     study.pictures.push_back(
         {stem + ".png", fmt::format("{}: {}", name, rung.rung.name), k == 0 ? "" : first, tone_map(color, exposure)});

@@ -1,5 +1,6 @@
 // Squares of differences between pictures with known noise.
 #include "study/picture/noisy_pictures.h"
+#include "study/picture/shown_picture.h"
 
 #include <cmath>
 #include <numeric>
@@ -94,6 +95,20 @@ TEST(StrandSquares, AStrandTwiceAsBright_IsOffByItsShareOfTheMean) {
   const std::vector<double> squares = strand_squares(picture, truth, {0, 0, 0, 0, 1, 1, 1, -1});
   ASSERT_EQ(squares.size(), 1u);  // three pixels are too few
   EXPECT_NEAR(squares[0], 1, 1e-6);
+}
+
+TEST(ShownPicture, APixelThatOutshinesItsSurroundings_GivesThemItsLight) {
+  NoisyPicture picture = noisy(16, 1, 0, 2, 1);
+  for (Image& batch : picture.batches) batch.at(8, 8, 1) = 1000;
+  const Image shown = shown_picture(picture);
+  double sum = 0;
+  for (std::size_t p = 0; p < 256; ++p) sum += double(shown.pixels[4 * p + 1]);
+  EXPECT_NEAR(sum, 255 + 1000, 1e-2);
+  EXPECT_LT(shown.at(8, 8, 1), 30);
+  EXPECT_GT(shown.at(9, 9, 1), 8);
+  EXPECT_EQ(shown.at(0, 0, 1), 1);
+  picture.batches.resize(1);
+  EXPECT_EQ(shown_picture(picture).pixels, picture.batches[0].pixels) << "without noise";
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ struct RungPicture {
   NoisyPicture picture = {};
   std::shared_ptr<Pose> pose = {};                 ///< of the hair
   std::shared_ptr<plan::FrameRunner> runner = {};  ///< of rungs that a device draws in full: to be timed again
-  double seconds = 0, bytes = 0;  ///< of the frame: processor time, or by wall clock on a device; of device memory
+  /// Of the frame, of a traced one its paths alone: processor time, or by wall clock on a device; of device memory.
+  double seconds = 0, bytes = 0;
 };
 struct Ladder {
   std::vector<RungPicture> rungs;

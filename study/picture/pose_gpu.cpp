@@ -48,6 +48,7 @@ Result<std::shared_ptr<Pose>> Pose::make(const std::shared_ptr<gpu::Device>& dev
   scene::Scene plain = pose->at_rest(scene);
   plain.render_method = "lines";
   plain.passes.erase("dual_scattering");
+  plain.shadow.reset();
   // Of the picture only the strands are used: the quickest tables, whatever the model.
   CUTICLE_ASSIGN(const bsdf::Model* quick, bsdf::find_model("marschner"));
   plain.material = {

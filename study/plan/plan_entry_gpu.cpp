@@ -21,9 +21,14 @@ struct Feature {
 };
 constexpr std::string_view k_base = R"("schema_version": 1, "strand_vertices": 16,
   "material": {"lut_size": 32, "layout": "nalu"})";
-constexpr std::string_view k_camera =
-    R"(, "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 24,
-  "resolution_px": [256, 256]})";
+/// A camera that sees the head; what it takes beside that, and how many pixels it has each way.
+constexpr std::string_view k_sees_the_head = R"("position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0])",
+                           k_sees_nothing = R"("position_m": [0.2, 0.15, 1.1], "target_m": [0.4, 0.25, 2.2])",
+                           k_turns = R"(, "turntable_deg_per_frame": 1)";
+std::string camera(const StudyRequest& request, std::string_view place, std::string_view more = "") {
+  return fmt::format(R"(, "camera": {{{0}, "fov_deg": 24, "resolution_px": [{2}, {2}]{1}}})", place, more,
+                     request.quick ? 96 : 256);
+}
 constexpr std::string_view k_light = R"(, "lights": [{"to_light": [0.3, 0.6, 1], "irradiance": [3, 3, 3]}])",
                            k_moves = R"(, "motion": {"bvh": "motion/head_turn.bvh"})",
                            k_quads = R"(, "render": {"method": "quads"})",
@@ -70,7 +75,7 @@ struct Running {
 
 Result<std::shared_ptr<Running>> start(const std::shared_ptr<gpu::Device>& device, const StudyRequest& request,
                                        std::string_view keys) {
-  const std::string text = fmt::format("{{{}{}, \"strand_count\": {}}}", k_base, keys, request.quick ? 1000 : 8000);
+  const std::string text = fmt::format("{{{}{}, \"strand_count\": {}}}", k_base, keys, request.quick ? 500 : 8000);
   CUTICLE_ASSIGN(const scene::Scene scene,
                  scene::parse_scene(text, request.share + "/scenes", "study plan", plan::catalogue()));
   auto running = std::make_shared<Running>();
@@ -125,7 +130,7 @@ Result<Group> ablations(const std::shared_ptr<gpu::Device>& device, const StudyR
   for (const Ablation& ablation : k_ablations) {
     progress.update("features", done++, std::size(k_ablations));
     const auto with = [&](std::string_view keys) {
-      return start(device, request, fmt::format("{}{}{}", k_camera, ablation.beside, keys));
+      return start(device, request, fmt::format("{}{}{}", camera(request, k_sees_the_head), ablation.beside, keys));
     };
     CUTICLE_ASSIGN(const auto on, with(ablation.feature.on));
     CUTICLE_ASSIGN(const auto off, with(ablation.feature.off));
@@ -146,14 +151,13 @@ Result<Group> quiet_frames(const std::shared_ptr<gpu::Device>& device, const Stu
     return {};
   };
   constexpr std::string_view k_bald = R"(, "head": {"present": false})";
-  CUTICLE_TRY(add("scene", "moving", fmt::format("{}{}", k_camera, k_moves)));
-  CUTICLE_TRY(add("scene", "still", k_camera));
+  const std::string seen = camera(request, k_sees_the_head);
+  CUTICLE_TRY(add("scene", "moving", fmt::format("{}{}", seen, k_moves)));
+  CUTICLE_TRY(add("scene", "still", seen));
   const std::string moving_bald = fmt::format("{}{}", k_moves, k_bald);
-  CUTICLE_TRY(add("hair", "in view", fmt::format("{}{}", k_camera, moving_bald)));
-  CUTICLE_TRY(add("hair", "behind the camera", moving_bald + R"(, "camera": {"position_m": [0.2, 0.15, 1.1],
-    "target_m": [0.4, 0.25, 2.2], "fov_deg": 24, "resolution_px": [256, 256]})"));
-  CUTICLE_TRY(add("camera", "turns", R"(, "camera": {"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0],
-    "fov_deg": 24, "resolution_px": [256, 256], "turntable_deg_per_frame": 1})"));
+  CUTICLE_TRY(add("hair", "in view", seen + moving_bald));
+  CUTICLE_TRY(add("hair", "behind the camera", camera(request, k_sees_nothing) + moving_bald));
+  CUTICLE_TRY(add("camera", "turns", camera(request, k_sees_the_head, k_turns)));
   return group;
 }
 

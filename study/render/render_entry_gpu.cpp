@@ -23,7 +23,7 @@ Result<Study> declare_render(const StudyRequest& request, Progress& progress) {
   }
   if (request.quick) {
     render.grows = false;
-    render.rounds = 1;
+    render.rounds = 1;  // the only frame that is timed
   }
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
   return render_study(device, render, progress);

@@ -8,6 +8,7 @@
 
 #include "core/expect.h"
 #include "plan/frame_runner_gpu.h"
+#include "render/passes/tiles/tiles.h"
 #include "study/picture/pose.h"
 
 namespace cuticle::study {
@@ -33,14 +34,10 @@ Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(sa
 
 /// Tiles: samples that coverage is kept by.
 void add_coverage(std::vector<Variant>& list, bool all) {
-  for (int rows : all ? std::vector{0, 2, 4, 8, 16} : std::vector{0, 4, 16})
-    list.push_back({"tiles", {{"tiles", "coverage_rows", std::int64_t(rows)}}});
-}
-
-/// Tiles as they are, and with few slices of depth.
-void add_few_tiles(std::vector<Variant>& list) {
-  list.push_back({.method = "tiles", .shown = true});
-  list.push_back({"tiles", {{"tile_sort", "slices", std::int64_t(32)}}});
+  const auto usual = std::int64_t(render::tiles::Parameters{}.coverage_rows);
+  for (const std::int64_t rows :
+       all ? std::vector<std::int64_t>{0, 2, 4, 8, 16} : std::vector<std::int64_t>{0, 4, 8, 16})
+    list.push_back({"tiles", {{"tiles", "coverage_rows", rows}}, rows == usual});
 }
 
 /// Tiles: order of transparency x shading points x level of detail.
@@ -52,8 +49,7 @@ void add_tiles(std::vector<Variant>& list) {
         if (slice > 0) variant.settings.push_back({"tile_sort", "slices", std::int64_t(slice)});
         if (point > 0) variant.settings.push_back({"shade_strands", "point_px", point});
         if (px > 0) variant.settings.push_back({"tile_lists", "full_px", px});
-        variant.shown = variant.settings.empty();
-        list.push_back(std::move(variant));
+        if (!variant.settings.empty()) list.push_back(std::move(variant));
       }
 }
 
@@ -71,7 +67,7 @@ std::vector<Variant> variants(int truth_most, bool all) {
   if (all)
     add_tiles(list);
   else
-    add_few_tiles(list);
+    list.push_back({"tiles", {{"tile_sort", "slices", std::int64_t(32)}}});
   for (int samples = 1; samples < truth_most; samples *= all ? 2 : 4)
     list.push_back({"truth", {truth_samples(samples)}});
   return list;
@@ -276,14 +272,15 @@ Result<void> add_groom(Study& study, const std::shared_ptr<gpu::Device>& device,
 }
 
 Result<Study> render_study(std::shared_ptr<gpu::Device> device, const RenderRequest& request, Progress& progress) {
-  Study study{.name = "render",
-              .title = fmt::format("Ways to draw hair against brute force: {}", request.scene.name),
-              .question = "Which way of drawing, which anti-aliasing and which order of transparency, at what cost?",
-              .cost_label = "one frame",
-              .wall_clock = !device->info().is_software,
-              .device = device->info().name,
-              .driver = device->info().driver,
-              .timing = {.rounds = request.rounds, .sample_seconds = 1e-6, .slow_seconds = 1}};
+  Study study{
+      .name = "render",
+      .title = fmt::format("Ways to draw hair against brute force: {}", request.scene.name),
+      .question = "Which way of drawing, which anti-aliasing and which order of transparency, at what cost?",
+      .cost_label = "one frame",
+      .wall_clock = !device->info().is_software,
+      .device = device->info().name,
+      .driver = device->info().driver,
+      .timing = {.rounds = request.rounds, .sample_seconds = 1e-6, .slow_seconds = request.rounds == 1 ? 0.0 : 1.0}};
   const scene::Scene scene = hair_of(request.scene);
   CUTICLE_TRY(add_scene(study, device, "", scene, request, progress));
   if (request.grows) CUTICLE_TRY(add_growth(study, device, scene, progress));

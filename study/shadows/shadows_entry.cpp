@@ -14,7 +14,7 @@ using SharedGroom = std::shared_ptr<const strands::Groom>;
 
 Result<SharedGroom> groom_of(const StudyRequest& request, Progress& progress) {
   const std::string& file = request.options.at("groom");
-  if (file.empty()) return SharedGroom(std::make_shared<const strands::Groom>(study_coat(request.quick ? 5000 : 20000)));
+  if (file.empty()) return SharedGroom(std::make_shared<const strands::Groom>(study_coat(request.quick ? 2500 : 20000)));
   const strands::ReadOptions options{.metres_per_unit = std::strtod(request.options.at("metres-per-unit").c_str(), nullptr),
                                      .radius = std::strtod(request.options.at("radius").c_str(), nullptr)};
   CUTICLE_ASSIGN(strands::GroomFile read, strands::read_groom(file, options));
