@@ -130,7 +130,7 @@ void print_curves(const strands::Groom& hair) {
   for (const std::string_view name : strands::curve_kind_names()) {
     const strands::CurveKind kind = strands::curve_kind(name);
     const TracedScene scene =
-        scene_of(kind.basis == strands::CurveBasis::bezier ? bezier_of(hair) : hair, "chiang", chiang(k_blond));
+        scene_of(kind.basis == strands::SplineBasis::bezier ? bezier_of(hair) : hair, "chiang", chiang(k_blond));
     for (const int bounces : {1, 0}) print_row(name, scene, bounces, 8, kind);
   }
 }

@@ -21,12 +21,12 @@ std::span<const std::string_view> curve_kind_names() { return k_names; }
 CurveKind curve_kind(std::string_view name) {
   const auto at = std::size_t(std::ranges::find(k_names, name) - k_names.begin());
   CUTICLE_EXPECT(at < k_names.size(), "the name of a kind of curves");
-  return {CurveBasis(at / 2), at % 2 == 1};
+  return {SplineBasis(at / 2), at % 2 == 1};
 }
 
 Result<void> validate(const Groom& groom, CurveKind kind) {
   CUTICLE_TRY(validate(groom));
-  if (kind.basis != CurveBasis::bezier) return {};
+  if (kind.basis != SplineBasis::bezier) return {};
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s) {
     const std::uint32_t count = groom.offsets[s + 1] - groom.offsets[s];
     if (count < 4 || count % 3 != 1)

@@ -9,17 +9,17 @@
 
 namespace cuticle::strands {
 
-enum class CurveBasis : std::uint8_t { linear, bezier, b_spline, catmull_rom };
+enum class SplineBasis : std::uint8_t { linear, bezier, b_spline, catmull_rom };
 
 /// Round: the spheres along the curve, without caps at the strand's ends (linear: with them). Flat: a ribbon of the
 /// same width that faces every ray. The vertices are control points. Curves of B-splines and of Catmull and Rom have
 /// one span for each segment and begin and end at the strand's ends: points beyond them are 2 p0 - p1 (USD calls this
 /// pinned).
 struct CurveKind {
-  CurveBasis basis = CurveBasis::linear;
+  SplineBasis basis = SplineBasis::linear;
   bool is_flat = false;
 
-  bool is_cone() const { return basis == CurveBasis::linear && !is_flat; }
+  bool is_cone() const { return basis == SplineBasis::linear && !is_flat; }
 };
 
 /// "round_linear", "flat_linear", "round_bezier", ...

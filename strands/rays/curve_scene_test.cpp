@@ -21,12 +21,12 @@ std::unique_ptr<RayScene> scene_of(const Groom& groom, std::string_view kind) {
 }
 
 /// The spans of a strand as curve_kind.h states them.
-std::vector<CurveSpan> spans_of(const Groom& groom, std::uint32_t strand, CurveBasis basis) {
+std::vector<CurveSpan> spans_of(const Groom& groom, std::uint32_t strand, SplineBasis basis) {
   std::vector<glm::dvec4> points;
   for (std::uint32_t v = groom.offsets[strand]; v < groom.offsets[strand + 1]; ++v)
     points.emplace_back(groom.positions[v], groom.radii[v]);
   std::vector<CurveSpan> spans;
-  if (basis == CurveBasis::bezier) {
+  if (basis == SplineBasis::bezier) {
     for (std::size_t k = 0; k + 3 < points.size(); k += 3)
       spans.push_back(curve_span(basis, {points[k], points[k + 1], points[k + 2], points[k + 3]}));
     return spans;
@@ -81,7 +81,7 @@ void make_smooth(Groom& groom) {
 int wrong_rays(std::string_view name) {
   Groom groom = random_coils(60, 3e-4f);
   const CurveKind kind = curve_kind(name);
-  if (kind.basis == CurveBasis::bezier) make_smooth(groom);
+  if (kind.basis == SplineBasis::bezier) make_smooth(groom);
   const auto scene = scene_of(groom, name);
   std::vector<CurveSpan> spans;
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s)

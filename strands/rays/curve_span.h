@@ -23,16 +23,16 @@ struct CurveSpan {
 };
 
 /// Of four control points; of the first two where the basis is linear.
-inline CurveSpan curve_span(CurveBasis basis, const std::array<glm::dvec4, 4>& p) {
+inline CurveSpan curve_span(SplineBasis basis, const std::array<glm::dvec4, 4>& p) {
   switch (basis) {
-    case CurveBasis::linear:
+    case SplineBasis::linear:
       return {{p[0], p[1] - p[0], {}, {}}};
-    case CurveBasis::bezier:
+    case SplineBasis::bezier:
       return {{p[0], 3.0 * (p[1] - p[0]), 3.0 * (p[0] - 2.0 * p[1] + p[2]), p[3] - p[0] + 3.0 * (p[1] - p[2])}};
-    case CurveBasis::b_spline:
+    case SplineBasis::b_spline:
       return {{(p[0] + 4.0 * p[1] + p[2]) / 6.0, (p[2] - p[0]) / 2.0, (p[0] - 2.0 * p[1] + p[2]) / 2.0,
                (p[3] - p[0] + 3.0 * (p[1] - p[2])) / 6.0}};
-    case CurveBasis::catmull_rom:
+    case SplineBasis::catmull_rom:
       break;
   }
   return {{p[1], (p[2] - p[0]) / 2.0, p[0] - 2.5 * p[1] + 2.0 * p[2] - 0.5 * p[3],

@@ -10,7 +10,7 @@ CurveSet::CurveSet(const Groom& groom, std::span<const glm::vec3> positions_at_e
     : kind_(kind), offsets_(groom.offsets), controls_(controls_of(groom, groom.positions)) {
   if (!positions_at_end.empty()) controls_at_end_ = controls_of(groom, positions_at_end);
   const auto step = std::uint32_t(vertices_of_span());
-  const std::uint32_t points = kind.basis == CurveBasis::linear ? 2 : 4;
+  const std::uint32_t points = kind.basis == SplineBasis::linear ? 2 : 4;
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
     for (std::uint32_t v = offsets_[s]; v + step < offsets_[s + 1]; v += step) {
       const std::uint32_t first = first_control({s, v});
@@ -26,7 +26,7 @@ CurveSet::CurveSet(const Groom& groom, std::span<const glm::vec3> positions_at_e
 }
 
 std::vector<glm::vec4> CurveSet::controls_of(const Groom& groom, std::span<const glm::vec3> positions) const {
-  const bool beyond_ends = kind_.basis == CurveBasis::b_spline || kind_.basis == CurveBasis::catmull_rom;
+  const bool beyond_ends = kind_.basis == SplineBasis::b_spline || kind_.basis == SplineBasis::catmull_rom;
   std::vector<glm::vec4> controls;
   controls.reserve(positions.size() + (beyond_ends ? 2 * groom.strand_count() : 0));
   const auto beyond = [&](std::uint32_t end, std::uint32_t next) {
@@ -46,7 +46,7 @@ std::vector<glm::vec4> CurveSet::controls_of(const Groom& groom, std::span<const
 
 CurveSpan CurveSet::span_from(std::uint32_t first, double time) const {
   std::array<glm::dvec4, 4> points{};
-  const std::size_t count = kind_.basis == CurveBasis::linear ? 2 : 4;
+  const std::size_t count = kind_.basis == SplineBasis::linear ? 2 : 4;
   for (std::size_t k = 0; k < count; ++k) {
     points[k] = controls_[first + k];
     if (!controls_at_end_.empty()) points[k] = glm::mix(points[k], glm::dvec4(controls_at_end_[first + k]), time);
@@ -57,12 +57,12 @@ CurveSpan CurveSet::span_from(std::uint32_t first, double time) const {
 std::uint32_t CurveSet::first_control(const CurvePlace& place) const {
   const std::uint32_t begin = offsets_[place.strand];
   switch (kind_.basis) {
-    case CurveBasis::linear:
+    case SplineBasis::linear:
       return place.vertex;
-    case CurveBasis::bezier:
+    case SplineBasis::bezier:
       return begin + (place.vertex - begin) / 3 * 3;
-    case CurveBasis::b_spline:
-    case CurveBasis::catmull_rom:
+    case SplineBasis::b_spline:
+    case SplineBasis::catmull_rom:
       break;
   }
   return place.vertex + 2 * place.strand;

@@ -39,7 +39,7 @@ class CurveSet {
   CurveSpan span_from(std::uint32_t first, double time) const;
   std::uint32_t first_control(const CurvePlace& place) const;
   std::vector<glm::vec4> controls_of(const Groom& groom, std::span<const glm::vec3> positions) const;
-  int vertices_of_span() const { return kind_.basis == CurveBasis::bezier ? 3 : 1; }
+  int vertices_of_span() const { return kind_.basis == SplineBasis::bezier ? 3 : 1; }
 
   CurveKind kind_;
   std::vector<std::uint32_t> offsets_, first_;

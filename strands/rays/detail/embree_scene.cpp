@@ -38,13 +38,13 @@ void fill_vertices(RTCGeometry geometry, unsigned step, std::size_t count, float
 
 RTCGeometryType geometry_of(CurveKind kind) {
   switch (kind.basis) {
-    case CurveBasis::linear:
+    case SplineBasis::linear:
       return RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE;
-    case CurveBasis::bezier:
+    case SplineBasis::bezier:
       return kind.is_flat ? RTC_GEOMETRY_TYPE_FLAT_BEZIER_CURVE : RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE;
-    case CurveBasis::b_spline:
+    case SplineBasis::b_spline:
       return kind.is_flat ? RTC_GEOMETRY_TYPE_FLAT_BSPLINE_CURVE : RTC_GEOMETRY_TYPE_ROUND_BSPLINE_CURVE;
-    case CurveBasis::catmull_rom:
+    case SplineBasis::catmull_rom:
       break;
   }
   return kind.is_flat ? RTC_GEOMETRY_TYPE_FLAT_CATMULL_ROM_CURVE : RTC_GEOMETRY_TYPE_ROUND_CATMULL_ROM_CURVE;
@@ -124,7 +124,7 @@ void EmbreeScene::add_curves(CurveKind kind, std::span<const glm::vec4> controls
                              unsigned id, RTCFilterFunctionN filter) {
   if (first.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device_, geometry_of(kind));
-  if (kind.is_flat && kind.basis != CurveBasis::linear) rtcSetGeometryTessellationRate(geometry, k_flat_pieces);
+  if (kind.is_flat && kind.basis != SplineBasis::linear) rtcSetGeometryTessellationRate(geometry, k_flat_pieces);
   if (!controls_at_end.empty()) rtcSetGeometryTimeStepCount(geometry, 2);
   fill_vertices(geometry, 0, controls.size(), k_curves_wider, [&](std::size_t i) { return controls[i]; });
   if (!controls_at_end.empty())
