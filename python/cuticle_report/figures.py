@@ -1,4 +1,5 @@
 """The figures of a study: error against time or against a setting, one curve a series, baselines as lines across."""
+import math
 import os
 
 import matplotlib
@@ -7,7 +8,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker  # noqa: E402  (after the choice of back end)
 import plotly.graph_objects as plotly  # noqa: E402
 
-from . import look  # noqa: E402
+from . import curves as beside, look  # noqa: E402
 
 COLORS = [*look.COLORS, "#3a8fa8", "#777777", "#7fb0e6", "#f2b27a", "#8fd0a4", "#dd8fa0",
           "#b9a5dd", "#cdb58a", "#93cfe0", "#b5b5b5"]
@@ -103,8 +104,15 @@ def interactive(study, x):
     for (_, dash), (name, value) in zip(DASHES, study.baselines):
         figure.add_scatter(x=[min(values), max(values)], y=[value, value], mode="lines", name=f"{name}: {value:.3g}",
                            line={"color": look.OTHERS, "dash": dash, "width": 1.5})
-    look.dress(figure, 480, 20)
-    figure.update_layout(showlegend=True)
+    drawn = study.curves()
+    if study.by_resolution():
+        named = {**{name: [row[study.y.key] for row in rows] for name, rows in drawn.items()}, **{f"{name}: {value:.3g}": [value] for name, value in study.baselines}}
+        look.dress(figure, 480, 20 + 7 * max(map(len, named)))
+        beside.label_ends(figure, {"curves": [{"name": name, "y": values} for name, values in named.items()], "logarithmic_y": study.y.scale == "log"},
+                          [*COLORS[:len(drawn)], *[look.OTHERS] * len(study.baselines)])
+    else:
+        look.dress(figure, 480, 20)
+    figure.update_layout(showlegend=not study.by_resolution())
     errors = [row[study.y.key] for row in study.drawn_rows() + study.raw["baselines"]]
     figure.update_xaxes(title=x.label, type=x.scale, **(look.log_ticks(values) if x.scale == "log" else {}))
     figure.update_yaxes(title=study.y.label, type=study.y.scale, **(look.log_ticks(errors) if study.y.scale == "log" else {}))

@@ -2,11 +2,12 @@
 import dataclasses
 import pathlib
 
-from . import ReportError, data, figures, look, page, pareto, receivers, results
+from . import ReportError, contact, data, figures, look, page, pareto, receivers, results
 
 COLUMNS = ["method", "settings", "mean_error", "mean_interval", "p95_error", "max_error", "bias", "light_flicker", "motion_flicker", "build_ms",
            "lookup_ms", "total_ms", "bytes"]
 
+COMPARED = ("opacity_map", "deep_opacity")  # what every page of shadows shows beside the best
 MOST_CURVES = 16  # of a figure along time
 LONG_SETTINGS = 60  # characters
 
@@ -44,13 +45,14 @@ class Study:
         return self.x.key == "resolution"
 
     def curves(self):
-        """Name of each curve that is drawn and its rows; along a resolution six at most, the best of each method first."""
+        """Name of each curve that is drawn and its rows; along a resolution six at most: of COMPARED, then the best of each method."""
         every = self.every_curve()
         if not self.by_resolution() or len(every) <= look.MOST_CURVES:
             return every
         by_error = sorted(every, key=lambda name: min(row[self.y.key] for row in every[name]))
         best = {every[name][0]["method"]: name for name in reversed(by_error)}.values()
-        kept = [*sorted(best, key=by_error.index), *(name for name in every if name not in best)][:look.MOST_CURVES]
+        kept = sorted(best, key=lambda name: (every[name][0]["method"] not in COMPARED, by_error.index(name)))
+        kept = [*kept, *(name for name in every if name not in best)][:look.MOST_CURVES]
         return {name: every[name] for name in every if name in kept}
 
     def every_curve(self):
@@ -197,7 +199,7 @@ def along_resolution(study):
     found = f"Finer maps: the error falls at every step of resolution for {falls} of {len(curves)} settings. The least at the finest maps is " \
             f"{best}: {first[key]:.3g} at {first[x]}, {last[key]:.3g} at {last[x]}."
     worse = [f"{name} from {a[x]} to {b[x]} ({a[key]:.3g} to {b[key]:.3g})" for name, rows in curves.items() for a, b in rises(rows, key)]
-    found += " It rises by more than its intervals: " + "; ".join(worse) + "." if worse else " It rises by more than its intervals for none."
+    found += " It rises by more than its intervals: " + "; ".join(worse) + "." if worse else " No setting's error rises by more than its intervals."
     floors = [name for name, rows in curves.items() if rows[-1][key] > dict(study.baselines).get("none", float("inf"))]
     return found + (" Worse than no shadow at all even there: " + "; ".join(floors) + "." if floors else "")
 
@@ -223,6 +225,6 @@ def make(folder):
     heading = "Error against resolution and settings" if by_resolution else "Error against time and settings"
     sections = verdict(study) + [page.Section(heading, words(study) + left_out(study), figures=drawn, strong=along_resolution(study) if by_resolution else ""),
                 page.Section("Numbers", "", columns=columns, rows=rows, bold_row=chosen)]
-    sections += receivers.sections(study.raw, folder)
+    sections += contact.sections(study, folder) + receivers.sections(study.raw, folder)
     page.write(folder / "index.html", page.render(study.title, sections))
     return study.title, sections

@@ -198,3 +198,15 @@ def test_ShadowPage_AlongResolution_SaysFirstWhatFinerMapsBring(tmp_path):
     assert "rises by more than its intervals: opacity_map from 256 to 512 (0.61 to 0.65); opacity_map from 512 to 1024 (0.65 to 0.7)" in said
     assert "Worse than no shadow at all even there: opacity_map." in said
     assert "In the table alone, since a figure has six curves at most: moments, basis=power_4; moments, basis=power_5." in html
+
+
+def test_Study_WithDistancesToTheOccluder_DrawsTheErrorNearIt(tmp_path):
+    rows = [{"method": "opacity_map", "settings": f"resolution={n}", "resolution": n, "mean_error": 8 / n, "total_ms": 1.0} for n in (128, 256)]
+    (tmp_path / "study.json").write_text(json.dumps({"title": "T", "x": {"key": "resolution", "label": "r", "scale": "log"}, "y": {"key": "mean_error", "label": "e", "scale": "log"},
+                                                     "series": "layers", "label": "layers", "rows": rows, "baselines": []}))
+    (tmp_path / "contact.csv").write_text("method,settings,from_mm,to_mm,receivers,mean_error,mean_interval,bias\n"
+                                          "opacity_map,resolution=256,0,0.5,40,0.3,0.02,0\nopacity_map,resolution=256,0.5,inf,3,0.9,0.02,0\n")
+    assert report(tmp_path).returncode == 0
+    html = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert "Near the occluder" in html and "0 to 0.5<br>(40)" in html.replace("\\u003c", "<").replace("\\u003e", ">").replace("\\/", "/")
+    assert "over 0.5" not in html, "a mean of three points is not drawn"
