@@ -270,6 +270,42 @@ def blender_skin(folder, full):
     return row
 
 
+def head_motion(folder, clip, rate, frame, amplitude, metres_per_unit):
+    """Roots on a head that follows the clip's joint Head, at frame 0 and at this one."""
+    scene = {"schema_version": 1, "strand_count": 60, "strand_vertices": 4, "frames_per_second": rate,
+             "motion": {"bvh": str(clip), "joint": "Head", "amplitude": amplitude, "metres_per_unit": metres_per_unit}}
+    (folder / "bvh.json").write_text(json.dumps(scene))
+    work.must("simulate", folder / "bvh.json", "--frames", f"0:{frame}", "--out", folder / "bvh")
+    found = []
+    for each in (0, frame):
+        work.must("convert", folder / f"bvh/state_{each:04}.vtp", folder / "bvh.npz", "--metres-per-unit", 1)
+        with numpy.load(folder / "bvh.npz") as file:
+            found.append(file["positions"][file["offsets"][:-1].astype(int)].astype(float))
+    return found
+
+
+def blender_bvh(folder, full):
+    """Heads that follow two BVH clips, against the bones that Blender imports."""
+    python, data = os.environ.get("CUTICLE_BPY_PYTHON"), os.environ.get("CUTICLE_TEST_DATA")
+    if not python or not data:
+        raise NotRun("needs CUTICLE_BPY_PYTHON (see blender) and CUTICLE_TEST_DATA with motion/cmu and motion/makehuman")
+    row = Row("Blender (bpy): a head by BVH", "", "cmu/01_01.bvh, makehuman/walk1.bvh")
+    for name, rate, frame, of_clip in (("cmu/01_01.bvh", 30, 30, 120), ("makehuman/walk1.bvh", 24, 12, 12)):
+        clip = pathlib.Path(data) / "motion" / name
+        (folder / "bvh_joint.json").unlink(missing_ok=True)
+        done = subprocess.run([python, HERE / "blender_bvh.py", clip, "Head", str(of_clip), folder / "bvh_joint.json"], capture_output=True, text=True, timeout=300)
+        if not (folder / "bvh_joint.json").exists():
+            raise RuntimeError(done.stderr[-1500:])
+        joint = json.loads((folder / "bvh_joint.json").read_text())
+        first, now = (roots - roots.mean(0) for roots in head_motion(folder, clip, rate, frame, 1, 0))
+        left, _, right = numpy.linalg.svd(first.T @ now)  # the rotation of least squares
+        turn_off = abs((left @ right).T - joint["turn"]).max()
+        still, moved = head_motion(folder, clip, rate, frame, 0, 0.01)
+        travel_off = abs((moved - still).mean(0) / 0.01 - joint["travel"]).max()
+        row.check(f"{name}, frame {of_clip}: the turn is {turn_off:.1g} off, the travel {travel_off:.1g} of the file's units", turn_off < 1e-4 and travel_off < 1e-4)
+    return row
+
+
 def godot(folder, full):
     program = shutil.which("godot3-server")
     if not program:
@@ -355,5 +391,5 @@ def alembic(folder, full):
 
 # Quick ones are those of continuous integration.
 ROWS = {"viewer": viewer, "three": three, "usd": usd, "validator": validator, "babylon": babylon, "playcanvas": playcanvas, "filament": filament,
-        "materialx": materialx, "blender": blender, "blender_addon": blender_addon, "blender_skin": blender_skin, "godot": godot, "paraview": paraview, "alembic": alembic}
+        "materialx": materialx, "blender": blender, "blender_addon": blender_addon, "blender_skin": blender_skin, "blender_bvh": blender_bvh, "godot": godot, "paraview": paraview, "alembic": alembic}
 QUICK = ("three", "usd")
