@@ -42,8 +42,8 @@ inline Groom random_coils(std::size_t count, float radius) {
   std::uniform_real_distribution<float> unit(0, 1);
   std::vector<std::vector<glm::vec3>> strands(count);
   for (auto& strand : strands) {
-    const glm::vec3 start(0.1f * unit(random), 0.1f * unit(random), 0.02f * unit(random));
-    const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)) - 0.5f);
+    const glm::vec3 start{0.1f * unit(random), 0.1f * unit(random), 0.02f * unit(random)};  // in braces: in this order
+    const glm::vec3 axis = glm::normalize(glm::vec3{unit(random), unit(random), unit(random)} - 0.5f);
     const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0.3f, 1, 0.2f))), up = glm::cross(axis, side);
     for (int i = 0; i < 25; ++i) {
       const float turn = 0.35f * float(i);
