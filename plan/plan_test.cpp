@@ -53,6 +53,9 @@ TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
                                    "shade_strands", "tile_sort", "tiles", "resolve"));
   EXPECT_THAT(names(planned(R"("render": {"method": "supersampled"})")),
               testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "supersampled"));
+  EXPECT_THAT(names(planned(R"("render": {"method": "truth"}, "passes": {"truth": {"samples": 4}})")),
+              testing::Contains("supersampled"))
+      << "the former name";
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
 }
 

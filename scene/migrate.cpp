@@ -32,8 +32,12 @@ void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes
   const Json moved = *value;
   Json& holder = renamed.object.empty() ? scene : scene[renamed.object];
   holder.erase(renamed.from);
-  (renamed.within ? holder : scene)[renamed.to] = moved;
-  if (!renamed.object.empty() && holder.empty()) scene.erase(renamed.object);
+  if (renamed.within) {
+    holder[renamed.to] = moved;
+  } else {
+    if (!renamed.object.empty() && holder.empty()) scene.erase(renamed.object);
+    scene[renamed.to] = moved;
+  }
   notes.push_back(fmt::format("'{}{}{}' is called '{}' now", renamed.object, renamed.object.empty() ? "" : ".",
                               renamed.from, renamed.to));
 }
