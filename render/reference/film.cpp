@@ -55,7 +55,7 @@ Film::Film(glm::ivec2 size, std::vector<std::string> split_names) : size_(size),
   splits_.resize(pixels_.size() * k_splits, glm::vec3(0));
 }
 
-void Film::add(std::uint32_t at, const PathLight& light) {
+void Film::add(std::uint32_t at, const PathLight& light, const LightSplits* splits) {
   Pixel& pixel = pixels_[at];
   pixel.sum += light.radiance;
   pixel.squares += light.radiance * light.radiance;
@@ -64,7 +64,7 @@ void Film::add(std::uint32_t at, const PathLight& light) {
   if (names_.empty()) return;
   const SeenFirst& first = first_[at];
   if (light.covered && (first.depth == 0 || (first.strand == 0 && light.first.strand > 0))) first_[at] = light.first;
-  for (std::size_t k = 0; k < k_splits; ++k) splits_[at * k_splits + k] += glm::vec3(light.splits[k]);
+  for (std::size_t k = 0; k < k_splits; ++k) splits_[at * k_splits + k] += glm::vec3((*splits)[k]);
 }
 
 Film::Noise Film::noise(std::span<const std::uint32_t> pixels) const {

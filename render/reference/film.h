@@ -13,10 +13,11 @@ class Film {
   /// `lobes`: names of the splits (split_names); empty: no layers are kept.
   Film(glm::ivec2 size, std::vector<std::string> split_names);
 
-  /// Adds a pixel's samples, in their order.
-  void add(std::uint32_t pixel, const PathLight& light);
+  /// Adds a pixel's samples, in their order; `splits`: with layers.
+  void add(std::uint32_t pixel, const PathLight& light, const LightSplits* splits = nullptr);
   std::uint32_t samples(std::uint32_t pixel) const { return pixels_[pixel].samples; }
   glm::ivec2 size() const { return size_; }
+  bool has_layers() const { return !names_.empty(); }
 
   /// Mean radiance of the pixels [first, first + count) of a list, and the root mean square of their standard errors;
   /// luminances.

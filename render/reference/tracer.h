@@ -48,8 +48,8 @@ struct PathLight {
   glm::dvec3 radiance{0};
   bool covered = false;
   SeenFirst first;
-  std::array<glm::dvec3, k_splits> splits{};  ///< where layers are asked for
 };
+using LightSplits = std::array<glm::dvec3, k_splits>;
 
 /// A scene made ready for rays. Safe to use from several threads; a path's light depends on its name and the options
 /// alone.
@@ -59,8 +59,8 @@ class Tracer {
   /// TableScattering and VertexTransmittance.
   static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
   ~Tracer();
-  /// The light of each path; `paths` and `light` have one size.
-  void trace(std::span<const PathName> paths, std::span<PathLight> light) const;
+  /// The light of each path; `paths` and `light` have one size, and `splits` too where layers are asked for.
+  void trace(std::span<const PathName> paths, std::span<PathLight> light, std::span<LightSplits> splits = {}) const;
   /// Of the paths that are traced from now on; not while others are.
   void set_seed(std::uint64_t seed);
   const TracedScene& scene() const;
