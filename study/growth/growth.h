@@ -12,7 +12,7 @@ namespace cuticle::study {
 struct GrowthRequest {
   std::vector<int> strands;         ///< how many, rising, each above 0
   int width = 1280, height = 720;   ///< of the frame, pixels
-  int frames = 3;                   ///< of each size; the quickest counts
+  int frames = 3;                   ///< of each size; the quickest counts; one alone where they take long
   std::string share = {};           ///< as StudyRequest
   std::vector<std::string>* notes;  ///< what was refused, and why
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "study/engine/split.h"
 #include "study/growth/growth.h"
 #include "study/registry/entries.h"
 
@@ -25,6 +26,15 @@ Result<int> parse_most(const std::string& text) {
   return most;
 }
 
+Result<Group> grow(const std::string& part, const std::shared_ptr<gpu::Device>& device, const GrowthRequest& request,
+                   Progress& progress) {
+  if (part == "frame") return frame_growth(device, request, progress);
+  if (part == "solvers") return solver_growth(request, progress);
+  if (part == "shadows") return shadow_growth(device, request, progress);
+  if (part == "files") return file_growth(request, progress);
+  return usage_error(fmt::format("--parts: unknown part '{}'", part), "known are: frame, solvers, shadows, files");
+}
+
 Result<Study> declare_growth(const StudyRequest& request, Progress& progress) {
   CUTICLE_ASSIGN(const int most, parse_most(request.options.at("most")));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = request.device}));
@@ -39,10 +49,9 @@ Result<Study> declare_growth(const StudyRequest& request, Progress& progress) {
                        .share = request.share,
                        .notes = &study.notes};
   if (request.quick) growth.width = 320, growth.height = 180, growth.frames = 1;
-  CUTICLE_ASSIGN(study.groups.emplace_back(), frame_growth(device, growth, progress));
-  CUTICLE_ASSIGN(study.groups.emplace_back(), solver_growth(growth, progress));
-  CUTICLE_ASSIGN(study.groups.emplace_back(), shadow_growth(device, growth, progress));
-  CUTICLE_ASSIGN(study.groups.emplace_back(), file_growth(growth, progress));
+  for (const std::string& part : split_commas(request.options.at("parts"))) {
+    CUTICLE_ASSIGN(study.groups.emplace_back(), grow(part, device, growth, progress));
+  }
   return study;
 }
 
@@ -52,7 +61,8 @@ const StudyEntry& growth_entry() {
   static const StudyEntry entry{
       .name = "growth",
       .summary = "times of a frame's passes, solvers, shadow methods and strand files by the number of strands",
-      .options = {{"most", "1000000", "strands of the largest size"}},
+      .options = {{"most", "1000000", "strands of the largest size"},
+                  {"parts", "frame,solvers,shadows,files", "measure these"}},
       .declare = declare_growth,
       .quick_seconds = 5,
       .seconds = 600};

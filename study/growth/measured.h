@@ -13,6 +13,9 @@ strands::Groom ball_of_hair(int strands, int vertices);
 /// Processor time of all threads of the program, seconds.
 inline double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
+/// What takes so many seconds of processor time is not run again.
+inline constexpr double k_slow = 1;
+
 /// A group without errors: a time for each method and number of strands.
 Group group_of_times(std::string name, std::string title);
 void add_time(Group& group, std::string method, int strands, double seconds);
