@@ -178,7 +178,10 @@ namespace {
 /// A picture by a tracer of the scene and options.
 Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const TraceOptions& options,
                            const Quality& quality, Progress& progress) {
-  Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
+  if (options.strands && !quality.state.empty())
+    return bad_input("outputs: deep and cryptomatte are not kept in a state file", "leave --state out");
+  Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>(),
+            options.strands);
   const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);
   if (!quality.state.empty()) CUTICLE_TRY(film.load(quality.state, key));
   Rounds rounds(tracer, film, quality);
@@ -193,8 +196,9 @@ Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const
     saved = Clock::now();
   }
   if (!quality.state.empty()) CUTICLE_TRY(film.save(quality.state, key));
-  return Picture{film.color(),   film.layers(),        rounds.most_samples(),
-                 rounds.error(), seconds_since(begin), double(std::clock() - processor) / CLOCKS_PER_SEC};
+  return Picture{film.color(),         film.layers(),  film.shares(),
+                 rounds.most_samples(), rounds.error(), seconds_since(begin),
+                 double(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct TraceOptions {
   int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
   std::uint64_t seed = 0;
   bool layers = false;     ///< splits the light, which costs an evaluation of each lobe at the first scattering
+  bool strands = false;    ///< keeps what each pixel sees of each strand; not in a state file
   bool far_field = false;  ///< of models that have both fields
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
