@@ -31,7 +31,7 @@ def arguments():
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--size", type=int, default=240)
     parser.add_argument("--evaluate", choices=("direct", "tables"), default="direct", help="of the real-time ways")
-    parser.add_argument("--shadow", type=json.loads, help="method with its parameters, JSON")
+    parser.add_argument("--shadow", type=json.loads, action="append", help="method with its parameters, JSON; may be given again")
     parser.add_argument("--to-light", default="0.6,0.9,0.8")
     parser.add_argument("--densities", help="d_f,d_b of dual scattering")
     parser.add_argument("--only", choices=("direct", "dual"))
@@ -80,12 +80,20 @@ def densities(options):
     return {"forward_density": forward, "backward_density": backward}
 
 
-def changed(scene, options, dual):
+def name_of(shadow):
+    """Words for a method with its parameters."""
+    if not shadow:
+        return ""
+    return "_".join([method + "".join(f"_{name}={value}" for name, value in settings.items())
+                     for method, settings in shadow.items()])
+
+
+def changed(scene, options, dual, shadow):
     """The scene for a real-time way."""
     scene = json.loads(json.dumps(scene))
     scene["material"]["evaluate"] = options.evaluate
-    if options.shadow:
-        scene["shadow"]["method"] = options.shadow
+    if shadow:
+        scene["shadow"]["method"] = shadow
     if dual:
         scene.setdefault("passes", {})["dual_scattering"] = densities(options)
     return scene
@@ -96,9 +104,11 @@ def compare(name, scene, out, options, dual):
     kind = "all" if dual else "direct"
     reference = render(scene, f"{out}/reference_{kind}", "--method", "reference", "--samples", str(options.samples), *bounces)
     for method in options.methods.split(","):
-        way = f"{method}_{kind}_{options.densities}" if dual and options.densities else f"{method}_{kind}"
-        picture = render(changed(scene, options, dual), f"{out}/{way}", "--method", method)
-        show(f"{name} {method} {kind}", picture, reference)
+        for shadow in options.shadow or [None]:
+            words = [method, kind, name_of(shadow), options.densities if dual and options.densities else ""]
+            way = "_".join(word for word in words if word)
+            picture = render(changed(scene, options, dual, shadow), f"{out}/{way}", "--method", method)
+            show(f"{name} {method} {kind} {name_of(shadow)}".rstrip(), picture, reference)
 
 
 def main():

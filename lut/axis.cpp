@@ -45,6 +45,9 @@ constexpr AxisInfo k_quantities[] = {
      "else 1 and sqrt((phi - phi_c) / (pi - phi_c)); the table's values times 1 / max(side < 0 ? q * root : abs(q) + "
      "4 (phi - phi_c), 1e-5)",
      nullptr, whole_turn, turn_root, -1, 1},
+    {AxisQuantity::abs_theta_o, "abs_theta_o",
+     "abs(theta_o), theta_o = asin(dot(eye direction, fibre tangent)), radians", &bsdf::Point::theta_d, itself, itself,
+     0, k_pi / 2},
     {AxisQuantity::none, "none", "nothing: the table has one row", nullptr, itself, itself, 0, 1},
 };
 
@@ -109,6 +112,12 @@ bsdf::Point make_point(const TableLayout& table, double u_value, double v_value,
   return point;
 }
 
+bsdf::Point point_read(const TableLayout& table, bsdf::Point point) {
+  if (table.u.quantity == AxisQuantity::abs_theta_o || table.v.quantity == AxisQuantity::abs_theta_o)
+    point.theta_d = std::abs(point.theta_o);
+  return point;
+}
+
 double left_out_factor(const TableLayout& table, const bsdf::Point& point, double caustic_index) {
   return is_from_caustic(table) ? place_beside(point, 2, caustic_index).peak : 1;
 }
@@ -118,6 +127,7 @@ double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, dou
   const AxisMap map = axis_map(axis, size);
   if (axis.quantity == AxisQuantity::from_caustic)
     return place_beside(point, size, caustic_index).value * map.scale + map.bias;
+  if (axis.quantity == AxisQuantity::abs_theta_o) return std::abs(point.theta_o) * map.scale + map.bias;
   return info.angle ? info.from_angle(point.*info.angle) * map.scale + map.bias : map.bias;
 }
 

@@ -33,6 +33,8 @@ Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& val
 
 /// The model's point for two axis values of a table; `caustic_index`: of an axis `from_caustic`.
 bsdf::Point make_point(const TableLayout& table, double u_value, double v_value, int size = 0, double caustic_index = 0);
+/// The point whose terms a table holds where a direction pair reads it: theta_d of an axis `abs_theta_o` is abs(theta_o).
+bsdf::Point point_read(const TableLayout& table, bsdf::Point point);
 /// Texture coordinate at which a shader reads the axis for a point.
 double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, double caustic_index = 0);
 /// What a shader multiplies a table's values by at a point: 1 but for an axis `from_caustic`.

@@ -51,6 +51,8 @@ TEST(Layout, Best_IsNamedByWhatTheModelHas) {
   EXPECT_EQ(name({"marschner", ""}), "nalu_caustic");
   EXPECT_EQ(name({"marschner", "caustic=smoothed"}), "nalu_theta");
   EXPECT_EQ(name({"deon", "attenuation_angle=theta_d"}), "deon");
+  EXPECT_EQ(name({"deon", "attenuation_angle=theta_o"}), "chiang");
+  EXPECT_EQ(name({"chiang", "field=far"}), "chiang");
   EXPECT_EQ(name({"kajiya_kay", ""}), "factored");
 }
 

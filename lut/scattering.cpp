@@ -37,9 +37,11 @@ struct Scattering {
 class ExactChannels {
  public:
   ExactChannels(const Source& source, std::span<const bsdf::Point> points) : source_(source), points_(points) {}
-  Result<void> need(const Channel& channel) {
+  Result<void> need(const TableLayout& table, const Channel& channel) {
     if (find(channel) != known_.end()) return {};
-    CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source_, channel, points_));
+    std::vector<bsdf::Point> read;
+    for (const bsdf::Point& at : points_) read.push_back(point_read(table, at));
+    CUTICLE_ASSIGN(std::vector<glm::dvec3> values, channel_values(source_, channel, read));
     known_.emplace_back(&channel, std::move(values));
     return {};
   }
@@ -64,7 +66,7 @@ Result<std::vector<glm::dvec3>> assumed_scattering(const Source& source, const T
   for (int colour = 0; colour < 3; ++colour) {
     const std::vector<FactorPlace> places = places_of(set, colour);
     for (const FactorPlace& place : places)
-      if (place.table) CUTICLE_TRY(exact.need(place.layout()));
+      if (place.table) CUTICLE_TRY(exact.need(*place.table->layout, place.layout()));
     for (std::size_t i = 0; i < points.size(); ++i)
       result[i][colour] = composed(places, [&](const FactorPlace& place) { return exact.value(place.layout(), i); }) /
                           reader.divisor(points[i]);

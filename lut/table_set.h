@@ -18,8 +18,21 @@
 namespace cuticle::lut {
 
 /// What an axis of a table carries; `none`: the table has one row. `from_caustic` (u only, over theta_d): the table
-/// holds N over a factor that is known (lut/caustic.glslh).
-enum class AxisQuantity { sin_theta_i, sin_theta_o, cos_phi, cos_theta_d, theta_i, theta_o, phi, theta_d, from_caustic, none };
+/// holds N over a factor that is known (lut/caustic.glslh). `abs_theta_o`: N of models that have the viewer's
+/// inclination in theta_d's place.
+enum class AxisQuantity {
+  sin_theta_i,
+  sin_theta_o,
+  cos_phi,
+  cos_theta_d,
+  theta_i,
+  theta_o,
+  phi,
+  theta_d,
+  from_caustic,
+  abs_theta_o,
+  none
+};
 /// One row of the table of quantities.
 struct AxisInfo {
   AxisQuantity quantity;
@@ -41,8 +54,8 @@ inline constexpr Axis k_no_axis{AxisQuantity::none, 0, 1, false};
 /// What a texel holds: the value at its centre, or, where the lobe has an infinite peak (the caustic of TRT), its mean
 /// over the azimuths that the texel covers: the integral of N over phi divided by the width in phi, at the row's cos
 /// theta_d.
-/// `for_filter`: the point's value less a twelfth of the second differences along both axes, but at the borders and never
-/// less than half of it: of smooth values a bilinear filter then reads 0.4 times the error (rms).
+/// `for_filter`: the point's value less a twelfth of the second differences along both axes, but at the borders and
+/// never less than half of it: of smooth values a bilinear filter then reads 0.4 times the error (rms).
 enum class Texel { point, cell_average, for_filter };
 /// Where a channel's texels come from: the model's quantity for a lobe; the auxiliary angle; the average fibre of dual
 /// scattering; or the layout's own solver.

@@ -2,12 +2,10 @@
 
 #include "shadows/splat.glslh"
 
-#include <map_nearest_comp.spv.h>
 #include <map_scan_comp.spv.h>
 
 namespace cuticle::shadows {
 
-std::span<const std::uint32_t> map_nearest_code() { return map_nearest_comp; }
 std::span<const std::uint32_t> map_scan_code() { return map_scan_comp; }
 
 Result<void> DepositBuffer::make(gpu::Device& device, const Accumulation& accumulation, AfterDeposits after) {

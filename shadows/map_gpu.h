@@ -32,9 +32,7 @@ struct MapPush {
 inline constexpr std::uint32_t k_poisson_flag = 1, k_byte_target_flag = 1u << 29, k_seen_flag = 1u << 30,
                                k_square_flag = 1u << 31;
 
-/// Kernels that several methods use. map_nearest: buffers vertices, segments, box, nearest depths (filled with ones
-/// before), per segment. map_scan: sums of each texel's layers along the depth, buffer sums, per texel.
-std::span<const std::uint32_t> map_nearest_code();
+/// A kernel that several methods use: sums of each texel's layers along the depth, buffer sums, per texel.
 std::span<const std::uint32_t> map_scan_code();
 
 /// Further numbers that the table of deposits is followed by, for an opacity and integers per unit of sigma; always as

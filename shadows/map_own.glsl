@@ -5,6 +5,7 @@
 
 /// Called by walk_own() for every deposit in the texel.
 void own_deposit(uint covered, uint depth_step);
+bool own_is_at_centre;  // of that texel: the own fibre holds it
 
 // Pieces of a lookup: two, which most have, in registers, and some more; the pieces of lookups with more are made again
 // for every texel.
@@ -26,6 +27,7 @@ void piece(Footprint footprint) {
 void visit_own(Footprint footprint) {
   const vec2 offset = texel_offset(footprint.from, own_texel.x, own_texel.y);
   const uint covered = coverage_index(coverage(footprint, offset));
+  own_is_at_centre = holds_point(footprint, offset);
   if (covered > 0u) own_deposit(covered, uint(max(0, depth_bin(footprint, offset))));
 }
 

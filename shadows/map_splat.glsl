@@ -3,9 +3,11 @@
 
 /// `covered`: index into the table of deposits, above 0.
 void deposit(uint texel, uint covered, uint depth_step);
+bool is_at_centre;  // of the texel that deposit() is called for: the segment's footprint holds it
 
 void deposit_at(Footprint footprint, int i, int j) {
   const vec2 offset = texel_offset(footprint.from, i, j);
+  is_at_centre = holds_point(footprint, offset);
   const uint covered = coverage_index(coverage(footprint, offset));
   if (covered > 0u) deposit(uint(j) * columns + uint(i), covered, uint(max(0, depth_bin(footprint, offset))));
 }

@@ -222,7 +222,7 @@ void compare_with_truth(const std::optional<glm::dvec3>& point_light) {
       const double error = mean_difference(result->values, truth);
       std::printf("%-14s %-24s mean |error| %.4f, %zu KiB\n", std::string(method->entry.name).c_str(),
                   std::string(study_case.settings).c_str(), error, result->cost.bytes / 1024);
-      if (method->entry.name == "shadow_map") continue;  // an opaque first fibre is worse than no shadow
+      if (study_case.settings == "hair=absorbing") continue;  // knows one spacing for the whole groom
       const bool close = method->entry.name == "deep_opacity" || method->entry.name == "exact_list";
       EXPECT_LT(error, close ? 0.03 : 0.6 * none) << method->entry.name << " " << study_case.settings;
     }

@@ -104,7 +104,9 @@ std::span<const OwnDeposit> OwnFibre::deposits(int i) {
     if (x < piece->lower.x || x > piece->upper.x) continue;
     const glm::vec2 offset = texel_offset(piece->footprint.from, i, row_);
     const std::uint32_t covered = coverage_index(coverage(piece->footprint, offset));
-    if (covered > 0) deposits_.push_back({covered, std::uint32_t(std::max(0, depth_bin(piece->footprint, offset)))});
+    if (covered > 0)
+      deposits_.push_back({covered, std::uint32_t(std::max(0, depth_bin(piece->footprint, offset))),
+                           holds_point(piece->footprint, offset)});
   }
   return deposits_;
 }

@@ -51,9 +51,10 @@ struct OwnStretch {
 };
 OwnStretch own_stretch(const OwnVertex& own, double reach, double slack, const auto& distance_of);
 
-/// A deposit as the map counts it: a step of coverage, and the depth step.
+/// A deposit as the map counts it: a step of coverage, the depth step, and whether the fibre holds the texel's centre.
 struct OwnDeposit {
   std::uint32_t covered = 0, step = 0;
+  bool is_at_centre = false;
 };
 
 /// The pieces of a receiver's own fibre around it. One object serves one lookup after the other, to keep its memory.

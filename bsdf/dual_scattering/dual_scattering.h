@@ -16,7 +16,7 @@ struct HalfScattering {
 };
 
 /// The average fibre at an inclination: forward (|phi| > pi/2: on through the hair) is the paper's a_f, alpha_f,
-/// beta_f, backward its a_b, alpha_b, beta_b; `error` is what the quadrature over theta_i estimates for the two shares
+/// beta_f, backward its a_b, alpha_b, beta_b (equation 6); `error` is what the quadrature over theta_i estimates for the two shares
 /// together.
 struct AverageScattering {
   HalfScattering forward, backward;
@@ -24,7 +24,7 @@ struct AverageScattering {
 };
 
 /// Light that comes back after one or three backward scatterings among any number of forward ones: the paper's share
-/// A_b = A_1 + A_3, mean shift Delta_b and deviation sigma_b.
+/// A_b = A_1 + A_3 (equations 11, 13, 14), mean shift Delta_b and deviation sigma_b.
 struct MultipleBackscattering {
   glm::dvec3 attenuation{0}, shift{0}, deviation{0};
 };

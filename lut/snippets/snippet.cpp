@@ -34,17 +34,22 @@ constexpr Angle k_angles[] = {
     {"theta_o", "asin(sin_theta_o)", true},
     {"phi", "acos(cos_phi)", true},
     {"theta_d", "0.5 * abs(theta_o - theta_i)", true},
+    {"abs_theta_o", "abs(theta_o)", true},
 };
 
 bool is_angle(std::string_view name) {
   return std::any_of(std::begin(k_angles), std::end(k_angles), [&](const Angle& angle) { return angle.name == name; });
 }
 
-/// theta_d is made of both inclinations.
+/// theta_d is made of both inclinations, abs_theta_o of one.
+bool makes(std::string_view angle, std::string_view quantity) {
+  if (quantity == "theta_d") return angle == "theta_i" || angle == "theta_o";
+  return (quantity == "abs_theta_o" && angle == "theta_o") || (quantity == k_caustic_axis && angle == "phi");
+}
+
 bool is_needed(const Manifest& manifest, const Angle& angle) {
   const auto matches = [&](const ManifestAxis& axis) {
-    return axis.quantity == angle.name || (axis.quantity == "theta_d" && angle.name != "phi") ||
-           (axis.quantity == k_caustic_axis && angle.name == "phi");
+    return axis.quantity == angle.name || makes(angle.name, axis.quantity);
   };
   return !angle.rare || std::any_of(manifest.tables.begin(), manifest.tables.end(),
                                     [&](const ManifestTable& table) { return matches(table.u) || matches(table.v); });
@@ -69,8 +74,7 @@ std::string caustic_text(const ManifestAxis& axis, const Dialect& dialect) {
          line("caustic_phi", fmt::format("2.0 * atan(caustic_rise * sqrt(caustic_rise) / ({} + {} * cos2_theta_d))",
                                          literal(glass * std::sqrt(glass)), literal(9 * std::sqrt(glass)))) +
          line("beside", "phi - caustic_phi") + line("outside", "step(0.0, beside)") +
-         line("caustic_root",
-              "sqrt(abs(beside) / (outside * 3.14159265 + (1.0 - 2.0 * outside) * caustic_phi))") +
+         line("caustic_root", "sqrt(abs(beside) / (outside * 3.14159265 + (1.0 - 2.0 * outside) * caustic_phi))") +
          line("from_caustic", fmt::format("(2.0 * outside - 1.0) * ({} + {} * caustic_root)", literal(axis.gap),
                                           literal(1 - axis.gap))) +
          line("caustic_peak",

@@ -18,7 +18,7 @@ const bool k_over_angles = (k_reading & 1u) != 0u, k_from_caustic = (k_reading &
 #endif
 
 // What a direction has on the axes, by lut::AxisQuantity, and the factor that a table from the caustic leaves out.
-struct Coordinates { float values[10]; float peak; };
+struct Coordinates { float values[11]; float peak; };
 
 float cos_squared_of_difference(Angles a) {
   float cosines = sqrt(max((1.0 - a.sin_i * a.sin_i) * (1.0 - a.sin_o * a.sin_o), 0.0));
@@ -32,13 +32,14 @@ Coordinates coordinates_of(Angles a) {
   at.values[1] = a.sin_o;
   at.values[2] = a.cos_phi;
   at.values[3] = sqrt(cos_squared);
-  for (uint k = 4u; k < 10u; ++k) at.values[k] = 0.0;
+  for (uint k = 4u; k < 11u; ++k) at.values[k] = 0.0;
   at.peak = 1.0;
   if (k_over_angles) {
     at.values[4] = asin(clamp(a.sin_i, -1.0, 1.0));
     at.values[5] = asin(clamp(a.sin_o, -1.0, 1.0));
     at.values[6] = acos(clamp(a.cos_phi, -1.0, 1.0));
     at.values[7] = 0.5 * abs(at.values[5] - at.values[4]);
+    at.values[9] = abs(at.values[5]);
   }
   if (k_from_caustic) {
     FromCaustic beside = from_caustic(caustic.x, caustic.y, at.values[6], cos_squared);

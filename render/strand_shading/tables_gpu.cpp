@@ -31,7 +31,7 @@ std::uint32_t term_code(const lut::TableSet& set, const lut::Term& term) {
 }
 
 bool is_angle(lut::AxisQuantity quantity) {
-  return quantity >= lut::AxisQuantity::theta_i && quantity <= lut::AxisQuantity::from_caustic;
+  return quantity >= lut::AxisQuantity::theta_i && quantity <= lut::AxisQuantity::abs_theta_o;
 }
 
 std::uint32_t reading(const lut::TableSet& set) {

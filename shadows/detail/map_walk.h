@@ -82,12 +82,14 @@ void for_each_piece(const MapView& view, const strands::Groom& groom, std::uint3
                             is_first && i == 0 ? 1.0f : 0.0f, is_last && i + 1 == pieces ? 1.0f : 0.0f));
 }
 
-/// piece(footprint) for every piece of every strand, on all threads; the order is not defined.
+/// piece(v, footprint) for every piece of every strand, v being the vertex that its segment begins at, on all threads;
+/// the order is not defined.
 void for_each_piece(const MapView& view, const strands::Groom& groom, float steps_to_pieces, const auto& piece) {
   for_each_index(groom.strand_count(), [&](std::size_t s) {
     const std::uint32_t first = groom.offsets[s], last = groom.offsets[s + 1] - 1;
     for (std::uint32_t v = first; v < last; ++v)
-      for_each_piece(view, groom, v, v == first, v + 1 == last, steps_to_pieces, piece);
+      for_each_piece(view, groom, v, v == first, v + 1 == last, steps_to_pieces,
+                     [&](const Footprint<float>& footprint) { piece(v, footprint); });
   });
 }
 
@@ -97,22 +99,13 @@ inline std::size_t texel_index(const MapView& view, int i, int j) {
 
 /// body(texel, coverage step, depth step) for every texel that a piece of a strand covers in part, on all threads.
 void for_each_covered_texel(const MapView& view, const strands::Groom& groom, float steps_to_pieces, const auto& body) {
-  for_each_piece(view, groom, steps_to_pieces, [&](const Footprint<float>& footprint) {
+  for_each_piece(view, groom, steps_to_pieces, [&](std::uint32_t, const Footprint<float>& footprint) {
     for_each_texel(view, footprint, [&](int i, int j) {
       const glm::vec2 offset = texel_offset(footprint.from, i, j);
       const std::uint32_t covered = coverage_index(coverage(footprint, offset));
       if (covered > 0) body(texel_index(view, i, j), covered, std::uint32_t(std::max(0, depth_bin(footprint, offset))));
     });
   });
-}
-
-/// Each texel's nearest depth step, or k_no_depth.
-inline std::vector<std::uint32_t> nearest_depths(const MapView& view, const strands::Groom& groom,
-                                                 float steps_to_pieces) {
-  std::vector<std::uint32_t> nearest(view.texels(), k_no_depth);
-  for_each_covered_texel(view, groom, steps_to_pieces,
-                         [&](std::size_t texel, std::uint32_t, std::uint32_t step) { lower_to(nearest[texel], step); });
-  return nearest;
 }
 
 /// How a lookup averages.

@@ -16,7 +16,7 @@ namespace cuticle::shadows::shadow_map {
 /// The method's parameters, in SI units.
 struct Settings {
   MapSettings map{.method = "shadow_map"};
-  double bias = 1e-3;           ///< metres
+  double bias = 0;              ///< metres
   bool absorbing = false;       ///< hair absorbs along its depth; else a fibre lets nothing pass
   double fibre_spacing = 1e-3;  ///< metres of depth for each fibre that absorbs
   Result<void> check() const { return check_map_bytes(map, 1); }
@@ -29,6 +29,8 @@ struct Map {
   std::vector<std::uint32_t> nearest;  ///< depth step of each texel's nearest fibre, or k_no_depth
   std::size_t bytes() const { return 4 * nearest.size(); }
 };
+/// An opacity, 0 .. 1, in the numbers of is_drawn().
+std::uint32_t drawn_opacity(double alpha);
 /// Fills a map; the same integers at any thread count, and as the GPU's (MapGpu_SameGroom_SameIntegers).
 Map build_map(const strands::Groom& groom, double alpha, const LightAxes& axes, const Settings& settings);
 

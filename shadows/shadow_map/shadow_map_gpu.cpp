@@ -5,6 +5,7 @@
 #include "shadows/splat.glslh"
 
 #include <shadow_map_lookup_comp.spv.h>
+#include <shadow_map_nearest_comp.spv.h>
 
 namespace cuticle::shadows::shadow_map {
 namespace {
@@ -19,8 +20,9 @@ MapDescription description(const Settings& settings) {
   map.flags = settings.absorbing ? 0 : k_opaque_flag;
   map.pieces_per_step = k_pieces_per_step;
   map.own = {float(settings.bias), float(settings.fibre_spacing)};
+  map.after_deposits = [](double alpha, double) { return std::vector<std::uint32_t>{drawn_opacity(alpha)}; };
   map.buffers = {{std::uint64_t(settings.map.resolution) * settings.map.resolution, k_no_depth}};
-  map.passes = {{"shadow.nearest", map_nearest_code(), {k_vertices, k_segments, k_box, k_nearest}},
+  map.passes = {{"shadow.nearest", shadow_map_nearest_comp, {k_vertices, k_segments, k_box, k_deposits, k_nearest}},
                 {"shadow.lookup",
                  shadow_map_lookup_comp,
                  {k_vertices, k_segments, k_box, k_deposits, k_nearest, k_transmittance, k_receivers},

@@ -17,7 +17,10 @@ float steps_per_metre, crossing;
 
 uint own_nearest;
 
-void own_deposit(uint covered, uint depth_step) { own_nearest = min(own_nearest, depth_step); }
+void own_deposit(uint covered, uint depth_step) {
+  const bool counts = own_is_at_centre || (push.flags & k_opaque) == 0u;
+  own_nearest = min(own_nearest, counts ? depth_step : k_no_depth);
+}
 
 float exponent_at(uint texel, float z) {
   own_nearest = k_no_depth;

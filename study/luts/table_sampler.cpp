@@ -95,6 +95,8 @@ float TableSampler::coordinate(const Address& address, const ShaderInputs& in, f
         return std::acos(std::clamp(in.cos_phi, -1.0f, 1.0f));
       case lut::AxisQuantity::theta_d:
         return std::acos(std::clamp(cos_theta_d, 0.0f, 1.0f));
+      case lut::AxisQuantity::abs_theta_o:
+        return std::abs(std::asin(in.sin_theta_o));
       default:
         return 0;
     }

@@ -163,19 +163,25 @@ INSTANTIATE_TEST_SUITE_P(
                     LayoutCase{"marschner", "", "nalu_theta"}, LayoutCase{"marschner", "", "nalu_caustic"},
                     LayoutCase{"marschner", "", "nalu2"}, LayoutCase{"marschner", "variant=as_published", "barbu"},
                     LayoutCase{"marschner", "variant=as_published", "realengine"}, LayoutCase{"deon", "", "deon", 32},
-                    LayoutCase{"kajiya_kay", "", "factored", 16}),
+                    LayoutCase{"chiang", "field=far", "chiang", 32}, LayoutCase{"kajiya_kay", "", "factored", 16}),
     [](const auto& info) { return info.param.layout; });
 
+struct DefaultCase {
+  const char *model, *settings;
+};
+
 TEST(ShadeDirect, DefaultTables_AreTheModelWithinAPercent) {
-  const bsdf::Model& model = **bsdf::find_model("marschner");
   const Strands strands;
-  for (const char* settings : {"", "eta=1.55,sigma_a=0.06/0.1/0.2", "beta=0.2,sigma_a=2/3/4"}) {
+  for (const auto [name, settings] :
+       {DefaultCase{"marschner", ""}, DefaultCase{"marschner", "sigma_a=0.06/0.1/0.2"},
+        DefaultCase{"marschner", "beta=0.2,sigma_a=2/3/4"}, DefaultCase{"chiang", "field=far,sigma_a=0.06/0.1/0.2"}}) {
+    const bsdf::Model& model = **bsdf::find_model(name);
     const auto values = *registry::parse_assignments(model.entry.parameters, settings);
     const auto colors = shaded(strands, model, values, *lut::find_layout(lut::k_best_layout, model, values));
     ASSERT_TRUE(colors) << colors.error().message;
     const tests::Apart off = tests::apart(*colors, expected(strands, model, values));
-    std::printf("%s: %.5f rms, at most %.5f of the value, %.5f of the peak\n", settings, off.rms_of_rms, off.relative,
-                off.of_peak);
+    std::printf("%s %s: %.5f rms, at most %.5f of the value, %.5f of the peak\n", name, settings, off.rms_of_rms,
+                off.relative, off.of_peak);
     EXPECT_LT(off.rms_of_rms, 0.003);
     EXPECT_LT(off.of_peak, 0.003);
     EXPECT_LT(off.relative, 0.01);
