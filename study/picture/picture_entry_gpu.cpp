@@ -103,7 +103,7 @@ const StudyEntry& picture_entry() {
                   {"truth-model", "chiang", "model of the path-traced truth"},
                   {"without", "", "rungs that are switched off, a,b,c"},
                   {"pixels", "", "width of the pictures; without it half of the scene's, with --quick a quarter"},
-                  {"samples", "", "paths of a pixel; without it 512, with --quick 48"}},
+                  {"samples", "", "paths of a pixel; without it 256, with --quick 48"}},
       .declare = declare_picture,
       .quick_seconds = 15,
       .seconds = 600};

@@ -23,7 +23,7 @@ struct LadderRequest {
   scene::Scene scene = {};  ///< its shadow method, tables and passes are those of the last rungs; hair alone is drawn
   std::string hair = {};    ///< physical fibre of both models; empty: the scene's material, and no rung `model`
   std::string truth_model = "chiang", model = "marschner";
-  int samples = 512;                   ///< paths of a pixel of the truth and of every traced rung
+  int samples = 256;                   ///< paths of a pixel of the truth and of every traced rung
   int batches = 8;                     ///< that the paths come in, each with a seed of its own; two at least
   int frame = 16;                      ///< of hair that is simulated: where it is drawn
   int reference_steps = 64;            ///< of a frame: how finely it is simulated up to the rung simulation_steps
