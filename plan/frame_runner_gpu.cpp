@@ -168,6 +168,9 @@ struct FrameRunner::Impl {
     if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
     CUTICLE_ASSIGN(result.color, picture->read_color());
     CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
+    if (scene.outputs.tells_strands()) {
+      CUTICLE_ASSIGN(result.shares, picture->read_shares(result.color));
+    }
     result.notes = picture->notes();
     return {};
   }
@@ -214,6 +217,7 @@ struct FrameRunner::Impl {
                    trace_frame(scene, set, std::move(places), camera(frame), options.path_state, progress));
     result.color = std::move(traced.color);
     result.aovs = std::move(traced.layers);
+    result.shares = std::move(traced.shares);
     result.notes = {traced.note};
     return {};
   }

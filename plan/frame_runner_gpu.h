@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "core/progress.h"
 #include "core/trace.h"
 #include "gpu/device.h"
@@ -28,6 +28,8 @@ struct FrameOptions {
 struct FrameResult {
   Image color;       ///< linear RGBA
   Image aovs;        ///< color, then what each pixel sees, when the scene asks for it and its method can tell
+  /// What each pixel sees of each strand (objects from 1) and of the rest (0), when the scene asks for it.
+  std::vector<SeenShare> shares;
   sim::State state;  ///< when asked for; with it, where colliders and head stand at the frame's end
   std::vector<sim::PlacedCollider> colliders;
   glm::dmat4 head{1};

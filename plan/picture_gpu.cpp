@@ -348,6 +348,22 @@ Result<Image> Picture::read_aovs(const Image& color) const {
   return image;
 }
 
+Result<std::vector<SeenShare>> Picture::read_shares(const Image& color) const {
+  for (const char* pass : {"depth_of_field", "motion_blur", "temporal_antialiasing"})
+    if (find_pass(plan_, pass))
+      return bad_input(fmt::format("outputs: deep and cryptomatte: '{}' moves light between pixels", pass),
+                       "leave it out, or draw by 'reference', whose samples know lens and shutter");
+  if (in_chunks())
+    return bad_input("outputs: deep and cryptomatte: so large a picture is drawn in parts", "draw a smaller picture");
+  for (const DrawnPass& drawn : passes_) {
+    CUTICLE_ASSIGN(auto seen, drawn.pass->seen_strands(resources_));
+    if (seen)
+      return with_rest(std::move(seen->shares), color, seen->behind, resources_.get<render::FrameView>().camera.far_plane);
+  }
+  return bad_input(fmt::format("outputs: deep and cryptomatte: '{}' does not tell strands apart", scene_.render_method),
+                   "draw strands by tiles, truth or reference");
+}
+
 Result<strands::Groom> Picture::read_strands() const {
   const std::size_t count = generator_->vertex_count();
   CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, generator_->vertices(), count));

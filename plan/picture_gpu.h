@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "core/progress.h"
 #include "lut/table_set.h"
 #include "plan/character_motion_gpu.h"
@@ -51,6 +51,10 @@ class Picture {
   Result<Image> read_color() const;
   /// The channels of the color with those of the passes 'aovs' and 'velocity'; empty where the first is not planned.
   Result<Image> read_aovs(const Image& color) const;
+  /// What each pixel sees of each strand (objects from 1), and in object 0 what `color` holds beside them. Error:
+  /// bad_input, where the way of drawing cannot tell, where a pass moves light between pixels, and where the hair is drawn
+  /// in chunks.
+  Result<std::vector<SeenShare>> read_shares(const Image& color) const;
   Result<strands::Groom> read_strands() const;
   /// Null: none are baked.
   const lut::TableSet* tables() const;

@@ -73,6 +73,7 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
   render::reference::TraceOptions options{.scatterings = parameters.bounces,
                                           .seed = parameters.seed,
                                           .layers = scene.outputs.aovs,
+                                          .strands = scene.outputs.tells_strands(),
                                           .far_field = parameters.far_field,
                                           .lens = lens_of(scene, camera),
                                           .curves = strands::curve_kind(parameters.curves),
@@ -117,7 +118,9 @@ TracedFrame frame_of(const scene::Scene& scene, render::reference::Picture pictu
   render::resolve::add_background(picture.color,
                                   render::parameters_of<render::resolve::Parameters>(scene.passes).background);
   if (!scene.outputs.aovs) picture.layers = {};
-  return {std::move(picture.color), std::move(picture.layers),
+  if (scene.outputs.tells_strands())
+    picture.shares = with_rest(std::move(picture.shares), picture.color, {}, scene.camera.camera.far_plane);
+  return {std::move(picture.color), std::move(picture.layers), std::move(picture.shares),
           fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
                       "mean, {:.1f} s",
                       picture.samples, 100 * picture.error, picture.seconds),

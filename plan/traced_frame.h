@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "core/progress.h"
 #include "plan/strand_set.h"
 
@@ -13,7 +13,8 @@ namespace cuticle::plan {
 
 struct TracedFrame {
   Image color, layers;  ///< the colour over the scene's background; layers as render/reference has them
-  std::string note;     ///< samples, error and time, in words
+  std::vector<SeenShare> shares;  ///< with object 0 for the rest, where the scene asks for deep pictures or mattes
+  std::string note;               ///< samples, error and time, in words
   /// Of the paths; what is made ready before (ray tree, tables, shadow maps) is left out.
   double seconds = 0, processor_seconds = 0;
 };

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "gpu/device.h"
 #include "render/frame.h"
 #include "render/inputs.h"
@@ -20,6 +20,13 @@ namespace cuticle::render {
 struct Settled {
   bool holds = true;                    ///< false: its buffers were too small and have grown; the frame is drawn again
   std::vector<std::string> notes = {};  ///< what was left out of the picture, one sentence each
+};
+
+/// What each pixel sees of each strand (objects from 1), and how far behind it what is no hair stands, metres along the
+/// view; 0: nothing.
+struct SeenStrands {
+  std::vector<SeenShare> shares;
+  std::vector<float> behind;
 };
 
 /// Floats of a picture's pixels, for its file.
@@ -38,6 +45,8 @@ class GpuPass {
   virtual void change_view(FrameView&, const PassParameters&) const {}
   /// After the submission: the picture, of a pass that makes it on the CPU.
   virtual Result<std::optional<Image>> finish(const Resources&) { return std::optional<Image>(); }
+  /// After the submission, of a pass that draws strands and can tell them apart.
+  virtual Result<std::optional<SeenStrands>> seen_strands(const Resources&) { return std::optional<SeenStrands>(); }
   /// What of a wanted resource goes into the picture's file.
   virtual std::optional<FileLayer> layer(std::string_view, const Resources&) const { return std::nullopt; }
   virtual Result<Settled> settle() { return Settled{}; }

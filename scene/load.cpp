@@ -230,6 +230,8 @@ void read_counts(const Reader& root, const Catalogue& catalogue, Scene& scene) {
   const Reader outputs = root.child("outputs");
   outputs.get("color", scene.outputs.color);
   outputs.get("aovs", scene.outputs.aovs);
+  outputs.get("deep", scene.outputs.deep);
+  outputs.get("cryptomatte", scene.outputs.cryptomatte);
   outputs.get("exposure_stops", scene.outputs.exposure_stops);
   root.child("render").get("method", scene.render_method);
   scene.passes = blocks_of(catalogue.passes, root.child("passes").value);

@@ -119,7 +119,10 @@ struct EnvironmentSource {
 };
 struct Outputs {
   bool color = true, aovs = false;
+  bool deep = false, cryptomatte = false;  ///< samples in depth; mattes by strand, groom and material
   double exposure_stops = 0;
+  /// What each pixel sees of each strand is wanted.
+  bool tells_strands() const { return deep || cryptomatte; }
 };
 
 /// What a frame may take and how far off it may be; 0: not asked for.

@@ -1,8 +1,11 @@
-"""The dense head by Cuticle's path tracer, by Mitsuba 3 and by Blender's Cycles: one groom, camera, light and fibre.
+"""One groom, camera, light and fibre by Cuticle's path tracer, by Mitsuba 3 and by Blender's Cycles.
 
   pip install -r bench/peers/requirements.txt      (in a virtual environment of its own; Python 3.11)
   export CUTICLE=build/release/bin/cuticle
-  python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320]
+  python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320] [--hair apart]
+
+`--hair`: `dense`, a grown head, whose fibres pass through each other; `apart`, straight fibres in all directions, none of which touch. Cycles meets
+the inner side of a fibre around the point where a ray begins, the others do not: only on hair that lies apart should all three agree.
 
 Each program draws two pictures with other random numbers. Their difference gives its noise, their mean is compared with ours: coverage, mean
 radiance of red, green and blue, root mean square of the differences of means over 8 x 8 pixels, and the part of it that is noise. Time is that of the
@@ -32,6 +35,7 @@ def arguments():
     parser.add_argument("--bounces", default="1,64")
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--size", type=int, default=320)
+    parser.add_argument("--hair", choices=("dense", "apart"), default="dense")
     return parser.parse_args()
 
 
@@ -44,19 +48,50 @@ def b_spline(points, pieces):
     return np.concatenate([np.einsum("pk,skc->spc", weights, spans).reshape(-1, 3), points[-1:]])
 
 
-def prepare(out, size):
-    """Control points for Mitsuba; the curve's points for ours and Cycles; the scene."""
+def distance_to(begin, end, begins, ends):
+    """From a segment to the nearest of others (Ericson, Real-Time Collision Detection, 5.1.9)."""
+    along, others, away = end - begin, ends - begins, begin - begins
+    a, e, f, c, b = along @ along, (others**2).sum(1), (others * away).sum(1), away @ along, others @ along
+    s = np.clip((b * f - c * e) / np.maximum(a * e - b * b, 1e-15), 0, 1)
+    t = np.clip((b * s + f) / e, 0, 1)
+    s = np.clip((b * t - c) / a, 0, 1)
+    return np.linalg.norm(away + s[:, None] * along - t[:, None] * others, axis=1).min(initial=np.inf)
+
+
+def apart(radius, side, length, tries=100000):
+    """As many straight fibres of 32 vertices through a cube as find room at 2.1 radii from each other."""
+    random, begins, ends = np.random.default_rng(5), np.zeros((0, 3)), np.zeros((0, 3))
+    for _ in range(tries):
+        middle, along = random.uniform(-side / 2, side / 2, 3), random.normal(size=3)
+        along *= length / 2 / np.linalg.norm(along)
+        if distance_to(middle - along, middle + along, begins, ends) > 2.1 * radius:
+            begins, ends = np.vstack([begins, middle - along]), np.vstack([ends, middle + along])
+    share = np.linspace(0, 1, 32)[:, None]
+    return [(1 - share) * a + share * b for a, b in zip(begins, ends)]
+
+
+def hair_of(name, out):
+    """Strands of control points, their radius, and the camera."""
+    if name == "apart":
+        camera = {"position_m": [0.1, 0.05, 0.3], "target_m": [0, 0, 0], "fov_deg": 3.4}
+        return apart(radius=4e-4, side=0.02, length=0.16), 4e-4, camera
     radius = measured_scenes.GROOMS["dense"]["groom"]["radius_m"]
     with np.load(measured_scenes.grown("density=4e5", radius, out)) as file:
         offsets, positions = file["offsets"].astype(int), file["positions"].astype(float)
-    strands = [positions[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
+    return [positions[a:b] for a, b in zip(offsets[:-1], offsets[1:])], radius, None
+
+
+def prepare(out, size, hair):
+    """Control points for Mitsuba; the curve's points for ours and Cycles; the scene."""
+    strands, radius, camera = hair_of(hair, out)
+    offsets = np.concatenate([[0], np.cumsum([len(strand) for strand in strands])])
     curves = [b_spline(strand, PIECES) for strand in strands]
     counts = [len(curve) for curve in curves]
-    np.savez(os.path.join(out, "controls.npz"), offsets=offsets, positions=positions, radius=radius)
+    np.savez(os.path.join(out, "controls.npz"), offsets=offsets, positions=np.concatenate(strands), radius=radius)
     np.savez(os.path.join(out, "curves.npz"), offsets=np.concatenate([[0], np.cumsum(counts)]).astype(np.uint32),
              positions=np.concatenate(curves).astype(np.float32), radii=np.full(sum(counts), radius, np.float32))
     groom = {"file": os.path.abspath(os.path.join(out, "curves.npz")), "metres_per_unit": 1, "radius_m": radius}
-    scene = measured_scenes.scene("dense", out, size=size, groom=groom)
+    scene = measured_scenes.scene("dense", out, size=size, groom=groom, camera=camera)
     measured_scenes.write(scene, os.path.join(out, "scene.json"))
     return scene
 
@@ -108,7 +143,7 @@ def main():
     options = arguments()
     os.makedirs(options.out, exist_ok=True)
     out = os.path.abspath(options.out)
-    scene = prepare(out, options.size)
+    scene = prepare(out, options.size, options.hair)
     for bounces in [int(part) for part in options.bounces.split(",")]:
         mine = twice(lambda seed: ours(scene, out, bounces, options.samples, seed))
         for program in options.programs.split(","):

@@ -8,9 +8,9 @@
 #include <fmt/core.h>
 
 #include "cli/plan_on_device.h"
+#include "cli/render_files.h"
 #include "cli/run_folder.h"
 #include "cli/skipped_frames.h"
-#include "core/file.h"
 #include "core/interrupt.h"
 #include "core/json/json.h"
 #include "plan/frame_runner_gpu.h"
@@ -25,7 +25,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, frames = "0:0", method, out = "render";
-  bool aovs = false, velocity = false;
+  bool aovs = false, velocity = false, deep = false, cryptomatte = false;
   std::optional<std::int64_t> samples, bounces;
   std::optional<double> max_error;
   std::string state;
@@ -114,23 +114,14 @@ void print_json(const Costs& costs, const CostSplit& split, const std::string& d
   fmt::print("{}\n", json.dump(2));
 }
 
-/// Layers are written as floats: halves do not hold the numbers of strands.
-Result<void> write_frame(const std::string& folder, int frame, const plan::FrameResult& result, double exposure_stops) {
-  const std::string path = fmt::format("{}/frame_{:04d}", folder, frame);
-  const bool layered = !result.aovs.pixels.empty();
-  CUTICLE_TRY(
-      write_exr(path + ".exr", layered ? result.aovs : result.color, layered ? ExrType::single : ExrType::half));
-  return write_png(path + ".png", tone_map(result.color, exposure_stops));
-}
-
 Result<void> render_frame(const RenderOptions& options, plan::FrameRunner& runner, const scene::Scene& scene, int frame,
                           Progress& progress, RunFolder& folder, Costs& costs) {
   const std::string state = options.state.empty() ? std::string() : fmt::format("{}.{:04d}", options.state, frame);
-  CUTICLE_ASSIGN(const plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
+  CUTICLE_ASSIGN(plan::FrameResult result, runner.run(frame, {.path_state = state, .progress = &progress}));
   for (const std::string& note : result.notes) progress.message(note);
-  CUTICLE_TRY(write_frame(options.out, frame, result, scene.outputs.exposure_stops));
+  CUTICLE_ASSIGN(const std::vector<std::string> files, write_frame(options.out, frame, result, scene));
   costs.add(result.cost);
-  for (const char* ending : {"exr", "png"}) folder.add(fmt::format("frame_{:04d}.{}", frame, ending));
+  for (const std::string& file : files) folder.add(file);
   return {};
 }
 
@@ -240,6 +231,8 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
   if (!refused.empty()) return usage_error(refused, "raise the budget, or leave it out");
   CUTICLE_TRY(set_path_options(options, scene));
   scene.outputs.aovs = scene.outputs.aovs || options.aovs;
+  scene.outputs.deep = scene.outputs.deep || options.deep;
+  scene.outputs.cryptomatte = scene.outputs.cryptomatte || options.cryptomatte;
   if (options.velocity)
     scene.passes.try_emplace("velocity", registry::default_values(render::velocity::entry().entry.parameters));
   if (!scene.outputs.color)
@@ -281,6 +274,10 @@ void add_render(CLI::App& app, Context& context) {
       ->expected(2)
       ->check(CLI::Range(16, 16384));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
+  command->add_flag("--deep", options->deep,
+                    "also FRAME.deep.exr: what each pixel sees of each strand, as samples in depth (tiles, truth, reference)");
+  command->add_flag("--cryptomatte", options->cryptomatte,
+                    "mattes by strand, groom and material in the EXR, for compositing programs (tiles, truth, reference)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
   command->add_option("--samples", options->samples, "reference: paths of a pixel (default 64)")
       ->check(CLI::Range(1, 1000000));

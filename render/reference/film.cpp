@@ -48,23 +48,46 @@ struct Film::Header {
   bool operator==(const Header&) const = default;
 };
 
-Film::Film(glm::ivec2 size, std::vector<std::string> split_names) : size_(size), names_(std::move(split_names)) {
+Film::Film(glm::ivec2 size, std::vector<std::string> split_names, bool strands)
+    : size_(size), names_(std::move(split_names)) {
   pixels_.resize(std::size_t(size.x) * std::size_t(size.y));
+  if (strands) seen_.resize(pixels_.size());
   if (names_.empty()) return;
   first_.resize(pixels_.size());
   splits_.resize(pixels_.size() * k_splits, glm::vec3(0));
 }
 
-void Film::add(std::uint32_t at, const PathLight& light) {
+void Film::note_seen(std::vector<SeenStrand>& seen, const PathLight& light) {
+  auto found = std::ranges::find(seen, light.first.strand, &SeenStrand::strand);
+  if (found == seen.end()) found = seen.insert(found, {.strand = light.first.strand});
+  const double share = light.covered ? 1 : 0;
+  found->light += glm::dvec4(light.radiance, share);
+  found->depth += share * double(light.first.depth);
+}
+
+std::vector<SeenShare> Film::shares() const {
+  std::vector<SeenShare> shares;
+  for (std::size_t p = 0; p < seen_.size(); ++p)
+    for (const SeenStrand& seen : seen_[p]) {
+      const double depth = seen.light.w > 0 ? seen.depth / seen.light.w : 0;
+      if (seen.light != glm::dvec4(0))
+        shares.push_back(
+            {std::uint32_t(p), seen.strand, float(depth), glm::vec4(seen.light / double(pixels_[p].samples))});
+    }
+  return shares;
+}
+
+void Film::add(std::uint32_t at, const PathLight& light, const LightSplits* splits) {
   Pixel& pixel = pixels_[at];
   pixel.sum += light.radiance;
   pixel.squares += light.radiance * light.radiance;
   pixel.covered += std::uint32_t(light.covered);
   ++pixel.samples;
+  if (!seen_.empty()) note_seen(seen_[at], light);
   if (names_.empty()) return;
   const SeenFirst& first = first_[at];
   if (light.covered && (first.depth == 0 || (first.strand == 0 && light.first.strand > 0))) first_[at] = light.first;
-  for (std::size_t k = 0; k < k_splits; ++k) splits_[at * k_splits + k] += glm::vec3(light.splits[k]);
+  for (std::size_t k = 0; k < k_splits; ++k) splits_[at * k_splits + k] += glm::vec3((*splits)[k]);
 }
 
 Film::Noise Film::noise(std::span<const std::uint32_t> pixels) const {

@@ -7,8 +7,8 @@
 #include <ctime>
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 namespace cuticle::render::reference {
 
@@ -102,18 +102,27 @@ class Rounds {
   void trace(const std::vector<std::uint32_t>& tile) {
     const std::uint32_t first = film_.samples(tile.front());
     const std::uint32_t last = std::min(first + std::uint32_t(k_round), std::uint32_t(quality_.samples));
-    std::vector<PathName> paths;
+    auto& [paths, light, splits] = buffers_.local();
+    paths.clear();
     for (const std::uint32_t pixel : tile)
       for (std::uint32_t sample = first; sample < last; ++sample) paths.push_back({pixel, sample});
-    std::vector<PathLight> light(paths.size());
-    tbb::this_task_arena::isolate([&] { tracer_.trace(paths, light); });
-    for (std::size_t k = 0; k < paths.size(); ++k) film_.add(paths[k].pixel, light[k]);
+    light.resize(paths.size());
+    splits.resize(film_.has_layers() ? paths.size() : 0);
+    tracer_.trace(paths, light, splits);
+    for (std::size_t k = 0; k < paths.size(); ++k)
+      film_.add(paths[k].pixel, light[k], splits.empty() ? nullptr : &splits[k]);
   }
 
   const Tracer& tracer_;
   Film& film_;
   const Quality& quality_;
   std::vector<std::vector<std::uint32_t>> tiles_;
+  struct Buffers {
+    std::vector<PathName> paths;
+    std::vector<PathLight> light;
+    std::vector<LightSplits> splits;
+  };
+  tbb::enumerable_thread_specific<Buffers> buffers_;
 };
 
 }  // namespace
@@ -169,7 +178,10 @@ namespace {
 /// A picture by a tracer of the scene and options.
 Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const TraceOptions& options,
                            const Quality& quality, Progress& progress) {
-  Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>());
+  if (options.strands && !quality.state.empty())
+    return bad_input("outputs: deep and cryptomatte are not kept in a state file", "leave --state out");
+  Film film(scene.camera.resolution, options.layers ? split_names(*scene.model) : std::vector<std::string>(),
+            options.strands);
   const std::uint64_t key = quality.state.empty() ? 0 : key_of(scene, options);
   if (!quality.state.empty()) CUTICLE_TRY(film.load(quality.state, key));
   Rounds rounds(tracer, film, quality);
@@ -184,8 +196,9 @@ Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const
     saved = Clock::now();
   }
   if (!quality.state.empty()) CUTICLE_TRY(film.save(quality.state, key));
-  return Picture{film.color(),   film.layers(),        rounds.most_samples(),
-                 rounds.error(), seconds_since(begin), double(std::clock() - processor) / CLOCKS_PER_SEC};
+  return Picture{film.color(),         film.layers(),  film.shares(),
+                 rounds.most_samples(), rounds.error(), seconds_since(begin),
+                 double(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ Result<SurroundingsLight> SurroundingsLight::make(const Surroundings& surroundin
   if (!(sum > 0) || !std::isfinite(sum))
     return bad_input(fmt::format("surroundings of luminance {}: they must shine, and be finite", sum));
   for (double& share : light.cumulative_) share /= sum;
+  light.is_even_ = std::ranges::all_of(light.radiance_, [&](const auto& texel) { return texel == light.radiance_[0]; });
   return light;
 }
 

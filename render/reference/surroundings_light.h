@@ -23,12 +23,15 @@ class SurroundingsLight {
   Drawn draw(double u0, double u1, double u2) const;
   glm::dvec3 radiance(const glm::dvec3& to_light) const;
   double density(const glm::dvec3& to_light) const;
+  /// Whether all texels are the same: a model's own directions then find the light as well as drawn ones.
+  bool is_even() const { return is_even_; }
 
  private:
   std::size_t texel(const glm::dvec3& to_light) const;
   double solid_angle(std::size_t row) const;
 
   int width_ = 0, height_ = 0;
+  bool is_even_ = false;
   double turn_ = 0;
   std::vector<glm::dvec3> radiance_;
   std::vector<double> cumulative_;  ///< shares of the luminance up to and with each texel

@@ -12,9 +12,11 @@ namespace cuticle::render::reference {
 
 inline constexpr const char* k_clear = "sigma_a=0,beta_m=0.3,beta_n=0.3,alpha=0";
 
-inline Surroundings white() {
+/// Radiance 1 from everywhere; `drawn`: uneven by a millionth, so that directions are drawn from it as well.
+inline Surroundings white(bool drawn = true) {
   Surroundings surroundings{make_image(2, 1, {"R", "G", "B"})};
   for (float& value : surroundings.picture.pixels) value = 1;
+  if (drawn) surroundings.picture.pixels[0] += 1e-6f;
   return surroundings;
 }
 

@@ -1,6 +1,8 @@
 #include "render/reference/tracer.h"
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/task_arena.h>
 
 #include "render/reference/wave.h"
 
@@ -9,6 +11,7 @@ namespace cuticle::render::reference {
 struct Tracer::Parts {
   TracedScene scene;
   WaveScene wave;
+  tbb::enumerable_thread_specific<Wave> waves{[this] { return Wave(wave); }};  ///< whose arrays are used again
 };
 
 namespace {
@@ -45,9 +48,10 @@ Result<std::unique_ptr<Tracer>> Tracer::make(const TracedScene& scene, const Tra
   return std::unique_ptr<Tracer>(new Tracer(std::move(parts)));
 }
 
-void Tracer::trace(std::span<const PathName> paths, std::span<PathLight> light) const {
+void Tracer::trace(std::span<const PathName> paths, std::span<PathLight> light, std::span<LightSplits> splits) const {
   CUTICLE_EXPECT(paths.size() == light.size(), "one light for each path");
-  Wave(parts_->wave, paths, light).run();
+  CUTICLE_EXPECT(splits.size() == (parts_->wave.options.layers ? paths.size() : 0), "splits where there are layers");
+  tbb::this_task_arena::isolate([&] { parts_->waves.local().run(paths, light, splits); });
 }
 
 void Tracer::set_seed(std::uint64_t seed) { parts_->wave.options.seed = seed; }

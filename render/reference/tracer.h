@@ -20,6 +20,7 @@ struct TraceOptions {
   int scatterings = 0;  ///< at most, of a path; 1: direct light alone; 0: all
   std::uint64_t seed = 0;
   bool layers = false;     ///< splits the light, which costs an evaluation of each lobe at the first scattering
+  bool strands = false;    ///< keeps what each pixel sees of each strand; not in a state file
   bool far_field = false;  ///< of models that have both fields
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
@@ -48,8 +49,8 @@ struct PathLight {
   glm::dvec3 radiance{0};
   bool covered = false;
   SeenFirst first;
-  std::array<glm::dvec3, k_splits> splits{};  ///< where layers are asked for
 };
+using LightSplits = std::array<glm::dvec3, k_splits>;
 
 /// A scene made ready for rays. Safe to use from several threads; a path's light depends on its name and the options
 /// alone.
@@ -59,8 +60,8 @@ class Tracer {
   /// TableScattering and VertexTransmittance.
   static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
   ~Tracer();
-  /// The light of each path; `paths` and `light` have one size.
-  void trace(std::span<const PathName> paths, std::span<PathLight> light) const;
+  /// The light of each path; `paths` and `light` have one size, and `splits` too where layers are asked for.
+  void trace(std::span<const PathName> paths, std::span<PathLight> light, std::span<LightSplits> splits = {}) const;
   /// Of the paths that are traced from now on; not while others are.
   void set_seed(std::uint64_t seed);
   const TracedScene& scene() const;

@@ -59,13 +59,18 @@ FibrePoint WaveScene::point_of(const strands::RayHit& hit, const glm::dvec3& ori
   return fibre_point(rays->curve_at(hit, time), options.curves.is_flat, hit, origin, direction);
 }
 
-Wave::Wave(const WaveScene& scene, std::span<const PathName> names, std::span<PathLight> light)
-    : scene_(scene), names_(names), light_(light), paths_(names.size()) {}
-
-void Wave::run() {
+void Wave::run(std::span<const PathName> names, std::span<PathLight> light, std::span<LightSplits> splits) {
+  names_ = names;
+  light_ = light;
+  splits_ = splits;
+  paths_.assign(names.size(), {});
+  path_shares_.assign(splits.size(), {});
+  std::ranges::fill(splits, LightSplits{});
+  live_.clear();
+  scattering_ = 0;
   begin_at_camera();
   const int most = scene_.options.scatterings;
-  for (scattering_ = 0; !live_.empty(); ++scattering_) {
+  for (; !live_.empty(); ++scattering_) {
     if (most > 0 && scattering_ == most) return end();
     meet();
     for (int round = 0; round < light_rounds(); ++round) {
@@ -142,10 +147,10 @@ void Wave::meet() {
 void Wave::leave(std::uint32_t k) {
   if (!scene_.surroundings || scattering_ == 0) return;
   const Path& path = paths_[k];
-  const double other = scene_.surroundings->density(path.direction);
+  const double other = scene_.draws_surroundings() ? scene_.surroundings->density(path.direction) : 0;
   const glm::dvec3 radiance = scene_.surroundings->radiance(path.direction);
   add(k, path.throughput * radiance * (path.density / (path.density + other)),
-      {scattering_, path.backward, &path.shares});
+      {scattering_, path.backward, shares_of(k)});
 }
 
 void Wave::meet_fibre(std::uint32_t k, const strands::RayHit& hit) {
@@ -198,11 +203,12 @@ void Wave::add(std::uint32_t k, const glm::dvec3& arrived, const Way& way) {
   constexpr int k_least[k_counts] = {1, 2, 3, 4, 8, 16};
   int count = 0;
   while (count + 1 < k_counts && way.scatterings >= k_least[count + 1]) ++count;
-  to.splits[std::size_t(count)] += light;
+  LightSplits& split = splits_[k];
+  split[std::size_t(count)] += light;
   const int turn = way.scatterings == 1 ? 0 : std::min(1 + way.backward, k_turns - 1);
-  to.splits[std::size_t(k_counts + turn)] += light;
+  split[std::size_t(k_counts + turn)] += light;
   for (std::size_t lobe = 0; way.shares && lobe < k_max_lobes; ++lobe)
-    to.splits[k_counts + k_turns + lobe] += light * (*way.shares)[lobe];
+    split[k_counts + k_turns + lobe] += light * (*way.shares)[lobe];
 }
 
 }  // namespace cuticle::render::reference

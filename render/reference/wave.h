@@ -31,6 +31,8 @@ struct WaveScene {
                       double time) const;
   /// S; arrays of one size.
   void evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const;
+  /// Even surroundings are left to the directions that models draw.
+  bool draws_surroundings() const { return surroundings && !surroundings->is_even(); }
 };
 
 /// Three arrays of one size.
@@ -45,8 +47,9 @@ struct VectorArray {
 
 class Wave {
  public:
-  Wave(const WaveScene& scene, std::span<const PathName> names, std::span<PathLight> light);
-  void run();
+  explicit Wave(const WaveScene& scene) : scene_(scene) {}
+  /// As Tracer::trace.
+  void run(std::span<const PathName> names, std::span<PathLight> light, std::span<LightSplits> splits);
 
  private:
   using Shares = std::array<glm::dvec3, k_max_lobes>;
@@ -56,7 +59,6 @@ class Wave {
     strands::FibreLeft from;
     double density = 0;  ///< with which the model drew the direction; 0: nothing was drawn
     int backward = 0;    ///< scatterings that turned back, after the one that the camera sees
-    Shares shares{};     ///< of each lobe at the scattering that the camera sees
   };
   /// Light that arrives at a point if nothing is between.
   struct Arriving {
@@ -97,6 +99,7 @@ class Wave {
   void add(std::uint32_t path, const glm::dvec3& arrived, const Way& way);
   bool turns_back(std::size_t point, const glm::vec3& to_light) const;
   bool splits() const { return scene_.options.layers; }
+  const Shares* shares_of(std::uint32_t path) const { return splits() ? &path_shares_[path] : nullptr; }
   std::array<float, 4> numbers(std::uint32_t path, Purpose purpose) const {
     return random_numbers(scene_.options.seed, names_[path], scattering_, purpose);
   }
@@ -105,7 +108,9 @@ class Wave {
   const WaveScene& scene_;
   std::span<const PathName> names_;
   std::span<PathLight> light_;
+  std::span<LightSplits> splits_;
   std::vector<Path> paths_;
+  std::vector<Shares> path_shares_;  ///< of each lobe at the scattering that the camera sees; with splits
   std::vector<std::uint32_t> live_, next_;
   int scattering_ = 0;
   std::vector<SurfacePoint> surface_points_;

@@ -77,7 +77,7 @@ void Wave::light_fibres(int round) {
     light *= reaching(i, lights[i]);
     if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
     const int backward = path.backward + int(scattering_ > 0 && turns_back(i, to_light_[i]));
-    add(k, light, {scattering_ + 1, backward, shares.empty() ? &path.shares : &shares[i]});
+    add(k, light, {scattering_ + 1, backward, shares.empty() ? shares_of(k) : &shares[i]});
   }
 }
 
@@ -141,7 +141,7 @@ void Wave::scatter_fibres() {
     path.from = fibre_points_[i].from;
     path.density = density;
     path.backward += int(scattering_ > 0 && turns_back(i, to_light_[i]));
-    if (splits() && scattering_ == 0) path.shares = shares_[i];
+    if (splits() && scattering_ == 0) path_shares_[k] = shares_[i];
   }
 }
 

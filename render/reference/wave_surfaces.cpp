@@ -51,12 +51,12 @@ void Wave::spread(Arriving& from, const Light& light, std::uint32_t k) const {
 /// At the scattering that the camera sees every light is asked, further on one that is drawn; the surroundings always.
 int Wave::light_rounds() const {
   const int lights = int(scene_.scene->lights.size());
-  return (scattering_ == 0 ? lights : std::min(lights, 1)) + int(scene_.surroundings.has_value());
+  return (scattering_ == 0 ? lights : std::min(lights, 1)) + int(scene_.draws_surroundings());
 }
 
 Wave::Arriving Wave::arriving(const glm::dvec3& point, std::uint32_t k, int round) const {
   const std::vector<Light>& lights = scene_.scene->lights;
-  if (scene_.surroundings && round == light_rounds() - 1) {
+  if (scene_.draws_surroundings() && round == light_rounds() - 1) {
     const auto u = numbers(k, Purpose::surroundings);
     const SurroundingsLight::Drawn drawn = scene_.surroundings->draw(double(u[0]), double(u[1]), double(u[2]));
     return {.to_light = drawn.to_light, .irradiance = drawn.radiance / drawn.density, .density = drawn.density};
@@ -93,7 +93,7 @@ void Wave::light_surface(const SurfacePoint& point, int round) {
   if (!(std::max({light.x, light.y, light.z}) > 0)) return;
   if (scene_.rays->is_blocked(point.position, from.to_light, from.distance, {}, path.time)) return;
   const int backward = path.backward + int(scattering_ > 0);
-  add(point.path, light, {scattering_ + 1, backward, scattering_ > 0 ? &path.shares : nullptr});
+  add(point.path, light, {scattering_ + 1, backward, scattering_ > 0 ? shares_of(point.path) : nullptr});
 }
 
 void Wave::scatter_surface(const SurfacePoint& point) {

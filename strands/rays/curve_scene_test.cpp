@@ -103,7 +103,7 @@ int wrong_rays(std::string_view name) {
 
 TEST(CurveScene, RoundCurves_AreMetWhereSpheresAlongThemAre) {
   for (const char* name : {"round_bezier", "round_b_spline", "round_catmull_rom"}) {
-    EXPECT_LE(wrong_rays(name), 5) << name;  // Bezier 0, B-spline 5, Catmull-Rom 3: docs/limits.md
+    EXPECT_EQ(wrong_rays(name), 0) << name;
   }
 }
 

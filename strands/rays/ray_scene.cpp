@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <fmt/core.h>
@@ -105,20 +106,47 @@ double leaves_curve_at(const Query& query) {
   return leaves_tube_at(span, {query.origin, query.direction}, u) + slack;
 }
 
+/// Where the ray enters the span of a primitive, or else one beside it: the wider tube that Embree is asked for may be
+/// entered by another span than the fibre.
+struct Entered {
+  unsigned primitive;
+  CurveHit hit;
+};
+std::optional<Entered> round_entry_near(const Query& query, unsigned primitive, const CurveHit& guess) {
+  const CurveSet& curves = query.scene->curves;
+  std::optional<Entered> nearest;
+  const auto ask = [&](unsigned of, double u) {
+    const CurveSpan span = curves.span(of, double(query.time));
+    const auto hit = round_entry(span, {query.origin, query.direction}, {guess.distance, u});
+    if (hit && (!nearest || hit->distance < nearest->hit.distance)) nearest = {of, *hit};
+  };
+  ask(primitive, guess.u);
+  if (nearest) return nearest;
+  const auto is_of_strand = [&](unsigned of) { return curves.strand(of) == curves.strand(primitive); };
+  if (primitive > 0 && is_of_strand(primitive - 1)) ask(primitive - 1, 1);
+  if (primitive + 1 < curves.first().size() && is_of_strand(primitive + 1)) ask(primitive + 1, 0);
+  return nearest;
+}
+
+std::optional<Entered> entry_near(const Query& query, unsigned primitive, const CurveHit& guess) {
+  if (!query.scene->kind.is_flat) return round_entry_near(query, primitive, guess);
+  const CurveSpan span = query.scene->curves.span(primitive, double(query.time));
+  const auto hit = flat_entry(span, {query.origin, query.direction}, guess);
+  return hit ? std::optional<Entered>({primitive, *hit}) : std::nullopt;
+}
+
 /// As `takes`, of curves.
 bool takes_curve(Query& query, const CurveHit& guess, unsigned primitive, float& distance) {
   const CurveSet& curves = query.scene->curves;
-  const CurveSpan span = curves.span(primitive, double(query.time));
-  const Line line{query.origin, query.direction};
-  const auto hit = query.scene->kind.is_flat ? flat_entry(span, line, guess) : round_entry(span, line, guess);
-  if (!hit || !(hit->distance > 0) || !(hit->distance < query.limit)) return false;
+  const auto entered = entry_near(query, primitive, guess);
+  if (!entered || !(entered->hit.distance > 0) || !(entered->hit.distance < query.limit)) return false;
   if (curves.strand(primitive) == query.from.strand) {
     if (query.left_at < 0) query.left_at = leaves_curve_at(query);
-    if (hit->distance <= query.left_at) return false;
+    if (entered->hit.distance <= query.left_at) return false;
   }
-  query.limit = hit->distance;
-  query.place = curves.place(primitive, hit->u);
-  distance = float(hit->distance);
+  query.limit = entered->hit.distance;
+  query.place = curves.place(entered->primitive, entered->hit.u);
+  distance = float(entered->hit.distance);
   return true;
 }
 
@@ -186,6 +214,7 @@ Result<std::unique_ptr<RayScene>> RayScene::build(const Groom& groom, std::span<
 
 RayHit RayScene::closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from,
                          double time) const {
+  if (!impl_->tree.may_meet(origin, direction)) return {};
   Query query{{}, impl_.get(), origin, direction, from, std::numeric_limits<double>::infinity(), float(time)};
   RTCRayHit found{ray_of(origin, direction), {}};
   found.ray.time = query.time;

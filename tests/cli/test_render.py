@@ -2,6 +2,7 @@
 import csv
 import json
 import re
+import struct
 
 import pytest
 from program import refused, run
@@ -74,3 +75,18 @@ def test_StudyRender_Quick_HasEveryMethodNearAndFar(scene, tmp_path):
     most = {"coverage": 1, "color": 2}
     assert all(0 <= float(row["mean_error"]) <= float(row["max_error"]) <= most[row["metric"]] for row in rows)
     assert (tmp_path / "index.html").stat().st_size > 0
+
+
+def test_Render_DeepAndMattes_AreFilesOfTheRun(scene, tmp_path):
+    done = run("render", scene, "--method", "tiles", "--deep", "--cryptomatte", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert set(json.loads((tmp_path / "files.json").read_text())["files"]) == {
+        "frame_0000.exr", "frame_0000.png", "frame_0000.deep.exr"}
+    magic, version = struct.unpack("<II", (tmp_path / "frame_0000.deep.exr").read_bytes()[:8])
+    assert magic == 20000630 and version & 0x800, "an EXR file of deep scan lines"
+    picture = (tmp_path / "frame_0000.exr").read_bytes()
+    assert all(layer in picture for layer in (b"crypto_strand00.R", b"crypto_groom02.A", b'{"marschner":'))
+
+
+def test_Render_DeepByLines_IsRefused(scene, tmp_path):
+    assert "does not tell strands apart" in refused(3, "render", scene, "--method", "lines", "--deep", "--out", tmp_path)

@@ -1,7 +1,8 @@
-#include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/passes/shade_strands/shade_strands_gpu.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
+#include "render/passes/tiles/tiles_shares_gpu.h"
 
 #include "gpu/groups.h"
 
@@ -30,13 +31,15 @@ constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
 struct Fine {
   gpu::Kernel prepare, draw;
   gpu::Buffer records;
-  bool reads_records = false;
+  FineForm form;
 };
 
 class Tiles : public GpuPass {
  public:
-  Tiles(Fine fine, gpu::GraphicsPipeline merge, gpu::Buffer picture, gpu::Buffer depth, gpu::Buffer seen)
-      : fine_(std::move(fine)),
+  Tiles(std::shared_ptr<gpu::Device> device, Fine fine, gpu::GraphicsPipeline merge, gpu::Buffer picture,
+        gpu::Buffer depth, gpu::Buffer seen)
+      : device_(std::move(device)),
+        fine_(std::move(fine)),
         merge_(std::move(merge)),
         picture_(std::move(picture)),
         depth_(std::move(depth)),
@@ -48,20 +51,13 @@ class Tiles : public GpuPass {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    const gpu::Groups segments = fine_.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
+    const gpu::Groups segments = fine_.form.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
     commands.dispatch(fine_.prepare,
                       {hair.strands.vertices, resources.get<shade_strands::StrandColors>().values,
                        hair.strands.segments, &fine_.records},
                       {}, gpu::bytes_of(push), segments.x, segments.y);
     for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
-    std::vector<const gpu::Buffer*> buffers = {fine_.reads_records ? &fine_.records : hair.strands.vertices,
-                                               resources.get<shade_strands::StrandColors>().values,
-                                               &lists.offsets,
-                                               &lists.sorted,
-                                               &lists.scene_depth,
-                                               &picture_,
-                                               &depth_,
-                                               &seen_};
+    std::vector<const gpu::Buffer*> buffers = buffers_of(resources);
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
     commands.dispatch(fine_.draw, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
     const MergePush merge{push.part.x, 1 / float(resources.get<Targets>().supersampling), push.inverse_near,
@@ -72,7 +68,36 @@ class Tiles : public GpuPass {
     return {};
   }
 
+  Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
+    const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
+    const tile_lists::TilePush push = push_of(resources, lists);
+    if (push.slices > 0)
+      return bad_input("tile_sort: slices: strands of one slice are not sorted, so that their shares are not known",
+                       "leave slices out for deep pictures and mattes");
+    SeenStrands seen;
+    CUTICLE_ASSIGN(seen.shares, shares_of_tiles(*device_, fine_.form, buffers_of(resources), push, lists.grid));
+    CUTICLE_ASSIGN(seen.behind,
+                   gpu::read_buffer<float>(*device_, lists.scene_depth, std::size_t(push.part.x) * push.part.y));
+    for (float& depth : seen.behind) depth = depth > 0 ? 1 / depth : 0;
+    return std::optional(std::move(seen));
+  }
+
  private:
+  /// Bindings 0 .. 7 of the fine rasteriser.
+  std::vector<const gpu::Buffer*> buffers_of(const Resources& resources) const {
+    const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
+    const gpu::Buffer* const vertices = resources.get<DrawnHair>().strands.vertices;
+    return {fine_.form.reads_records ? &fine_.records : vertices,
+            resources.get<shade_strands::StrandColors>().values,
+            &lists.offsets,
+            &lists.sorted,
+            &lists.scene_depth,
+            &picture_,
+            &depth_,
+            &seen_};
+  }
+
+  std::shared_ptr<gpu::Device> device_;
   Fine fine_;
   gpu::GraphicsPipeline merge_;
   gpu::Buffer picture_, depth_, seen_;
@@ -109,16 +134,16 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
-  fine.reads_records = !sliced && reads_records(device.info(), vertices);
-  const gpu::TextureFormat form = fine.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
+  fine.form = {spans, !sliced && reads_records(device.info(), vertices), std::max(rows, 1u)};
+  const gpu::TextureFormat form = fine.form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
     sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, std::max(rows, 1u)}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
-  CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, spans, fine.reads_records), interface));
+  CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, spans, fine.form.reads_records), interface));
   CUTICLE_ASSIGN(fine.prepare, make_prepare(device));
-  CUTICLE_ASSIGN(fine.records, device.make_buffer(fine.reads_records ? vertices * k_record_bytes : 0));
+  CUTICLE_ASSIGN(fine.records, device.make_buffer(fine.form.reads_records ? vertices * k_record_bytes : 0));
   return fine;
 }
 
@@ -136,7 +161,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
   CUTICLE_ASSIGN(gpu::Buffer picture, device->make_buffer(pixels * sizeof(glm::uvec2)));
   CUTICLE_ASSIGN(gpu::Buffer depth, device->make_buffer(pixels * sizeof(float)));
   CUTICLE_ASSIGN(gpu::Buffer seen, make_seen(*device, resources));
-  return std::unique_ptr<GpuPass>(std::make_unique<Tiles>(std::move(fine), std::move(merge), std::move(picture),
+  return std::unique_ptr<GpuPass>(std::make_unique<Tiles>(device, std::move(fine), std::move(merge), std::move(picture),
                                                           std::move(depth), std::move(seen)));
 }
 

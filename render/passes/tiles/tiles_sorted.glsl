@@ -1,5 +1,12 @@
 // Fine rasteriser: blends each tile's segments from near to far, as they were sorted, with pixels in registers.
 
+#ifdef TELLS_STRANDS
+#include "render/passes/tiles/seen_shares.glsl"
+#else
+void begin_shares(uvec2 block) {}
+void tell_share(int k, uint vertex, float weight, vec3 color, float inverse_depth) {}
+#endif
+
 bool depth_culled(float least, float most) { return false; }
 
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
@@ -7,6 +14,7 @@ void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
   light[k] += weight * color;
   depth[k] += weight * inverse_depth;
   transmittance[k] -= weight;
+  tell_share(k, vertex, weight, color, inverse_depth);
   if (k_says_seen != 0u) {
     samples[k] += weight > 0.0 ? 1u : 0u;
     seen_vertex[k] = weight > most_seen[k] ? vertex : seen_vertex[k];
@@ -21,6 +29,7 @@ void main() {
   choose_turn(begin, end);
   uvec2 corner = corner_of(tile), block = block_of(own_lane(), corner);
   begin_block(block);
+  begin_shares(block);
   uint first = begin;
   do {
     draw_chunk(first, end, vec2(block + first_pixel()) + 0.5, vec2(corner + first_pixel()));

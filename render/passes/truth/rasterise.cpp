@@ -34,6 +34,12 @@ bool is_finite(const glm::vec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
+/// Sums over samples; depth times what is seen.
+struct SeenStrand {
+  glm::dvec4 light{0};
+  double depth = 0;
+};
+
 class Projection {
  public:
   explicit Projection(const Camera& camera)
@@ -156,8 +162,19 @@ class Sampler {
         inverse_near_(1 / camera.near_plane),
         inverse_far_(1 / camera.far_plane) {}
 
+  /// Keeps what each pixel sees of each strand, too.
+  void tell_strands(std::uint32_t vertices_per_strand) { vertices_per_strand_ = vertices_per_strand; }
+  /// Of the pixel before.
+  void append_seen(glm::ivec2 pixel, std::vector<SeenShare>& shares) {
+    const double samples = double(sampling_.samples) * sampling_.samples;
+    for (auto& [strand, seen] : seen_)
+      shares.push_back({std::uint32_t(pixel.y) * std::uint32_t(width_) + std::uint32_t(pixel.x), strand,
+                        float(seen.depth / seen.light.w), glm::vec4(seen.light / samples)});
+  }
+
   glm::dvec4 pixel(glm::ivec2 pixel, const std::vector<const Line*>& of_tile) {
     gather(pixel, of_tile);
+    seen_.clear();
     if (lines_.empty() && scene_.color.empty()) return glm::dvec4(0);
     glm::dvec4 sum(0);
     const int n = sampling_.samples;
@@ -200,12 +217,22 @@ class Sampler {
       const Hit& hit = hits_[k];
       if (sampling_.opacity < 1 && is_joint(hits_, k, *hit.line)) continue;
       const glm::dvec3 color = glm::mix(hit.line->color_from, hit.line->color_to, hit.share) / hit.inverse;
-      result += through * sampling_.opacity * glm::dvec4(color, 1);
+      const glm::dvec4 light = through * sampling_.opacity * glm::dvec4(color, 1);
+      result += light;
+      if (vertices_per_strand_ > 0) note_seen(hit, light);
       through *= 1 - sampling_.opacity;
     }
     for (int c = 0; c < 4 && !scene_.color.empty(); ++c)
       result[c] += through * double(scene_.color[4 * texel + std::size_t(c)]);
     return result;
+  }
+
+  void note_seen(const Hit& hit, const glm::dvec4& light) {
+    const std::uint32_t strand = hit.line->vertex / vertices_per_strand_ + 1;
+    auto found = std::ranges::find(seen_, strand, &std::pair<std::uint32_t, SeenStrand>::first);
+    if (found == seen_.end()) found = seen_.insert(found, {strand, SeenStrand()});
+    found->second.light += light;
+    found->second.depth += light.w / hit.inverse;
   }
 
   std::size_t texel_at(glm::ivec2 pixel, const glm::dvec2& inside) const {
@@ -220,6 +247,8 @@ class Sampler {
   double inverse_near_, inverse_far_;
   std::vector<const Line*> lines_;
   std::vector<Hit> hits_;
+  std::uint32_t vertices_per_strand_ = 0;  ///< 0: strands are not told apart
+  std::vector<std::pair<std::uint32_t, SeenStrand>> seen_;
 };
 
 std::vector<Line> lines_of(const Camera& camera, const ColoredStrands& strands) {
@@ -252,6 +281,39 @@ Image rasterise(const Camera& camera, const ColoredStrands& strands, const Opaqu
     draw_tile(tiles, tile, sampler, image);
   });
   return image;
+}
+
+std::vector<SeenShare> strands_seen(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
+                                    const Sampling& sampling, std::uint32_t vertices_per_strand) {
+  const std::vector<Line> lines = lines_of(camera, strands);
+  const Tiles tiles(lines, camera.resolution);
+  std::vector<std::vector<SeenShare>> of_tiles(tiles.count());
+  tbb::parallel_for(std::size_t(0), tiles.count(), [&](std::size_t tile) {
+    Sampler sampler(camera, scene, sampling);
+    sampler.tell_strands(vertices_per_strand);
+    const glm::ivec2 corner = tiles.corner(tile), end = glm::min(corner + k_tile, camera.resolution);
+    for (int y = corner.y; y < end.y; ++y)
+      for (int x = corner.x; x < end.x; ++x) {
+        sampler.pixel({x, y}, tiles.lines(tile));
+        sampler.append_seen({x, y}, of_tiles[tile]);
+      }
+  });
+  std::vector<SeenShare> shares;
+  for (const std::vector<SeenShare>& each : of_tiles) shares.insert(shares.end(), each.begin(), each.end());
+  return shares;
+}
+
+std::vector<float> behind(const Camera& camera, const OpaqueScene& scene) {
+  std::vector<float> distances;
+  const std::size_t texels = std::size_t(scene.supersampling), row = texels * std::size_t(camera.resolution.x);
+  for (int y = 0; !scene.depth.empty() && y < camera.resolution.y; ++y)
+    for (int x = 0; x < camera.resolution.x; ++x) {
+      const double depth =
+          double(scene.depth[(std::size_t(y) * texels + texels / 2) * row + std::size_t(x) * texels + texels / 2]);
+      const double inverse = glm::mix(1 / camera.near_plane, 1 / camera.far_plane, depth);
+      distances.push_back(depth < 1 ? float(1 / inverse) : 0.0F);
+    }
+  return distances;
 }
 
 }  // namespace cuticle::render::truth

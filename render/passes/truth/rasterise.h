@@ -5,7 +5,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "core/view.h"
 
 namespace cuticle::render::truth {
@@ -38,5 +38,13 @@ struct Sampling {
 /// at most about 1 / samples per edge that crosses the pixel (rasterise_test).
 Image rasterise(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
                 const Sampling& sampling);
+
+/// The same samples, told apart by strand: what each pixel sees of each, strands from 1 by their `vertices_per_strand`
+/// vertices. Light and shares add up to the picture's hair.
+std::vector<SeenShare> strands_seen(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
+                                    const Sampling& sampling, std::uint32_t vertices_per_strand);
+
+/// How far the scene stands in the middle of each pixel, metres along the view; 0: nothing there.
+std::vector<float> behind(const Camera& camera, const OpaqueScene& scene);
 
 }  // namespace cuticle::render::truth

@@ -22,33 +22,50 @@ class Truth : public GpuPass {
     return {};
   }
   Result<std::optional<Image>> finish(const Resources& resources) override {
-    const shadows::GpuStrands& strands = resources.get<DrawnHair>().strands;
-    CUTICLE_ASSIGN(const auto vertices, gpu::read_buffer<glm::vec4>(*device_, *strands.vertices, strands.vertex_count));
-    CUTICLE_ASSIGN(const auto halves,
-                   gpu::read_buffer<std::uint64_t>(*device_, *resources.get<shade_strands::StrandColors>().values,
-                                                   strands.vertex_count));
-    CUTICLE_ASSIGN(const auto segments,
-                   gpu::read_buffer<std::uint32_t>(*device_, *strands.segments, strands.segment_count));
-    std::vector<glm::vec4> colors(halves.size());
-    std::ranges::transform(halves, colors.begin(), [](std::uint64_t packed) { return glm::unpackHalf4x16(packed); });
-    const Sampling sampling{int(parameters_of<Parameters>(resources).samples),
-                            parameters_of<tiles::Parameters>(resources).opacity};
-    return composite(resources, {vertices, colors, segments}, sampling);
+    CUTICLE_ASSIGN(const Read read, read_back(resources));
+    Image image = rasterise(resources.get<FrameView>().camera, read.strands(), read.scene(), read.sampling);
+    resolve::add_background(image, parameters_of<resolve::Parameters>(resources).background);
+    return std::optional(std::move(image));
+  }
+  Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
+    CUTICLE_ASSIGN(const Read read, read_back(resources));
+    const Camera& camera = resources.get<FrameView>().camera;
+    return std::optional(SeenStrands{strands_seen(camera, read.strands(), read.scene(), read.sampling,
+                                                  resources.get<DrawnHair>().vertices_per_strand),
+                                     behind(camera, read.scene())});
   }
 
  private:
-  Result<std::optional<Image>> composite(const Resources& resources, const ColoredStrands& strands,
-                                         const Sampling& sampling) const {
+  struct Read {
+    std::vector<glm::vec4> vertices, colors;
+    std::vector<std::uint32_t> segments;
+    std::vector<float> scene_color, scene_depth;
+    int supersampling = 1;
+    Sampling sampling;
+    ColoredStrands strands() const { return {vertices, colors, segments}; }
+    OpaqueScene scene() const { return {scene_color, scene_depth, supersampling}; }
+  };
+
+  Result<Read> read_back(const Resources& resources) const {
+    const shadows::GpuStrands& strands = resources.get<DrawnHair>().strands;
+    Read read;
+    CUTICLE_ASSIGN(read.vertices, gpu::read_buffer<glm::vec4>(*device_, *strands.vertices, strands.vertex_count));
+    CUTICLE_ASSIGN(const auto halves,
+                   gpu::read_buffer<std::uint64_t>(*device_, *resources.get<shade_strands::StrandColors>().values,
+                                                   strands.vertex_count));
+    CUTICLE_ASSIGN(read.segments, gpu::read_buffer<std::uint32_t>(*device_, *strands.segments, strands.segment_count));
+    read.colors.resize(halves.size());
+    std::ranges::transform(halves, read.colors.begin(),
+                           [](std::uint64_t packed) { return glm::unpackHalf4x16(packed); });
+    read.sampling = {int(parameters_of<Parameters>(resources).samples),
+                     parameters_of<tiles::Parameters>(resources).opacity};
     const Targets& targets = resources.get<Targets>();
-    std::vector<float> color, depth;
+    read.supersampling = targets.supersampling;
     if (has_scene_) {
-      CUTICLE_ASSIGN(color, device_->download(*targets.color));
-      CUTICLE_ASSIGN(depth, device_->download(*targets.depth));
+      CUTICLE_ASSIGN(read.scene_color, device_->download(*targets.color));
+      CUTICLE_ASSIGN(read.scene_depth, device_->download(*targets.depth));
     }
-    Image image =
-        rasterise(resources.get<FrameView>().camera, strands, {color, depth, targets.supersampling}, sampling);
-    resolve::add_background(image, parameters_of<resolve::Parameters>(resources).background);
-    return std::optional(std::move(image));
+    return read;
   }
 
   std::shared_ptr<gpu::Device> device_;

@@ -19,6 +19,9 @@ constexpr float k_curves_wider = 1.06f;
 /// Straight pieces that Embree takes a span of a flat curve for.
 constexpr float k_flat_pieces = 8;
 
+/// What rounding may take off the box of a scene, metres.
+constexpr double k_box_slack = 1e-4;
+
 bool count_memory(void* total, ssize_t bytes, bool) {
   *static_cast<std::atomic<std::size_t>*>(total) += std::size_t(bytes);
   return true;
@@ -134,6 +137,21 @@ void EmbreeScene::add_curves(CurveKind kind, std::span<const glm::vec4> controls
   attach(geometry, id, filter);
 }
 
+bool EmbreeScene::may_meet(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  double enters = 0, leaves = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = lower_[axis] - origin[axis], high = upper_[axis] - origin[axis];
+    if (direction[axis] == 0) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    const double a = low / direction[axis], b = high / direction[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  return enters <= leaves;
+}
+
 void EmbreeScene::add_points(std::span<const glm::vec4> spheres, std::span<const RaySegment> points, unsigned id,
                              RTCFilterFunctionN filter) {
   if (points.empty()) return;
@@ -156,7 +174,13 @@ void EmbreeScene::add_mesh(const Mesh& mesh, unsigned id, RTCFilterFunctionN fil
 Result<void> EmbreeScene::commit(std::size_t segments) {
   rtcCommitScene(scene_);
   const RTCError error = rtcGetDeviceError(device_);
-  if (error == RTC_ERROR_NONE) return {};
+  if (error == RTC_ERROR_NONE) {
+    RTCBounds box{};
+    rtcGetSceneBounds(scene_, &box);
+    lower_ = glm::dvec3(box.lower_x, box.lower_y, box.lower_z) - k_box_slack;
+    upper_ = glm::dvec3(box.upper_x, box.upper_y, box.upper_z) + k_box_slack;
+    return {};
+  }
   const std::string message =
       fmt::format("Embree could not build a tree over {} segments (error {})", segments, int(error));
   return error == RTC_ERROR_OUT_OF_MEMORY ? Error{ErrorKind::out_of_memory, message, "use fewer strands"}

@@ -50,6 +50,8 @@ class EmbreeScene {
   /// Builds the tree. Errors: out_of_memory, naming the segments; internal.
   Result<void> commit(std::size_t segments);
   RTCScene scene() const { return scene_; }
+  /// Whether the line enters the box around all that was added, at any time; after `commit`.
+  bool may_meet(const glm::dvec3& origin, const glm::dvec3& direction) const;
   std::size_t memory_bytes() const { return bytes_; }
 
  private:
@@ -57,6 +59,7 @@ class EmbreeScene {
 
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
+  glm::dvec3 lower_{0}, upper_{0};
   std::atomic<std::size_t> bytes_{0};
 };
 
