@@ -26,7 +26,7 @@ def arguments():
     parser.add_argument("out")
     parser.add_argument("--scene")
     parser.add_argument("--grooms", default=",".join(measured_scenes.GROOMS))
-    parser.add_argument("--methods", default="truth,tiles,quads,lines")
+    parser.add_argument("--methods", default="supersampled,tiles,quads,lines")
     parser.add_argument("--colours", default="black,brown,blond")
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--size", type=int, default=240)

@@ -68,7 +68,7 @@ def main():
         base, folder, frame = loaded(name + ".json"), (SCENES / name).parent, MOVING_FRAME if options.moving else 0
         for distance in (1, 4):
             scene = framed(base, options, distance, options.moving)
-            truth = picture(scene, folder, "truth", frame, samples=min(64, options.samples if distance == 1 else 2 * options.samples))
+            truth = picture(scene, folder, "supersampled", frame, samples=min(64, options.samples if distance == 1 else 2 * options.samples))
             found = [errors(picture(scene, folder, "tiles", frame, coverage_rows=count), truth) for count in rows]
             view = f"{pathlib.Path(name).name}, {'moving' if options.moving else 'still'}, {'near' if distance == 1 else 'far'}"
             print(view.ljust(28), "".join(f"{of[0]:8.4f}" for of in found), f"{found[-1][1]:10.3f}", flush=True)

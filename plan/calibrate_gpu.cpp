@@ -143,7 +143,7 @@ class Calibration {
       if (late()) return {};
       for (std::size_t k = 0; k < std::size(k_both); ++k) {
         const auto changed = with_setting(running[k].first, row);
-        if (!changed || !running[k].second->change(*changed, silent_progress())) continue;  // truth has no kernel
+        if (!changed || !running[k].second->change(*changed, silent_progress())) continue;  // supersampled has no kernel
         CUTICLE_TRY(time(*running[k].second, k_both[k], &row));
       }
       progress_.update("scenes timed", ++done, steps);

@@ -105,7 +105,7 @@ void add_render_method(const scene::Scene& scene, registry::Facts& facts) {
   const std::string why = fmt::format("strands are drawn by '{}'", scene.render_method);
   for (std::string_view method : scene::k_render_methods)
     facts[fmt::format("drawn_by_{}", method)] = {scene.render_method == method, why};
-  const bool on_device = scene.render_method != "truth" && scene.render_method != "reference";
+  const bool on_device = scene.render_method != "supersampled" && scene.render_method != "reference";
   facts["drawn_on_device"] = {on_device, why};
   const bool direct = scene.material.evaluate == "direct";
   facts["shaded_from_tables"] = {

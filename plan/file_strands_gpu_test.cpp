@@ -75,7 +75,7 @@ strands::Groom drawn_by(FrameRunner& runner) {
 TEST(StrandsOfAFile, InThePicture_AreThoseOfTheFileWithTheirVerticesAndRadii) {
   const strands::Groom groom = arcs(37, {9, 2, 32}, 40e-6f);
   const std::string path = written(groom, "uneven.npz");
-  for (std::string_view method : {k_lines, k_quads, k_tiles, k_truth}) {
+  for (std::string_view method : {k_lines, k_quads, k_tiles, k_supersampled}) {
     const strands::Groom drawn = drawn_by(*runner_of(of_file(path), method));
     EXPECT_EQ(drawn.offsets, groom.offsets) << method;
     EXPECT_EQ(drawn.positions, groom.positions) << method;
@@ -150,7 +150,7 @@ TEST(Lines, ThinnerThanAPixel_CoverAsMuchAsTheTruth) {
   for (const auto& [strands, radius] : {std::pair{60, 80e-6f}, {60, 300e-6f}, {4000, 80e-6f}, {4000, 300e-6f}}) {
     const std::string path = written(arcs(strands, {12}, radius), fmt::format("lines_{}.npz", strands));
     const double lines = coverage(frame_of(*runner_of(of_file(path), k_lines), 0).color),
-                 truth = coverage(frame_of(*runner_of(of_file(path), k_truth), 0).color);
+                 truth = coverage(frame_of(*runner_of(of_file(path), k_supersampled), 0).color);
     fmt::print("{} strands of {:.0f} um: lines cover {:.4f} of the truth's {:.0f} pixels\n", strands, 1e6f * radius,
                lines / truth, truth);
     EXPECT_NEAR(lines / truth, 1, 0.03) << strands << " " << radius;
@@ -168,7 +168,7 @@ std::string with_nan(const std::string& path) {
 
 TEST(StrandsOfAFile, WithNaN_AreRefusedByTheDeviceAsByTheCpu) {
   const std::string path = with_nan(written(arcs(5, {9}, 40e-6f), "nan.hair"));
-  for (std::string_view method : {k_lines, k_tiles, k_quads, k_cards, k_truth}) {
+  for (std::string_view method : {k_lines, k_tiles, k_quads, k_cards, k_supersampled}) {
     const auto scene = scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}, {}}})", of_file(path), method), "/",
                                           "test", plan::catalogue());
     ASSERT_TRUE(scene);

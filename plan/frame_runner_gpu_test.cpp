@@ -14,7 +14,7 @@
 
 #include "plan/head_path.h"
 #include "plan/strand_set.h"
-#include "render/passes/truth/rasterise.h"
+#include "render/passes/supersampled/rasterise.h"
 
 namespace cuticle::plan::frame_runner_gpu_test {
 namespace {
@@ -86,7 +86,7 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
       {k_light, k_coloured, k_lines},
       {k_light, k_coloured, k_surfaces, k_tiles},
       {k_light, k_powers, k_quads},
-      {k_light, k_truth}};
+      {k_light, k_supersampled}};
   for (const auto& part : parts) {
     std::string text = R"("name": "grid")";
     for (std::string_view piece : part) text += ", " + std::string(piece);
@@ -167,7 +167,7 @@ TEST(FrameRunner, PictureOf16384Pixels_IsDrawnByTilesAndRefusedByTheOthers) {
 
 // Hair before, behind and beside a head: far nearer to brute force than the head alone is.
 TEST(FrameRunner, Tiles_AreNearTheTruthAroundAHead) {
-  const Image truth = frame_of(*runner({k_light, k_shadow, k_truth}), 0).color;
+  const Image truth = frame_of(*runner({k_light, k_shadow, k_supersampled}), 0).color;
   const Image tiles = frame_of(*runner({k_light, k_shadow, k_tiles}), 0).color;
   const Image bald = frame_of(*runner({k_light, R"("passes": {"tiles": {"opacity": 0}})", k_tiles}), 0).color;
   const double error = mean_difference(tiles, truth);
@@ -177,7 +177,7 @@ TEST(FrameRunner, Tiles_AreNearTheTruthAroundAHead) {
 }
 
 TEST(FrameRunner, Quads_AreNearTheTruthAroundAHeadTheMoreSamplesTheNearer) {
-  const Image truth = frame_of(*runner({k_light, k_shadow, k_truth}), 0).color;
+  const Image truth = frame_of(*runner({k_light, k_shadow, k_supersampled}), 0).color;
   double last = 1;
   for (std::string_view samples :
        {R"("passes": {"quads": {"samples": 1}})", R"("passes": {"quads": {"samples": 4}})"}) {
@@ -243,7 +243,7 @@ Image numbers_distances_and_tangents(FrameRunner& runner, const Camera& camera) 
       colors.emplace_back(s + 1, -(view * glm::dvec4(glm::dvec3(position), 1)).z, tangent.y, 1);
       if (v + 1 < strands->offsets[s + 1]) segments.push_back(v);
     }
-  return render::truth::rasterise(camera, {vertices, colors, segments}, {}, {.samples = 1});
+  return render::supersampled::rasterise(camera, {vertices, colors, segments}, {}, {.samples = 1});
 }
 
 // At pixels that hair covers whole. Measured: the same strand in 77 % by lines, which are drawn sample by sample, 92 %

@@ -52,7 +52,7 @@ bool may_be_seen(const strands::Bounds& box, const glm::dmat4& to_world, const C
 
 registry::Fact hair_in_view(const scene::Scene& scene, const StrandSet& set, const Plan& plan,
                             const FramePlaces& places) {
-  for (const char* pass : {"aovs", "velocity", "truth", "reference"})
+  for (const char* pass : {"aovs", "velocity", "supersampled", "reference"})
     if (find_pass(plan, pass)) return {true, std::string("'") + pass + "' looks at all of the picture"};
   if (may_be_seen(places.hair, glm::dmat4(1), places.camera)) return {true, "hair is in view"};
   if (find_pass(plan, "surface_shadow") && sees_surfaces(scene, set, places))

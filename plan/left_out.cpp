@@ -21,7 +21,7 @@ bool holds(const Plan& plan, const registry::Entry* entry) {
 /// by work on the CPU, of which no time is known.
 bool is_free(const PlannedPass& pass) {
   const registry::Entry& entry = *pass.entry;
-  const bool makes_all = entry.stage == registry::Stage::resolve || entry.name == "truth";
+  const bool makes_all = entry.stage == registry::Stage::resolve || entry.name == "supersampled";
   return pass.dispatches + pass.draws == 0 && !pass.on_cpu && !makes_all;
 }
 

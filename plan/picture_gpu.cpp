@@ -361,7 +361,7 @@ Result<std::vector<SeenShare>> Picture::read_shares(const Image& color) const {
       return with_rest(std::move(seen->shares), color, seen->behind, resources_.get<render::FrameView>().camera.far_plane);
   }
   return bad_input(fmt::format("outputs: deep and cryptomatte: '{}' does not tell strands apart", scene_.render_method),
-                   "draw strands by tiles, truth or reference");
+                   "draw strands by tiles, supersampled or reference");
 }
 
 Result<strands::Groom> Picture::read_strands() const {

@@ -51,8 +51,11 @@ TEST(Plan, RenderMethod_DemandsItsOwnPasses) {
   EXPECT_THAT(names(planned(R"("render": {"method": "tiles"})")),
               testing::ElementsAre("smooth_strands", "interpolate_strands", "strands_in_sight", "head", "tile_lists",
                                    "shade_strands", "tile_sort", "tiles", "resolve"));
-  EXPECT_THAT(names(planned(R"("render": {"method": "truth"})")),
-              testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "truth"));
+  EXPECT_THAT(names(planned(R"("render": {"method": "supersampled"})")),
+              testing::ElementsAre("smooth_strands", "interpolate_strands", "head", "shade_strands", "supersampled"));
+  EXPECT_THAT(names(planned(R"("render": {"method": "truth"}, "passes": {"truth": {"samples": 4}})")),
+              testing::Contains("supersampled"))
+      << "the former name";
   EXPECT_EQ(why_left_out(planned(R"("render": {"method": "tiles"})"), "lines"), "strands are drawn by 'tiles'");
 }
 
@@ -69,7 +72,7 @@ TEST(Plan, StrandsInSight_AreListedWhereSomebodyAsks) {
   const auto why = [](std::string_view scene) { return why_left_out(planned(scene), "strands_in_sight"); };
   EXPECT_EQ(why(R"("render": {"method": "tiles"})"), "it is not left out");
   EXPECT_EQ(why(R"("render": {"method": "lines"})"), "no pass of this scene reads 'strands_in_sight'");
-  EXPECT_EQ(why(R"("render": {"method": "truth"})"), "strands are drawn by 'truth'");
+  EXPECT_EQ(why(R"("render": {"method": "supersampled"})"), "strands are drawn by 'supersampled'");
   EXPECT_EQ(why(R"("render": {"method": "tiles"}, "passes": {"strands_in_sight": {"wanted": false}})"),
             "the scene wants strands shaded that are out of view");
 }
@@ -199,7 +202,7 @@ TEST(Plan, ProportionalChannels_AreShadowedOnceAndRaisedToPowers) {
 /// Scenes that together run every pass of the catalogue but those of characters.
 std::vector<Plan> many_plans() {
   std::vector<Plan> plans;
-  for (const char* method : {"lines", "quads", "tiles", "cards", "truth", "reference"})
+  for (const char* method : {"lines", "quads", "tiles", "cards", "supersampled", "reference"})
     for (const char* evaluate : {"tables", "direct"})
       plans.push_back(planned(fmt::format(
           R"({}, "render": {{"method": "{}"}}, "material": {{"model": {{"chiang": {{}}}}, "evaluate": "{}"}},

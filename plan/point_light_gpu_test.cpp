@@ -66,7 +66,7 @@ TEST_P(PointLights, InsideTheHair_GiveAFinitePicture) {
   for (const float value : image.pixels) ASSERT_TRUE(std::isfinite(value));
   EXPECT_GT(mean(image), 0);
 }
-INSTANTIATE_TEST_SUITE_P(Methods, PointLights, testing::Values("lines", "quads", "tiles", "cards", "truth"),
+INSTANTIATE_TEST_SUITE_P(Methods, PointLights, testing::Values("lines", "quads", "tiles", "cards", "supersampled"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 // A point light beside the head: what tiles make of it is as near the truth as by a distant light.
@@ -75,7 +75,7 @@ TEST(PointLight, BesideTheHair_TilesAgreeWithTheTruth) {
                     far = R"("lights": [{"to_light": [0.25, 0.3, 0.3], "irradiance": [6, 6, 6]}])";
   double share[2];
   for (const bool is_near : {false, true}) {
-    const Image truth = picture("truth", is_near ? near : far);
+    const Image truth = picture("supersampled", is_near ? near : far);
     share[is_near] = difference(picture("tiles", is_near ? near : far), truth) / mean(truth);
   }
   std::printf("tiles against the truth: %.4f of the mean by a distant light, %.4f by a point light\n", share[0],

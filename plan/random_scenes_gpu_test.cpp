@@ -207,7 +207,7 @@ void expect_demanded(const Plan& plan) {
     const registry::Verdict verdict = registry::judge(*left.entry, plan.facts);
     EXPECT_FALSE(left.reason.empty()) << left.entry->name;
     EXPECT_TRUE(verdict.demanded || verdict.reason == left.reason) << left.entry->name << ": " << left.reason;
-    EXPECT_FALSE(find_pass(plan, left.entry->name) && left.entry->name != "truth") << left.entry->name;
+    EXPECT_FALSE(find_pass(plan, left.entry->name) && left.entry->name != "supersampled") << left.entry->name;
   }
 }
 
@@ -271,7 +271,7 @@ int expect_rest_unchanged(const RandomScene& scene, std::mt19937& chance) {
 int scenes() { return std::getenv("CUTICLE_SWEEPS") ? 60 : 4; }
 
 /// What needs a character's file, which is not in the repository, or draws and shadows on the CPU.
-constexpr std::string_view k_elsewhere[] = {"carry", "skin", "truth", "reference", "none"};
+constexpr std::string_view k_elsewhere[] = {"carry", "skin", "supersampled", "reference", "none"};
 
 TEST(RandomScenes, Each_RunsWhatItsFactsDemand) {
   std::mt19937 chance(7);

@@ -70,7 +70,7 @@ TEST(SeenStrands, WithoutAHead_AddUpToThePictureWithinAThousandth) {
   for (const auto& [method, passes] :
        {std::pair(k_tiles, std::string_view(R"("passes": {})")),
         std::pair(k_tiles, std::string_view(R"("passes": {"tiles": {"coverage_rows": 0}})")),
-        std::pair(k_truth, std::string_view(R"("passes": {"truth": {"samples": 8}})")),
+        std::pair(k_supersampled, std::string_view(R"("passes": {"supersampled": {"samples": 8}})")),
         std::pair(k_reference, k_paths)}) {
     const FrameResult frame = frame_by({k_light, hair, method, passes, k_outputs});
     const auto [largest, pixels] = apart_from_picture(frame);
@@ -90,7 +90,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> shares_of(const FrameR
 TEST(SeenStrands, ByTiles_AreThoseOfBruteForce) {
   const std::string hair = hair_alone();
   const auto tiles = shares_of(frame_by({k_light, hair, k_tiles, k_rows, k_outputs}));
-  const auto brute = shares_of(frame_by({k_light, hair, k_truth, k_outputs}));
+  const auto brute = shares_of(frame_by({k_light, hair, k_supersampled, k_outputs}));
   double apart = 0, all = 0;
   for (const auto& [place, share] : brute) {
     const auto found = tiles.find(place);

@@ -39,6 +39,17 @@ nb::tuple array_of(Image image) {
   return nb::make_tuple(take(std::move(image.pixels), shape), names);
 }
 
+/// Pixel and strand of each share, and its depth, light and share: (n, 2) and (n, 5).
+nb::tuple arrays_of(const std::vector<SeenShare>& shares) {
+  std::vector<std::uint32_t> places;
+  std::vector<float> values;
+  for (const SeenShare& share : shares) {
+    places.insert(places.end(), {share.pixel, share.object});
+    values.insert(values.end(), {share.depth, share.light.x, share.light.y, share.light.z, share.light.w});
+  }
+  return nb::make_tuple(take(std::move(places), {shares.size(), 2}), take(std::move(values), {shares.size(), 5}));
+}
+
 nb::tuple run(Frames& frames, int frame, const nb::object& call) {
   CalledProgress progress(call);
   auto result = [&] {
@@ -46,7 +57,8 @@ nb::tuple run(Frames& frames, int frame, const nb::object& call) {
     return frames.run(frame, progress);
   }();
   PaintedFrame painted = value_or_raise(std::move(result));
-  return nb::make_tuple(array_of(std::move(painted.color)), array_of(std::move(painted.layers)), painted.notes);
+  return nb::make_tuple(array_of(std::move(painted.color)), array_of(std::move(painted.layers)), arrays_of(painted.shares),
+                        painted.notes);
 }
 
 std::unique_ptr<Frames> open(const std::string& json, const std::string& folder, const std::string& device,

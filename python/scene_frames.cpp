@@ -17,7 +17,7 @@ class TracedFrames final : public Frames {
   explicit TracedFrames(std::unique_ptr<plan::TracedSceneRunner> runner) : runner_(std::move(runner)) {}
   Result<PaintedFrame> run(int frame, Progress& progress) override {
     CUTICLE_ASSIGN(plan::TracedFrame traced, runner_->run(frame, progress));
-    return PaintedFrame{std::move(traced.color), std::move(traced.layers), {traced.note}};
+    return PaintedFrame{std::move(traced.color), std::move(traced.layers), std::move(traced.shares), {traced.note}};
   }
   Result<strands::Groom> strands() override { return runner_->drawn_strands(); }
   std::string plan() const override { return plan::to_json(runner_->plan()); }
@@ -35,7 +35,7 @@ class DeviceFrames final : public Frames {
   Result<PaintedFrame> run(int frame, Progress& progress) override {
     progress.update("frame", 0, 1);
     CUTICLE_ASSIGN(plan::FrameResult done, runner_->run(frame, {.progress = &progress}));
-    return PaintedFrame{std::move(done.color), std::move(done.aovs), std::move(done.notes)};
+    return PaintedFrame{std::move(done.color), std::move(done.aovs), std::move(done.shares), std::move(done.notes)};
   }
   Result<strands::Groom> strands() override { return runner_->drawn_strands(); }
   std::string plan() const override { return plan::to_json(runner_->plan()); }

@@ -3,7 +3,7 @@
 // NAMESPACE_BEGIN, so that no source may include both.)
 #include <memory>
 
-#include "core/image/image.h"
+#include "core/image/deep.h"
 #include "core/progress.h"
 #include "scene/scene.h"
 #include "strands/groom.h"
@@ -26,6 +26,7 @@ Result<HairAtRest> hair_at_rest(const scene::Scene& scene);
 
 struct PaintedFrame {
   Image color, layers;
+  std::vector<SeenShare> shares;
   std::vector<std::string> notes;
 };
 /// A scene that is ready to be drawn.

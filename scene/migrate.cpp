@@ -8,9 +8,11 @@ namespace cuticle::scene {
 
 namespace {
 
-/// A key that a format renamed: of an object of the scene (empty: of the scene itself), to a key of the scene.
+/// A key that a format renamed: of an object of the scene (empty: of the scene itself), to a key of the scene or, `within`,
+/// of the same object.
 struct Renamed {
   std::string_view object, from, to;
+  bool within = false;
 };
 /// What leads from one format to the next; of the newest: names that it has changed and reads for one version more.
 struct Migration {
@@ -20,20 +22,33 @@ struct Migration {
 
 /// Format 0, before the first release, kept the counts of drawn strands in an object of their own.
 constexpr Renamed k_from_0[] = {{"strands", "count", "strand_count"}, {"strands", "vertices", "strand_vertices"}};
-constexpr Renamed k_in_1[] = {{"", "lamps", "point_lights"}};
+constexpr Renamed k_in_1[] = {{"", "lamps", "point_lights"}, {"passes", "truth", "supersampled", true}};
 constexpr Migration k_migrations[] = {{0, k_from_0}, {1, k_in_1}};
 
 void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes) {
   const Json* object = renamed.object.empty() ? &scene : scene.find(renamed.object);
   const Json* value = object ? object->find(renamed.from) : nullptr;
-  if (!value || scene.contains(renamed.to)) return;
+  if (!value || (renamed.within ? object : &scene)->contains(renamed.to)) return;
   const Json moved = *value;
   Json& holder = renamed.object.empty() ? scene : scene[renamed.object];
   holder.erase(renamed.from);
-  if (!renamed.object.empty() && holder.empty()) scene.erase(renamed.object);
-  scene[renamed.to] = moved;
+  if (renamed.within) {
+    holder[renamed.to] = moved;
+  } else {
+    if (!renamed.object.empty() && holder.empty()) scene.erase(renamed.object);
+    scene[renamed.to] = moved;
+  }
   notes.push_back(fmt::format("'{}{}{}' is called '{}' now", renamed.object, renamed.object.empty() ? "" : ".",
                               renamed.from, renamed.to));
+}
+
+/// Ways of drawing that were called otherwise.
+void rename_method(Json& scene, std::vector<std::string>& notes) {
+  const Json* const render = scene.find("render");
+  const Json* const method = render ? render->find("method") : nullptr;
+  if (!method || !method->is_text() || method->text() != "truth") return;
+  scene["render"]["method"] = Json("supersampled");
+  notes.push_back("'render.method': 'truth' is called 'supersampled' now");
 }
 
 }  // namespace
@@ -47,6 +62,7 @@ std::vector<std::string> migrate(Json& scene) {
   for (const Migration& migration : k_migrations)
     if (migration.from >= given)
       for (const Renamed& renamed : migration.renamed) rename(scene, renamed, notes);
+  rename_method(scene, notes);
   if (given == k_schema_version) return notes;
   scene["schema_version"] = Json(k_schema_version);
   notes.insert(notes.begin(),

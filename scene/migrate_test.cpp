@@ -34,6 +34,14 @@ TEST(Migration, FormerNameOfThisVersion_IsReadAndSaid) {
                            "s.json", Catalogue()));
 }
 
+TEST(Migration, FormerWayOfDrawing_IsReadAndSaid) {
+  const auto scene =
+      parse_scene(R"({"schema_version": 1, "render": {"method": "truth"}})", "/", "s.json", Catalogue());
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->render_method, "supersampled");
+  EXPECT_THAT(scene->notes, testing::ElementsAre("'render.method': 'truth' is called 'supersampled' now"));
+}
+
 TEST(Migration, KeyOfAnEarlierVersion_IsRefusedInThisOneAndBesideItsNewName) {
   for (const char* text : {R"({"schema_version": 1, "strands": {"count": 3}})",
                            R"({"schema_version": 0, "strands": {"count": 3}, "strand_count": 5})",

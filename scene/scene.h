@@ -133,7 +133,7 @@ struct Budgets {
 };
 
 /// The ways in which strands become pixels.
-inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "truth", "reference"};
+inline constexpr std::string_view k_render_methods[] = {"lines", "quads", "tiles", "cards", "supersampled", "reference"};
 
 struct Scene {
   int schema_version = 1;

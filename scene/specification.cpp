@@ -277,8 +277,8 @@ Spec outputs() {
   return object("outputs", "pictures wanted",
                 {boolean("color", "radiance"),
                  boolean("aovs", "what each pixel sees of the hair, as layers (lines, quads, tiles)"),
-                 boolean("deep", "each pixel's strands as samples in depth, a deep EXR (tiles, truth, reference)"),
-                 boolean("cryptomatte", "mattes by strand, groom and material, in the EXR (tiles, truth, reference)"),
+                 boolean("deep", "each pixel's strands as samples in depth, a deep EXR (tiles, supersampled, reference)"),
+                 boolean("cryptomatte", "mattes by strand, groom and material, in the EXR (tiles, supersampled, reference)"),
                  real("exposure_stops", -20, 20, "for the tone-mapped picture")});
 }
 

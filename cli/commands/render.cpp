@@ -13,6 +13,7 @@
 #include "cli/skipped_frames.h"
 #include "core/interrupt.h"
 #include "core/json/json.h"
+#include "core/registry/former_names.h"
 #include "plan/frame_runner_gpu.h"
 #include "render/passes/reference/reference_entry.h"
 #include "render/passes/velocity/velocity.h"
@@ -268,16 +269,22 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--frames", options->frames, "first:last, or one frame (default 0)");
   const std::vector<std::string> methods(std::begin(scene::k_render_methods), std::end(scene::k_render_methods));
   command->add_option("--method", options->method, "how strands are drawn, in place of the scene's render.method")
-      ->check(CLI::IsMember(methods));
+      ->check(CLI::IsMember(methods))
+      ->transform(CLI::Validator(
+          [](std::string& name) {
+            name = registry::name_now("render.method", name);
+            return std::string();
+          },
+          ""));
   add_parameter_options(*command, options->parameters);
   command->add_option("--size", options->size, "width and height in pixels, in place of the scene's")
       ->expected(2)
       ->check(CLI::Range(16, 16384));
   command->add_flag("--aovs", options->aovs, "EXR of floats with layers: what each pixel sees (lines, quads, tiles)");
   command->add_flag("--deep", options->deep,
-                    "also FRAME.deep.exr: what each pixel sees of each strand, as samples in depth (tiles, truth, reference)");
+                    "also FRAME.deep.exr: what each pixel sees of each strand, as samples in depth (tiles, supersampled, reference)");
   command->add_flag("--cryptomatte", options->cryptomatte,
-                    "mattes by strand, groom and material in the EXR, for compositing programs (tiles, truth, reference)");
+                    "mattes by strand, groom and material in the EXR, for compositing programs (tiles, supersampled, reference)");
   command->add_flag("--velocity", options->velocity, "the layers, and motion vectors of the hair");
   command->add_option("--samples", options->samples, "reference: paths of a pixel (default 64)")
       ->check(CLI::Range(1, 1000000));

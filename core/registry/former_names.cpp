@@ -15,6 +15,7 @@ struct FormerName {
 constexpr FormerName k_former_names[] = {
     {"variant", "literal", "as_published"},
     {"", "lamp_radius", "point_light_radius"},
+    {"render.method", "truth", "supersampled"},
 };
 std::atomic<bool> said[std::size(k_former_names)];
 

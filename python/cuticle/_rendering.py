@@ -99,24 +99,33 @@ def _layers(pixels, names):
     return {name: pixels[..., places[0]] if len(places) == 1 else pixels[..., places] for name, places in groups.items()}
 
 
-class Renderer:
-    """A scene that is ready to be drawn, frame by frame; see `render`."""
+def _seen(places, shares, width):
+    """Columns of equal length: row and column of the pixel, the strand (from 0; -1: no hair), its distance, its light and its share."""
+    pixels, objects = places[:, 0].astype(numpy.int64), places[:, 1].astype(numpy.int64)
+    return {"row": pixels // width, "column": pixels % width, "strand": objects - 1, "depth": shares[:, 0], "light": shares[:, 1:4], "share": shares[:, 4]}
 
-    def __init__(self, scene, method=None, *, size=None, layers=False, samples=None, device="", folder=None, progress=None):
+
+class Renderer:
+    """A scene that is ready to be drawn, frame by frame; see `render`. seen: what each pixel sees of each strand, as arrays in `seen`
+    after a frame: row, column, strand (from 0; -1: no hair), depth (metres), light (times the share) and share; they add up to the picture."""
+
+    def __init__(self, scene, method=None, *, size=None, layers=False, seen=False, samples=None, device="", folder=None, progress=None):
         self._progress = progress_of(progress)
         changes = [_within("render", method=method), _within("camera", resolution_px=None if size is None else list(size)),
-                   _within("outputs", aovs=True if layers else None), _paths(samples)]
+                   _within("outputs", aovs=True if layers else None, deep=True if seen else None), _paths(samples)]
         with _Written(scene, folder, changes) as (text, of_paths):
             self._frames = _cuticle.open_frames(text, of_paths, device, self._progress)
         self.plan = Plan(self._frames.plan())
         self.device = self._frames.device()
         self.layers = {}
+        self.seen = None
         self.notes = []
 
     def frame(self, frame: int = 0) -> numpy.ndarray:
-        """Frame `frame`, float32 (height, width, 4): linear red, green, blue and coverage, the top row first. Sets `layers` and `notes`."""
-        (pixels, _), (layers, names), self.notes = self._frames.run(int(frame), self._progress)
+        """Frame `frame`, float32 (height, width, 4): linear red, green, blue and coverage, the top row first. Sets `layers`, `seen` and `notes`."""
+        (pixels, _), (layers, names), (places, shares), self.notes = self._frames.run(int(frame), self._progress)
         self.layers = _layers(layers, names) if layers.size else {}
+        self.seen = _seen(places, shares, pixels.shape[1])
         return pixels
 
     def strands(self) -> Groom:

@@ -99,3 +99,14 @@ def test_ToneMap_Black_StaysBlack():
     shown = cuticle.tone_map(numpy.zeros((2, 3, 4), numpy.float32))
     assert shown.shape == (2, 3, 4) and (shown == 0).all()
     assert "camera" in cuticle.scene_schema()["properties"]
+
+
+@pytest.mark.skipif(not HAS_VULKAN, reason="no Vulkan device")
+def test_Renderer_SeenStrands_AddUpToThePicture():
+    renderer = cuticle.Renderer(SCENE, "supersampled", size=(32, 24), seen=True, device="cpu")
+    picture = renderer.frame(0)
+    seen = renderer.seen
+    sums = numpy.zeros_like(picture)
+    numpy.add.at(sums, (seen["row"], seen["column"]), numpy.column_stack([seen["light"], seen["share"]]))
+    assert (seen["strand"] >= 0).any() and seen["strand"].max() < len(renderer.strands())
+    numpy.testing.assert_allclose(sums, picture, atol=1e-5)

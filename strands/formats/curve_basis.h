@@ -4,10 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "strands/curve_kind.h"
+
 namespace cuticle::strands {
 
 struct CurveBasis {
-  enum class Kind { linear, bezier, b_spline, catmull_rom } kind = Kind::linear;
+  using Kind = SplineBasis;
+  Kind kind = Kind::linear;
   std::size_t degree = 3;  ///< of bezier and b_spline, 2 or 3
   bool pinned = false;     ///< b_spline and catmull_rom: the ends are control points mirrored at the first and last
 };

@@ -40,7 +40,7 @@ Result<Image> hair_alone(std::shared_ptr<gpu::Device> device, scene::Scene scene
 
 Result<double> coverage_error(std::shared_ptr<gpu::Device> device, const scene::Scene& scene, Progress& progress) {
   CUTICLE_ASSIGN(const Image picture, hair_alone(device, scene, scene.render_method, progress));
-  CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));
+  CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "supersampled", progress));
   return mean_error(compare(picture, truth).coverage);
 }
 

@@ -83,7 +83,7 @@ Result<void> Stage::run(const scene::Scene& scene, RungPicture& picture) {
   picture.seconds = now() - start;
   picture.picture.batches.push_back(std::move(frame.color));
   picture.bytes = double(device_->allocated_bytes() - before);
-  if (scene.render_method != "truth") picture.runner = std::move(runner);
+  if (scene.render_method != "supersampled") picture.runner = std::move(runner);
   return {};
 }
 

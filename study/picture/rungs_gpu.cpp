@@ -118,9 +118,9 @@ Result<std::vector<Rung>> rungs_of(const LadderRequest& request) {
   if (has_parameter("reference", "shadow") && request.scene.shadow)
     rungs.push_back(sets("shadow_method", request.scene.shadow->name + " in the place of shadow rays", "reference",
                          "shadow", request.scene.shadow->name));
-  rungs.push_back(draws("strand_space", "shaded at the vertices; coverage by brute force", "truth",
+  rungs.push_back(draws("strand_space", "shaded at the vertices; coverage by brute force", "supersampled",
                         [samples = request.truth_coverage](scene::Scene& scene) {
-                          set_pass(scene, "truth", "samples", std::int64_t(samples));
+                          set_pass(scene, "supersampled", "samples", std::int64_t(samples));
                         }));
   if (request.scene.passes.contains("dual_scattering"))
     rungs.push_back(

@@ -219,7 +219,7 @@ class SceneErrors {
   }
 
   Result<void> add_coverage() {
-    CUTICLE_ASSIGN(const Image truth, hair_alone(device_, scene_, "truth", progress_));
+    CUTICLE_ASSIGN(const Image truth, hair_alone(device_, scene_, "supersampled", progress_));
     for (std::string_view draw : k_draws) {
       CUTICLE_ASSIGN(const double error, coverage_error(device_, scene_, draw, truth, progress_));
       errors_.add("coverage", draw, "", error);
@@ -296,7 +296,7 @@ Result<std::vector<AccuracyRow>> measure_scene(const std::shared_ptr<gpu::Device
     add("shadow", method->entry.name, cell_error(scene, compared, compared.rows.front().transmittance));
   }
   if (std::ranges::find(k_draws, scene.render_method) != std::end(k_draws)) {
-    CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "truth", progress));
+    CUTICLE_ASSIGN(const Image truth, hair_alone(device, scene, "supersampled", progress));
     CUTICLE_ASSIGN(const double error, coverage_error(device, scene, scene.render_method, truth, progress));
     add("coverage", scene.render_method, error);
   }

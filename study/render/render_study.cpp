@@ -30,7 +30,7 @@ struct Variant {
   bool shown = false;  ///< at its defaults, in the pictures
 };
 
-Setting truth_samples(int samples) { return {"truth", "samples", std::int64_t(samples)}; }
+Setting truth_samples(int samples) { return {"supersampled", "samples", std::int64_t(samples)}; }
 
 /// Tiles: samples that coverage is kept by.
 void add_coverage(std::vector<Variant>& list, bool all) {
@@ -69,7 +69,7 @@ std::vector<Variant> variants(int truth_most, bool all) {
   else
     list.push_back({"tiles", {{"tile_sort", "slices", std::int64_t(32)}}});
   for (int samples = 1; samples < truth_most; samples *= all ? 2 : 4)
-    list.push_back({"truth", {truth_samples(samples)}});
+    list.push_back({"supersampled", {truth_samples(samples)}});
   return list;
 }
 
@@ -141,7 +141,7 @@ using SharedView = std::shared_ptr<View>;
 Result<SharedView> make_view(const std::shared_ptr<gpu::Device>& device, const scene::Scene& scene, int samples,
                              Progress& progress) {
   const auto view = std::make_shared<View>(View{nullptr, device, scene, device->allocated_bytes(), {}});
-  const Variant truth{.method = "truth", .settings = {truth_samples(samples)}};
+  const Variant truth{.method = "supersampled", .settings = {truth_samples(samples)}};
   scene::Scene first = scene;
   apply(truth, first);
   CUTICLE_ASSIGN(view->runner, plan::FrameRunner::create(device, first, progress));

@@ -7,7 +7,7 @@ import struct
 import pytest
 from program import refused, run
 
-METHODS = ("cards", "lines", "quads", "tiles", "truth")
+METHODS = ("cards", "lines", "quads", "tiles", "supersampled")
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,7 @@ def test_Render_LayersByCards_AreSaidToBeLeftOut(scene, tmp_path):
 def test_Render_Costs_NameThePassesOfTheMethodAlone(pictures):
     for method, (costs, _) in pictures.items():
         names = {entry["name"] for entry in costs["passes"]}
-        assert names & {"cards", "lines", "quads", "tiles"} == {method} - {"truth"}
+        assert names & {"cards", "lines", "quads", "tiles"} == {method} - {"supersampled"}
 
 
 def test_Render_SimulatedScene_PrintsWhatSimulatingGeneratingAndRenderingCost(scene, tmp_path):

@@ -9,7 +9,7 @@
 
 #include "core/random.h"
 #include "gpu/device.h"
-#include "render/passes/truth/rasterise.h"
+#include "render/passes/supersampled/rasterise.h"
 
 namespace cuticle::tests {
 
@@ -55,7 +55,7 @@ struct Drawing {
     }
   }
   Image truth(int samples = 16) const {
-    return render::truth::rasterise(camera(), {vertices, colors, segments}, {},
+    return render::supersampled::rasterise(camera(), {vertices, colors, segments}, {},
                                     {.samples = samples, .opacity = opacity});
   }
 };

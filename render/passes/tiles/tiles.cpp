@@ -28,7 +28,7 @@ constexpr std::string_view k_systems[] = {"F6", "F7", "F9"};
 
 void describe(registry::Members& members, Parameters& p) {
   members(p.opacity, "opacity", "1", 0, 1,
-          "of a drawn strand where it covers a pixel whole; 'truth' draws with the same");
+          "of a drawn strand where it covers a pixel whole; 'supersampled' draws with the same");
   members(p.coverage_rows, "coverage_rows", 0, 16,
           "rows of 32 samples in a pixel, of which those that a strand covers are known; 0, and for strands that "
           "let light through or are blended by slices: its share of the pixel by a formula");

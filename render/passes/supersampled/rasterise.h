@@ -8,7 +8,7 @@
 #include "core/image/deep.h"
 #include "core/view.h"
 
-namespace cuticle::render::truth {
+namespace cuticle::render::supersampled {
 
 /// Segments join vertices k and k + 1. A segment is drawn where the w of its second vertex's colour is positive and its
 /// four ends' numbers are finite.
@@ -47,4 +47,4 @@ std::vector<SeenShare> strands_seen(const Camera& camera, const ColoredStrands& 
 /// How far the scene stands in the middle of each pixel, metres along the view; 0: nothing there.
 std::vector<float> behind(const Camera& camera, const OpaqueScene& scene);
 
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::supersampled

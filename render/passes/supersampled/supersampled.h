@@ -2,10 +2,10 @@
 #include "core/registry/members.h"
 #include "render/pass.h"
 
-namespace cuticle::render::truth {
+namespace cuticle::render::supersampled {
 
 struct Parameters {
-  static constexpr std::string_view name = "truth";
+  static constexpr std::string_view name = "supersampled";
   std::uint32_t samples = 16;
 };
 void describe(registry::Members& members, Parameters& parameters);
@@ -13,4 +13,4 @@ void describe(registry::Members& members, Parameters& parameters);
 /// The registry's entry of the pass.
 const Pass& entry();
 
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::supersampled

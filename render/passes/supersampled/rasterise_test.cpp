@@ -1,5 +1,5 @@
 // Brute force against closed forms: areas of bands in a pixel, the projected area of strands, compositing by hand.
-#include "render/passes/truth/rasterise.h"
+#include "render/passes/supersampled/rasterise.h"
 
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace cuticle::render::truth::rasterise_test {
+namespace cuticle::render::supersampled::rasterise_test {
 namespace {
 
 constexpr int k_size = 8;
@@ -133,4 +133,4 @@ TEST(Truth, WhatCannotBeSeen_IsLeftOut) {
 }
 
 }  // namespace
-}  // namespace cuticle::render::truth::rasterise_test
+}  // namespace cuticle::render::supersampled::rasterise_test

@@ -1,4 +1,4 @@
-#include "render/passes/truth/rasterise.h"
+#include "render/passes/supersampled/rasterise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-namespace cuticle::render::truth {
+namespace cuticle::render::supersampled {
 
 namespace {
 
@@ -316,4 +316,4 @@ std::vector<float> behind(const Camera& camera, const OpaqueScene& scene) {
   return distances;
 }
 
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::supersampled

@@ -1,14 +1,14 @@
-#include "render/passes/truth/truth.h"
+#include "render/passes/supersampled/supersampled.h"
 
 #include "render/frame.h"
 #include "render/inputs.h"
 #include "render/passes/shade_strands/shade_strands.h"
 
-namespace cuticle::render::truth {
+namespace cuticle::render::supersampled {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"strands", "drawn_by_truth"};
+constexpr std::string_view k_demands[] = {"strands", "drawn_by_supersampled"};
 constexpr Use k_uses[] = {reads<FrameView>(),        reads<DrawnHair>(),
                           reads<Targets>(),          reads<shade_strands::StrandColors>(),
                           may_read<DrawnSurfaces>(), writes<Output>()};
@@ -26,7 +26,7 @@ TargetShape targets(const PassParameters&, std::span<const int>) { return {.supe
 
 Pass make() {
   Pass pass{.entry = {.kind = registry::EntryKind::pass,
-                      .name = "truth",
+                      .name = "supersampled",
                       .summary = "every sample of a pixel with all strands that cover it, sorted exactly, on the CPU",
                       .source = "supersampling; the measure of the other ways to draw strands",
                       .parameters = registry::table_of<Parameters>(),
@@ -45,4 +45,4 @@ const Pass& entry() {
   return pass;
 }
 
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::supersampled

@@ -6,17 +6,17 @@
 #include "render/passes/resolve/resolve.h"
 #include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/passes/tiles/tiles.h"
-#include "render/passes/truth/rasterise.h"
-#include "render/passes/truth/truth.h"
+#include "render/passes/supersampled/rasterise.h"
+#include "render/passes/supersampled/supersampled.h"
 
-namespace cuticle::render::truth {
+namespace cuticle::render::supersampled {
 
 namespace {
 
 /// The strands as the device generated and shaded them, and the scene as it drew it, composited on the CPU.
-class Truth : public GpuPass {
+class Supersampled : public GpuPass {
  public:
-  explicit Truth(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+  explicit Supersampled(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
   Result<void> record(gpu::Commands&, const Resources& resources) override {
     has_scene_ = resources.get<Targets>().keep;
     return {};
@@ -73,14 +73,14 @@ class Truth : public GpuPass {
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources&) {
-  return std::unique_ptr<GpuPass>(std::make_unique<Truth>(std::move(device)));
+  return std::unique_ptr<GpuPass>(std::make_unique<Supersampled>(std::move(device)));
 }
 
 }  // namespace
 
 const GpuPassEntry& gpu_entry() {
-  static const GpuPassEntry table{"truth", create};
+  static const GpuPassEntry table{"supersampled", create};
   return table;
 }
 
-}  // namespace cuticle::render::truth
+}  // namespace cuticle::render::supersampled
