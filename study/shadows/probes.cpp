@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -30,7 +31,7 @@ struct Seen {
   std::uint32_t vertex = 0, strand = 0;
 };
 
-/// A square picture of the groom.
+/// A square picture of the groom: one ray through the centre of each pixel.
 struct Picture {
   shadows::LightAxes axes;
   shadows::LightBox box;
@@ -39,23 +40,49 @@ struct Picture {
   std::vector<Seen> seen;
 
   glm::vec3 view(const glm::vec3& p) const { return shadows::view_point(axes, p) - box.lower; }
-  std::size_t index(const glm::vec3& p) const {
-    const auto along = [&](float x) { return std::min(side - 1, std::size_t(std::max(0.0f, x / pixel))); };
-    return along(p.y) * side + along(p.x);
+  /// Pixels first .. last whose centres may lie between two places of a side.
+  std::pair<std::size_t, std::size_t> between_places(float a, float b, float margin) const {
+    const float first = (std::min(a, b) - margin) / pixel - 0.5f, last = (std::max(a, b) + margin) / pixel - 0.5f;
+    return {std::size_t(std::max(0.0f, std::ceil(first))),
+            std::size_t(std::clamp(std::floor(last) + 1, 0.0f, float(side)))};
   }
 };
 
-/// Points of a segment half a pixel apart.
-void draw(const strands::Groom& groom, std::uint32_t vertex, std::uint32_t strand, Picture& picture) {
-  const glm::vec3 a = picture.view(groom.positions[vertex]), b = picture.view(groom.positions[vertex + 1]);
-  const int steps = 1 + int(2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) / picture.pixel);
-  for (int i = 0; i < steps; ++i) {
-    const float t = (float(i) + 0.5f) / float(steps);
-    const glm::vec3 p = between(a, b, t);
-    Seen& seen = picture.seen[picture.index(p)];
-    if (p.z < seen.depth) seen = {p.z, t, vertex, strand};
+/// A segment in the picture, with its radius.
+struct Piece {
+  glm::vec3 a, b;
+  float radius;
+  std::uint32_t vertex, strand;
+};
+/// Where the ray at `at` meets the piece's surface, if it does: before the axis, seen from the camera.
+void see(const Piece& piece, const glm::vec2& at, Seen& seen) {
+  const glm::vec2 along = glm::vec2(piece.b - piece.a), from = at - glm::vec2(piece.a);
+  const float square = glm::dot(along, along);
+  const float t = square > 0 ? std::clamp(glm::dot(from, along) / square, 0.0f, 1.0f) : 0.0f;
+  const glm::vec2 away = from - t * along;
+  const float left = piece.radius * piece.radius - glm::dot(away, away);
+  if (!(left > 0)) return;
+  const float depth = between(piece.a, piece.b, t).z - std::sqrt(left);
+  if (depth < seen.depth) seen = {depth, t, piece.vertex, piece.strand};
+}
+void draw(const Piece& piece, Picture& picture) {
+  const auto [row, end_row] = picture.between_places(piece.a.y, piece.b.y, piece.radius);
+  const float slope = (piece.b.x - piece.a.x) / (piece.b.y - piece.a.y);
+  const float reach = piece.radius * std::sqrt(1 + slope * slope);
+  for (std::size_t j = row; j < end_row; ++j) {
+    const float y = (float(j) + 0.5f) * picture.pixel, x = piece.a.x + (y - piece.a.y) * slope;
+    const float least = std::min(piece.a.x, piece.b.x), most = std::max(piece.a.x, piece.b.x);
+    const bool is_flat = !std::isfinite(reach);
+    const auto [column, end_column] =
+        picture.between_places(is_flat ? least : std::clamp(x - reach, least, most),
+                               is_flat ? most : std::clamp(x + reach, least, most), piece.radius);
+    for (std::size_t i = column; i < end_column; ++i)
+      see(piece, {(float(i) + 0.5f) * picture.pixel, y}, picture.seen[j * picture.side + i]);
   }
 }
+
+/// Pixels of a side, at least: those of a picture.
+constexpr std::size_t k_least_side = 1024;
 
 }  // namespace
 
@@ -91,12 +118,15 @@ Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, 
   Picture picture;
   picture.axes = shadows::light_axes(to_camera);
   picture.box = shadows::light_box(picture.axes, groom.positions);
-  picture.side = 2 * std::size_t(std::ceil(std::sqrt(double(count))));
+  picture.side = std::max(k_least_side, 2 * std::size_t(std::ceil(std::sqrt(double(count)))));
   const glm::vec3 size = picture.box.upper - picture.box.lower;
   picture.pixel = std::max(std::max(size.x, size.y), 1e-9f) / float(picture.side);
   picture.seen.resize(picture.side * picture.side);
   for (std::uint32_t s = 0; s < groom.strand_count(); ++s)
-    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v) draw(groom, v, s, picture);
+    for (std::uint32_t v = groom.offsets[s]; v + 1 < groom.offsets[s + 1]; ++v)
+      draw({picture.view(groom.positions[v]), picture.view(groom.positions[v + 1]),
+            0.5f * (groom.radii[v] + groom.radii[v + 1]), v, s},
+           picture);
   std::erase_if(picture.seen, [](const Seen& seen) { return !std::isfinite(seen.depth); });
   Probes probes;
   const std::size_t found = picture.seen.size(), wanted = std::min(count, found);

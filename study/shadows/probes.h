@@ -41,9 +41,9 @@ Probes spread_probes(const strands::Groom& groom, std::size_t count);
 /// The middles of the segments at such vertices, of the one that begins there unless its strand ends there.
 Probes middle_probes(const strands::Groom& groom, std::size_t count);
 
-/// What an orthographic camera in the direction `to_camera` (unit) sees: in each pixel the point of a fibre's axis that
-/// is nearest to it, seen from afar there; `count` of the pixels that see some, spread evenly over the picture; all if
-/// there are fewer.
+/// What an orthographic camera in the direction `to_camera` (unit) sees, by a ray through the centre of each pixel of a
+/// picture at least 1,024 wide: the fibre whose surface the ray meets first, as a point of its axis, seen from afar;
+/// `count` of the pixels that see one, spread evenly over the picture; all if there are fewer.
 Probes visible_probes(const strands::Groom& groom, const glm::dvec3& to_camera, std::size_t count);
 
 /// The same places on the strands of another groom of as many vertices.

@@ -41,5 +41,22 @@ TEST(Probes, Camera_SeesTheNearestFibreOfEachPixel) {
   EXPECT_EQ(visible_probes(groom, {0, 1, 0}, 50).points, above.points);
 }
 
+/// Thin fibres on one another: a ray meets each as often as its width says, so that most of what it sees lies deeper
+/// than the fibre that is nearest in its pixel.
+TEST(Probes, Camera_SeesFibresAsOftenAsTheirWidthSays) {
+  strands::Groom groom;
+  for (int i = 0; i < 400; ++i) {
+    const float x = 0.00025f * float(i) + 1e-5f * float(i % 7), height = 0.0001f * float((i * 37) % 400);
+    groom.positions.insert(groom.positions.end(), {{x, height, 0}, {x, height, 0.1f}});
+    groom.offsets.push_back(std::uint32_t(groom.positions.size()));
+  }
+  groom.radii.assign(groom.positions.size(), 2.5e-5f);  // a fifth of the width is covered
+  const Probes seen = visible_probes(groom, {0, 1, 0}, 1000);
+  ASSERT_EQ(seen.points.size(), 1000u);
+  double height = 0;
+  for (const glm::vec3& point : seen.points) height += double(point.y) / 1000;
+  EXPECT_NEAR(height, 0.02, 0.002) << "the mean of all: fibres do not hide each other";
+}
+
 }  // namespace
 }  // namespace cuticle::study::probes_test
