@@ -226,6 +226,8 @@ def section_of(study, everything=None):
     groups = []
     for group in study.groups:
         drawer = drawer_of(group)
+        if drawer is ladder:
+            group.flips = ladder.flips(study, group, means)
         said = {ladder: lambda _: [], states: states.sentences, growth: growth.sentences, pareto: sentences}[drawer](group)
         groups.append({"group": group, "figure": group_figure(study, group) if drawer is states or len(group.drawable()) > 1 else None, "table": table_of(study, group),
                        "conclusions": growth.table(study, group) if drawer is growth else conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "strip": strip_of(study, group), "identity": findings.group_id(study, group)})
