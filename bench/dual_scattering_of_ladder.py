@@ -1,4 +1,4 @@
-"""Light of the ladder's blond hair, at rest and without a head, over that of the reference: direct light, and dual scattering with its
+"""Light of the ladder's blond hair, at rest, from the front and without a head, over that of the reference: direct light, and dual scattering with its
 corrections and without them, by two shadow methods.
 
   PYTHONPATH=build/release/python python bench/dual_scattering_of_ladder.py
@@ -20,7 +20,9 @@ def blond():
     scene["passes"].pop("dual_scattering")
     scene["head"] = {"present": False}
     scene["material"]["model"] = {"marschner": {"sigma_a": [0.1257, 0.2091, 0.411]}}
-    scene["camera"]["resolution_px"] = [96, 96]
+    scene["camera"].update(position_m=[0.45, 0.1, 1], target_m=[0, 0.075, 0], fov_deg=19, resolution_px=[96, 96])
+    for light, towards in zip(scene["lights"], ([0.6, 0.7, 0.6], [-0.6, 0.5, -0.7])):
+        light["to_light"] = towards
     return scene
 
 

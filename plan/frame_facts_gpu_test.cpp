@@ -174,31 +174,41 @@ TEST(FrameFacts, ListsBeyondTheirBudget_AreLearntOnce) {
   EXPECT_LE(repeats, 1u);
 }
 
-/// What the passes of five frames say over what the clock says, the median: other programs take one frame or another.
-double share_of_the_clock() {
+/// What the passes of a frame say, over the time of its submissions and over what the clock says.
+struct Shares {
+  double submissions = 0, clock = 0;
+};
+/// The medians of five frames: other programs take one frame or another.
+Shares shares_of_passes() {
   const auto made = runner({k_light, k_shadow, k_tiles, k_motion, k_little_room});
-  std::vector<double> shares;
+  std::vector<double> submissions, clock;
   for (int frame = 0; frame < 5; ++frame) {
     const FrameResult result = frame_of(*made, frame);
     double passes = 0;
     for (const gpu::PassCost& pass : result.cost.passes) passes += pass.gpu_ms;
     EXPECT_LE(passes, result.cost.wall_ms);
     EXPECT_LE(result.cost.wall_ms, result.clock_ms);
-    shares.push_back(passes / result.clock_ms);
+    submissions.push_back(passes / result.cost.wall_ms);
+    clock.push_back(passes / result.clock_ms);
   }
-  std::ranges::sort(shares);
-  return shares[2];
+  std::ranges::sort(submissions);
+  std::ranges::sort(clock);
+  return {submissions[2], clock[2]};
 }
 
 TEST(FrameFacts, CostOfAFrame_IsWhatTheClockSays) {
   if (!test_device()->info().is_software)
     GTEST_SKIP() << "on a GPU recording and reading back take most of a small frame";
   // A frame that is drawn twice and counted once has .44 in each try. The rest: recording, what is read back, other
-  // programs, for which a low share is asked again. Measured: .88 of the clock in passes.
-  double share = 0;
-  for (int attempt = 0; attempt < 4 && share <= 0.6; ++attempt) share = std::max(share, share_of_the_clock());
-  std::printf("passes take %.2f of the clock\n", share);
-  EXPECT_GT(share, 0.6);
+  // programs, for which a low share is asked again. Measured: .88 of the clock in passes, .99 of the submissions.
+  Shares best;
+  for (int attempt = 0; attempt < 4 && (best.clock <= 0.6 || best.submissions <= 0.97); ++attempt) {
+    const Shares shares = shares_of_passes();
+    best = {std::max(best.submissions, shares.submissions), std::max(best.clock, shares.clock)};
+  }
+  std::printf("passes take %.3f of the submissions, %.2f of the clock\n", best.submissions, best.clock);
+  EXPECT_GT(best.clock, 0.6);
+  EXPECT_GT(best.submissions, 0.97);
 }
 
 }  // namespace

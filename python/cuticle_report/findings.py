@@ -45,15 +45,15 @@ def ladder(study):
     """Which rung adds most on each scene, what the whole ladder saves, and which rungs are not told from noise."""
     most, untold, rungs = [], [], 0
     for group in study.groups:
-        told = [rung for rung in group.points if any(ladders.is_told(rung.error(metric)) for metric in ("added", "light") if metric in rung.errors)]
-        rungs += len(group.points)
-        untold += [f"{words(rung)} ({group.raw['name']})" for rung in group.points if rung not in told]
+        told = [rung for rung in ladders.rungs(group) if any(ladders.is_told(rung.error(metric)) for metric in ("added", "light") if metric in rung.errors)]
+        rungs += len(ladders.rungs(group))
+        untold += [f"{words(rung)} ({group.raw['name']})" for rung in ladders.rungs(group) if rung not in told]
         if told:
             worst = max(told, key=lambda rung: rung.error("added")["value"])
             most.append(f"{words(worst)} for {of_hair(group)} (it adds a relative MSE of {results.shown(worst.error('added')['value'], 2)})")
     if most:
         group = study.groups[0]
-        first, last = (rung.seconds and rung.seconds["value"] for rung in (group.points[0], group.points[-1]))
+        first, last = (rung.seconds and rung.seconds["value"] for rung in (ladders.truth(group) or group.points[0], group.points[-1]))
         saved = f" A real-time frame of {of_hair(group)} takes {time(last)}; the traced one took {time(first)}." if first and last else ""
         yield Finding(f"From path tracing to the real-time picture, the step that changes most is {', '.join(most)}.{saved}",
                       group_id(study, group), "the ladder")

@@ -9,7 +9,7 @@ import jinja2
 import plotly.graph_objects
 import plotly.offline
 
-from . import ReportError, curves, findings, flip, knobs, ladder, look, page, pareto, printed_curves, results, states
+from . import ReportError, curves, findings, flip, growth, knobs, ladder, look, page, pareto, printed_curves, results, states
 
 HERE = pathlib.Path(__file__).parent
 LEAST_SPAN = 2  # of times that an exponent is told of
@@ -91,7 +91,7 @@ def downloads_of(folder, name, files, columns, rows):
 
 def drawer_of(group):
     """What draws the group."""
-    return ladder if ladder.is_ladder(group) else states if states.is_of_states(group) else pareto
+    return ladder if ladder.is_ladder(group) else states if states.is_of_states(group) else growth if growth.is_of(group) else pareto
 
 
 def table_of(study, group):
@@ -183,8 +183,6 @@ def sentences(group):
         if time_span(group, fit["method"]) < LEAST_SPAN:
             continue
         found.append(f"{fit['method']}: error falls as time to the power {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)}.")
-    for fit in group.conclusions["growth"]:
-        found.append(f"{fit['method']}: time grows with the {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)} power of the factor.")
     if knee := group.conclusions["knee"]:
         found.append(f"Knee of the front: {knee['point']}.")
     ranks = group.conclusions["rankings"]
@@ -228,10 +226,12 @@ def section_of(study, everything=None):
     groups = []
     for group in study.groups:
         drawer = drawer_of(group)
-        said = {ladder: lambda _: [], states: states.sentences, pareto: sentences}[drawer](group)
+        if drawer is ladder:
+            group.flips = ladder.flips(study, group, means)
+        said = {ladder: lambda _: [], states: states.sentences, growth: growth.sentences, pareto: sentences}[drawer](group)
         groups.append({"group": group, "figure": group_figure(study, group) if drawer is states or len(group.drawable()) > 1 else None, "table": table_of(study, group),
-                       "conclusions": conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "strip": strip_of(study, group), "identity": findings.group_id(study, group)})
-    curved, grids = knobs.plots(study) + [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
+                       "conclusions": growth.table(study, group) if drawer is growth else conclusions(study, group) if group.drawable() and drawer is pareto else None, "sentences": said, "strip": strip_of(study, group), "identity": findings.group_id(study, group)})
+    curved, grids = knobs.plots(study) + growth.plots(study) + [plot for plot in study.raw["plots"] if plot["curves"]], study.raw.get("grids", [])
     for plot in curved:
         check(study, plot)
     printed = printed_curves.all_of(curved, grids)

@@ -29,6 +29,7 @@ class Group:
     raw: dict
     points: list
     conclusions: dict
+    flips: dict = dataclasses.field(default_factory=dict)  # of a ladder: mean FLIP by rung
 
     @property
     def metric(self):

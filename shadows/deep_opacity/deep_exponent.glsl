@@ -14,7 +14,8 @@ const uint k_bytes = 4u;  // k_bytes_flag of deep_opacity_gpu.cpp: sums are pack
 float fibre_exponent;
 uint first_stored = 0u;  // the texel that the sums begin with
 
-uint own_range, own_layer;      // the texel's range, and the layer that is looked up
+uint own_range;                 // the texel's range
+uint layer_begin, layer_end;    // of the layer that is looked up, steps behind the nearest fibre
 uint own_before, own_after;     // what the own fibre has left before that layer, and before its end
 bool is_nearest, is_farthest;   // whether it is the texel's nearest fibre, or its farthest
 
@@ -24,9 +25,9 @@ Layer layer_of(uint behind) {
 
 void own_deposit(uint covered, uint depth_step) {
   const uint nearest = range_nearest(own_range), behind = depth_step - min(depth_step, nearest);
-  const uint amount = texelFetch(table, int(covered)).r, layer = layer_of(behind).index;
-  own_before += layer < own_layer ? amount : 0u;
-  own_after += layer <= own_layer ? amount : 0u;
+  const uint amount = texelFetch(table, int(covered)).r, at = table_step(behind);
+  own_before += at < layer_begin ? amount : 0u;
+  own_after += at < layer_end ? amount : 0u;
   is_nearest = is_nearest || behind == 0u;
   is_farthest = is_farthest || depth_step >= range_farthest(own_range);
 }
@@ -67,11 +68,12 @@ float stored_exponent(uint texel, float z) {
     const Layer layer = layer_of(uint(depth));
     const bool is_behind = depth >= extent;
     own_range = range;
-    own_layer = is_behind ? push.layers - 1u : layer.index;
+    layer_begin = layer.begin;
+    layer_end = is_behind ? k_no_end : layer.end;
     own_before = own_after = 0u;
     is_nearest = is_farthest = false;
     walk_own();
-    const uint i = (texel - first_stored) * push.layers + own_layer;
+    const uint i = (texel - first_stored) * push.layers + (is_behind ? push.layers - 1u : layer.index);
     const float after = exponent_before(i, own_after);
     float before = 0.0;
     if (layer.index > 0u && !is_behind) before = exponent_before(i - 1u, own_before);

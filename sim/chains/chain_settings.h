@@ -22,7 +22,13 @@ struct ChainParameters {
   bool sag_free = true, double_precision = false;
 };
 constexpr registry::Parameter k_double_precision = registry::row(
-    "double_precision", "1", 0, 0, "the CPU computes in double, without wide vectors: for tests and studies");
+    "double_precision", "1", 0, 0,
+    "the CPU computes in double, without wide vectors; with an inner_step of 1/1000 s or less it does in any case");
+/// In float the rounding of places, over the step's square, is an acceleration of its own.
+constexpr double k_least_step_in_float = 1.01e-3;  ///< s
+inline bool computes_in_double(const ChainParameters& solver) {
+  return solver.double_precision || solver.inner_step < k_least_step_in_float;
+}
 
 /// Those, and what the effects that act in the solver have.
 struct ChainSettings : ChainParameters {

@@ -30,7 +30,7 @@ Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registr
   CUTICLE_TRY(strands::validate(rest));
   const chains::ChainSettings settings = make_settings(solver, effects);
   const Kernels& kernels = best_kernels();
-  if (settings.double_precision)
+  if (chains::computes_in_double(settings))
     return chains::make_chain_solver<double>(
         rest, settings, chains::make_chains<double>(rest, settings),
         {.free = kernels.advance_double, .touching = kernels.advance_double, .own = {}});

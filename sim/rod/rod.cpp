@@ -51,7 +51,7 @@ Result<std::unique_ptr<Solver>> create(const strands::Groom& rest, const registr
   CUTICLE_TRY(strands::validate(rest));
   const Settings settings = make_settings(solver, effects);
   const Kernels& kernels = best_kernels();
-  if (settings.chain.double_precision) return make<double>(rest, settings, kernels.advance_double);
+  if (chains::computes_in_double(settings.chain)) return make<double>(rest, settings, kernels.advance_double);
   return make<float>(rest, settings, kernels.advance);
 }
 

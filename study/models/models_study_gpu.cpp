@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include "bsdf/fibre/fibres.h"
 #include "bsdf/model.h"
 #include "plan/plan.h"
 #include "study/picture/shown_picture.h"
@@ -33,11 +32,8 @@ std::vector<Subject> subjects(const LadderRequest& request, std::vector<std::str
 }
 
 Result<void> apply(const Subject& subject, const ModelsRequest& request, scene::Scene& scene) {
-  CUTICLE_ASSIGN(const bsdf::Model* model, bsdf::find_model(subject.model));
-  CUTICLE_ASSIGN(const bsdf::NamedFibre fibre, bsdf::find_fibre(request.ladder.hair));
-  CUTICLE_ASSIGN(auto values, bsdf::parse_settings(*model, "", model->from_fibre(fibre.fibre).settings));
-  scene.material = {
-      .model = {subject.model, std::move(values)}, .layout = "nalu_theta", .lut_size = request.table_size};
+  CUTICLE_ASSIGN(scene::Block model, model_of_fibre(subject.model, request.ladder.hair));
+  scene.material = {.model = std::move(model), .layout = "nalu_theta", .lut_size = request.table_size};
   scene.render_method = "reference";
   scene.passes.erase("dual_scattering");
   const auto& passes = plan::catalogue().passes;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,7 +19,7 @@ using SolverPointer = std::unique_ptr<sim::Solver>;
 
 constexpr double k_g = 9.80665, k_strand = 0.3;
 /// Each frame one substep, whatever its duration; nothing holds or slows the hair.
-constexpr std::string_view k_one_step = "inner_step=1,max_substeps=1",
+constexpr std::string_view k_one_step = "max_substeps=1,inner_step=",
                            k_free = "damping=0,shape_stiffness=0,clamped_vertices=1";
 /// EI / (rho A) of the default fibre, m^4/s^2: E r^2 / (4 rho).
 constexpr double k_bending = 3.9e9 * 3.5e-5 * 3.5e-5 / (4 * 1300);
@@ -37,9 +38,9 @@ strands::Groom straight(int links, double length, const glm::dvec3& direction) {
 }
 
 Result<SolverPointer> solver_at_one_step(std::string_view name, const strands::Groom& groom, const std::string& settings,
-                                const std::string& wind = "") {
+                                const std::string& wind = "", double longest_step = 1) {
   CUTICLE_ASSIGN(const sim::Effect* effect, sim::find_effect(name));
-  CUTICLE_ASSIGN(const registry::ParameterValues values, effect_values(name, settings + "," + std::string(k_one_step)));
+  CUTICLE_ASSIGN(const registry::ParameterValues values, effect_values(name, fmt::format("{},{}{}", settings, k_one_step, longest_step)));
   sim::EffectBlocks effects;
   CUTICLE_ASSIGN(effects["gravity"], effect_values("gravity", ""));
   if (!wind.empty()) {
@@ -122,7 +123,7 @@ Result<double> wind_error(double step) {
 /// The head falls from rest; its hair is slanted, and nothing but gravity acts.
 Result<double> fall_error(std::string_view name, const std::string& settings, double step) {
   const strands::Groom groom = straight(31, k_strand, glm::normalize(glm::dvec3(1, -1, 0)));
-  CUTICLE_ASSIGN(const SolverPointer solver, solver_at_one_step(name, groom, settings));
+  CUTICLE_ASSIGN(const SolverPointer solver, solver_at_one_step(name, groom, settings, "", step));
   const auto head = [&](double time) {
     return glm::translate(glm::dmat4(1), glm::dvec3(0, -0.5 * k_g * time * time, 0));
   };

@@ -45,16 +45,11 @@ Result<RungPicture> Stage::draw(const Rung& rung, const scene::Scene& scene) {
   return picture;
 }
 
-Result<void> Stage::add_truth(Ladder& ladder, scene::Scene scene) {
+Result<std::vector<int>> Stage::strands_seen(scene::Scene scene) {
   scene.outputs.aovs = true;
+  scene.passes.at("reference").set("bounces", std::int64_t(1));
   CUTICLE_ASSIGN(const std::vector<plan::TracedFrame> layered, trace_batches(scene, 0, 1));
-  ladder.strands = first_strands(layered.front().layers);
-  scene.outputs.aovs = false;
-  CUTICLE_ASSIGN(auto frames, trace_batches(scene, request_.batches, request_.batches));
-  NoisyPicture again;
-  for (plan::TracedFrame& frame : frames) again.batches.push_back(std::move(frame.color));
-  ladder.again = mean_of(again);
-  return {};
+  return first_strands(layered.front().layers);
 }
 
 Result<void> Stage::take_pose(const scene::Scene& scene) {
@@ -113,7 +108,8 @@ Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung
     progress.update(fmt::format("rungs of {}", request.name), done++, rungs.size());
     if (!request.without.contains(rung.name)) CUTICLE_TRY(rung.apply(scene));
     CUTICLE_ASSIGN(ladder.rungs.emplace_back(), stage.draw(rung, scene));
-    if (ladder.rungs.size() == 1 && rungs.size() > 3) CUTICLE_TRY(stage.add_truth(ladder, scene));
+    if (ladder.rungs.size() > 1 || rungs.size() <= 3) continue;
+    CUTICLE_ASSIGN(ladder.strands, stage.strands_seen(scene));
   }
   progress.update(fmt::format("rungs of {}", request.name), done, rungs.size());
   return ladder;

@@ -25,15 +25,23 @@ Image error_picture(const Image& picture, const Image& truth, double exposure) {
   return tone_map(error, exposure);
 }
 
-glm::dvec3 mean_light(const NoisyPicture& picture) {
-  const Image mean = mean_of(picture);
-  glm::dvec3 sum(0);
-  for (std::size_t k = 0; k < mean.pixels.size(); ++k)
-    if (k % 4 < 3) sum[int(k % 4)] += double(mean.pixels[k]);
-  return sum / (double(mean.pixels.size()) / 4);
+std::string shown(double value) { return fmt::format("{:.4g}", value); }
+
+/// Of each colour the light over the truth's, with what the noise of both leaves open.
+std::vector<std::string> shown_light(const NoisyPicture& picture, const NoisyPicture& truth) {
+  std::vector<std::string> words;
+  for (const LightShare& share : light_shares(picture, truth))
+    words.push_back(share.half_width > 0 ? fmt::format("{:.3f} +- {:.3f}", share.share, share.half_width)
+                                         : fmt::format("{:.3f}", share.share));
+  return words;
 }
 
-std::string shown(double value) { return fmt::format("{:.4g}", value); }
+/// The means of every second batch: half of the paths.
+NoisyPicture half_of(const NoisyPicture& picture, std::size_t first) {
+  NoisyPicture half;
+  for (std::size_t k = first; k < picture.batches.size(); k += 2) half.batches.push_back(picture.batches[k]);
+  return {{mean_of(half)}};
+}
 
 Table ladder_table(const std::string& name, const Ladder& ladder, const LadderSum& sum) {
   Table table{
@@ -41,12 +49,11 @@ Table ladder_table(const std::string& name, const Ladder& ladder, const LadderSu
       fmt::format("{}: what each rung adds to the relative MSE of the picture", name),
       {"rung", "what it does", "added, relative MSE", "against the truth", "red light / truth", "green", "blue"},
       {}};
-  const glm::dvec3 truth = mean_light(ladder.rungs.front().picture);
+  const NoisyPicture& truth = ladder.rungs.front().picture;
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
-    const glm::dvec3 share = mean_light(ladder.rungs[k].picture) / glm::max(truth, 1e-12);
+    const std::vector<std::string> light = shown_light(ladder.rungs[k].picture, truth);
     table.rows.push_back({ladder.rungs[k].rung.name, ladder.rungs[k].rung.words, k == 0 ? "0" : shown(sum.added[k - 1]),
-                          k == 0 ? "0" : shown(sum.against_truth[k - 1]), shown(share.x), shown(share.y),
-                          shown(share.z)});
+                          k == 0 ? "0" : shown(sum.against_truth[k - 1]), light[0], light[1], light[2]});
   }
   table.rows.push_back({"sum of what they add", "", shown(sum.sum), ""});
   table.rows.push_back({"total", "the last picture against the first", "", shown(sum.total)});
@@ -63,8 +70,9 @@ void add_pictures(Study& study, const std::string& name, const Ladder& ladder) {
   const Image truth = shown_picture(ladder.rungs.front().picture);
   const double exposure = ladder.rungs.front().scene.outputs.exposure_stops;
   const std::string first = name + "_00_path_tracing.png";
-  study.pictures.push_back({fmt::format("{}_noise.png", name), fmt::format("{}: path tracing with other seeds", name),
-                            first, tone_map(evened(ladder.again), exposure)});
+  study.pictures.push_back({fmt::format("{}_noise.png", name),
+                            fmt::format("{}: path tracing by half of its paths", name), first,
+                            tone_map(shown_picture(half_of(ladder.rungs.front().picture, 0)), exposure)});
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
     const RungPicture& rung = ladder.rungs[k];
     const Image color = shown_picture(rung.picture);
@@ -107,8 +115,8 @@ LadderSum sum_of(const Ladder& ladder) {
   }
   sum.total = squares.mean(first, last, first, last);
   sum.remainder = sum.total - sum.sum;
-  const NoisyPicture mean{{mean_of(first)}}, again{{ladder.again}};
-  if (!ladder.again.pixels.empty()) sum.noise = squares.mean(mean, again, mean, again);
+  const NoisyPicture half = half_of(first, 0), other = half_of(first, 1);
+  sum.noise = squares.mean(half, other, half, other) / 2;  // halves of the paths differ by twice as much
   return sum;
 }
 
@@ -124,11 +132,11 @@ void add_ladder(Study& study, const std::string& name, const Ladder& ladder) {
                           {"light", "relative MSE that the rung adds to the light of 8 x 8 pixels", "1", Mean::squares},
                           {"strand", "rms relative error of a strand's radiance", "1", Mean::root_of_squares}},
               .item = "tile of 8 x 8 pixels"};
-  for (std::size_t k = 1; k < ladder.rungs.size(); ++k) {
-    const RungPicture& rung = ladder.rungs[k];
+  for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
+    const RungPicture &rung = ladder.rungs[k], &before = ladder.rungs[k == 0 ? 0 : k - 1];
     Measured measured{
-        {squares.tiles(truth, rung.picture), squares.tiles(ladder.rungs[k - 1].picture, rung.picture),
-         squares.light(ladder.rungs[k - 1].picture, rung.picture), strand_squares(rung.picture, truth, ladder.strands)},
+        {squares.tiles(truth, rung.picture), squares.tiles(before.picture, rung.picture),
+         squares.light(before.picture, rung.picture), strand_squares(rung.picture, truth, ladder.strands)},
         rung.bytes};
     group.points.push_back(
         {rung.rung.name, {}, [measured]() -> Result<Measured> { return measured; }, work_of(rung), rung.seconds});

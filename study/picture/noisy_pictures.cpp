@@ -1,7 +1,10 @@
 #include "study/picture/noisy_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+
+#include <boost/math/distributions/students_t.hpp>
 
 #include "core/expect.h"
 
@@ -24,6 +27,18 @@ bool is_covered(const std::vector<const NoisyPicture*>& pictures, std::size_t pi
   });
 }
 
+std::array<double, 3> light_of(const Image& image) {
+  std::array<double, 3> sum{};
+  for (std::size_t k = 0; k < image.pixels.size(); ++k)
+    if (k % 4 < 3) sum[k % 4] += double(image.pixels[k]);
+  return sum;
+}
+
+/// Half of a 95 % interval in standard errors, over so many values.
+double student_95(std::size_t values) {
+  return boost::math::quantile(boost::math::students_t(std::max(1.0, double(values) - 1)), 0.975);
+}
+
 struct Mean3 {
   double sum[3] = {0, 0, 0}, count = 0;
   void add(const float* pixel) {
@@ -41,6 +56,25 @@ Image mean_of(const NoisyPicture& picture) {
     for (std::size_t i = 0; i < mean.pixels.size(); ++i) mean.pixels[i] += picture.batches[k].pixels[i];
   for (float& value : mean.pixels) value /= float(picture.batches.size());
   return mean;
+}
+
+std::array<LightShare, 3> light_shares(const NoisyPicture& picture, const NoisyPicture& truth) {
+  const std::size_t batches = std::max(picture.batches.size(), truth.batches.size());
+  std::vector<std::array<double, 3>> light(batches), expected(batches);
+  std::array<double, 3> sum{}, whole{};
+  for (std::size_t k = 0; k < batches; ++k) {
+    light[k] = light_of(picture.batch(k)), expected[k] = light_of(truth.batch(k));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += light[k][c], whole[c] += expected[k][c];
+  }
+  std::array<LightShare, 3> shares;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double of = std::max(whole[c], 1e-12);
+    double squares = 0;
+    for (std::size_t k = 0; k < batches; ++k) squares += std::pow(light[k][c] - sum[c] / of * expected[k][c], 2);
+    const double error = batches > 1 ? std::sqrt(squares * double(batches) / double(batches - 1)) / of : 0;
+    shares[c] = {sum[c] / of, error * student_95(batches)};
+  }
+  return shares;
 }
 
 RelativeSquares::RelativeSquares(std::vector<const NoisyPicture*> pictures) {

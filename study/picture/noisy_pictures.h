@@ -1,5 +1,6 @@
 #pragma once
 // Differences between pictures that have noise, measured without it.
+#include <array>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,14 @@ class RelativeSquares {
   std::vector<Tile> tiles_;
   double pixels_ = 0;
 };
+
+/// Light of a picture over that of a truth, and half of its 95 % interval by what the batches differ.
+struct LightShare {
+  double share = 0, half_width = 0;
+};
+/// Of red, green and blue, over all pixels; the interval by the batches' differences from the share (a ratio
+/// estimator: batches have the same seeds in both pictures). Without noise in either it is 0.
+std::array<LightShare, 3> light_shares(const NoisyPicture& picture, const NoisyPicture& truth);
 
 /// Squared relative error of the mean radiance of each strand that is first in four pixels or more, over that of all
 /// strands; without what noise adds, as above. `strands`: of each pixel, -1: none.

@@ -53,6 +53,21 @@ TEST(RelativeSquares, NoiseAboveTheDifference_IsLeftOut) {
   EXPECT_GT(mean(RelativeSquares({&truth}).tiles({{mean_of(truth)}}, {{mean_of(other)}})), 4 * 0.02);
 }
 
+// Of 200 pairs of noisy pictures, one a fifth brighter, the interval holds the fifth in 95 %.
+TEST(LightShares, Intervals_HoldTheShare) {
+  int held = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const LightShare share = light_shares(noisy(8, 1.2f, 2, 8, 2 * seed), noisy(8, 1, 2, 8, 2 * seed + 1))[0];
+    EXPECT_GT(share.half_width, 0.02);
+    held += std::abs(share.share - 1.2) < share.half_width;
+  }
+  EXPECT_GE(held, 180);
+  EXPECT_LT(held, 200);
+  const NoisyPicture truth{{flat(8, 1)}}, other{{flat(8, 0.5f)}};
+  EXPECT_EQ(light_shares(other, truth)[1].share, 0.5);
+  EXPECT_EQ(light_shares(other, truth)[1].half_width, 0);
+}
+
 // Stripes that cancel within a tile are a difference of pixels and none of light.
 TEST(RelativeSquares, Light_IsTheTilesMean) {
   const NoisyPicture truth{{flat(16, 1)}};

@@ -30,9 +30,9 @@ Result<int> number_of(const StudyRequest& request, const std::string& name, int 
 /// How large the pictures are and how many paths they have.
 Result<void> set_size(const StudyRequest& request, LadderRequest& ladder) {
   glm::ivec2& resolution = ladder.scene.camera.camera.resolution;
-  CUTICLE_ASSIGN(const int width, number_of(request, "pixels", request.quick ? resolution.x / 4 : resolution.x));
+  CUTICLE_ASSIGN(const int width, number_of(request, "pixels", request.quick ? resolution.x / 4 : resolution.x / 2));
   resolution = {width, std::max(1, resolution.y * width / resolution.x)};
-  CUTICLE_ASSIGN(ladder.samples, number_of(request, "samples", request.quick ? 32 : ladder.samples));
+  CUTICLE_ASSIGN(ladder.samples, number_of(request, "samples", request.quick ? 48 : ladder.samples));
   if (request.quick) {
     ladder.truth_coverage = 8;
     ladder.reference_steps = 32;
@@ -102,11 +102,11 @@ const StudyEntry& picture_entry() {
                    "physical fibre of both models; without it that of our scene, or a scene file's own material"},
                   {"truth-model", "chiang", "model of the path-traced truth"},
                   {"without", "", "rungs that are switched off, a,b,c"},
-                  {"pixels", "", "width of the pictures; without it the scene's, with --quick a quarter of it"},
-                  {"samples", "", "paths of a pixel; without it 256, with --quick 32"}},
+                  {"pixels", "", "width of the pictures; without it half of the scene's, with --quick a quarter"},
+                  {"samples", "", "paths of a pixel; without it 256, with --quick 48"}},
       .declare = declare_picture,
-      .quick_seconds = 15,
-      .seconds = 600};
+      .quick_seconds = 20,
+      .seconds = 300};
   return entry;
 }
 

@@ -53,9 +53,12 @@ struct RungPicture {
 };
 struct Ladder {
   std::vector<RungPicture> rungs;
-  Image again;               ///< path tracing with other seeds: what noise alone changes
   std::vector<int> strands;  ///< of each pixel of the truth: the first strand seen, -1 none
 };
+/// A model with a physical fibre's parameters. The fibre is round, whatever its aspect: a groom does not say how a flat
+/// cross-section is turned, path tracing takes fixed axes and tables one side. Errors: usage, for unknown names and
+/// models that take no physical fibre.
+Result<scene::Block> model_of_fibre(const std::string& model, const std::string& hair);
 /// The hair alone, on nothing, without what is only drawn in real time (tints, ambient light).
 scene::Scene hair_of(const scene::Scene& scene);
 
@@ -66,8 +69,8 @@ class Stage {
       : device_(std::move(device)), request_(request), progress_(progress) {}
   /// By the scene's own way of drawing; path tracing comes in the request's batches. Errors: what drawing says.
   Result<RungPicture> draw(const Rung& rung, const scene::Scene& scene);
-  /// The first strand that each pixel of the truth sees, and the truth with other seeds.
-  Result<void> add_truth(Ladder& ladder, scene::Scene scene);
+  /// Of each pixel the first strand that some of its paths see; -1: none.
+  Result<std::vector<int>> strands_seen(scene::Scene scene);
 
  private:
   Result<void> take_pose(const scene::Scene& scene);
@@ -92,7 +95,7 @@ Result<Ladder> climb(std::shared_ptr<gpu::Device> device, const std::vector<Rung
 
 /// Relative squared errors (RelativeSquares) that rungs add, against the rung before; that they have, against the
 /// truth; and the part of the total that the sum of what they add leaves: twice the products of their steps, which is
-/// exact for squares. All without what noise adds; `noise` is what it would add to the truth's own.
+/// exact for squares. All without what noise adds; `noise` is what other seeds change of the truth.
 struct LadderSum {
   std::vector<double> added, against_truth;  ///< one for each rung after the first
   double sum = 0, total = 0, remainder = 0, products = 0, noise = 0;

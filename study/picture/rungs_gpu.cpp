@@ -36,12 +36,7 @@ Rung sets(std::string name, std::string words, const char* pass, const char* par
 /// The model with the physical fibre's parameters.
 Rung takes_model(std::string name, std::string words, const std::string& model, const std::string& hair) {
   return {std::move(name), std::move(words), [=](scene::Scene& scene) -> Result<void> {
-            CUTICLE_ASSIGN(const bsdf::Model* found, bsdf::find_model(model));
-            CUTICLE_ASSIGN(const bsdf::NamedFibre fibre, bsdf::find_fibre(hair));
-            if (!found->from_fibre)
-              return usage_error(fmt::format("model {} takes no physical fibre", model), "chiang, marschner");
-            CUTICLE_ASSIGN(auto values, bsdf::parse_settings(*found, "", found->from_fibre(fibre.fibre).settings));
-            scene.material.model = {model, std::move(values)};
+            CUTICLE_ASSIGN(scene.material.model, model_of_fibre(model, hair));
             return {};
           }};
 }
@@ -100,6 +95,16 @@ void add_level_of_detail(scene::Scene& scene) {
 }
 
 }  // namespace
+
+Result<scene::Block> model_of_fibre(const std::string& model, const std::string& hair) {
+  CUTICLE_ASSIGN(const bsdf::Model* found, bsdf::find_model(model));
+  CUTICLE_ASSIGN(bsdf::NamedFibre named, bsdf::find_fibre(hair));
+  if (!found->from_fibre)
+    return usage_error(fmt::format("model {} takes no physical fibre", model), "chiang, marschner");
+  named.fibre.aspect = 1;
+  CUTICLE_ASSIGN(auto values, bsdf::parse_settings(*found, "", found->from_fibre(named.fibre).settings));
+  return scene::Block{model, std::move(values)};
+}
 
 Result<std::vector<Rung>> rungs_of(const LadderRequest& request) {
   std::vector<Rung> rungs = {path_tracing(request)};

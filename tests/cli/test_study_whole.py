@@ -9,7 +9,7 @@ import pytest
 
 from program import run
 
-STUDIES = ("lobes", "luts", "measured", "mechanics", "models", "motion", "picture", "plan", "render", "shadows", "skinning")
+STUDIES = ("growth", "lobes", "luts", "measured", "mechanics", "models", "motion", "picture", "plan", "render", "shadows", "skinning")
 # Errors of the console, and what a person would do: every plot drawn and its coloured pixels counted without letters, a table sorted, a slider moved, views chosen, downloads counted.
 WATCH = """<script>
 const errors = []; window.addEventListener("error", e => errors.push(e.message));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -12,6 +13,7 @@
 #include "strands/finite.h"
 #include "strands/formats/bytes.h"
 #include "strands/formats/curve_basis.h"
+#include "strands/formats/number_text.h"
 #include "strands/formats/usda/detail/properties.h"
 #include "strands/formats/words.h"
 
@@ -233,28 +235,22 @@ Result<ParsedGroom> parse(std::span<const std::byte> bytes, const std::string& w
   return parsed;
 }
 
-/// `[a, b, (c, d), ..]` of values with so many components.
-std::string list_of(std::span<const float> values, std::size_t components) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool opens = components > 1 && i % components == 0, closes = components > 1 && (i + 1) % components == 0;
-    fmt::format_to(std::back_inserter(text), "{}{}{}{}", i == 0 ? "" : ", ", opens ? "(" : "", values[i],
-                   closes ? ")" : "");
-  }
-  return text + "]";
+/// Appends `[a, b, (c, d), ..]` of values with so many components.
+template <class T>
+void append_list(std::string& text, std::span<const T> values, std::size_t components = 1) {
+  const bool in_rows = components > 1;
+  text += '[';
+  append_rows(text, values, components, {in_rows ? "(" : "", ", ", in_rows ? ")" : "", ", "});
+  if (!values.empty()) text.resize(text.size() - 2);  // what stands between rows
+  text += ']';
 }
 
-std::string list_of(std::span<const std::uint32_t> values) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < values.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{}{}", i == 0 ? "" : ", ", values[i]);
-  return text + "]";
-}
-
-void add(std::string& text, std::string_view type, std::string_view name, const std::string& list,
-         std::string_view interpolation, std::size_t element_size = 1) {
-  fmt::format_to(std::back_inserter(text), "        {} {} = {} (\n            interpolation = \"{}\"\n", type, name,
-                 list, interpolation);
+template <class T>
+void add(std::string& text, std::string_view type, std::string_view name, std::span<const T> values,
+         std::size_t components, std::string_view interpolation, std::size_t element_size = 1) {
+  fmt::format_to(std::back_inserter(text), "        {} {} = ", type, name);
+  append_list(text, values, components);
+  fmt::format_to(std::back_inserter(text), " (\n            interpolation = \"{}\"\n", interpolation);
   if (element_size > 1) fmt::format_to(std::back_inserter(text), "            elementSize = {}\n", element_size);
   text += "        )\n";
 }
@@ -266,15 +262,15 @@ void add_attribute(std::string& text, const std::string& name, const Attribute& 
                            : name == "color" && components == 3 ? "color3f[]"
                            : components >= 2 && components <= 4 ? fmt::format("float{}[]", components)
                                                                 : "float[]";
-  add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name),
-      list_of(attribute.values, components <= 4 ? components : 1),
-      attribute.domain == Attribute::Domain::strand ? "uniform" : "vertex", components <= 4 ? 1 : components);
+  add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name), std::span<const float>(attribute.values),
+      components <= 4 ? components : 1, attribute.domain == Attribute::Domain::strand ? "uniform" : "vertex",
+      components <= 4 ? 1 : components);
 }
 
 void add_pairs(std::string& text, std::string_view name, std::string_view type, const std::vector<glm::vec2>& pairs) {
   if (!pairs.empty())
-    add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name), list_of({&pairs.front().x, 2 * pairs.size()}, 2),
-        "uniform");
+    add(text, type, fmt::format("{}{}{}", k_primvar, k_groom, name),
+        std::span<const float>(&pairs.front().x, 2 * pairs.size()), 2, "uniform");
 }
 
 /// The box of the curves with their width, as UsdGeomBoundable asks for it; a number stays one that a float holds.
@@ -287,34 +283,49 @@ Bounds extent_of(const Groom& groom) {
   return box;
 }
 
-Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per_unit) {
-  std::vector<std::uint32_t> counts, ids;
-  for (std::uint32_t s = 0; s < groom.strand_count(); ++s) {
-    counts.push_back(std::uint32_t(groom.strand_size(s)));
-    ids.push_back(s);
-  }
+std::vector<float> widths_of(const Groom& groom) {
   std::vector<float> widths;
   for (float radius : groom.radii) widths.push_back(std::min(radius, 0.5f * std::numeric_limits<float>::max()) * 2);
-  std::string text = fmt::format(
+  return widths;
+}
+
+void append_curves(std::string& text, const Groom& groom) {
+  std::vector<std::uint32_t> counts;
+  for (std::uint32_t s = 0; s < groom.strand_count(); ++s) counts.push_back(std::uint32_t(groom.strand_size(s)));
+  text += "        int[] curveVertexCounts = ";
+  append_list(text, std::span<const std::uint32_t>(counts));
+  const auto [lower, upper] = extent_of(groom);
+  fmt::format_to(std::back_inserter(text), "\n        float3[] extent = [({}, {}, {}), ({}, {}, {})]\n", lower.x,
+                 lower.y, lower.z, upper.x, upper.y, upper.z);
+  text += "        point3f[] points = ";
+  append_list(text, std::span<const float>(&groom.positions.front().x, 3 * groom.vertex_count()), 3);
+  text += '\n';
+  const std::vector<float> widths = widths_of(groom);
+  add(text, "float[]", "widths", std::span<const float>(widths), 1, "vertex");
+}
+
+Result<std::vector<std::byte>> format_usda(const Groom& groom, double metres_per_unit) {
+  constexpr std::size_t k_bytes_of_vertex = 48;  // so that the text is seldom moved
+  std::string text;
+  text.reserve(groom.vertex_count() * k_bytes_of_vertex);
+  fmt::format_to(
+      std::back_inserter(text),
       "#usda 1.0\n(\n    defaultPrim = \"groom\"\n    metersPerUnit = {}\n    upAxis = \"Y\"\n)\n\n"
       "def Xform \"groom\" (\n    prepend apiSchemas = [\"GroomAPI\"]\n)\n{{\n    def BasisCurves \"strands\"\n    {{\n"
       "        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n"
-      "        int primvars:groom_version_major = 1\n        int primvars:groom_version_minor = 5\n"
-      "        int[] curveVertexCounts = {}\n",
-      metres_per_unit, list_of(counts));
-  const auto [lower, upper] = extent_of(groom);
-  fmt::format_to(std::back_inserter(text), "        float3[] extent = [({}, {}, {}), ({}, {}, {})]\n", lower.x, lower.y,
-                 lower.z, upper.x, upper.y, upper.z);
-  fmt::format_to(std::back_inserter(text), "        point3f[] points = {}\n",
-                 list_of({&groom.positions.front().x, 3 * groom.vertex_count()}, 3));
-  add(text, "float[]", "widths", list_of(widths, 1), "vertex");
-  add(text, "int[]", "primvars:groom_id", list_of(ids), "uniform");
+      "        int primvars:groom_version_major = 1\n        int primvars:groom_version_minor = 5\n",
+      metres_per_unit);
+  append_curves(text, groom);
+  std::vector<std::uint32_t> ids(groom.strand_count());
+  std::iota(ids.begin(), ids.end(), 0u);
+  add(text, "int[]", "primvars:groom_id", std::span<const std::uint32_t>(ids), 1, "uniform");
   add_pairs(text, "root_uv", "float2[]", groom.root_uv);
   add_pairs(text, "root_barycentrics", "float2[]", groom.root_barycentrics);
   if (!groom.root_triangle.empty())
-    add(text, "int[]", "primvars:groom_root_triangle", list_of(groom.root_triangle), "uniform");
+    add(text, "int[]", "primvars:groom_root_triangle", std::span<const std::uint32_t>(groom.root_triangle), 1,
+        "uniform");
   for (const auto& [name, attribute] : groom.attributes) add_attribute(text, name, attribute);
-  return to_bytes(text + "    }\n}\n");
+  return to_bytes(text += "    }\n}\n");
 }
 
 constexpr std::string_view k_extensions[] = {"usda"};

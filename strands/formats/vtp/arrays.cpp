@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "strands/formats/number_text.h"
 #include "strands/formats/vtp/detail/arrays.h"
 #include "strands/formats/vtp/vtp.h"
 
@@ -29,9 +30,7 @@ std::string_view state_unit(std::string_view array) {
 
 void append_array(std::string& text, std::string_view name, int components, std::span<const float> values) {
   open_array(text, "Float32", name, components);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{:.9g}{}", values[i],
-                   (i + 1) % std::size_t(components) == 0 ? '\n' : ' ');
+  append_rows(text, values, std::size_t(components), {});
   // After the numbers: VTK reads those up to the first element.
   if (const std::string_view unit = state_unit(name); !unit.empty())
     fmt::format_to(std::back_inserter(text),
@@ -46,7 +45,7 @@ void append_array(std::string& text, std::string_view name, std::span<const glm:
 void append_array(std::string& text, std::string_view type, std::string_view name,
                   std::span<const std::uint32_t> values) {
   open_array(text, type, name, 1);
-  for (std::uint32_t value : values) fmt::format_to(std::back_inserter(text), "{}\n", value);
+  append_rows(text, values, 1, {});
   text += "</DataArray>\n";
 }
 

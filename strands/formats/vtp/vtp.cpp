@@ -177,7 +177,10 @@ void append_pairs(std::string& text, std::string_view name, const std::vector<gl
 }
 
 Result<std::vector<std::byte>> format_groom(const Groom& groom, double) {
-  std::string text = open_piece(groom.vertex_count(), groom.strand_count()) + "<PointData Scalars=\"radius\">\n";
+  constexpr std::size_t k_bytes_of_vertex = 56;  // so that the text is seldom moved
+  std::string text;
+  text.reserve(groom.vertex_count() * k_bytes_of_vertex);
+  text += open_piece(groom.vertex_count(), groom.strand_count()) + "<PointData Scalars=\"radius\">\n";
   append_array(text, "radius", 1, groom.radii);
   append_attributes(text, groom, Attribute::Domain::vertex);
   text += "</PointData>\n<CellData>\n";

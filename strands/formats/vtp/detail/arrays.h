@@ -9,7 +9,7 @@
 
 namespace cuticle::strands {
 
-/// An array of floats, nine digits: they read back bit by bit.
+/// An array of floats, each in its shortest form: they read back bit by bit.
 void append_array(std::string& text, std::string_view name, int components, std::span<const float> values);
 void append_array(std::string& text, std::string_view name, std::span<const glm::vec3> values);
 /// An array of whole numbers, one a line; type as VTK names it.
