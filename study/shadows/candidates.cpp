@@ -49,8 +49,8 @@ Axis number_axis(const shadows::Method& method, const Numbers& numbers, std::ini
   return taken.texts.empty() ? all : taken;
 }
 
-void add_left_out(const shadows::Method& method, const Numbers& numbers,
-                  std::initializer_list<std::string_view> names, std::vector<std::string>& sentences) {
+void add_left_out(const shadows::Method& method, const Numbers& numbers, std::initializer_list<std::string_view> names,
+                  std::vector<std::string>& sentences) {
   const registry::Parameter* parameter = first_of(method, names);
   if (parameter == nullptr) return;
   std::vector<std::int64_t> beyond;
@@ -83,8 +83,11 @@ std::vector<std::pair<Axis, std::string_view>> layer_axes(const shadows::Method&
 
 /// Every combination of the axes over the values of `start`.
 Result<void> add_combinations(const Candidate& start, std::span<const Axis> axes, std::vector<Candidate>& candidates) {
-  if (axes.empty()) {
-    candidates.push_back(start);
+  if (axes.empty()) {  // study cases that differ by what is set here are one candidate
+    const bool is_known = std::ranges::any_of(candidates, [&](const Candidate& other) {
+      return other.method == start.method && other.values.all() == start.values.all();
+    });
+    if (!is_known) candidates.push_back(start);
     return {};
   }
   for (const std::string& text : axes[0].texts) {

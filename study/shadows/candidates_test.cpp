@@ -31,6 +31,10 @@ TEST(Candidates, SweptMethods_TakeWhatTheyKnow) {
   EXPECT_EQ(left_out_of(spaced, {{4, 16, 64}, {}, {}, {}}),
             std::vector<std::string>{"deep_opacity: layers 64 left out, it takes 1 .. 16"});
   EXPECT_TRUE(left_out_of(spaced, {{4, 8}, {}, {}, {}}).empty());
+  const std::string filtered[] = {"shadow_map"};
+  const auto same = candidates_of(filtered, {{4}, {64, 128}, {}, {}, false, {1}});
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->size(), 4u) << "two of the three cases differ by the filter alone";
   const std::string unknown[] = {"opacity"};
   EXPECT_FALSE(candidates_of(unknown, {}));
 }
