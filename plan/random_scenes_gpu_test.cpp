@@ -271,7 +271,7 @@ int expect_rest_unchanged(const RandomScene& scene, std::mt19937& chance) {
 int scenes() { return std::getenv("CUTICLE_SWEEPS") ? 60 : 4; }
 
 /// What needs a character's file, which is not in the repository, or draws and shadows on the CPU.
-constexpr std::string_view k_elsewhere[] = {"carry", "skin", "supersampled", "reference", "none"};
+constexpr std::string_view k_elsewhere[] = {"carry", "skin", "supersampled", "reference", "none", "truth"};
 
 TEST(RandomScenes, Each_RunsWhatItsFactsDemand) {
   std::mt19937 chance(7);
