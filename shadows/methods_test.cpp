@@ -236,8 +236,9 @@ TEST(ShadowMethods, StudyCasesByAPointLight_AgainstTruth) { compare_with_truth(g
 TEST(ShadowMethods, FarPointLight_IsADistantLight) {
   const strands::Groom groom = tests::coat(1000, 8, 0.03, 1.5e-4f, 3);
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(1, 1, 0.3));
-  // An opaque first fibre lights or darkens a receiver altogether; a ray begins within a fibre or beside it.
-  for (const auto& [name, bound] : {std::pair("deep_opacity", 0.002), {"shadow_map", 0.014}, {"truth", 0.003}}) {
+  // An opaque first fibre lights or darkens a receiver altogether (gcc .0123, clang .0144: which texels a fibre holds is a
+  // matter of rounding); a ray begins within a fibre or beside it.
+  for (const auto& [name, bound] : {std::pair("deep_opacity", 0.002), {"shadow_map", 0.018}, {"truth", 0.003}}) {
     const auto method = find_method(name);
     if (!method) continue;
     auto values = small_values(**method);
