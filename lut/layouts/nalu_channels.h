@@ -48,6 +48,14 @@ inline constexpr Channel k_grey_n[] = {
     {"N_TT", bsdf::Quantity::N, "TT", 1},
     {"N_TRT", bsdf::Quantity::N, "TRT", 1, Texel::cell_average},
 };
+/// Of fibres whose paths after TRT are one lobe, which leaves evenly over phi.
+inline constexpr Channel k_n_residual[] = {
+    {"N_residual.r", bsdf::Quantity::N, "residual", 0},
+    {"N_residual.g", bsdf::Quantity::N, "residual", 1},
+    {"N_residual.b", bsdf::Quantity::N, "residual", 2},
+};
+inline constexpr Term k_residual_terms[] = {
+    {{"M_R", "N_R"}}, {{"M_TT", "N_TT"}}, {{"M_TRT", "N_TRT"}}, {{"M_residual", "N_residual"}}};
 /// The three textures.
 template <class Axes>
 inline constexpr TableLayout k_nalu_tables[] = {

@@ -21,19 +21,12 @@ constexpr Channel k_n_trt[] = {
     {"N_TRT.g", bsdf::Quantity::N, "TRT", 1, Texel::for_filter},
     {"N_TRT.b", bsdf::Quantity::N, "TRT", 2, Texel::for_filter},
 };
-/// It leaves evenly over phi.
-constexpr Channel k_n_residual[] = {
-    {"N_residual.r", bsdf::Quantity::N, "residual", 0},
-    {"N_residual.g", bsdf::Quantity::N, "residual", 1},
-    {"N_residual.b", bsdf::Quantity::N, "residual", 2},
-};
 constexpr TableLayout k_tables[] = {
     {"M", AngleAxes::u_m, AngleAxes::v_m, k_m},
     {"N_TT_R", AngleAxes::u_n, k_viewer, k_n_tt_r},
     {"N_TRT", AngleAxes::u_n, k_viewer, k_n_trt},
     {"N_residual", k_viewer, k_no_axis, k_n_residual},
 };
-constexpr Term k_terms[] = {{{"M_R", "N_R"}}, {{"M_TT", "N_TT"}}, {{"M_TRT", "N_TRT"}}, {{"M_residual", "N_residual"}}};
 constexpr std::string_view k_systems[] = {"N12"};
 
 }  // namespace
@@ -48,7 +41,7 @@ const Layout& entry() {
                 .systems = k_systems},
       .tables = k_tables,
       .composition = "S = M_R N_R + M_TT N_TT + M_TRT N_TRT + M_residual N_residual, N at abs(theta_o)",
-      .terms = k_terms,
+      .terms = k_residual_terms,
       .family = "chiang"};
   return layout;
 }

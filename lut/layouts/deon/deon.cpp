@@ -15,19 +15,12 @@ constexpr Channel k_n_trt[] = {
     {"N_TRT.g", bsdf::Quantity::N, "TRT", 1},
     {"N_TRT.b", bsdf::Quantity::N, "TRT", 2},
 };
-/// It leaves evenly over phi.
-constexpr Channel k_n_residual[] = {
-    {"N_residual.r", bsdf::Quantity::N, "residual", 0},
-    {"N_residual.g", bsdf::Quantity::N, "residual", 1},
-    {"N_residual.b", bsdf::Quantity::N, "residual", 2},
-};
 constexpr TableLayout k_tables[] = {
     {"M", AngleAxes::u_m, AngleAxes::v_m, k_m},
     {"N_TT_R", AngleAxes::u_n, AngleAxes::v_n, k_nalu_n_tt_r},
     {"N_TRT", AngleAxes::u_n, AngleAxes::v_n, k_n_trt},
     {"N_residual", AngleAxes::v_n, k_no_axis, k_n_residual},
 };
-constexpr Term k_terms[] = {{{"M_R", "N_R"}}, {{"M_TT", "N_TT"}}, {{"M_TRT", "N_TRT"}}, {{"M_residual", "N_residual"}}};
 constexpr std::string_view k_systems[] = {"N12"};
 
 }  // namespace
@@ -44,7 +37,7 @@ const Layout& entry() {
       .composition =
           "S = M_R N_R + M_TT N_TT + M_TRT N_TRT + M_residual N_residual; with attenuation_angle=theta_o "
           "read N at abs(theta_o) in place of theta_d",
-      .terms = k_terms,
+      .terms = k_residual_terms,
       .family = "deon"};
   return layout;
 }
