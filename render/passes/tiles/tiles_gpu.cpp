@@ -71,9 +71,6 @@ class Tiles : public GpuPass {
   Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    if (push.slices > 0)
-      return bad_input("tile_sort: slices: strands of one slice are not sorted, so that their shares are not known",
-                       "leave slices out for deep pictures and mattes");
     SeenStrands seen;
     CUTICLE_ASSIGN(seen.shares, shares_of_tiles(*device_, fine_.form, buffers_of(resources), push, lists.grid));
     CUTICLE_ASSIGN(seen.behind,
