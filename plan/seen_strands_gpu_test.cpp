@@ -70,6 +70,7 @@ TEST(SeenStrands, WithoutAHead_AddUpToThePictureWithinAThousandth) {
   for (const auto& [method, passes] :
        {std::pair(k_tiles, std::string_view(R"("passes": {})")),
         std::pair(k_tiles, std::string_view(R"("passes": {"tiles": {"coverage_rows": 0}})")),
+        std::pair(k_tiles, std::string_view(R"("passes": {"tile_lists": {"lanes": 64}})")),
         std::pair(k_supersampled, std::string_view(R"("passes": {"supersampled": {"samples": 8}})")),
         std::pair(k_reference, k_paths)}) {
     const FrameResult frame = frame_by({k_light, hair, method, passes, k_outputs});
