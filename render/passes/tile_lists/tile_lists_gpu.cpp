@@ -134,7 +134,7 @@ class TileListsPass : public GpuPass {
   Kernels kernels_;
   TileLists lists_;
   gpu::Buffer all_strands_;  ///< a list that is none
-  std::uint64_t most_;  ///< entries that the budget has room for
+  std::uint64_t most_;       ///< entries that the budget has room for
 };
 
 Result<Kernels> make_kernels(gpu::Device& device) {
@@ -186,6 +186,12 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 }
 
 }  // namespace
+
+std::uint32_t lanes_of(const gpu::DeviceInfo& device, const PassParameters& parameters) {
+  const std::uint32_t asked = parameters_of<Parameters>(parameters).lanes;
+  if (asked == 0) return !device.is_software && device.subgroup_size >= 32 ? 64 : 8;
+  return asked < 32 ? 8 : asked < 64 ? 32 : 64;
+}
 
 TilePush push_of(const Resources& resources, const TileLists& lists) {
   const FrameView& view = resources.get<FrameView>();

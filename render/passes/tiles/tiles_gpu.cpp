@@ -71,9 +71,6 @@ class Tiles : public GpuPass {
   Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    if (push.slices > 0)
-      return bad_input("tile_sort: slices: strands of one slice are not sorted, so that their shares are not known",
-                       "leave slices out for deep pictures and mattes");
     SeenStrands seen;
     CUTICLE_ASSIGN(seen.shares, shares_of_tiles(*device_, fine_.form, buffers_of(resources), push, lists.grid));
     CUTICLE_ASSIGN(seen.behind,
@@ -134,10 +131,12 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
-  fine.form = {spans, !sliced && reads_records(device.info(), vertices), std::max(rows, 1u)};
+  const std::uint32_t lanes = tile_lists::lanes_of(device.info(), resources.parameters);
+  const bool records = !sliced && lanes == tile_lists::k_tile && reads_records(device.info(), vertices);
+  fine.form = {spans, records, std::max(rows, 1u), lanes};
   const gpu::TextureFormat form = fine.form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, std::max(rows, 1u)}, {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, fine.form.rows, lanes}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
