@@ -4,6 +4,17 @@
 
 namespace cuticle::bsdf {
 
+/// The row of models that have a mean over turns.
+inline constexpr registry::Parameter turns_parameter = {
+    "turns",
+    registry::ParameterType::integer,
+    "1",
+    0,
+    4096,
+    "0",
+    {},
+    "aspect other than 1: TRT is the mean over this many turns of the cross-section; 0: its one turn is phi_o's"};
+
 /// Whether phi_o changes what these values scatter: the model has an `aspect`, which is not 1, and no mean over turns
 /// is asked for.
 bool is_turned_by_viewer(const registry::ParameterValues& values);

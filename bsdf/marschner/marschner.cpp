@@ -9,6 +9,7 @@
 #include "bsdf/marschner/marschner.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
+#include "bsdf/turns.h"
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -170,8 +171,7 @@ void describe(registry::Members& members, Parameters& p) {
           "corrected: energy-conserving M, exact roots, true chord; as_published: the paper as printed");
   members(p.aspect, "aspect", "1", 0.5, 2,
           "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
-  members(p.turns, "turns", "1", 0, 4096,
-          "aspect other than 1: TRT is the mean over this many turns of the cross-section; 0: its one turn is phi_o's");
+  members(p.turns, turns_parameter);
   members(p.caustic, "caustic", caustics,
           "exact: TRT with its singularities; smoothed: the paper's N_TRT without them");
   members(p.k_g, "k_g", "1", 0, 5, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper");
