@@ -166,7 +166,8 @@ Result<AverageScattering> average_scattering(const Model& model, const registry:
                                              double theta_o) {
   if (!(std::abs(theta_o) <= pi / 2 * (1 + 1e-12)))
     return bad_input(fmt::format("theta_o = {} is outside -pi/2 .. pi/2 rad", theta_o));
-  const Integrand integrand(model, over_turns(values, k_turns), theta_o);
+  const registry::ParameterValues averaged = over_turns(values, k_turns);
+  const Integrand integrand(model, averaged, theta_o);
   Moments moments;
   AverageScattering average;
   for (int k = 0; k < first_panels; ++k) {
