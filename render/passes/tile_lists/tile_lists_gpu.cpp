@@ -137,7 +137,13 @@ class TileListsPass : public GpuPass {
   std::uint64_t most_;       ///< entries that the budget has room for
 };
 
-Result<Kernels> make_kernels(gpu::Device& device) {
+/// Of the one workgroup that adds up the tiles' counts.
+std::uint32_t scan_lanes(const gpu::DeviceInfo& device, const Resources& resources) {
+  const bool is_wide = lanes_of(device, resources.parameters) > k_tile;
+  return is_wide ? std::min(1024u, device.max_workgroup_invocations) : 256;
+}
+
+Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   constexpr std::uint32_t bytes = sizeof(TilePush);
   const std::vector<gpu::TexelBinding> walked = {{0, gpu::TextureFormat::rgba32f},
                                                  {1, gpu::TextureFormat::rgba32f},
@@ -146,7 +152,8 @@ Result<Kernels> make_kernels(gpu::Device& device) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
   CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {}, walked}));
-  CUTICLE_ASSIGN(kernels.scan, device.make_kernel(tile_scan_comp, {3, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.scan,
+                 device.make_kernel(tile_scan_comp, {3, 0, bytes, {scan_lanes(device.info(), resources)}}));
   CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {7, 0, bytes, {}, walked}));
   return kernels;
 }
@@ -173,7 +180,7 @@ std::uint64_t likely_entries(const Resources& resources) {
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
-  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
   CUTICLE_ASSIGN(gpu::Buffer all_strands, strands::make_no_strand_list(*device));
   const double budget = parameters_of<Parameters>(resources).budget_mib * 1024 * 1024;
