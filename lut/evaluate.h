@@ -29,7 +29,8 @@ struct Source {
   double caustic_index = 0;             ///< bsdf::Model::caustic_index
 };
 /// What a table of these values holds: no table has an axis for phi_o, so a flat fibre's is the mean over turns of its
-/// cross-section: over 128 where texels hold the model's own means over azimuths, else over 16. Test: lut_turns_test.
+/// cross-section: over 128 where texels hold the model's own means over azimuths, else over 16, of dual scattering
+/// over 2. Test: lut_turns_test.
 registry::ParameterValues table_values(const bsdf::Model& model, const registry::ParameterValues& values,
                                        const Layout& layout);
 

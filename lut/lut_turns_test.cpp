@@ -21,6 +21,7 @@ std::int64_t turns_of(std::string_view layout, const std::string& settings) {
 TEST(TableValues, FlatFibre_AsksForAsManyTurnsAsItsTexelsNeed) {
   EXPECT_EQ(turns_of("nalu_theta", "aspect=0.85"), 128);
   EXPECT_EQ(turns_of("factored", "aspect=0.85"), 16);
+  EXPECT_EQ(turns_of("dual_scattering", "aspect=0.85"), 2);
   EXPECT_EQ(turns_of("nalu_theta", "aspect=0.85,caustic=smoothed"), 16);
   EXPECT_EQ(turns_of("nalu_theta", "aspect=0.85,turns=3"), 3);
   EXPECT_EQ(turns_of("nalu_theta", ""), 0);

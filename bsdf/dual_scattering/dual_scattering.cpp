@@ -159,8 +159,9 @@ Sums sums_of(const AverageScattering& a, int c, double density) {
 
 }  // namespace
 
-/// A flat fibre's average is that over turns of its cross-section; a sum over all azimuths needs few.
-constexpr int k_turns = 16;
+/// A flat fibre's average is that over turns of its cross-section; two turns are exact for a cubic in the index, and a
+/// sum over all azimuths is smooth in it.
+constexpr int k_turns = 2;
 
 Result<AverageScattering> average_scattering(const Model& model, const registry::ParameterValues& values,
                                              double theta_o) {
