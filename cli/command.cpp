@@ -13,6 +13,7 @@
 #include "cli/suggest.h"
 #include "core/interrupt.h"
 #include "core/memory_limit.h"
+#include "core/registry/former_names.h"
 #include "core/text.h"
 
 namespace cuticle::cli {
@@ -122,9 +123,14 @@ void refuse_names_given_twice(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) refuse_names_given_twice(*command);
 }
 
+void say_former_name(std::string_view former, std::string_view now) {
+  fmt::print(stderr, "cuticle: '{}' is called '{}' now; the next version no longer reads the former name\n", former, now);
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
+  registry::set_former_name_listener(say_former_name);
   CLI::App app{"Cuticle: hair reflectance and hair shadowing"};
   app.require_subcommand(1);
   app.fallthrough();

@@ -12,6 +12,7 @@
 #include "plan/hair_in_view.h"
 #include "plan/picture_gpu.h"
 #include "plan/strand_motion_gpu.h"
+#include "plan/told_strands.h"
 #include "plan/traced_frame.h"
 
 namespace cuticle::plan {
@@ -40,6 +41,7 @@ struct FrameRunner::Impl {
   } made_of;
 
   Result<void> build(Progress& progress) {
+    CUTICLE_TRY(check_told_strands(scene));
     CUTICLE_ASSIGN(set, build_strand_set(scene));
     for (const std::string& note : set.notes) progress.message(note);
     leave_out_missing_head();
@@ -86,6 +88,7 @@ struct FrameRunner::Impl {
   Result<void> change(const scene::Scene& next, Progress& progress) {
     if (next.camera.camera.resolution != scene.camera.camera.resolution)
       return usage_error("the resolution of a running scene cannot change");
+    CUTICLE_TRY(check_told_strands(next));
     painted = k_none;
     const bool moves = next.simulation != scene.simulation;
     const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
@@ -166,11 +169,14 @@ struct FrameRunner::Impl {
     if (frame_plan.paints()) CUTICLE_TRY(paint_anew(frame, result));
     painted = frame;
     if (find_pass(plan, "reference")) return trace_paths(frame, options, result);
-    CUTICLE_ASSIGN(result.color, picture->read_color());
-    CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
     if (scene.outputs.tells_strands()) {
-      CUTICLE_ASSIGN(result.shares, picture->read_shares(result.color));
+      CUTICLE_ASSIGN(ToldPicture told, picture->read_told());
+      result.color = std::move(told.color);
+      result.shares = std::move(told.shares);
+    } else {
+      CUTICLE_ASSIGN(result.color, picture->read_color());
     }
+    CUTICLE_ASSIGN(result.aovs, picture->read_aovs(result.color));
     result.notes = picture->notes();
     return {};
   }

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "core/expect.h"
 #include "plan/frame_cost_gpu.h"
 #include "plan/picture_layers_gpu.h"
 #include "render/hair_shadows_gpu.h"
@@ -38,6 +39,8 @@ Result<std::unique_ptr<Picture>> Picture::create(std::shared_ptr<gpu::Device> de
   picture->resources_.progress = &progress;
   for (const PlannedResource& resource : plan.resources) picture->resources_.want(resource.name);
   CUTICLE_TRY(picture->choose_chunks());
+  if (scene.outputs.tells_strands() && picture->in_chunks())
+    return bad_input("outputs: deep and cryptomatte: so large a picture is drawn in parts", "draw a smaller picture");
   CUTICLE_TRY(picture->memory_.count("drawn strands", [&] { return picture->make_strands(); }));
   CUTICLE_TRY(picture->make_material());
   CUTICLE_TRY(picture->make_rest());
@@ -349,21 +352,18 @@ Result<Image> Picture::read_aovs(const Image& color) const {
   return image;
 }
 
-Result<std::vector<SeenShare>> Picture::read_shares(const Image& color) const {
-  for (const char* pass : {"depth_of_field", "motion_blur", "temporal_antialiasing"})
-    if (find_pass(plan_, pass))
-      return bad_input(fmt::format("outputs: deep and cryptomatte: '{}' moves light between pixels", pass),
-                       "leave it out, or draw by 'reference', whose samples know lens and shutter");
-  if (in_chunks())
-    return bad_input("outputs: deep and cryptomatte: so large a picture is drawn in parts", "draw a smaller picture");
+Result<ToldPicture> Picture::read_told() const {
+  std::optional<render::SeenStrands> seen;
   for (const DrawnPass& drawn : passes_) {
-    CUTICLE_ASSIGN(auto seen, drawn.pass->seen_strands(resources_));
-    if (seen)
-      return with_rest(std::move(seen->shares), color, seen->behind,
-                       resources_.get<render::FrameView>().camera.far_plane);
+    CUTICLE_ASSIGN(seen, drawn.pass->seen_strands(resources_));
+    if (seen) break;
   }
-  return bad_input(fmt::format("outputs: deep and cryptomatte: '{}' does not tell strands apart", scene_.render_method),
-                   "draw strands by tiles, supersampled or reference");
+  CUTICLE_EXPECT(seen, "check_told_strands refuses ways of drawing that cannot tell");
+  ToldPicture told;
+  CUTICLE_ASSIGN(told.color, read_color());
+  told.shares = with_rest(std::move(seen->shares), told.color, seen->behind,
+                          resources_.get<render::FrameView>().camera.far_plane);
+  return told;
 }
 
 Result<strands::Groom> Picture::read_strands() const {

@@ -28,12 +28,20 @@ struct PictureInput {
   bool records_character = false;        ///< its skin and hair are moved in the picture's submission
   const FinMotion* fins = nullptr;       ///< null: the scene has none
   Camera camera, camera_before;
-  bool follows = false;  ///< the picture painted before, a frame ago, by the same camera path
+  bool follows = false;                   ///< the picture painted before, a frame ago, by the same camera path
   const FramePlan* frame_plan = nullptr;  ///< which passes run; the others' results are those of an earlier picture
+};
+
+/// A picture, and what each pixel sees of each strand (objects from 1), with object 0 for what stands beside them.
+struct ToldPicture {
+  Image color;
+  std::vector<SeenShare> shares;
 };
 
 class Picture {
  public:
+  /// Errors: bad_input, of a pass, and of a picture so large that it is drawn in chunks where a pass or an output wants
+  /// all of it at once.
   static Result<std::unique_ptr<Picture>> create(std::shared_ptr<gpu::Device> device, const scene::Scene& scene,
                                                  const StrandSet& set, const Plan& plan, const Camera& first_camera,
                                                  Progress& progress);
@@ -51,10 +59,8 @@ class Picture {
   Result<Image> read_color() const;
   /// The channels of the color with those of the passes 'aovs' and 'velocity'; empty where the first is not planned.
   Result<Image> read_aovs(const Image& color) const;
-  /// What each pixel sees of each strand (objects from 1), and in object 0 what `color` holds beside them. Error:
-  /// bad_input, where the way of drawing cannot tell, where a pass moves light between pixels, and where the hair is drawn
-  /// in chunks.
-  Result<std::vector<SeenShare>> read_shares(const Image& color) const;
+  /// The color, and what each pixel sees of each strand, of a scene that check_told_strands allows.
+  Result<ToldPicture> read_told() const;
   Result<strands::Groom> read_strands() const;
   /// Null: none are baked.
   const lut::TableSet* tables() const;

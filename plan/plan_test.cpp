@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "plan/told_strands.h"
 #include "render/resource.h"
 
 namespace cuticle::plan::plan_test {
@@ -270,6 +271,45 @@ TEST(Plan, Text_ListsPassesReasonsAndWhatIsLeftOut) {
   const std::string text = to_text(planned(R"("head": {"present": false})"));
   EXPECT_THAT(text, HasSubstr("lines"));
   EXPECT_THAT(text, HasSubstr("the scene has no head"));
+}
+
+std::string refusal_of_told_strands(std::string_view fields) {
+  const auto scene =
+      scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}}})", fields), "/", "test", catalogue());
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
+  const Result<void> checked = check_told_strands(*scene);
+  return checked ? "" : checked.error().message;
+}
+
+TEST(ToldStrands, WayOfDrawingThatCannotTell_IsRefusedByName) {
+  for (std::string_view way : {"lines", "quads", "cards"})
+    for (std::string_view output : {"deep", "cryptomatte"})
+      EXPECT_THAT(refusal_of_told_strands(
+                      fmt::format(R"("render": {{"method": "{}"}}, "outputs": {{"{}": true}})", way, output)),
+                  HasSubstr(fmt::format("'{}' does not tell strands apart", way)));
+  for (std::string_view way : {"tiles", "supersampled", "reference"})
+    EXPECT_EQ(refusal_of_told_strands(fmt::format(R"("render": {{"method": "{}"}}, "outputs": {{"deep": true}})", way)),
+              "");
+  EXPECT_EQ(refusal_of_told_strands(R"("render": {"method": "lines"})"), "") << "not asked for";
+}
+
+TEST(ToldStrands, PassThatMovesLight_IsRefusedWhereItRuns) {
+  constexpr std::string_view k_lens = R"("outputs": {"deep": true}, "passes": {"depth_of_field": {}}, "render")";
+  EXPECT_THAT(refusal_of_told_strands(fmt::format(R"({}: {{"method": "tiles"}})", k_lens)),
+              HasSubstr("'depth_of_field' moves light between pixels"));
+  EXPECT_EQ(refusal_of_told_strands(fmt::format(R"({}: {{"method": "reference"}})", k_lens)), "");
+  constexpr std::string_view k_blur =
+      R"("outputs": {"deep": true}, "passes": {"motion_blur": {}}, "render": {"method": "tiles"})";
+  EXPECT_EQ(refusal_of_told_strands(k_blur), "") << "nothing moves";
+  EXPECT_THAT(refusal_of_told_strands(fmt::format(R"({}, "camera": {{"turntable_deg_per_frame": 1}})", k_blur)),
+              HasSubstr("'motion_blur' moves light between pixels"));
+}
+
+TEST(ToldStrands, SlicesOfDepth_AreRefused) {
+  EXPECT_THAT(
+      refusal_of_told_strands(
+          R"("outputs": {"deep": true}, "passes": {"tile_sort": {"slices": 8}}, "render": {"method": "tiles"})"),
+      HasSubstr("strands of one slice are not sorted"));
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ TEST(SeenStrands, WithoutAHead_AddUpToThePictureWithinAThousandth) {
   for (const auto& [method, passes] :
        {std::pair(k_tiles, std::string_view(R"("passes": {})")),
         std::pair(k_tiles, std::string_view(R"("passes": {"tiles": {"coverage_rows": 0}})")),
+        std::pair(k_tiles, std::string_view(R"("passes": {"tile_lists": {"lanes": 64}})")),
         std::pair(k_supersampled, std::string_view(R"("passes": {"supersampled": {"samples": 8}})")),
         std::pair(k_reference, k_paths)}) {
     const FrameResult frame = frame_by({k_light, hair, method, passes, k_outputs});
@@ -107,17 +108,23 @@ TEST(SeenStrands, DeepPicture_LaidOverEachOtherIsThePictureWithItsHead) {
   for (std::size_t k = 0; k < flat.pixels.size(); ++k) ASSERT_NEAR(flat.pixels[k], frame.color.pixels[k], 1e-3) << k;
 }
 
-TEST(SeenStrands, PassThatMovesLight_IsRefusedByName) {
-  const auto made = runner({k_light, k_tiles, k_outputs, R"("passes": {"depth_of_field": {"lens_radius": 5}})"});
-  const Result<FrameResult> refused = made->run(0);
-  ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, testing::HasSubstr("'depth_of_field' moves light between pixels"));
+std::string refusal_of(std::initializer_list<std::string_view> parts) {
+  const auto refused = FrameRunner::create(test_device(), scene_of(parts), silent_progress());
+  return refused ? "it is not refused" : refused.error().message;
 }
 
-TEST(SeenStrands, WayThatCannotTell_IsRefusedByName) {
-  const Result<FrameResult> refused = runner({k_light, k_lines, k_outputs})->run(0);
-  ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, testing::HasSubstr("'lines' does not tell strands apart"));
+TEST(SeenStrands, SceneThatCannotTell_IsRefusedBeforeItIsDrawn) {
+  EXPECT_THAT(refusal_of({k_light, k_tiles, k_outputs, R"("passes": {"depth_of_field": {"lens_radius": 5}})"}),
+              testing::HasSubstr("'depth_of_field' moves light between pixels"));
+  EXPECT_THAT(refusal_of({k_light, k_lines, k_outputs}), testing::HasSubstr("'lines' does not tell strands apart"));
+  EXPECT_THAT(refusal_of({k_light, k_tiles, k_outputs, R"("passes": {"tiles": {"chunk_px": 32}})"}),
+              testing::HasSubstr("so large a picture is drawn in parts"));
+}
+
+TEST(SeenStrands, RunningSceneThatCannotTellAnyMore_KeepsTheFormer) {
+  const auto made = runner({k_light, k_tiles, k_outputs});
+  EXPECT_FALSE(made->change(scene_of({k_light, k_lines, k_outputs}), silent_progress()));
+  EXPECT_TRUE(made->run(0));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class GpuPass {
   virtual void change_view(FrameView&, const PassParameters&) const {}
   /// After the submission: the picture, of a pass that makes it on the CPU.
   virtual Result<std::optional<Image>> finish(const Resources&) { return std::optional<Image>(); }
-  /// After the submission, of a pass that draws strands and can tell them apart.
+  /// After the submission and before `finish`, of a pass that draws strands and can tell them apart.
   virtual Result<std::optional<SeenStrands>> seen_strands(const Resources&) { return std::optional<SeenStrands>(); }
   /// What of a wanted resource goes into the picture's file.
   virtual std::optional<FileLayer> layer(std::string_view, const Resources&) const { return std::nullopt; }

@@ -4,12 +4,14 @@
 
 #include <fmt/core.h>
 
+#include "core/registry/former_names.h"
+
 namespace cuticle::scene {
 
 namespace {
 
-/// A key that a format renamed: of an object of the scene (empty: of the scene itself), to a key of the scene or, `within`,
-/// of the same object.
+/// A key that a format renamed: of an object of the scene (empty: of the scene itself), to a key of the scene or,
+/// `within`, of the same object.
 struct Renamed {
   std::string_view object, from, to;
   bool within = false;
@@ -22,7 +24,7 @@ struct Migration {
 
 /// Format 0, before the first release, kept the counts of drawn strands in an object of their own.
 constexpr Renamed k_from_0[] = {{"strands", "count", "strand_count"}, {"strands", "vertices", "strand_vertices"}};
-constexpr Renamed k_in_1[] = {{"", "lamps", "point_lights"}, {"passes", "truth", "supersampled", true}};
+constexpr Renamed k_in_1[] = {{"", "lamps", "point_lights"}};
 constexpr Migration k_migrations[] = {{0, k_from_0}, {1, k_in_1}};
 
 void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes) {
@@ -42,13 +44,23 @@ void rename(Json& scene, const Renamed& renamed, std::vector<std::string>& notes
                               renamed.from, renamed.to));
 }
 
-/// Ways of drawing that were called otherwise.
+/// A way of drawing that was called otherwise, and the parameters of its pass.
 void rename_method(Json& scene, std::vector<std::string>& notes) {
+  constexpr std::string_view k_key = "render.method";
+  std::vector<std::string> former;
+  if (const Json* const passes = scene.find("passes"); passes && passes->is_object())
+    for (const auto& [name, values] : passes->items())
+      if (registry::current_name(k_key, name) != name) former.push_back(name);
+  for (const std::string& name : former)
+    rename(scene, {"passes", name, registry::current_name(k_key, name), true}, notes);
   const Json* const render = scene.find("render");
   const Json* const method = render ? render->find("method") : nullptr;
-  if (!method || !method->is_text() || method->text() != "truth") return;
-  scene["render"]["method"] = Json("supersampled");
-  notes.push_back("'render.method': 'truth' is called 'supersampled' now");
+  if (!method || !method->is_text()) return;
+  const std::string name = method->text();
+  const std::string_view now = registry::current_name(k_key, name);
+  if (now == name) return;
+  scene["render"]["method"] = Json(std::string(now));
+  notes.push_back(fmt::format("'{}': '{}' is called '{}' now", k_key, name, now));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/migrate.h"
 #include "scene/scene.h"
 
 namespace cuticle::scene::migrate_test {
@@ -40,6 +41,9 @@ TEST(Migration, FormerWayOfDrawing_IsReadAndSaid) {
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->render_method, "supersampled");
   EXPECT_THAT(scene->notes, testing::ElementsAre("'render.method': 'truth' is called 'supersampled' now"));
+  Json with_pass = *Json::parse(R"({"schema_version": 1, "passes": {"truth": {"samples": 4}, "tiles": {}}})");
+  EXPECT_THAT(migrate(with_pass), testing::ElementsAre("'passes.truth' is called 'supersampled' now"));
+  EXPECT_EQ(with_pass, *Json::parse(R"({"schema_version": 1, "passes": {"tiles": {}, "supersampled": {"samples": 4}}})"));
 }
 
 TEST(Migration, KeyOfAnEarlierVersion_IsRefusedInThisOneAndBesideItsNewName) {

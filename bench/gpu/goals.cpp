@@ -1,6 +1,7 @@
 // The goals for a GPU (README.md beside this file): bench_gpu [share] [folder]. Prints for each goal the least time by
-// the device's timestamps and by the clock, beside what was asked for, and every pass of a frame. A share below 1 makes
-// all sizes smaller, to try the program on software Vulkan. Into a folder it writes the two pictures.
+// the device's timestamps and by the clock, beside what was asked for, and every pass of a frame; then frames whose
+// tiles are drawn by other numbers of invocations than suit the device, and how far their pictures are apart. A share
+// below 1 makes all sizes smaller, to try the program on software Vulkan. Into a folder it writes the two pictures.
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -12,6 +13,7 @@
 #include "lut/live_tables_gpu.h"
 #include "plan/frame_runner_gpu.h"
 #include "plan/plan.h"
+#include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "sim/solver_gpu.h"
 #include "strands/spline/smooth_gpu.h"
 
@@ -47,12 +49,14 @@ void print(const std::string& goal, double asked_ms, const Times& times) {
   std::fflush(stdout);
 }
 
-/// A frame of the procedural head by `tiles`, or by `method`, with one light and a deep opacity map.
+/// A frame of the procedural head by `tiles`, or by `method`, with one light and a deep opacity map. `lanes`: of a
+/// tile.
 struct FrameGoal {
   std::string name, method;
   int strands, vertices;
   glm::ivec2 size;
   double asked_ms;
+  int lanes = 0;
 };
 
 Result<scene::Scene> scene_of(const FrameGoal& goal, double share) {
@@ -61,16 +65,28 @@ Result<scene::Scene> scene_of(const FrameGoal& goal, double share) {
           "material": {{"model": {{"marschner": {{"sigma_a": [0.5447, 0.9061, 1.781]}}}}, "lut_size": 128}},
           "lights": [{{"to_light": [0.6, 0.9, 0.8], "irradiance": [15, 14.2, 13]}}],
           "shadow": {{"method": {{"deep_opacity": {{"layers": 8, "resolution": 512}}}}, "fibre_alpha": 0.4}},
-          "render": {{"method": "{}"}},
+          "render": {{"method": "{}"}}, "passes": {{"tile_lists": {{"lanes": {}}}}},
           "camera": {{"position_m": [0.42, 0.2, 1.0], "target_m": [0, 0.06, 0], "fov_deg": 27, "near_m": 0.2, "far_m": 5,
                      "resolution_px": [{}, {}]}}}})",
       std::max(100, int(goal.strands * share)), goal.vertices, std::max(100, int(goal.strands * share)), goal.method,
-      goal.size.x, goal.size.y);
+      goal.lanes, goal.size.x, goal.size.y);
   return scene::parse_scene(text, ".", "bench_gpu", plan::catalogue());
 }
 
+std::string name_of(const gpu::Device& device, const FrameGoal& goal, const scene::Scene& scene) {
+  if (goal.method != "tiles") return goal.name;
+  return fmt::format("{}, {} a tile", goal.name, render::tile_lists::lanes_of(device.info(), scene.passes));
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.pixels.size(); ++k) sum += std::abs(double(a.pixels[k]) - double(b.pixels[k]));
+  return sum / double(a.pixels.size());
+}
+
+/// `picture`: the first frame's; where there is one already, how far apart they are is printed.
 Result<void> time_frame(const std::shared_ptr<gpu::Device>& device, const FrameGoal& goal, double share,
-                        const char* folder) {
+                        const char* folder, Image& picture) {
   CUTICLE_ASSIGN(const scene::Scene scene, scene_of(goal, share));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, silent_progress()));
   Times times;
@@ -79,10 +95,13 @@ Result<void> time_frame(const std::shared_ptr<gpu::Device>& device, const FrameG
     keep_least(frame.cost, times);
     if (k > 0) continue;
     for (const std::string& note : frame.notes) fmt::print("    {}\n", note);
-    if (folder)
+    if (!picture.pixels.empty())
+      fmt::print("    mean difference from the picture of before: {:.3g}\n", mean_difference(frame.color, picture));
+    picture = frame.color;
+    if (folder && goal.lanes == 0)
       CUTICLE_TRY(write_exr(fmt::format("{}/{}_{}.exr", folder, goal.method, goal.size.y), frame.color, ExrType::half));
   }
-  print(goal.name, goal.asked_ms, times);
+  print(name_of(*device, goal, scene), goal.asked_ms, times);
   return {};
 }
 
@@ -170,7 +189,7 @@ Result<void> time_generation(const std::shared_ptr<gpu::Device>& device, double 
 Result<void> time_all(double share, const char* folder) {
   CUTICLE_ASSIGN(const auto device, gpu::Device::open());
   const gpu::DeviceInfo& info = device->info();
-  fmt::print("{}, {}, Vulkan {}\n", info.name, info.driver, info.api_version);
+  fmt::print("{}, {}, Vulkan {}, subgroups of {}\n", info.name, info.driver, info.api_version, info.subgroup_size);
   const FrameGoal frames[] = {{"tiles, 136,000 strands x 16, 1280 x 720", "tiles", 136'000, 16, {1280, 720}, 2},
                               {"lines, 136,000 strands x 16, 1280 x 720", "lines", 136'000, 16, {1280, 720}, 2},
                               {"tiles, 200,000 strands x 36, 3840 x 2160", "tiles", 200'000, 36, {3840, 2160}, 6},
@@ -184,7 +203,18 @@ Result<void> time_all(double share, const char* folder) {
   then(time_solver(device, "exact", "damping=0,shape_stiffness=0,clamped_vertices=1,inner_step=0.00417,max_substeps=4",
                    0.5, share));
   then(time_solver(device, "rod", "damping=0,inner_step=0.00209,max_substeps=8", 2, share));
-  for (const FrameGoal& goal : frames) then(time_frame(device, goal, share, folder));
+  for (const FrameGoal& goal : frames) {
+    Image picture;
+    then(time_frame(device, goal, share, folder, picture));
+  }
+  for (const FrameGoal& goal : {frames[0], frames[2]}) {
+    Image picture;
+    for (int lanes : {64, 32, 8}) {
+      FrameGoal by_lanes = goal;
+      by_lanes.lanes = lanes;
+      then(time_frame(device, by_lanes, share, folder, picture));
+    }
+  }
   return done;
 }
 

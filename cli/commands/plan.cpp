@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "plan/plan_report.h"
 #include "plan/strand_set.h"
+#include "plan/told_strands.h"
 #ifdef CUTICLE_HAS_GPU
 #include "cli/plan_on_device.h"
 #endif
@@ -28,6 +29,7 @@ struct Planned {
 Result<Planned> make(const PlanOptions& options, Context& context) {
   Planned planned;
   CUTICLE_ASSIGN(planned.scene, scene::load_scene(options.scene, plan::catalogue()));
+  CUTICLE_TRY(plan::check_told_strands(planned.scene));
 #ifdef CUTICLE_HAS_GPU
   CUTICLE_ASSIGN(planned.refused, meet_budgets(planned.scene, context));
   if (!planned.refused.empty()) return planned;

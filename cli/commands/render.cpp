@@ -15,6 +15,7 @@
 #include "core/json/json.h"
 #include "core/registry/former_names.h"
 #include "plan/frame_runner_gpu.h"
+#include "plan/told_strands.h"
 #include "render/passes/reference/reference_entry.h"
 #include "render/passes/velocity/velocity.h"
 #endif
@@ -238,6 +239,7 @@ Result<void> run_render(const RenderOptions& options, Context& context, Trace* t
     scene.passes.try_emplace("velocity", registry::default_values(render::velocity::entry().entry.parameters));
   if (!scene.outputs.color)
     return bad_input(fmt::format("{}: outputs.color = false leaves nothing to render", options.scene));
+  CUTICLE_TRY(plan::check_told_strands(scene));
   CUTICLE_ASSIGN(const auto device, gpu::Device::open({.choice = context.device}));
   CUTICLE_ASSIGN(const auto runner, plan::FrameRunner::create(device, scene, *context.progress, trace));
   tell_left_out(scene, runner->plan(), *context.progress);

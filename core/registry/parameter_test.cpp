@@ -1,7 +1,9 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/json/json.h"
+#include "core/registry/former_names.h"
 #include "core/registry/parameter.h"
 
 namespace cuticle::registry::parameter_test {
@@ -44,9 +46,12 @@ TEST(Parameters, FormerNames_AreReadAsThoseOfNow) {
       {"variant", ParameterType::choice, "", 0, 0, "corrected", variants, "of the model"},
       {"point_light_radius", ParameterType::real, "m", 0, 10, "0", {}, "of every point light"},
   };
-  testing::internal::CaptureStderr();
+  static std::vector<std::string> heard;
+  set_former_name_listener([](std::string_view former, std::string_view now) {
+    heard.push_back(fmt::format("{} is {}", former, now));
+  });
   const auto typed = parse_assignments(table, "variant=literal,lamp_radius=0.5");
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("'literal' is called 'as_published' now"));
+  EXPECT_THAT(heard, testing::UnorderedElementsAre("literal is as_published", "lamp_radius is point_light_radius"));
   ASSERT_TRUE(typed.ok());
   EXPECT_EQ(typed->choice("variant"), "as_published");
   EXPECT_EQ(typed->real("point_light_radius"), 0.5);
@@ -54,6 +59,8 @@ TEST(Parameters, FormerNames_AreReadAsThoseOfNow) {
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->real("point_light_radius"), 0.25);
   EXPECT_EQ(read->choice("variant"), "as_published");
+  EXPECT_EQ(heard.size(), 2) << "once a process";
+  set_former_name_listener(nullptr);
 }
 
 TEST(Parameters, EmptyAssignments_GiveTheDefaults) {

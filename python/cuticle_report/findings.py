@@ -2,7 +2,7 @@
 import dataclasses
 import math
 
-from . import ladder as ladders, results, states
+from . import growth as growths, ladder as ladders, results, states
 
 
 @dataclasses.dataclass
@@ -157,11 +157,27 @@ def plan(study):
                       f"{', '.join(states.label(pair) for pair in told[:3])}.", group_id(study, groups["features"]))
 
 
-MAKERS = {"picture": ladder, "plan": plan, "models": models, "luts": tables, "lobes": precision, "skinning": volume,
+OF_GROWTH = {"frame": "passes of a frame", "solvers": "solvers", "shadows": "shadow methods", "files": "readers and writers of strand files"}
+SUMS = {"all passes", "submissions", "clock", "processor"}  # of a frame's passes
+
+
+def growth(study):
+    """What takes longest at the largest size of each group, and what grows faster than its size."""
+    for group in filter(growths.is_of, study.groups):
+        size, knob = growths.sizes(group)[-1], growths.knob_of(group)
+        at_most = {method: seconds[size] for method, seconds in growths.curves(group).items() if size in seconds and method not in SUMS}
+        longest = max(at_most, key=at_most.get)
+        steep = {method: fit for method, fit in growths.steep(group).items() if method not in SUMS}
+        faster = f"; {', '.join(f'{method} (power {fit[0]:.2f})' for method, fit in steep.items())} {'grow' if len(steep) > 1 else 'grows'} faster than the number of {knob}" if steep else \
+            f"; nothing grows faster than the number of {knob}"
+        yield Finding(f"Of the {OF_GROWTH.get(group.raw['name'], group.raw['name'])} with {size:,.0f} {knob}, {longest} takes longest ({time(at_most[longest])}){faster}.", group_id(study, group), "table")
+
+
+MAKERS = {"picture": ladder, "plan": plan, "models": models, "luts": tables, "lobes": precision, "skinning": volume, "growth": growth,
           "shadows": lambda study: choices(study, 0.03, "Shadows with a mean error of transmittance of at most 3 % cost least by", "for all vertices"),
           "motion": lambda study: choices(study, 0.03, "Motion that stays within 3 % of a strand's length for half a second costs least by", "a strand and frame"),
           "render": lambda study: choices(study, 0.03, "Drawing with a mean error of coverage of at most 3 % costs least by", "a frame")}
-ORDER = ("picture", "luts", "shadows", "render", "motion", "plan", "models", "lobes", "skinning")
+ORDER = ("picture", "luts", "shadows", "render", "motion", "plan", "models", "lobes", "skinning", "growth")
 
 
 def find(studies, most=5):

@@ -57,9 +57,12 @@ def plots(study):
     return found
 
 
+def steep(group):
+    """Methods that grow faster than their size, by more than a standard error, with their fits."""
+    return {method: fit for method, fit in exponents(group).items() if fit[0] - fit[1] > STEEP}
+
+
 def sentences(group):
-    """Which grow faster than their size, by more than a standard error."""
-    steep = {method: fit for method, fit in exponents(group).items() if fit[0] - fit[1] > STEEP}
-    if not steep:
+    if not (found := steep(group)):
         return [f"Nothing grows faster than the {STEEP} power of the {knob_of(group)}."]
-    return [f"{method}: time grows with the {fit[0]:.2f} ± {fit[1]:.2f} power of the {knob_of(group)}." for method, fit in steep.items()]
+    return [f"{method}: time grows with the {fit[0]:.2f} ± {fit[1]:.2f} power of the {knob_of(group)}." for method, fit in found.items()]

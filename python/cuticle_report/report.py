@@ -178,11 +178,17 @@ def time_span(group, method):
 
 def sentences(group):
     """What is known of the group's rankings and exponents, and what is not; no exponent of points that take about the same time."""
-    found = []
+    found, untold = [], []
     for fit in group.conclusions["exponents"]:
         if time_span(group, fit["method"]) < LEAST_SPAN:
             continue
-        found.append(f"{fit['method']}: error falls as time to the power {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)}.")
+        if abs(fit["exponent"]) <= 2 * fit["standard_error"]:  # its interval of 95 % holds 0
+            untold.append(fit["method"])
+            continue
+        goes = "falls" if fit["exponent"] < 0 else "grows"
+        found.append(f"{fit['method']}: error {goes} as time to the power {results.shown(fit['exponent'], 2)} ± {results.shown(fit['standard_error'], 1)}.")
+    if untold:
+        found.append(f"{', '.join(untold)}: whether error falls with time cannot be told from these settings.")
     if knee := group.conclusions["knee"]:
         found.append(f"Knee of the front: {knee['point']}.")
     ranks = group.conclusions["rankings"]

@@ -132,3 +132,10 @@ def test_Bake_ItsFormatsAndTargets_AreHere():
     text = subprocess.run([PROGRAM, "bake", "--help"], capture_output=True, text=True, check=True).stdout
     choices = cuticle.table_choices()
     assert all(name in text for name in choices["formats"] + choices["targets"]) and {"glsl", "hlsl", "wgsl"} == set(choices["dialects"])
+
+
+def test_FormerName_OfAChoice_IsReadWithAWarning():
+    angles = {"theta_i_deg": 10, "theta_o_deg": 20, "phi_deg": 30}
+    with pytest.warns(UserWarning, match="'literal' is called 'as_published' now"):
+        former = cuticle.eval("marschner", "S", set={"variant": "literal"}, **angles)
+    assert (former == cuticle.eval("marschner", "S", set={"variant": "as_published"}, **angles)).all()

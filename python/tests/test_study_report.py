@@ -5,6 +5,7 @@ import math
 import pathlib
 import re
 import sys
+import types
 
 import numpy
 import pytest
@@ -153,6 +154,46 @@ def test_Flip_OfAPictureBesideItself_IsZeroAndOfABrighterOneIsNot(page):
 def test_Findings_OfTheTables_SayWhatIsFasterForCertain(page):
     html = (page / "index.html").read_text()
     assert "On a CPU, evaluating marschner itself in arrays takes" in html and "no set of tables is faster for certain" in html
+
+
+def group_with(exponents):
+    group = types.SimpleNamespace(raw={"name": "g"})
+    group.conclusions = {"exponents": exponents, "knee": None, "rankings": {"pairs_not_ranked_in_time": 0, "pairs_not_ranked_in_error": 0}}
+    group.drawable = lambda: [types.SimpleNamespace(method=fit["method"], seconds={"value": seconds}) for fit in exponents for seconds in (1, 10)]
+    return group
+
+
+def test_Sentences_ExponentWhoseIntervalHoldsZero_SayThatNoTrendIsTold():
+    from cuticle_report import report as page_report
+    fits = [{"method": "tiles", "exponent": 1.1, "standard_error": 2.0}, {"method": "quads", "exponent": -0.4, "standard_error": 0.3},
+            {"method": "supersampled", "exponent": -0.9, "standard_error": 0.1}, {"method": "cards", "exponent": 0.5, "standard_error": 0.1}]
+    assert page_report.sentences(group_with(fits)) == ["supersampled: error falls as time to the power -0.90 ± 0.1.", "cards: error grows as time to the power 0.50 ± 0.1.",
+                                                       "tiles, quads: whether error falls with time cannot be told from these settings."]
+
+
+def write_growth(tmp_path):
+    files = study_of("growth", ("read", "write"))
+    group = files["result.json"]["groups"][0] | {"name": "files", "metrics": []}
+    for point in group["points"]:
+        point["errors"], point["knobs"] = [], {"strands": point["knobs"]["size"]}
+    files["result.json"] |= {"groups": [group], "plots": [], "grids": []}
+    files["times.json"]["groups"][0]["name"] = "files"
+    files["conclusions.json"]["groups"][0] |= {"exponents": [], "cheapest_for": [], "front": [], "knee": None,
+                                               "growth": [{"method": "read", "exponent": 1.0, "standard_error": 0.01}, {"method": "write", "exponent": 1.31, "standard_error": 0.02}]}
+    write(tmp_path, files)
+
+
+def test_Findings_OfGrowthAlone_SayWhatTakesLongestAndGrowsFaster(tmp_path):
+    write_growth(tmp_path)
+    assert report(tmp_path).returncode == 0
+    html = (tmp_path / "index.html").read_text()
+    assert "Of the readers and writers of strand files with 256 strands, write takes longest (9.6 µs); write (power 1.31) grows faster than the number of strands." in html
+
+
+def test_Findings_OfAStudyWithoutAny_HaveNoHeading(tmp_path):
+    write(tmp_path, study_of("other"))
+    assert report(tmp_path).returncode == 0
+    assert 'id="findings"' not in (tmp_path / "index.html").read_text()
 
 
 @pytest.mark.parametrize("name, content, words", [

@@ -32,7 +32,7 @@ inline gpu::Texture target(glm::ivec2 size, gpu::TextureFormat format) {
 struct Drawing {
   int size = 64;
   double opacity = 1, budget_mib = 96, full_px = 0;
-  std::int64_t slices = 0, coverage_rows = 8;
+  std::int64_t slices = 0, coverage_rows = 8, lanes = 0;
   std::vector<glm::vec4> vertices, colors;
   std::vector<std::uint32_t> segments;
   float scene_depth = 1;                    ///< of the depth target

@@ -54,6 +54,7 @@ class Tiles {
     resources_.parameters["tiles"].set("coverage_rows", drawing.coverage_rows);
     set(render::tile_lists::entry(), "budget_mib", drawing.budget_mib);
     resources_.parameters["tile_lists"].set("full_px", drawing.full_px);
+    resources_.parameters["tile_lists"].set("lanes", drawing.lanes);
     resources_.edit<render::DrawnHair>().strands.bounds = {{-4, -4, -1}, {4, 4, 1}};
     scene_ = std::vector<float>(std::size_t(drawing.size * drawing.size), drawing.scene_depth);
     for (std::size_t side = std::size_t(drawing.size), last = side - 1; drawing.has_gap && last < scene_.size();

@@ -154,16 +154,16 @@ std::vector<double> shifts(int n) {
 
 class Sampler {
  public:
-  Sampler(const Camera& camera, const OpaqueScene& scene, const Sampling& sampling)
+  /// `vertices_per_strand`: strands are told apart; 0: they are not.
+  Sampler(const Camera& camera, const OpaqueScene& scene, const Sampling& sampling, std::uint32_t vertices_per_strand)
       : scene_(scene),
         sampling_(sampling),
         shifts_(shifts(sampling.samples)),
         width_(camera.resolution.x),
         inverse_near_(1 / camera.near_plane),
-        inverse_far_(1 / camera.far_plane) {}
+        inverse_far_(1 / camera.far_plane),
+        vertices_per_strand_(vertices_per_strand) {}
 
-  /// Keeps what each pixel sees of each strand, too.
-  void tell_strands(std::uint32_t vertices_per_strand) { vertices_per_strand_ = vertices_per_strand; }
   /// Of the pixel before.
   void append_seen(glm::ivec2 pixel, std::vector<SeenShare>& shares) {
     const double samples = double(sampling_.samples) * sampling_.samples;
@@ -245,9 +245,9 @@ class Sampler {
   std::vector<double> shifts_;
   int width_;
   double inverse_near_, inverse_far_;
+  std::uint32_t vertices_per_strand_;
   std::vector<const Line*> lines_;
   std::vector<Hit> hits_;
-  std::uint32_t vertices_per_strand_ = 0;  ///< 0: strands are not told apart
   std::vector<std::pair<std::uint32_t, SeenStrand>> seen_;
 };
 
@@ -260,47 +260,36 @@ std::vector<Line> lines_of(const Camera& camera, const ColoredStrands& strands) 
   return lines;
 }
 
-void draw_tile(const Tiles& tiles, std::size_t tile, Sampler& sampler, Image& image) {
+/// Adds to `shares` what the tile's pixels see of each strand, where the sampler tells them apart.
+void draw_tile(const Tiles& tiles, std::size_t tile, Sampler& sampler, Image& image, std::vector<SeenShare>& shares) {
   const glm::ivec2 corner = tiles.corner(tile);
   for (int y = corner.y; y < std::min(corner.y + k_tile, image.height); ++y)
     for (int x = corner.x; x < std::min(corner.x + k_tile, image.width); ++x) {
       const glm::dvec4 color = sampler.pixel({x, y}, tiles.lines(tile));
       for (int c = 0; c < 4; ++c) image.at(x, y, c) = float(color[c]);
+      sampler.append_seen({x, y}, shares);
     }
 }
 
 }  // namespace
 
-Image rasterise(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
-                const Sampling& sampling) {
+ToldImage rasterise_told(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
+                         const Sampling& sampling, std::uint32_t vertices_per_strand) {
   const std::vector<Line> lines = lines_of(camera, strands);
   const Tiles tiles(lines, camera.resolution);
-  Image image = make_image(camera.resolution.x, camera.resolution.y, {"R", "G", "B", "A"});
-  tbb::parallel_for(std::size_t(0), tiles.count(), [&](std::size_t tile) {
-    Sampler sampler(camera, scene, sampling);
-    draw_tile(tiles, tile, sampler, image);
-  });
-  return image;
-}
-
-std::vector<SeenShare> strands_seen(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
-                                    const Sampling& sampling, std::uint32_t vertices_per_strand) {
-  const std::vector<Line> lines = lines_of(camera, strands);
-  const Tiles tiles(lines, camera.resolution);
+  ToldImage told{make_image(camera.resolution.x, camera.resolution.y, {"R", "G", "B", "A"}), {}};
   std::vector<std::vector<SeenShare>> of_tiles(tiles.count());
   tbb::parallel_for(std::size_t(0), tiles.count(), [&](std::size_t tile) {
-    Sampler sampler(camera, scene, sampling);
-    sampler.tell_strands(vertices_per_strand);
-    const glm::ivec2 corner = tiles.corner(tile), end = glm::min(corner + k_tile, camera.resolution);
-    for (int y = corner.y; y < end.y; ++y)
-      for (int x = corner.x; x < end.x; ++x) {
-        sampler.pixel({x, y}, tiles.lines(tile));
-        sampler.append_seen({x, y}, of_tiles[tile]);
-      }
+    Sampler sampler(camera, scene, sampling, vertices_per_strand);
+    draw_tile(tiles, tile, sampler, told.image, of_tiles[tile]);
   });
-  std::vector<SeenShare> shares;
-  for (const std::vector<SeenShare>& each : of_tiles) shares.insert(shares.end(), each.begin(), each.end());
-  return shares;
+  for (const std::vector<SeenShare>& each : of_tiles) told.shares.insert(told.shares.end(), each.begin(), each.end());
+  return told;
+}
+
+Image rasterise(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
+                const Sampling& sampling) {
+  return rasterise_told(camera, strands, scene, sampling, 0).image;
 }
 
 std::vector<float> behind(const Camera& camera, const OpaqueScene& scene) {

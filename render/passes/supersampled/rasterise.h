@@ -39,10 +39,15 @@ struct Sampling {
 Image rasterise(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
                 const Sampling& sampling);
 
-/// The same samples, told apart by strand: what each pixel sees of each, strands from 1 by their `vertices_per_strand`
-/// vertices. Light and shares add up to the picture's hair.
-std::vector<SeenShare> strands_seen(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
-                                    const Sampling& sampling, std::uint32_t vertices_per_strand);
+/// A picture, and what each pixel of it sees of each strand.
+struct ToldImage {
+  Image image;
+  std::vector<SeenShare> shares;
+};
+/// The picture with its samples told apart by strand, strands from 1 by their `vertices_per_strand` vertices. Light and
+/// shares add up to the picture's hair.
+ToldImage rasterise_told(const Camera& camera, const ColoredStrands& strands, const OpaqueScene& scene,
+                         const Sampling& sampling, std::uint32_t vertices_per_strand);
 
 /// How far the scene stands in the middle of each pixel, metres along the view; 0: nothing there.
 std::vector<float> behind(const Camera& camera, const OpaqueScene& scene);

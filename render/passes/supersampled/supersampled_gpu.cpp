@@ -5,9 +5,9 @@
 #include "render/pass_gpu.h"
 #include "render/passes/resolve/resolve.h"
 #include "render/passes/shade_strands/shade_strands_gpu.h"
-#include "render/passes/tiles/tiles.h"
 #include "render/passes/supersampled/rasterise.h"
 #include "render/passes/supersampled/supersampled.h"
+#include "render/passes/tiles/tiles.h"
 
 namespace cuticle::render::supersampled {
 
@@ -19,20 +19,26 @@ class Supersampled : public GpuPass {
   explicit Supersampled(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
   Result<void> record(gpu::Commands&, const Resources& resources) override {
     has_scene_ = resources.get<Targets>().keep;
+    drawn_.reset();
     return {};
   }
   Result<std::optional<Image>> finish(const Resources& resources) override {
-    CUTICLE_ASSIGN(const Read read, read_back(resources));
-    Image image = rasterise(resources.get<FrameView>().camera, read.strands(), read.scene(), read.sampling);
+    if (!drawn_) {
+      CUTICLE_ASSIGN(const Read read, read_back(resources));
+      drawn_ = rasterise(resources.get<FrameView>().camera, read.strands(), read.scene(), read.sampling);
+    }
+    Image image = std::move(*drawn_);
+    drawn_.reset();
     resolve::add_background(image, parameters_of<resolve::Parameters>(resources).background);
     return std::optional(std::move(image));
   }
   Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
     CUTICLE_ASSIGN(const Read read, read_back(resources));
     const Camera& camera = resources.get<FrameView>().camera;
-    return std::optional(SeenStrands{strands_seen(camera, read.strands(), read.scene(), read.sampling,
-                                                  resources.get<DrawnHair>().vertices_per_strand),
-                                     behind(camera, read.scene())});
+    ToldImage told = rasterise_told(camera, read.strands(), read.scene(), read.sampling,
+                                    resources.get<DrawnHair>().vertices_per_strand);
+    drawn_ = std::move(told.image);
+    return std::optional(SeenStrands{std::move(told.shares), behind(camera, read.scene())});
   }
 
  private:
@@ -69,7 +75,8 @@ class Supersampled : public GpuPass {
   }
 
   std::shared_ptr<gpu::Device> device_;
-  bool has_scene_ = false;  ///< a pass before this drew into the targets
+  bool has_scene_ = false;      ///< a pass before this drew into the targets
+  std::optional<Image> drawn_;  ///< the frame's picture, where its strands were told apart
 };
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources&) {

@@ -8,6 +8,7 @@ namespace cuticle::render::tile_lists {
 struct Parameters {
   static constexpr std::string_view name = "tile_lists";
   double budget_mib = 96, full_px = 0;
+  std::uint32_t lanes = 0;
 };
 void describe(registry::Members& members, Parameters& parameters);
 

@@ -134,10 +134,16 @@ class TileListsPass : public GpuPass {
   Kernels kernels_;
   TileLists lists_;
   gpu::Buffer all_strands_;  ///< a list that is none
-  std::uint64_t most_;  ///< entries that the budget has room for
+  std::uint64_t most_;       ///< entries that the budget has room for
 };
 
-Result<Kernels> make_kernels(gpu::Device& device) {
+/// Of the one workgroup that adds up the tiles' counts.
+std::uint32_t scan_lanes(const gpu::DeviceInfo& device, const Resources& resources) {
+  const bool is_wide = lanes_of(device, resources.parameters) > k_tile;
+  return is_wide ? std::min(1024u, device.max_workgroup_invocations) : 256;
+}
+
+Result<Kernels> make_kernels(gpu::Device& device, const Resources& resources) {
   constexpr std::uint32_t bytes = sizeof(TilePush);
   const std::vector<gpu::TexelBinding> walked = {{0, gpu::TextureFormat::rgba32f},
                                                  {1, gpu::TextureFormat::rgba32f},
@@ -146,7 +152,8 @@ Result<Kernels> make_kernels(gpu::Device& device) {
   Kernels kernels;
   CUTICLE_ASSIGN(kernels.scene, device.make_kernel(tile_scene_comp, {2, 1, bytes}));
   CUTICLE_ASSIGN(kernels.count, device.make_kernel(tile_count_comp, {8, 0, bytes, {}, walked}));
-  CUTICLE_ASSIGN(kernels.scan, device.make_kernel(tile_scan_comp, {3, 0, bytes}));
+  CUTICLE_ASSIGN(kernels.scan,
+                 device.make_kernel(tile_scan_comp, {3, 0, bytes, {scan_lanes(device.info(), resources)}}));
   CUTICLE_ASSIGN(kernels.scatter, device.make_kernel(tile_scatter_comp, {7, 0, bytes, {}, walked}));
   return kernels;
 }
@@ -173,7 +180,7 @@ std::uint64_t likely_entries(const Resources& resources) {
 }
 
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
-  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device));
+  CUTICLE_ASSIGN(Kernels kernels, make_kernels(*device, resources));
   CUTICLE_ASSIGN(TileLists lists, make_lists(*device, resources));
   CUTICLE_ASSIGN(gpu::Buffer all_strands, strands::make_no_strand_list(*device));
   const double budget = parameters_of<Parameters>(resources).budget_mib * 1024 * 1024;
@@ -186,6 +193,12 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 }
 
 }  // namespace
+
+std::uint32_t lanes_of(const gpu::DeviceInfo& device, const PassParameters& parameters) {
+  const std::uint32_t asked = parameters_of<Parameters>(parameters).lanes;
+  if (asked == 0) return !device.is_software && device.subgroup_size >= 32 ? 64 : 8;
+  return asked < 32 ? 8 : asked < 64 ? 32 : 64;
+}
 
 TilePush push_of(const Resources& resources, const TileLists& lists) {
   const FrameView& view = resources.get<FrameView>();

@@ -32,4 +32,9 @@ static_assert(sizeof(TilePush) == 128);
 
 TilePush push_of(const Resources& resources, const TileLists& lists);
 
+/// Invocations that draw a tile: 8, 32 or 64, by the parameter `lanes`. By itself 8 in software, where a subgroup may
+/// be so wide, and 64, one a pixel, on a device with subgroups of 32 or more, which would idle otherwise. The pictures
+/// are the same (tiles_lanes_gpu_test).
+std::uint32_t lanes_of(const gpu::DeviceInfo& device, const PassParameters& parameters);
+
 }  // namespace cuticle::render::tile_lists

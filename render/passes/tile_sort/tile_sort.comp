@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One workgroup of eight per tile: entries counted into bins of depth, about as many as there are entries, then sorted
+// One workgroup per tile, of eight in software: entries counted into bins of depth, about as many as there are entries, then sorted
 // by (depth, vertex), which no two entries share: the order does not depend on that in which they arrived. Shell's sort,
 // so that many entries at one depth stay affordable. With slices, these are the bins, and within each the order is that
 // of the vertices: near segments come early, so that few are looked at where they hide the others.
-layout(local_size_x = 8) in;
+layout(local_size_x_id = 0) in;
 #include "render/passes/tile_lists/tile_of_group.glsl"
 
 layout(std430, binding = 0) readonly buffer Offsets { uint offsets[]; };
@@ -12,7 +12,9 @@ layout(binding = 1) uniform usamplerBuffer entries;  // 1 / depth, first vertex:
 layout(std430, binding = 2) coherent buffer Sorted { uvec2 ordered[]; };
 layout(std430, binding = 3) writeonly buffer DepthRanges { vec2 depth_ranges[]; };
 
-const uint k_lanes = 8u, k_max_bins = 512u;
+layout(constant_id = 0) const uint k_lanes = 8u;
+layout(constant_id = 1) const uint k_bins_of_lane = 64u;  // at most; odd where many lanes read theirs at once
+const uint k_max_bins = k_lanes * k_bins_of_lane;
 const uint k_insertion = 16u;  // entries that one gap more does not pay for
 shared uint bins[k_max_bins];
 shared float nearest_of[k_lanes], farthest_of[k_lanes];
@@ -104,7 +106,7 @@ uint begin_of_bin(uint place, uint begin, uint end) {
   return bin == 0u ? begin : bins[bin - 1u];  // now a bin's end
 }
 
-// An eighth of the entries each; `most`: of one bin.
+// An equal share of the entries each; `most`: of one bin.
 void sort(uint lane, uint begin, uint end, uint most) {
   uint each = (end - begin + k_lanes - 1u) / k_lanes;
   uint from = begin_of_bin(begin + lane * each, begin, end), to = begin_of_bin(begin + (lane + 1u) * each, begin, end);
@@ -123,7 +125,8 @@ void main() {
   if (begin == end) return;
   vec2 range = depth_range(lane, begin, end);
   if (lane == 0u) depth_ranges[tile] = range;
-  uint bins_of_lane = min(((push.slices > 0u ? push.slices : end - begin) + 7u) / 8u, k_max_bins / k_lanes);
+  uint wanted = push.slices > 0u ? push.slices : end - begin, odd = k_bins_of_lane & 1u;
+  uint bins_of_lane = min((wanted + k_lanes - 1u) / k_lanes | odd, k_bins_of_lane);
   uint count = k_lanes * bins_of_lane;
   used_bins = push.slices > 0u ? push.slices : count;
   nearest = range.x;

@@ -1,5 +1,7 @@
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 
+#include <algorithm>
+
 #include <tile_sort_comp.spv.h>
 
 namespace cuticle::render::tile_sort {
@@ -21,9 +23,18 @@ class TileSort : public GpuPass {
   gpu::Kernel kernel_;
 };
 
-Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources&) {
+/// Lanes, and bins of each: on a GPU so many that most hold few entries, an odd number of each lane, so that these read
+/// theirs from different banks of shared memory. 28 KiB of it.
+std::vector<std::uint32_t> sizes_of(const gpu::DeviceInfo& device, std::uint32_t lanes_of_tile) {
+  if (lanes_of_tile == tile_lists::k_tile) return {8, 64};
+  return {std::min(256u, device.max_workgroup_invocations), 23};
+}
+
+Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
+  const std::vector<std::uint32_t> sizes =
+      sizes_of(device->info(), tile_lists::lanes_of(device->info(), resources.parameters));
   CUTICLE_ASSIGN(gpu::Kernel kernel,
-                 device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush), {}, {{1}}}));
+                 device->make_kernel(tile_sort_comp, {4, 0, sizeof(tile_lists::TilePush), sizes, {{1}}}));
   return std::unique_ptr<GpuPass>(std::make_unique<TileSort>(std::move(kernel)));
 }
 

@@ -8,6 +8,8 @@ void empty_spans() {}
 // Strands lie in a pixel by chance: of what is left each covers its share.
 float seen_share(float left, float covered) { return left * covered; }
 
+bool is_full() { return false; }  // something is always let through
+
 // On the block whose first pixel has its middle there.
 void draw(Prepared own, vec2 first_pixel) {
   vec4 line = own.axis, size = own.extent, middle = own.shade, change = own.slope;

@@ -1,5 +1,5 @@
-// A workgroup of eight per tile, each invocation a block of 2 x 4 pixels, on which it draws segments in the order of the
-// tile's list. Loops over few are unrolled: the loops of an invocation may make 65,535 turns together on lavapipe, after
+// A workgroup per tile, each invocation some of its pixels, on which it draws segments in the order of the tile's list.
+// Loops over few are unrolled: the loops of an invocation may make 65,535 turns together on lavapipe, after
 // which it leaves them. The shader that includes this defines depth_culled() and take(), and includes exchange_shared.glsl
 // or exchange_records.glsl, and areas.glsl or spans.glsl.
 #extension GL_GOOGLE_include_directive : require
@@ -54,7 +54,7 @@ Prepared set_up(uint entry, uint end, vec2 tile_middle) {
 uvec2 corner_of(uint tile) { return uvec2(tile % tile_grid().x, tile / tile_grid().x) * uint(k_tile); }
 
 // The first pixel of an invocation's block.
-uvec2 block_of(uint lane, uvec2 corner) { return corner + first_of_block(lane); }
+uvec2 block_of(uint lane, uvec2 corner) { return corner + first_of_block(lane / k_sharers); }
 
 void begin_block(uvec2 block) {
   looked_at = 0u;

@@ -1,22 +1,28 @@
-// A segment as the eight invocations of a tile tell it to each other.
-layout(local_size_x = 8) in;
+// The invocations of a tile, which pixels each has, and a segment as they tell it to each other. Eight have a block of 2 x 4
+// pixels each; where there are more, so many share a block, that one has half a row of it (32) or a pixel (64).
+layout(local_size_x_id = 2) in;
+layout(constant_id = 2) const uint k_lanes = 8u;  // a tile's invocations: 8, 32 or 64
 
-const uint k_lanes = 8u;
-const int k_block = 8;  // pixels of an invocation, 2 x 4
+const int k_block = 64 / int(k_lanes);  // pixels of an invocation
+const uint k_sharers = k_lanes / 8u;    // invocations of a block
 const uint k_blocks_across = 4u;
+
+uint own_lane();  // of exchange_records.glsl or exchange_shared.glsl
 
 // Of areas.glsl or spans.glsl: with x and y exchanged where the tile is drawn so; whether it is, from its segments.
 uvec2 turned(uvec2 value);
 void choose_turn(uint begin, uint end);
 void empty_spans();  // nothing of the block is covered
 float seen_share(float left, float covered);  // of a pixel, of which so much lets through and a segment covers so much
+bool is_full();  // nothing more can be seen on the invocation's pixels
 
-// Pixels of a block each way, where in the tile an invocation's block begins, and its pixel k in that.
+// Pixels of a block each way, where in the tile a block begins, and which of its pixels is the invocation's own k.
 uvec2 block_size() { return turned(uvec2(2u, 4u)); }
-uvec2 first_of_block(uint lane) {
-  return turned(uvec2(2u, 4u) * uvec2(lane % k_blocks_across, lane / k_blocks_across));
+uvec2 first_of_block(uint block) {
+  return turned(uvec2(2u, 4u) * uvec2(block % k_blocks_across, block / k_blocks_across));
 }
-uvec2 in_block(int k) { return turned(uvec2(k & 1, k >> 1)); }
+int pixel_of(int k) { return int(own_lane() % k_sharers) * k_block + k; }
+uvec2 in_block(int k) { return turned(uvec2(pixel_of(k) & 1, pixel_of(k) >> 1)); }
 
 // The axis: pixel q lies cross(xy, q) + z across it and dot(xy, q) + w along it. Extents and limits of the coverage
 // across and along. Colour and 1 / depth at the middle of the axis, and how they change per pixel.

@@ -9,30 +9,29 @@ const float k_columns = 32.0;  // of a pixel: a word holds a row
 const float k_least_lean = 1e-3;  // a span's ends are found by dividing by the parts of the direction
 
 uint spans[k_block * k_rows];
+float shifts[k_block * k_rows];  // of those rows, kept where each invocation has other pixels
 bool is_turned;
 
 uvec2 turned(uvec2 value) { return is_turned ? value.yx : value; }
 
-// By segments at even steps through the tile's list, a share of them for each invocation: the nearest alone may lie across
-// all others.
+// By 32 segments at even steps through the tile's list, four for each of eight invocations: the nearest alone may lie
+// across all others.
 void choose_turn(uint begin, uint end) {
-  const uint taken = 4u * k_lanes;
+  const uint taken = 32u;
   float lean = 0.0, per_step = float(end - begin) / float(taken);
   [[unroll]] for (uint k = 0u; k < 4u; ++k) {
     uint step = 4u * own_lane() + k, entry = begin + uint((float(step) + 0.5) * per_step);
     ProjectedSegment own = segment_from_vertex(vertex_of(min(entry, end - 1u)));
     float area = own.half_width * min(own.half_length, float(k_tile));
-    lean += area * (abs(own.axis.x) - abs(own.axis.y));
+    lean += step < taken ? area * (abs(own.axis.x) - abs(own.axis.y)) : 0.0;
   }
   is_turned = sum_in_all(lean) > 0.0;
 }
 
-void empty_spans() {
-  [[unroll]] for (int row = 0; row < k_block * k_rows; ++row) spans[row] = 0u;
-}
-
 // The samples that it covers are those that nothing before it did.
 float seen_share(float left, float covered) { return covered; }
+
+bool is_full() { return most_through() < 0.5 / (k_columns * float(k_rows)); }  // less than a sample
 
 float inverse_lean(float part) { return 1.0 / (part < 0.0 ? min(part, -k_least_lean) : max(part, k_least_lean)); }
 
@@ -42,6 +41,18 @@ float inverse_lean(float part) { return 1.0 / (part < 0.0 ? min(part, -k_least_l
 float shift_of(int pixel, int row) {
   const int step = int(0.618034 * float(k_rows) + 0.5) | 1;
   return (float((row * step + 3 * pixel) % k_rows) + 0.5) / float(k_rows);
+}
+
+float own_shift(int k, int row) {
+  if (k_sharers == 1u) return shift_of(k, row);  // a number that the compiler knows
+  return shifts[k * k_rows + row];
+}
+
+void empty_spans() {
+  [[unroll]] for (int row = 0; row < k_block * k_rows; ++row) {
+    spans[row] = 0u;
+    if (k_sharers > 1u) shifts[row] = shift_of(pixel_of(row / k_rows), row % k_rows);
+  }
 }
 
 // A row's samples from the first column to before the last.
@@ -76,7 +87,7 @@ void draw(Prepared own, vec2 first_pixel) {
     int fresh = 0;
     [[unroll]] for (int r = 0; r < k_rows; ++r) {
       int row = k * k_rows + r;
-      vec2 moved = float(r) * per_row + shift_of(k, r);
+      vec2 moved = float(r) * per_row + own_shift(k, r);
       vec2 first = least + moved, last = most + moved;
       uint span = open & span_of(max(first.x, first.y), min(last.x, last.y));
       fresh += bitCount(span & ~spans[row]);

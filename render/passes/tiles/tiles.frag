@@ -3,7 +3,7 @@
 layout(set = 0, binding = 0) uniform samplerBuffer picture;  // radiance times alpha, alpha
 layout(set = 0, binding = 1) uniform samplerBuffer mean_depth;
 layout(push_constant) uniform Push {
-  uint width;
+  uvec2 part;        // pixels that are drawn
   float per_sample;  // 1 / supersampling
   float inverse_near, inverse_far;
 };
@@ -11,7 +11,7 @@ layout(location = 0) out vec4 color;
 
 void main() {
   uvec2 at = uvec2(gl_FragCoord.xy * per_sample);
-  int pixel = int(at.y * width + at.x);
+  int pixel = int(at.y * part.x + at.x);
   vec4 hair = texelFetch(picture, pixel);
   if (hair.a <= 0.0) discard;
   color = vec4(hair.rgb / hair.a, hair.a);

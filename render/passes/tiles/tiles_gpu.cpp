@@ -6,7 +6,6 @@
 
 #include "gpu/groups.h"
 
-#include <resolve_vert.spv.h>
 #include <tiles_comp.spv.h>
 #include <tiles_frag.spv.h>
 #include <tiles_prepare_comp.spv.h>
@@ -14,16 +13,19 @@
 #include <tiles_sliced_comp.spv.h>
 #include <tiles_spans_comp.spv.h>
 #include <tiles_spans_records_comp.spv.h>
+#include <tiles_vert.spv.h>
 
 namespace cuticle::render::tiles {
 
 namespace {
 
-/// As tiles.frag reads it.
+/// As tiles.vert and tiles.frag read it.
 struct MergePush {
-  std::uint32_t width;
+  glm::uvec2 part;
   float per_sample, inverse_near, inverse_far;
 };
+
+constexpr std::uint32_t k_merged_run = 8;  // tiles, k_run of tiles.vert
 
 constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
 
@@ -60,10 +62,11 @@ class Tiles : public GpuPass {
     std::vector<const gpu::Buffer*> buffers = buffers_of(resources);
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
     commands.dispatch(fine_.draw, buffers, {}, gpu::bytes_of(push), lists.grid.x, lists.grid.y);
-    const MergePush merge{push.part.x, 1 / float(resources.get<Targets>().supersampling), push.inverse_near,
+    const MergePush merge{push.part, 1 / float(resources.get<Targets>().supersampling), push.inverse_near,
                           push.inverse_far};
     begin_target(commands, resources);
-    commands.draw(merge_, {&picture_, &depth_}, {}, gpu::bytes_of(merge), 3);
+    const std::uint32_t runs = (lists.grid.x + k_merged_run - 1) / k_merged_run * lists.grid.y;
+    commands.draw(merge_, {&picture_, &depth_, &lists.offsets}, {}, gpu::bytes_of(merge), 6 * runs);
     commands.end_rendering();
     return {};
   }
@@ -71,9 +74,6 @@ class Tiles : public GpuPass {
   Result<std::optional<SeenStrands>> seen_strands(const Resources& resources) override {
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    if (push.slices > 0)
-      return bad_input("tile_sort: slices: strands of one slice are not sorted, so that their shares are not known",
-                       "leave slices out for deep pictures and mattes");
     SeenStrands seen;
     CUTICLE_ASSIGN(seen.shares, shares_of_tiles(*device_, fine_.form, buffers_of(resources), push, lists.grid));
     CUTICLE_ASSIGN(seen.behind,
@@ -134,10 +134,12 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
-  fine.form = {spans, !sliced && reads_records(device.info(), vertices), std::max(rows, 1u)};
+  const std::uint32_t lanes = tile_lists::lanes_of(device.info(), resources.parameters);
+  const bool records = !sliced && lanes == tile_lists::k_tile && reads_records(device.info(), vertices);
+  fine.form = {spans, records, std::max(rows, 1u), lanes};
   const gpu::TextureFormat form = fine.form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, std::max(rows, 1u)}, {
+    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, fine.form.rows, lanes}, {
       {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
     }
   };
@@ -150,9 +152,9 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
 Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, const Resources& resources) {
   const std::size_t pixels = std::size_t(drawn_size(resources).x) * std::size_t(drawn_size(resources).y);
   gpu::GraphicsDescription description = target_description(resources);
-  description.vertex_spirv = resolve_vert;
+  description.vertex_spirv = tiles_vert;
   description.fragment_spirv = tiles_frag;
-  description.interface.storage_buffers = 2;
+  description.interface.storage_buffers = 3;
   description.interface.texels = {{0, gpu::TextureFormat::rgba16f}, {1, gpu::TextureFormat::r32f}};
   description.interface.push_constant_bytes = sizeof(MergePush);
   description.blend = gpu::BlendMode::alpha;

@@ -27,7 +27,7 @@ Result<gpu::Kernel> make_kernel(gpu::Device& device, const FineForm& form) {
                             {9,
                              0,
                              sizeof(tile_lists::TilePush),
-                             {0u, form.rows},
+                             {0u, form.rows, form.lanes},
                              {{0, first}, {1, gpu::TextureFormat::rgba16f}, {3, gpu::TextureFormat::r32u}}});
 }
 

@@ -9,10 +9,10 @@
 
 namespace cuticle::render::tiles {
 
-/// How the picture was drawn: by spans of samples or by areas, from records or from vertices.
+/// How the picture was drawn: by spans of samples or by areas, from records or from vertices, a tile by how many lanes.
 struct FineForm {
   bool spans = false, reads_records = false;
-  std::uint32_t rows = 1;
+  std::uint32_t rows = 1, lanes = 8;
 };
 
 /// Draws the lists once more and keeps a record of each segment that a pixel sees, band by band of the picture where

@@ -8,7 +8,7 @@
 
 layout(std430, binding = 8) readonly buffer DepthRanges { vec2 depth_ranges[]; };  // greatest and least 1 / depth
 
-const uint k_at_once = 16u, k_places = k_at_once * uint(k_block) * k_lanes;
+const uint k_at_once = k_draws_lists ? 8u : 16u, k_places = k_at_once * uint(k_block) * k_lanes;
 shared vec4 slice_light[k_places];  // what it lets through in w
 shared float slice_depth[k_places];
 shared vec2 slice_seen[k_says_seen * (k_places - 1u) + 1u];  // greatest share of the slice, bits of its vertex
