@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "plan/traced_scene_runner.h"
 #include "strands/formats/formats.h"
+#include "strands/spline/place.h"
 #include "tests/support/small_frames.h"
 
 namespace cuticle::plan::file_strands_gpu_test {
@@ -80,6 +81,17 @@ TEST(StrandsOfAFile, InThePicture_AreThoseOfTheFileWithTheirVerticesAndRadii) {
     EXPECT_EQ(drawn.offsets, groom.offsets) << method;
     EXPECT_EQ(drawn.positions, groom.positions) << method;
     EXPECT_EQ(drawn.radii, groom.radii) << method;
+  }
+}
+
+TEST(StrandsOfAFile, WithSegmentsCutIntoParts_KeepTheVerticesOfTheFile) {
+  const strands::Groom groom = arcs(37, {9, 2, 32}, 40e-6f);
+  const std::string path = written(groom, "cut.npz");
+  const strands::Groom drawn = drawn_by(*runner_of(of_file(path, R"(, "segment_parts": 4)"), k_tiles));
+  ASSERT_EQ(drawn.strand_count(), groom.strand_count());
+  for (std::size_t s = 0; s < groom.strand_count(); ++s) {
+    ASSERT_EQ(drawn.strand_size(s), strands::cut_size(groom.strand_size(s), 4));
+    for (std::size_t k = 0; k < groom.strand_size(s); ++k) EXPECT_EQ(drawn.strand(s)[4 * k], groom.strand(s)[k]);
   }
 }
 

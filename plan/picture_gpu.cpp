@@ -78,8 +78,9 @@ Result<void> Picture::choose_chunks() {
 
 Result<void> Picture::make_generator() {
   if (scene::draws_as_given(scene_)) {
-    CUTICLE_ASSIGN(generator_, strands::StrandPlacer::create(device_, set_.control, set_.placed,
-                                                             resources_.wants<render::DrawnVelocities>()));
+    CUTICLE_ASSIGN(generator_,
+                   strands::StrandPlacer::create(device_, set_.control, set_.placed,
+                                                 resources_.wants<render::DrawnVelocities>(), segment_parts(scene_)));
     return {};
   }
   const strands::StrandGeneratorInput input{.control = &set_.control,
@@ -372,7 +373,8 @@ Result<strands::Groom> Picture::read_strands() const {
   const std::size_t row = generator_->vertices_per_strand();
   strands::Groom groom;
   for (std::size_t s = 0; s < generator_->strand_count(); ++s) {
-    const std::size_t size = as_given ? set_.control.strand_size(set_.placed[s].guide) : row;
+    const std::size_t size =
+        as_given ? strands::cut_size(set_.control.strand_size(set_.placed[s].guide), segment_parts(scene_)) : row;
     for (std::size_t v = s * row; v < s * row + size; ++v) {
       groom.positions.emplace_back(vertices[v]);
       groom.radii.push_back(vertices[v].w);

@@ -190,7 +190,9 @@ std::size_t drawn_strands(const scene::Scene& scene, const StrandSet& set) {
 }
 
 int drawn_vertices(const scene::Scene& scene, const StrandSet& set) {
-  return scene::draws_as_given(scene) ? int(strands::longest_strand(set.control)) : scene.strand_vertices;
+  return scene::draws_as_given(scene)
+             ? int(strands::cut_size(strands::longest_strand(set.control), segment_parts(scene)))
+             : scene.strand_vertices;
 }
 
 registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set) {

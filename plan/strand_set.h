@@ -48,6 +48,8 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene);
 /// Strands that the scene draws, and vertices of each (of the longest, where it draws them as given).
 std::size_t drawn_strands(const scene::Scene& scene, const StrandSet& set);
 int drawn_vertices(const scene::Scene& scene, const StrandSet& set);
+/// Parts of a segment of strands that are drawn as given.
+inline std::uint32_t segment_parts(const scene::Scene& scene) { return std::uint32_t(scene.groom.segment_parts); }
 
 /// Sizes of a frame of this scene.
 registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set);

@@ -50,6 +50,7 @@ Result<void> read_groom(const Reader& reader, Scene& scene) {
   reader.get("metres_per_unit", scene.groom.metres_per_unit);
   reader.get("radius_m", scene.groom.radius);
   reader.get("interpolate", scene.groom.interpolate);
+  reader.get("segment_parts", scene.groom.segment_parts);
   reader.get("thickness_spread", scene.groom.thickness_spread);
   if (reader.has("follow_hairs")) scene.groom.follow_hairs = read_follow_hairs(reader.child("follow_hairs"));
   if (reader.has("taper")) scene.groom.taper = reader.value["taper"].number();
@@ -212,7 +213,14 @@ Result<void> read_shadow(const Reader& root, const Catalogue& catalogue, Scene& 
 
 /// A file's strands have counts of their own.
 void note_unused_counts(const Reader& root, Scene& scene) {
-  if (!draws_as_given(scene)) return;
+  if (!draws_as_given(scene)) {
+    if (scene.groom.segment_parts > 1)
+      scene.notes.push_back(
+          fmt::format("{}: groom.segment_parts is not used: drawn strands are made between control "
+                      "hairs, with strand_vertices each",
+                      root.where));
+    return;
+  }
   for (const char* key : {"strand_count", "strand_vertices"})
     if (root.has(key))
       scene.notes.push_back(

@@ -40,7 +40,8 @@ struct GroomSource {
   bool interpolate = false;                          ///< a file's strands are control hairs; false: drawn as they are
   std::optional<strands::FollowHairs> follow_hairs;  ///< beside each strand of a file or a specification; absent: as
                                                      ///< the file asks
-  double thickness_spread = 0;                       ///< of strands that are drawn as they are, by chance
+  int segment_parts = 1;        ///< into which segments of strands that are drawn as they are are cut
+  double thickness_spread = 0;  ///< of strands that are drawn as they are, by chance
   std::optional<double> taper;  ///< share of a root's radius that is gone at the tip; absent: taper_of in plan
   strands::Style grow;          ///< where neither file nor specification gives hair
   std::optional<strands::GroomingSpecification> specification;  ///< present: its strands are the hair, all of them

@@ -45,7 +45,7 @@ float even_sum(const Around& around) {
 float scattered_exponent(const Around& around, float per_unit, float fibre, float power) {
   const float between = float(around.farther - std::min(around.nearer, around.farther));
   return per_unit * float(around.nearer) +
-         exponent_of_part(per_unit * between, seen_fibre(fibre, power), share_before_seen(around.share, power));
+         seen_exponent(exponent_of_part(per_unit * between, fibre, around.share), power);
 }
 
 /// To the 11 significant bits of a half float, ties to even.

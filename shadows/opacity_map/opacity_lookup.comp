@@ -33,8 +33,7 @@ float exponent_at(uint texel, float z) {
   const float share = limited - float(slice_behind);
   if ((push.flags & k_scattered) == 0u) return push.per_unit * between_planes(float(nearer), float(farther), share);
   const float between = push.per_unit * float(farther - min(nearer, farther));
-  return push.per_unit * float(nearer) + exponent_of_part(between, seen_fibre(fibre_exponent, lookup_power),
-                                                                share_before_seen(share, lookup_power));
+  return push.per_unit * float(nearer) + seen_exponent(exponent_of_part(between, fibre_exponent, share), lookup_power);
 }
 
 void main() {

@@ -17,10 +17,10 @@ void main() {
   const uint strand = invocation();
   if (strand >= strands) return;
   const Row row = rows[strand];
-  const vec3 offset = offset_now(row), root = placed_at(row, offset, 0u), tip = placed_at(row, offset, row.size - 1u);
+  const vec3 offset = offset_now(row), root = placed_at(row, offset, 0u), tip = placed_at(row, offset, last_vertex(row));
   float whole = 0.0;
   vec3 before = root;
-  for (uint i = 1u; i < row.size; ++i) {
+  for (uint i = 1u; i <= last_vertex(row); ++i) {
     const vec3 point = placed_at(row, offset, i);
     whole += distance(before, point);
     before = point;
@@ -29,13 +29,13 @@ void main() {
   vec3 here = root;
   before = root;
   for (uint i = 0u; i < size; ++i) {
-    const uint k = min(i, row.size - 1u);
+    const Place at = place_of(row, i);
     const vec3 after = placed_at(row, offset, i + 1u);
-    const float fraction = whole > 0.0 ? min(along / whole, 1.0) : float(k) / float(row.size - 1u);
-    vertices[strand * size + i] = vec4(here, radii[row.first + k] * row.thickness);
+    const float fraction = whole > 0.0 ? min(along / whole, 1.0) : float(min(i, last_vertex(row))) / float(last_vertex(row));
+    vertices[strand * size + i] = vec4(here, mix(radii[row.first + at.k], radii[row.first + at.next], at.share) * row.thickness);
     tangents[strand * size + i] = vec4(vertex_tangent(before, after, root, tip), fraction);
     along += distance(here, after);
-    if (i + 1u < row.size) before = here;
+    if (i < last_vertex(row)) before = here;
     here = after;
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "strands/growing/random.h"
@@ -53,15 +54,20 @@ void spread_thickness(double spread, std::span<PlacedStrand> strands) {
     strands[s].thickness = float(1 + spread * (2 * random_stream(k_thickness_seed, Chance::follow, s).next_unit() - 1));
 }
 
-Groom place(const Groom& groom, std::span<const PlacedStrand> strands) {
+Groom place(const Groom& groom, std::span<const PlacedStrand> strands, std::uint32_t parts) {
   Groom result;
   for (const PlacedStrand& placed : strands) {
     const auto guide = groom.strand(placed.guide);
-    for (std::size_t k = 0; k < guide.size(); ++k)
-      result.positions.push_back(guide[k] +
-                                 placed.offset * (1 + placed.tip_separation * float(k) / float(guide.size())));
-    for (std::size_t k = 0; k < guide.size(); ++k)
-      result.radii.push_back(groom.radii[groom.offsets[placed.guide] + k] * placed.thickness);
+    const auto beside = [&](std::size_t k) {
+      return guide[k] + placed.offset * (1 + placed.tip_separation * float(k) / float(guide.size()));
+    };
+    const auto radius = [&](std::size_t k) { return groom.radii[groom.offsets[placed.guide] + k] * placed.thickness; };
+    for (std::size_t i = 0; !guide.empty() && i < cut_size(guide.size(), parts); ++i) {
+      const std::size_t k = i / parts, next = std::min(k + 1, guide.size() - 1);
+      const float share = float(i - k * parts) / float(parts);
+      result.positions.push_back(share == 0 ? beside(k) : glm::mix(beside(k), beside(next), share));
+      result.radii.push_back(share == 0 ? radius(k) : glm::mix(radius(k), radius(next), share));
+    }
     result.offsets.push_back(std::uint32_t(result.positions.size()));
   }
   return result;

@@ -8,7 +8,7 @@ struct Row {
   uint unused0, unused1;
 };
 layout(std430, binding = 0) readonly buffer Rows { Row rows[]; };
-layout(push_constant) uniform Constants { vec4 turn[3]; uint strands; uint size; float since; };
+layout(push_constant) uniform Constants { vec4 turn[3]; uint strands; uint size; float since; uint parts; };
 
 // The vector turned as the shortest turn takes one unit vector to another; as it is where they are opposite.
 vec3 turned(vec3 v, vec3 from, vec3 to) {
@@ -25,8 +25,26 @@ vec3 offset_now(Row row) {
   return turned(head * row.offset.xyz, from, direction_or(step, from));
 }
 
-// Vertex i; past the tip: the tip.
-vec3 placed_at(Row row, vec3 offset, uint i) {
-  const uint k = min(i, row.size - 1u);
+// Where a drawn vertex lies: between two vertices of the guide, of whose segment `parts` are drawn.
+struct Place {
+  uint k, next;
+  float share;  // of the way to the next
+};
+
+uint last_vertex(Row row) { return (row.size - 1u) * parts; }
+
+// Of drawn vertex i; past the tip: the tip.
+Place place_of(Row row, uint i) {
+  const uint at = min(i, last_vertex(row)), k = at / parts;
+  return Place(k, min(k + 1u, row.size - 1u), float(at - k * parts) / float(parts));
+}
+
+vec3 beside_guide(Row row, vec3 offset, uint k) {
   return control_at(row.first + k) + offset * (1.0 + row.offset.w * float(k) / float(row.size));
+}
+
+vec3 placed_at(Row row, vec3 offset, uint i) {
+  const Place at = place_of(row, i);
+  const vec3 before = beside_guide(row, offset, at.k);
+  return at.share == 0.0 ? before : mix(before, beside_guide(row, offset, at.next), at.share);
 }

@@ -27,8 +27,11 @@ std::vector<PlacedStrand> placed_strands(std::size_t strands);
 std::vector<PlacedStrand> follow_strands(const Groom& groom, std::span<const FollowHairs> groups);
 /// Thicknesses by chance in 1 - spread .. 1 + spread.
 void spread_thickness(double spread, std::span<PlacedStrand> strands);
-/// The strands in the rest pose; radii are their guides'. Roots and attributes are dropped.
-Groom place(const Groom& groom, std::span<const PlacedStrand> strands);
+/// The strands in the rest pose, each segment of a guide cut into `parts` of one length (1 or more); radii are their
+/// guides', linear in between. Roots and attributes are dropped.
+Groom place(const Groom& groom, std::span<const PlacedStrand> strands, std::uint32_t parts = 1);
+/// Vertices of a strand of `vertices` (2 or more) whose segments are cut so.
+inline std::size_t cut_size(std::size_t vertices, std::uint32_t parts) { return (vertices - 1) * parts + 1; }
 /// Vertices of the longest strand; at least 2.
 std::uint32_t longest_strand(const Groom& groom);
 

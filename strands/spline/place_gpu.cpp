@@ -29,10 +29,10 @@ struct Constants {
   glm::vec4 turn[3];
   std::uint32_t strands, size;
   float since;
+  std::uint32_t parts;
 };
 
-Constants constants_of(const glm::mat3& turn, std::uint32_t strands, std::uint32_t size, float since) {
-  Constants constants{{}, strands, size, since};
+Constants with_turn(const glm::mat3& turn, Constants constants) {
   for (int column = 0; column < 3; ++column) constants.turn[column] = glm::vec4(turn[column], 0);
   return constants;
 }
@@ -96,11 +96,13 @@ Result<void> StrandPlacer::make_kernels(gpu::Device& device, bool moves) {
 }
 
 Result<std::unique_ptr<StrandPlacer>> StrandPlacer::create(std::shared_ptr<gpu::Device> device, const Groom& control,
-                                                           std::span<const PlacedStrand> strands, bool moves) {
+                                                           std::span<const PlacedStrand> strands, bool moves,
+                                                           std::uint32_t parts) {
   CUTICLE_TRY(check(control, strands));
   std::unique_ptr<StrandPlacer> placer(new StrandPlacer());
   placer->strands_ = std::uint32_t(strands.size());
-  placer->size_ = longest_strand(control);
+  placer->size_ = std::uint32_t(cut_size(longest_strand(control), parts));
+  placer->parts_ = parts;
   CUTICLE_TRY(placer->upload(*device, control, strands));
   CUTICLE_TRY(placer->make_kernels(*device, moves));
   return placer;
@@ -108,7 +110,7 @@ Result<std::unique_ptr<StrandPlacer>> StrandPlacer::create(std::shared_ptr<gpu::
 
 Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& control_positions,
                                   const glm::mat3& turn) {
-  const Constants constants = constants_of(turn, strands_, size_, 0);
+  const Constants constants = with_turn(turn, {{}, strands_, size_, 0, parts_});
   const gpu::Groups groups = gpu::groups_for(strands_);
   commands.begin_pass("place_strands");
   commands.dispatch(place_, {&rows_, &control_positions, &radii_, &vertices_, &tangents_}, {}, gpu::bytes_of(constants),
@@ -120,7 +122,7 @@ Result<void> StrandPlacer::record(gpu::Commands& commands, const gpu::Buffer& co
 Result<void> StrandPlacer::record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
                                              const ControlMotion& motion, const glm::mat3& turn) {
   CUTICLE_EXPECT(velocities_ && motion.values, "strands placed for velocities are told them");
-  const Constants constants = constants_of(turn, strands_, size_, motion.since);
+  const Constants constants = with_turn(turn, {{}, strands_, size_, motion.since, parts_});
   const gpu::Groups groups = gpu::groups_for(strands_);
   commands.begin_pass("place_velocities");
   commands.dispatch(place_velocity_, {&rows_, &control_positions, motion.values, &velocities_}, {},

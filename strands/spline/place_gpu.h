@@ -14,10 +14,11 @@ inline constexpr std::uint32_t k_longest_placed = 16384;  ///< vertices
 /// (place_gpu_test). Velocities: one dispatch "place_velocities".
 class StrandPlacer : public DrawnStrands {
  public:
-  /// `moves`: whether there is room for velocities. Errors: bad_input for a strand without a guide, a guide of fewer
-  /// than 2 or more than k_longest_placed vertices; out_of_memory names the device's limit.
+  /// `moves`: whether there is room for velocities; `parts` as for place(). Errors: bad_input for a strand without a
+  /// guide, a guide of fewer than 2 or more than k_longest_placed vertices; out_of_memory names the device's limit.
   static Result<std::unique_ptr<StrandPlacer>> create(std::shared_ptr<gpu::Device> device, const Groom& control,
-                                                      std::span<const PlacedStrand> strands, bool moves);
+                                                      std::span<const PlacedStrand> strands, bool moves,
+                                                      std::uint32_t parts = 1);
   Result<void> record(gpu::Commands& commands, const gpu::Buffer& control_positions, const glm::mat3& turn) override;
   Result<void> record_velocities(gpu::Commands& commands, const gpu::Buffer& control_positions,
                                  const ControlMotion& motion, const glm::mat3& turn) override;
@@ -33,7 +34,7 @@ class StrandPlacer : public DrawnStrands {
   Result<void> upload(gpu::Device& device, const Groom& control, std::span<const PlacedStrand> strands);
   Result<void> make_kernels(gpu::Device& device, bool moves);
 
-  std::uint32_t strands_ = 0, size_ = 2;
+  std::uint32_t strands_ = 0, size_ = 2, parts_ = 1;
   gpu::Kernel place_, place_velocity_;
   gpu::Buffer rows_, radii_, vertices_, tangents_, segments_, velocities_;
 };

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "gpu/device.h"
@@ -53,8 +54,8 @@ std::vector<glm::vec4> padded(std::span<const glm::vec3> points) {
 }
 
 Drawn draw(const Groom& rest, std::span<const PlacedStrand> placed, std::span<const glm::vec3> now,
-           const glm::mat3& turn, std::span<const glm::vec3> motion = {}, float since = 0) {
-  auto placer = *StrandPlacer::create(device().shared_from_this(), rest, placed, !motion.empty());
+           const glm::mat3& turn, std::span<const glm::vec3> motion = {}, float since = 0, std::uint32_t parts = 1) {
+  auto placer = *StrandPlacer::create(device().shared_from_this(), rest, placed, !motion.empty(), parts);
   const gpu::Buffer controls = *gpu::make_buffer_from<glm::vec4>(device(), padded(now)),
                     moving = *gpu::make_buffer_from<glm::vec4>(device(), padded(motion.empty() ? now : motion));
   gpu::Commands commands = device().record();
@@ -82,6 +83,40 @@ TEST(StrandPlacer, StrandsOfAGroom_AreItsOwnBitByBitWithTheirRadii) {
       EXPECT_EQ(drawn.vertices[vertex], glm::vec4(groom.positions[own], groom.radii[own])) << s << " " << k;
       EXPECT_LT(glm::distance(glm::vec3(drawn.tangents[vertex]), expected[own]), 1e-6f) << s << " " << k;
     }
+}
+
+/// Vertices of the cut strands of a groom, and the same moved through.
+TEST(StrandPlacer, SegmentsCutIntoParts_KeepTheirVerticesAndLieOnThem) {
+  constexpr std::uint32_t k_parts = 3;
+  const Groom groom = uneven();
+  const std::vector<PlacedStrand> placed = with_follow_hairs(groom);
+  std::vector<glm::vec3> motion;
+  for (const glm::vec3& position : groom.positions) motion.push_back({position.y, -position.x, 2 * position.z});
+  const Drawn whole = draw(groom, placed, groom.positions, glm::mat3(1), motion),
+              cut = draw(groom, placed, groom.positions, glm::mat3(1), motion, 0, k_parts);
+  const Groom expected = place(groom, placed, k_parts);
+  ASSERT_EQ(cut.row, cut_size(64, k_parts));
+  for (std::size_t s = 0; s < placed.size(); ++s) {
+    const std::size_t size = groom.strand_size(placed[s].guide);
+    ASSERT_EQ(expected.strand_size(s), cut_size(size, k_parts));
+    for (std::size_t i = 0; i < cut.row; ++i) {
+      const std::size_t own = std::min(i, expected.strand_size(s) - 1), vertex = s * cut.row + i;
+      const glm::vec3 position = expected.positions[expected.offsets[s] + own];
+      EXPECT_LT(glm::distance(glm::vec3(cut.vertices[vertex]), position), 1e-7f) << s << " " << i;
+      EXPECT_NEAR(cut.vertices[vertex].w, expected.radii[expected.offsets[s] + own], 1e-11f) << s << " " << i;
+      const std::size_t before = s * whole.row + own / k_parts, after = std::min(before + 1, s * whole.row + size - 1);
+      const float share = float(own % k_parts) / float(k_parts);
+      EXPECT_LT(
+          glm::distance(cut.velocities[vertex], glm::mix(whole.velocities[before], whole.velocities[after], share)),
+          1e-5f)
+          << s << " " << i;
+    }
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t vertex = s * cut.row + k * k_parts;
+      EXPECT_EQ(cut.vertices[vertex], whole.vertices[s * whole.row + k]) << s << " " << k;
+      EXPECT_NEAR(cut.tangents[vertex].w, whole.tangents[s * whole.row + k].w, 1e-6f) << s << " " << k;
+    }
+  }
 }
 
 TEST(StrandPlacer, Fractions_RunFromRootToTipByLength) {

@@ -25,15 +25,19 @@ vec3 offset_velocity(Row row) {
   return (later - earlier) / (2.0 * k_moment);
 }
 
+vec3 velocity_of(uint vertex) {
+  return since > 0.0 ? (controls[vertex].xyz - motion[vertex].xyz) / since : motion[vertex].xyz;
+}
+
 void main() {
   const uint strand = invocation();
   if (strand >= strands) return;
   const Row row = rows[strand];
   const vec3 turning = offset_velocity(row);
   for (uint i = 0u; i < size; ++i) {
-    const uint k = min(i, row.size - 1u), vertex = row.first + k;
-    const vec3 own = since > 0.0 ? (controls[vertex].xyz - motion[vertex].xyz) / since : motion[vertex].xyz;
-    velocities[strand * size + i] =
-        vec4(own + turning * (1.0 + row.offset.w * float(k) / float(row.size)), 0.0);
+    const Place at = place_of(row, i);
+    const vec3 own = mix(velocity_of(row.first + at.k), velocity_of(row.first + at.next), at.share);
+    const float along = (float(at.k) + at.share) / float(row.size);
+    velocities[strand * size + i] = vec4(own + turning * (1.0 + row.offset.w * along), 0.0);
   }
 }
