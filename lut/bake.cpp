@@ -45,8 +45,7 @@ Result<LobeGrid> evaluate_grid(const Source& source, const Channel& channel, con
     grid.values = std::move(averages.values);
     grid.singular = std::move(averages.singular);
   } else {
-    CUTICLE_ASSIGN(grid.values,
-                   held_values(source, table, channel, texel_points(table, size, source.caustic_index)));
+    CUTICLE_ASSIGN(grid.values, held_values(source, table, channel, texel_points(table, size, source.caustic_index)));
   }
   return grid;
 }
@@ -242,7 +241,8 @@ Result<TableSet> bake_from(const Source& source, const registry::ParameterValues
 Result<TableSet> bake(const bsdf::Model& model, const registry::ParameterValues& values, const Layout& layout, int size,
                       Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  CUTICLE_ASSIGN(TableSet set, bake_from(cpu_source(model, values), values, layout, size, progress));
+  const registry::ParameterValues held = table_values(model, values, layout);
+  CUTICLE_ASSIGN(TableSet set, bake_from(cpu_source(model, held), held, layout, size, progress));
   set.bake_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   set.baked_on = "cpu";
   return set;
@@ -252,8 +252,9 @@ double exact_value(const bsdf::Model& model, const registry::ParameterValues& va
                    const Channel& channel, double u, double v) {
   constexpr int k_exact_size = 1 << 20;  // the gap beside a caustic has no width
   const Source source = cpu_source(model, values);
-  const bsdf::Point point = make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
-                                       table.v.lower + v * (table.v.upper - table.v.lower), k_exact_size, source.caustic_index);
+  const bsdf::Point point =
+      make_point(table, table.u.lower + u * (table.u.upper - table.u.lower),
+                 table.v.lower + v * (table.v.upper - table.v.lower), k_exact_size, source.caustic_index);
   const auto result = held_values(source, table, channel, std::span(&point, 1));
   CUTICLE_EXPECT(result.ok(), "the model has the layout's lobes");
   return (*result)[0][channel.component];

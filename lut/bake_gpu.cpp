@@ -60,12 +60,13 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
                           const Layout& layout, int size) {
   CUTICLE_TRY(check_size(size));
   const auto start = std::chrono::steady_clock::now();
-  const Source source = cpu_source(model, values);
-  CUTICLE_TRY(check_bakeable(source, values, layout));
+  const registry::ParameterValues held = table_values(model, values, layout);
+  const Source source = cpu_source(model, held);
+  CUTICLE_TRY(check_bakeable(source, held, layout));
   TableSet set;
   set.layout = &layout;
   set.model = &model;
-  set.values = values;
+  set.values = held;
   set.size = size;
   for (const TableLayout& table : layout.tables) {
     if (is_baked_on_device(table)) {
@@ -85,8 +86,8 @@ Result<TableSet> bake_gpu(gpu::Device& device, const bsdf::Model& model, const r
 Result<std::vector<gpu::Texture>> upload(gpu::Device& device, const TableSet& set, bool mip_levels) {
   std::vector<gpu::Texture> textures;
   for (const Table& table : set.tables) {
-    CUTICLE_ASSIGN(textures.emplace_back(), device.make_texture({.size = {table.image.width, table.image.height},
-                                                                 .mip_levels = mip_levels}));
+    CUTICLE_ASSIGN(textures.emplace_back(),
+                   device.make_texture({.size = {table.image.width, table.image.height}, .mip_levels = mip_levels}));
     CUTICLE_TRY(device.upload(textures.back(), texels_of(table)));
   }
   return textures;

@@ -28,12 +28,20 @@ struct Source {
   AzimuthalMeans azimuthal_means = {};  ///< empty: none
   double caustic_index = 0;             ///< bsdf::Model::caustic_index
 };
+/// What a table of these values holds: no table has an axis for phi_o, so a flat fibre's is the mean over turns of its
+/// cross-section: over 128 where texels hold the model's own means over azimuths, else over 16, of dual scattering
+/// over 2. Test: lut_turns_test.
+registry::ParameterValues table_values(const bsdf::Model& model, const registry::ParameterValues& values,
+                                       const Layout& layout);
+
 /// The CPU in double.
 Source cpu_source(const bsdf::Model& model, const registry::ParameterValues& values);
 
 /// The model's point for two axis values of a table; `caustic_index`: of an axis `from_caustic`.
-bsdf::Point make_point(const TableLayout& table, double u_value, double v_value, int size = 0, double caustic_index = 0);
-/// The point whose terms a table holds where a direction pair reads it: theta_d of an axis `abs_theta_o` is abs(theta_o).
+bsdf::Point make_point(const TableLayout& table, double u_value, double v_value, int size = 0,
+                       double caustic_index = 0);
+/// The point whose terms a table holds where a direction pair reads it: theta_d of an axis `abs_theta_o` is
+/// abs(theta_o).
 bsdf::Point point_read(const TableLayout& table, bsdf::Point point);
 /// Texture coordinate at which a shader reads the axis for a point.
 double axis_coordinate(const Axis& axis, int size, const bsdf::Point& point, double caustic_index = 0);
@@ -58,7 +66,8 @@ Result<std::vector<glm::dvec3>> held_values(const Source& source, const TableLay
 
 /// Error: usage for a size outside 16 .. 1024.
 Result<void> check_size(int size);
-/// Error: usage where the layout does not suit the model: a near field, a lobe that it lacks, a caustic that it has not.
+/// Error: usage where the layout does not suit the model: a near field, a lobe that it lacks, a caustic that it has
+/// not.
 Result<void> check_bakeable(const Source& source, const registry::ParameterValues& values, const Layout& layout);
 /// A table of one size before it is baked: all 0, scales of 1.
 Table empty_table(const TableLayout& layout, int size);

@@ -75,9 +75,10 @@ Result<void> LiveTables::start(const registry::ParameterValues& values) {
 }
 
 Result<void> LiveTables::change(const registry::ParameterValues& values) {
-  CUTICLE_TRY(check_bakeable(cpu_source(*set_.model, values), values, *set_.layout));
-  if (!running_) return start(values);
-  waiting_ = values;
+  const registry::ParameterValues held = table_values(*set_.model, values, *set_.layout);
+  CUTICLE_TRY(check_bakeable(cpu_source(*set_.model, held), held, *set_.layout));
+  if (!running_) return start(held);
+  waiting_ = held;
   return {};
 }
 

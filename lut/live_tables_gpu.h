@@ -16,7 +16,7 @@ struct RebakeCost {
 /// Two sets of rgba16f textures: frames read the front one while the device bakes the back one, means over a texel's
 /// azimuths included, with kernels compiled once; nothing is evaluated on the CPU. The tables equal those of `bake` to
 /// half precision (2^-10 of the value plus 1e-6) where the model has its own means of N; elsewhere (marschner with
-/// aspect other than 1, caustic=smoothed or variant=as_published; other models) a texel on a sharp peak is a quadrature
+/// caustic=smoothed or variant=as_published; other models) a texel on a sharp peak is a quadrature
 /// in float (LiveTables in lut_live_test). Values above 65504 are stored as 65504. Belongs to the device.
 class LiveTables {
  public:

@@ -80,6 +80,7 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .point_light_radius = parameters.point_light_radius,
                                           .sun_angle = parameters.sun_angle,
                                           .clamp_indirect = parameters.clamp_indirect};
+  options.turning = {parameters.twist, parameters.turn_seed};
   if (parameters.tables) options.tables = {scene.material.layout, scene.material.lut_size};
   const std::string& shadow = parameters.shadow;
   if (shadow == "traced") return options;
@@ -120,11 +121,14 @@ TracedFrame frame_of(const scene::Scene& scene, render::reference::Picture pictu
   if (!scene.outputs.aovs) picture.layers = {};
   if (scene.outputs.tells_strands())
     picture.shares = with_rest(std::move(picture.shares), picture.color, {}, scene.camera.camera.far_plane);
-  return {std::move(picture.color), std::move(picture.layers), std::move(picture.shares),
+  return {std::move(picture.color),
+          std::move(picture.layers),
+          std::move(picture.shares),
           fmt::format("reference: {} samples a pixel, standard error of a pixel {:.2f} % of the lit tiles' "
                       "mean, {:.1f} s",
                       picture.samples, 100 * picture.error, picture.seconds),
-          picture.seconds, picture.processor_seconds};
+          picture.seconds,
+          picture.processor_seconds};
 }
 
 }  // namespace

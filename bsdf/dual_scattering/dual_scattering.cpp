@@ -9,6 +9,7 @@
 #include <glm/exponential.hpp>
 
 #include "bsdf/shared/adaptive_quadrature.glslh"
+#include "bsdf/turns.h"
 #include "core/quadrature.h"
 
 namespace cuticle::bsdf {
@@ -158,11 +159,16 @@ Sums sums_of(const AverageScattering& a, int c, double density) {
 
 }  // namespace
 
+/// A flat fibre's average is that over turns of its cross-section; two turns are exact for a cubic in the index, and a
+/// sum over all azimuths is smooth in it.
+constexpr int k_turns = 2;
+
 Result<AverageScattering> average_scattering(const Model& model, const registry::ParameterValues& values,
                                              double theta_o) {
   if (!(std::abs(theta_o) <= pi / 2 * (1 + 1e-12)))
     return bad_input(fmt::format("theta_o = {} is outside -pi/2 .. pi/2 rad", theta_o));
-  const Integrand integrand(model, values, theta_o);
+  const registry::ParameterValues averaged = over_turns(values, k_turns);
+  const Integrand integrand(model, averaged, theta_o);
   Moments moments;
   AverageScattering average;
   for (int k = 0; k < first_panels; ++k) {

@@ -51,6 +51,15 @@ INSTANTIATE_TEST_SUITE_P(Models, DualScatteringEnergy,
                                               "beta_m=0.2,beta_n=0.3,sigma_a=0.1/0.5/2,azimuthal_tolerance=1e-4", 0.6},
                                          Case{"yan_fur", "field=near,beta_m=0.3,beta_n=0.3,sigma_a=0.1/0.5/2", -0.4},
                                          Case{"marschner", "beta=0.1,sigma_a=0.1/0.5/2", 1.2}));
+TEST(DualScattering, FlatFibre_IsTheMeanOverTurns) {
+  const Model& model = **find_model("marschner");
+  const auto average_of = [&](const char* settings) {
+    const AverageScattering average = *average_scattering(model, *parse_settings(model, "", settings), 0.3);
+    return average.backward.share.x;
+  };
+  EXPECT_EQ(average_of("caustic=smoothed,aspect=0.9"), average_of("caustic=smoothed,aspect=0.9,turns=2"));
+}
+
 TEST_P(DualScatteringEnergy, BothShares_AddUpToTheAlbedo) {
   const Model& model = **find_model(GetParam().model);
   const registry::ParameterValues values = *parse_settings(model, "", GetParam().settings);

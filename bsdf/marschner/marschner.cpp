@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -8,6 +9,7 @@
 #include "bsdf/marschner/marschner.h"
 #include "bsdf/shared/batch.h"
 #include "bsdf/shared/fibre_table.h"
+#include "bsdf/turns.h"
 
 namespace cuticle::bsdf::marschner {
 namespace {
@@ -38,6 +40,7 @@ Marschner<double> prepare(const Parameters& p) {
   m.as_published = p.variant == Variant::as_published;
   m.removal = {p.k_g, p.w_c, p.delta_eta, p.delta_h_max, p.caustic == CausticKind::smoothed};
   m.ellipse = make_ellipse(p.eta, p.aspect);
+  m.ellipse.turns = double(p.turns);
   m.mixture = mixture_for(m);
   m.at_theta_o = !m.as_published && p.attenuation_angle == AttenuationAngle::theta_o;
   return m;
@@ -49,11 +52,12 @@ class AzimuthalMeans {
   AzimuthalMeans(const Marschner<double>& m, int lobe) : m_(m), lobe_(lobe) {}
   AzimuthMean of(const AzimuthInterval& interval) {
     set_theta_d(interval.theta_d);
-    const bool singular = is_singular_between(caustic_, lobe_, interval.begin, interval.end);
-    if (lobe_ != 2) return {mean_smooth(refraction_, lobe_, interval.begin, interval.end), singular};
-    const TrtRoots<double> begin = roots_at(interval.begin), end = roots_at(interval.end);
-    edges_ = {{{interval.begin, begin}, {interval.end, end}}};
-    return {mean_trt(refraction_, caustic_, begin, end, interval.end - interval.begin), singular};
+    const bool singular =
+        has_one_caustic(m_) && is_singular_between(turns_[0].caustic, lobe_, interval.begin, interval.end);
+    if (lobe_ != 2) return {mean_smooth(own_, lobe_, interval.begin, interval.end), singular};
+    glm::dvec3 sum(0);
+    for (Turn& turn : turns_) sum += turn.mean(interval);
+    return {sum * weight_of_turn(m_.ellipse), singular};
   }
 
  private:
@@ -61,25 +65,38 @@ class AzimuthalMeans {
     double phi = -1;
     TrtRoots<double> roots{};
   };
+  /// TRT of one index.
+  struct Turn {
+    Refraction<double> refraction{};
+    Caustic<double> caustic{};
+    std::array<Edge, 2> edges{};
+    TrtRoots<double> roots_at(double phi) const {
+      for (const Edge& edge : edges)
+        if (edge.phi == phi) return edge.roots;
+      return trt_roots(refraction, caustic, phi);
+    }
+    glm::dvec3 mean(const AzimuthInterval& interval) {
+      const TrtRoots<double> begin = roots_at(interval.begin), end = roots_at(interval.end);
+      edges = {{{interval.begin, begin}, {interval.end, end}}};
+      return mean_trt(refraction, caustic, begin, end, interval.end - interval.begin);
+    }
+  };
   void set_theta_d(double theta_d) {
     if (theta_d == theta_d_) return;
     theta_d_ = theta_d;
-    refraction_ = refraction_at(m_, theta_d);
-    caustic_ = make_caustic(refraction_);
-    edges_ = {};
-  }
-  TrtRoots<double> roots_at(double phi) const {
-    for (const Edge& edge : edges_)
-      if (edge.phi == phi) return edge.roots;
-    return trt_roots(refraction_, caustic_, phi);
+    own_ = refraction_at(m_, theta_d);
+    turns_.clear();
+    for (int k = 0; is_turn(m_.ellipse, k); ++k) {
+      const Refraction<double> refraction = refraction_of_turn(m_, k, theta_d);
+      turns_.push_back({refraction, make_caustic(refraction), {}});
+    }
   }
 
   const Marschner<double>& m_;
   int lobe_;
   double theta_d_ = std::numeric_limits<double>::quiet_NaN();
-  Refraction<double> refraction_{};
-  Caustic<double> caustic_{};
-  std::array<Edge, 2> edges_{};
+  Refraction<double> own_{};
+  std::vector<Turn> turns_;
 };
 
 bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::span<const AzimuthInterval> intervals,
@@ -94,7 +111,7 @@ bool azimuthal_means(const registry::ParameterValues& values, int lobe, std::spa
 
 double caustic_index(const registry::ParameterValues& values) {
   const Parameters parameters = registry::from_values<Parameters>(values);
-  return has_exact_means(prepare(parameters)) ? parameters.eta : 0;
+  return has_one_caustic(prepare(parameters)) ? parameters.eta : 0;
 }
 
 FibreMapping from_fibre(const Fibre& fibre) {
@@ -154,6 +171,7 @@ void describe(registry::Members& members, Parameters& p) {
           "corrected: energy-conserving M, exact roots, true chord; as_published: the paper as printed");
   members(p.aspect, "aspect", "1", 0.5, 2,
           "the paper's a for an elliptical cross-section (TRT only); 1: a circle, 0.85 .. 1 in the paper");
+  members(p.turns, turns_parameter);
   members(p.caustic, "caustic", caustics,
           "exact: TRT with its singularities; smoothed: the paper's N_TRT without them");
   members(p.k_g, "k_g", "1", 0, 5, "smoothed: strength of the glints (k_G), 0.5 .. 5 in the paper");

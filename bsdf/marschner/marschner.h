@@ -1,5 +1,7 @@
 #pragma once
 // The model's parameters.
+#include <cstdint>
+
 #include "core/registry/members.h"
 
 namespace cuticle::bsdf::marschner {
@@ -15,6 +17,7 @@ struct Parameters {
   double beta = 0.2617993877991494, alpha = -0.1308996938995747;
   Variant variant = Variant::corrected;
   double aspect = 1;
+  std::int64_t turns = 0;
   CausticKind caustic = CausticKind::exact;
   double k_g = 0.5, w_c = 0.17453292519943295, delta_eta = 0.2, delta_h_max = 0.5;
   AttenuationAngle attenuation_angle = AttenuationAngle::theta_d;

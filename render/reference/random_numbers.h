@@ -9,7 +9,7 @@
 namespace cuticle::render::reference {
 
 /// What four numbers are drawn for.
-enum class Purpose : std::uint32_t { direction, ending, light, surroundings, camera, lens, time, shadow };
+enum class Purpose : std::uint32_t { direction, ending, light, surroundings, camera, lens, time, shadow, turn };
 
 struct PathName {
   std::uint32_t pixel = 0, sample = 0;

@@ -10,6 +10,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "bsdf/turns.h"
+
 namespace cuticle::render::reference {
 
 namespace {
@@ -161,6 +163,10 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
        {double(options.scatterings), double(options.seed), double(options.far_field), options.lens.radius,
         options.point_light_radius, options.sun_angle, options.clamp_indirect, options.lens.focus_distance})
     hash.add(number);
+  if (bsdf::is_turned_by_viewer(scene.values)) {
+    hash.add(options.turning.twist);
+    hash.add(double(options.turning.seed));
+  }
   if (options.tables) {
     hash.add(options.tables->layout);
     hash.add(double(options.tables->size));
@@ -196,8 +202,12 @@ Result<Picture> picture_by(const Tracer& tracer, const TracedScene& scene, const
     saved = Clock::now();
   }
   if (!quality.state.empty()) CUTICLE_TRY(film.save(quality.state, key));
-  return Picture{film.color(),         film.layers(),  film.shares(),
-                 rounds.most_samples(), rounds.error(), seconds_since(begin),
+  return Picture{film.color(),
+                 film.layers(),
+                 film.shares(),
+                 rounds.most_samples(),
+                 rounds.error(),
+                 seconds_since(begin),
                  double(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/progress.h"
 #include "render/reference/camera_rays.h"
+#include "render/reference/cross_sections.h"
 #include "render/reference/random_numbers.h"
 #include "render/reference/restrictions.h"
 #include "render/reference/traced_scene.h"
@@ -26,6 +27,7 @@ struct TraceOptions {
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
   Lens lens = {};
   strands::CurveKind curves = {};  ///< what the hair's vertices are
+  Turning turning = {};            ///< of flat cross-sections; a round one has no turn
   double point_light_radius = 0;   ///< of every point light, a sphere of even radiance, metres; 0: points
   double sun_angle = 0;       ///< half the angle under which distant lights are seen, radians, below pi / 2; 0: points
   double clamp_indirect = 0;  ///< radiance of a path's brightest channel, at most, of light from one scattering after

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "bsdf/turns.h"
+
 namespace cuticle::render::reference {
 
 void VectorArray::resize(std::size_t size) {
@@ -22,6 +24,8 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
     CUTICLE_TRY(validate(at_end));
     tangents_at_end = strands::tangents(at_end);
   }
+  if (bsdf::is_turned_by_viewer(traced.values))
+    cross_sections.emplace(traced.hair, traced.positions_at_end, options.turning);
   std::vector<strands::Mesh> meshes;
   for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
   CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end, options.curves));
@@ -55,8 +59,11 @@ FibreSegment WaveScene::segment_at(std::uint32_t v, double time) const {
 
 FibrePoint WaveScene::point_of(const strands::RayHit& hit, const glm::dvec3& origin, const glm::dvec3& direction,
                                double time) const {
-  if (options.curves.is_cone()) return fibre_point(segment_at(hit.vertex, time), hit, origin, direction);
-  return fibre_point(rays->curve_at(hit, time), options.curves.is_flat, hit, origin, direction);
+  FibrePoint point = options.curves.is_cone()
+                         ? fibre_point(segment_at(hit.vertex, time), hit, origin, direction)
+                         : fibre_point(rays->curve_at(hit, time), options.curves.is_flat, hit, origin, direction);
+  if (cross_sections) cross_sections->turn(point, time);
+  return point;
 }
 
 void Wave::run(std::span<const PathName> names, std::span<PathLight> light, std::span<LightSplits> splits) {

@@ -17,6 +17,7 @@ struct WaveScene {
   const TracedScene* scene = nullptr;
   TraceOptions options;
   std::vector<glm::vec3> tangents, tangents_at_end;
+  std::optional<CrossSections> cross_sections;  ///< where phi_o matters
   std::unique_ptr<strands::RayScene> rays;
   std::optional<SurroundingsLight> surroundings;
   std::optional<bsdf::BatchEvaluator> model;

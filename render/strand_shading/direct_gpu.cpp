@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "bsdf/turns.h"
 #include "gpu/groups.h"
 
 #include <strand_angles_comp.spv.h>
@@ -14,6 +15,12 @@ namespace cuticle::render::strand_shading {
 namespace {
 
 constexpr std::size_t k_point_bytes = bsdf::coordinate_count * sizeof(float), k_value_bytes = 3 * sizeof(float);
+
+/// Vertices carry no frame across the strand: a flat fibre's S is the mean over turns of its cross-section.
+constexpr int k_turns = 16;
+registry::ParameterValues evaluated_values(const Resources& resources) {
+  return bsdf::over_turns(*resources.get<FibreMaterial>().values, k_turns);
+}
 
 Result<void> check(const gpu::Device& device, const Resources& resources) {
   const DrawnHair& hair = resources.get<DrawnHair>();
@@ -38,7 +45,7 @@ Result<void> check(const gpu::Device& device, const Resources& resources) {
 Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resources& resources) {
   const FibreMaterial& material = resources.get<FibreMaterial>();
   CUTICLE_TRY(check(device, resources));
-  CUTICLE_TRY(bsdf::check_loops(device, *material.model, *material.values, bsdf::Quantity::S));
+  CUTICLE_TRY(bsdf::check_loops(device, *material.model, evaluated_values(resources), bsdf::Quantity::S));
   CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *material.model));
   CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp, {4, 0, sizeof(std::uint32_t)}));
   DirectScattering direct(std::move(evaluator), std::move(angles));
@@ -47,7 +54,7 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resou
   CUTICLE_ASSIGN(direct.points_, device.make_buffer(vertices * k_point_bytes));
   CUTICLE_ASSIGN(direct.of_light_, device.make_buffer(vertices * k_value_bytes));
   CUTICLE_ASSIGN(direct.scattered_, device.make_buffer(lights * vertices * k_value_bytes));
-  CUTICLE_ASSIGN(direct.parameters_, direct.evaluator_.upload(*material.values));
+  CUTICLE_ASSIGN(direct.parameters_, direct.evaluator_.upload(evaluated_values(resources)));
   return direct;
 }
 
@@ -55,7 +62,7 @@ Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& comman
                                       const gpu::Buffer& frame) {
   const FibreMaterial& material = resources.get<FibreMaterial>();
   const DrawnHair& hair = resources.get<DrawnHair>();
-  const std::vector<float> packed = material.model->pack(*material.values);
+  const std::vector<float> packed = material.model->pack(evaluated_values(resources));
   CUTICLE_TRY(device.upload(parameters_, std::as_bytes(std::span(packed))));
   const std::uint32_t vertices = hair.strands.vertex_count;
   const gpu::Groups groups = gpu::groups_for(vertices);

@@ -30,5 +30,5 @@ void main() {
   points[first + 1u] = theta_o;
   points[first + 2u] = 0.5 * (theta_o - theta_i);
   points[first + 3u] = phi;
-  points[first + 4u] = points[first + 5u] = 0.0;  // the far field of a fibre whose cross-section is not turned
+  points[first + 4u] = points[first + 5u] = 0.0;  // the far field; a flat fibre is the mean over its turns
 }

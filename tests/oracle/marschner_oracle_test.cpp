@@ -160,5 +160,62 @@ TEST(MarschnerEllipse, SeenAlongAnAxis_GlintsWhereWalksGlint) {
       EXPECT_NEAR(glint(aspect, phi_o), walked_glint(aspect, phi_o), 8) << aspect << " " << phi_o;
 }
 
+constexpr int k_bins = 36;  ///< of phi, ten degrees each
+
+/// TRT over azimuths, per beam that is as wide as the mean fibre, and the mean over turns, by walks through a smooth
+/// ellipse.
+std::vector<double> walked_over_turns(double aspect) {
+  constexpr int turns = 16;
+  study::oracle::RoughFibre fibre;
+  fibre.sigma_a = glm::dvec3(0.1);
+  fibre.surface.roughness = 0;
+  fibre.aspect = aspect;
+  std::vector<double> sum(k_bins, 0);
+  double widths = 0;
+  for (int k = 0; k < turns; ++k) {
+    const double phi_o = std::numbers::pi * (k + 0.5) / turns,
+                 width = std::hypot(std::sin(phi_o), aspect * std::cos(phi_o));
+    const auto orders = study::oracle::scattering_of(fibre, {0, phi_o, {}}, {1, k_bins}, 3, 20000, std::uint64_t(k));
+    for (int b = 0; b < k_bins; ++b) sum[std::size_t(b)] += width * orders[2].density[std::size_t(b)].mean.x;
+    widths += width;
+  }
+  for (double& value : sum) value *= 2 * 2 * std::numbers::pi / k_bins / widths;
+  return sum;
+}
+
+/// The same of marschner with the mean over turns.
+std::vector<double> mean_over_turns(double aspect) {
+  const bsdf::Model* model = *bsdf::find_model("marschner");
+  const auto values =
+      *registry::parse_assignments(model->entry.parameters, fmt::format("sigma_a=0.1,aspect={},turns=128", aspect));
+  std::vector<bsdf::AzimuthInterval> bins;
+  for (int b = 0; b < k_bins / 2; ++b) bins.push_back({0, 10 * b * degree, 10 * (b + 1) * degree});
+  std::vector<bsdf::AzimuthMean> means(bins.size());
+  EXPECT_TRUE(*bsdf::azimuthal_means(*model, values, 2, bins, means));
+  std::vector<double> energies(k_bins);
+  for (int b = 0; b < k_bins; ++b)
+    energies[std::size_t(b)] =
+        means[std::size_t(b < k_bins / 2 ? k_bins / 2 - 1 - b : b - k_bins / 2)].value.x * 10 * degree;
+  return energies;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& truth) {
+  double apart = 0, all = 0;
+  for (int b = 0; b < k_bins; ++b) {
+    apart += std::abs(a[std::size_t(b)] - truth[std::size_t(b)]);
+    all += truth[std::size_t(b)];
+  }
+  return apart / all;
+}
+
+// The paper's index is an approximation; its mean over turns is nearer to that of walks than the round fibre.
+TEST(MarschnerEllipse, MeanOverTurns_IsNearerToWalksThanTheRoundFibre) {
+  for (const auto& [aspect, bound] : {std::pair(0.97, 0.07), std::pair(0.95, 0.22), std::pair(0.85, 0.83)}) {
+    const std::vector<double> truth = walked_over_turns(aspect);
+    EXPECT_LT(difference(mean_over_turns(aspect), truth), bound) << aspect;
+    EXPECT_LT(difference(mean_over_turns(aspect), truth), 0.95 * difference(mean_over_turns(1), truth)) << aspect;
+  }
+}
+
 }  // namespace
 }  // namespace cuticle::marschner_oracle_test

@@ -40,6 +40,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(
       p.clamp_indirect, "clamp_indirect", "1", 0, 1e6,
       "radiance that a path brings at most by light that scattered more than once; less noise, too dark; 0: no limit");
+  members(
+      p.twist, "twist", "1/m", -1e4, 1e4,
+      "whole turns of a flat cross-section per metre of strand; each strand begins with a turn of its own by chance");
+  members(p.turn_seed, "turn_seed", 0, 4294967295.0, "of the strands' turns");
   members(p.tables, "tables",
           "lookup tables of the material's layout and size, of the far field, in the place of the model");
   members(p.shadow, "shadow", shadow_choices(),

@@ -11,6 +11,8 @@ struct Parameters {
   bool far_field = false;
   double point_light_radius = 0, sun_angle = 0;
   double clamp_indirect = 0;
+  double twist = 0;
+  std::uint64_t turn_seed = 0;
   bool tables = false;
   std::string shadow = "traced";        ///< or the name of a shadow method
   std::string curves = "round_linear";  ///< what vertices are: strands::curve_kind_names()
