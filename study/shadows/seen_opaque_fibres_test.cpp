@@ -60,7 +60,8 @@ TEST(CompareWithTruth, OpaqueFibresThatACameraSees_FewSlicesKeepMoreOfTheLightAt
                 rows[i + 4].light_left - comparison->light_left, rows[i].light_left - comparison->light_left);
   // In the finest maps their errors are alike (.108 and .101); what is left of the light is nearer (.054 and .067).
   EXPECT_LT(rows[3].error.mean, rows[7].error.mean + rows[3].error.mean_interval);
-  EXPECT_LT(std::abs(rows[3].light_left - comparison->light_left), std::abs(rows[7].light_left - comparison->light_left));
+  EXPECT_LT(std::abs(rows[3].light_left - comparison->light_left),
+            std::abs(rows[7].light_left - comparison->light_left));
 }
 
 // The same of series in depth, whose shares before a point are rarely 0 where one opaque fibre lies behind it.
@@ -102,6 +103,20 @@ TEST(CompareWithTruth, OpaqueFibresThatACameraSees_KeepTheLightFromAnySide) {
       EXPECT_NEAR(row.light_left, comparison->light_left, 0.021) << row.method << ", camera " << side.y;
     }
   }
+}
+
+// Of dense hair the front is seen, which keeps much of its light, wherever between two slices it begins.
+TEST(CompareWithTruth, DenseHairThatACameraSees_KeepsTheLightOfItsFront) {
+  const strands::Groom groom = study_coat(40000);
+  ComparisonRequest request = seen_opaque_fibres(groom);
+  request.receivers = 500;
+  const shadows::Method* method = shadows::find_method("opacity_map").value();
+  request.candidates.push_back(
+      {method, registry::parse_assignments(method->entry.parameters, "slices=8,resolution=512").value()});
+  const auto comparison = compare_with_truth(request, silent_progress());
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  std::printf("light %.4f, truth %.4f\n", comparison->rows[0].light_left, comparison->light_left);
+  EXPECT_NEAR(comparison->rows[0].light_left / comparison->light_left, 1, 0.17);
 }
 
 }  // namespace cuticle::study::seen_opaque_fibres_test
