@@ -126,10 +126,12 @@ def grid_figure(study, grid, files):
     heights = printed_curves.heights_of(grid)
     common = {"x": grid["x"], "y": grid["y"], "colorscale": "Viridis", "colorbar": {"title": f"log10 {grid['z_label']}"}}
     figure = plotly.graph_objects.Figure([plotly.graph_objects.Heatmap(z=heights, **common), plotly.graph_objects.Surface(z=heights, visible=False, **common)])
-    buttons = [{"label": label, "method": "update", "args": [{"visible": [label == "heat map", label == "3D"]}]} for label in ("heat map", "3D")]
+    # The surface has axes of its own: the map's would stand behind it.
+    buttons = [{"label": label, "method": "update", "args": [{"visible": [is_map, not is_map]}, {"xaxis.visible": is_map, "yaxis.visible": is_map}]}
+               for label, is_map in (("heat map", True), ("3D", False))]
     look.dress(figure, 460, 20, 40)
     figure.update_layout(updatemenus=[{"type": "buttons", "direction": "right", "x": 0, "y": 1.12, "buttons": buttons, "font": {"color": "#222"}}],
-                         scene={"bgcolor": look.CLEAR, "xaxis_title": grid["x_label"], "yaxis_title": grid["y_label"], "zaxis_title": f"log10 {grid['z_label']}"})
+                         scene={"bgcolor": look.CLEAR, "camera": {"eye": {"x": 1.7, "y": 1.7, "z": 1.1}}, "xaxis_title": grid["x_label"], "yaxis_title": grid["y_label"], "zaxis_title": f"log10 {grid['z_label']}"})
     figure.update_xaxes(title=grid["x_label"])
     figure.update_yaxes(title=grid["y_label"])
     rows = [[y, *values] for y, values in zip(grid["y"], grid["values"])]

@@ -133,6 +133,12 @@ def test_Page_Screenshot_HasTheCurvesColours(page):
         assert (numpy.abs(pixels - numpy.array(color) / 255).max(axis=2) < 0.05).sum() > 100
 
 
+def test_Grid_AsASurface_HidesTheAxesOfTheMap(page):
+    html = (page / "index.html").read_text()
+    of_buttons = re.findall(r'"visible":\[(true|false),(true|false)\]\},\{"xaxis.visible":(true|false),"yaxis.visible":(true|false)', html)
+    assert ("true", "false", "true", "true") in of_buttons and ("false", "true", "false", "false") in of_buttons
+
+
 def test_Page_File_AsksForNothingElse(page):
     html = (page / "index.html").read_text()
     assert not re.search(r'<(script|img|link|iframe)[^>]*(src|href)="(?!data:)', html)
