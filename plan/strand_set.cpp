@@ -1,5 +1,7 @@
 #include "plan/strand_set.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -14,6 +16,7 @@
 #include "strands/growing/bust.h"
 #include "strands/growing/grow.h"
 #include "strands/growing/mesh_head.h"
+#include "strands/groom.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {
@@ -143,6 +146,20 @@ Result<void> add_baked_and_moving(const scene::Scene& scene, StrandSet& set) {
   return {};
 }
 
+/// Light is found at vertices and interpolated between them.
+void note_long_segments(const scene::Scene& scene, StrandSet& set) {
+  constexpr double k_long = 0.01, k_wanted = 0.005;  // metres
+  if (!scene::draws_as_given(scene)) return;
+  double length = 0;
+  for (std::size_t s = 0; s < set.control.strand_count(); ++s) length += strands::strand_length(set.control, s);
+  const std::size_t segments = set.control.vertex_count() - set.control.strand_count();
+  const double mean = length / double(std::max<std::size_t>(segments, 1));
+  if (mean <= k_long * segment_parts(scene)) return;
+  set.notes.push_back(fmt::format("drawn segments are {:.2g} mm long in the mean, and light is interpolated along them: "
+                                  "groom.segment_parts = {} cuts them, for a picture nearer to the path tracer's",
+                                  1000 * mean / segment_parts(scene), std::min(64.0, std::ceil(mean / k_wanted))));
+}
+
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
   const std::size_t strands = drawn_strands(scene, set);
   const int each = drawn_vertices(scene, set);
@@ -182,6 +199,7 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   set.boxes = scene.boxes;
   CUTICLE_TRY(add_baked_and_moving(scene, set));
   CUTICLE_TRY(limit(scene, set));
+  note_long_segments(scene, set);
   return set;
 }
 

@@ -53,6 +53,14 @@ std::vector<glm::vec3> on_sphere(const glm::vec3& center, float radius) {
   return points;
 }
 
+TEST(StrandSet, LongSegmentsDrawnAsGiven_AreNoted) {
+  scene::Scene scene = of_file(0);  // segments of 50 mm
+  EXPECT_THAT(build_strand_set(scene)->notes, testing::Contains(HasSubstr("segments are 50 mm long in the mean")));
+  EXPECT_THAT(build_strand_set(scene)->notes, testing::Contains(HasSubstr("groom.segment_parts = 10 cuts them")));
+  scene.groom.segment_parts = 10;
+  EXPECT_THAT(build_strand_set(scene)->notes, testing::Not(testing::Contains(HasSubstr("segment_parts"))));
+}
+
 TEST(FitSphere, PointsOnASphere_GiveIt) {
   const auto sphere = fit_sphere(on_sphere({0.1f, 1.6f, -0.2f}, 0.09f));
   ASSERT_TRUE(sphere);
