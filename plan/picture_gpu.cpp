@@ -106,6 +106,7 @@ Result<void> Picture::make_strands() {
                                                {}},
                                    .tangents = &generator_->tangents(),
                                    .vertices_per_strand = generator_->vertices_per_strand(),
+                                   .segment_parts = scene::draws_as_given(scene_) ? segment_parts(scene_) : 1,
                                    .radius = double(set_.radius)});
   if (generator_->velocities()) resources_.put(render::DrawnVelocities{&generator_->velocities()});
   resources_.edit<render::FrameView>().frame_duration = 1 / scene_.frames_per_second;

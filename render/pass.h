@@ -21,10 +21,11 @@ Parameters parameters_of(const PassParameters& passes) {
 
 /// How a pass draws strands, for what looks at which of them show.
 struct StrandDraw {
-  double full_px = 0;         ///< level of detail: see visibility::drawn_part; 0: always all
-  std::uint32_t corners = 0;  ///< vertices a segment; 0: strands become neither triangles nor lines
-  double width_factor = 0;    ///< the greatest on a strand's own width
-  bool of_one_width = false;  ///< drawn as wide as lines::line_width says, not by their own widths
+  double full_px = 0;           ///< level of detail: see visibility::drawn_part; 0: always all
+  std::uint32_t corners = 0;    ///< vertices a segment; 0: strands become neither triangles nor lines
+  double width_factor = 0;      ///< the greatest on a strand's own width
+  bool of_one_width = false;    ///< drawn as wide as lines::line_width says, not by their own widths
+  bool whole_segments = false;  ///< those that a scene cuts into parts are drawn as one
 };
 constexpr std::string_view resource_name(const StrandDraw*) { return "strand_draw"; }
 

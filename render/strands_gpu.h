@@ -50,6 +50,7 @@ struct DrawnHair {
   shadows::GpuStrands casters = {};       ///< those of them that cast shadows
   const gpu::Buffer* tangents = nullptr;  ///< vec4 (unit tangent, fraction of the strand's length) per vertex
   std::uint32_t vertices_per_strand = 0;  ///< all alike
+  std::uint32_t segment_parts = 1;        ///< so many segments after each other lie on one line
   double radius = 35e-6;                  ///< of a strand, metres, at the root
 };
 

@@ -13,7 +13,6 @@ layout(std430, set = 0, binding = 3) readonly buffer Frame {
   uint packed_vertices;                   // 1: strands/packing
   float opacity_of_radius;                // a strand's width over a line's, times depth, per metre; 0: lines are opaque
   vec2 caustic;                           // of an axis from the caustic: eta^2 - 1, gap
-  vec2 half_size;                         // of the target that lines are drawn into, texels
   LightRow lights[k_max_lights];
 };
 

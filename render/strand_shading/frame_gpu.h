@@ -16,8 +16,7 @@ struct Frame {
   float variation, tip_variation;
   std::uint32_t drawn_segments, packed_vertices;
   float opacity_of_radius;  ///< a strand's width over a line's, times depth, per metre of radius; 0: lines are opaque
-  glm::vec2 caustic;
-  glm::vec2 half_size;  ///< of the target that lines are drawn into, texels
+  glm::vec2 caustic, unused;
   LightRows lights;
 };
 static_assert(sizeof(Frame) == 64 + 16 * 13 + 16 * 3 * k_max_lights);

@@ -8,11 +8,12 @@
 
 namespace cuticle::render::visibility {
 
-DrawnPart drawn_part(const Resources& resources, double full_px) {
+DrawnPart drawn_part(const Resources& resources, double full_px, bool whole_segments) {
   const DrawnHair& hair = resources.get<DrawnHair>();
   constexpr double k_least_share = 0.01;
   const std::uint32_t size = hair.vertices_per_strand;
-  DrawnPart part{hair.strands.vertex_count / std::max(1u, size), std::max(1u, size) - 1};
+  const std::uint32_t on_a_line = whole_segments ? hair.segment_parts : 1;
+  DrawnPart part{hair.strands.vertex_count / std::max(1u, size), (std::max(1u, size) - 1) / on_a_line};
   if (full_px == 0 || part.strands == 0) return part;
   const double covered_px = strands::covered_pixels(hair.strands.bounds, resources.get<FrameView>().camera);
   const double share = strands::drawn_share<double>(covered_px, full_px, k_least_share);

@@ -11,5 +11,7 @@ struct DrawnPart {
 };
 /// All where the strands cover `full_px` pixels, or where it is 0. Widths go in steps of the fourth root
 /// of 2, each with as many strands as cover the area of all.
-DrawnPart drawn_part(const Resources& resources, double full_px);
+/// With `whole_segments` those that a scene cut into parts count as one, where no level of detail leaves any out.
+DrawnPart drawn_part(const Resources& resources, double full_px, bool whole_segments = false);
+
 }  // namespace cuticle::render::visibility

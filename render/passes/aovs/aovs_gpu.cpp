@@ -61,7 +61,7 @@ class Aovs : public GpuPass {
   static std::uint32_t drawn_segments(const Resources& resources) {
     const StrandDraw& draw = resources.get<StrandDraw>();
     if (draw.corners == 0) return resources.get<DrawnHair>().vertices_per_strand - 1;
-    return visibility::drawn_part(resources, draw.full_px).segments;
+    return visibility::drawn_part(resources, draw.full_px, draw.whole_segments).segments;
   }
 
   /// Bindings 0 .. 7 of aovs.glsl; what is not there has another in its place.

@@ -41,7 +41,7 @@ Push push_of(const Resources& resources) {
   const Targets& targets = resources.get<Targets>();
   const Camera& camera = resources.get<FrameView>().camera;
   const StrandDraw& draw = resources.get<StrandDraw>();
-  const visibility::DrawnPart part = visibility::drawn_part(resources, draw.full_px);
+  const visibility::DrawnPart part = visibility::drawn_part(resources, draw.full_px, draw.whole_segments);
   Push push{};
   push.world_to_clip = glm::mat4(projection_matrix(camera) * view_matrix(camera));
   push.size = glm::uvec2(targets.depth->size());

@@ -61,7 +61,10 @@ TargetShape targets(const PassParameters&, std::span<const int> offered) {
 }
 
 StrandDraw strand_draw(const PassParameters& all) {
-  return {.full_px = parameters_of<Parameters>(all).full_px, .corners = k_corners, .of_one_width = true};
+  return {.full_px = parameters_of<Parameters>(all).full_px,
+          .corners = k_corners,
+          .of_one_width = true,
+          .whole_segments = true};
 }
 
 Pass make() {

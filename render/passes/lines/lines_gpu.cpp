@@ -65,11 +65,11 @@ class Lines : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     CUTICLE_ASSIGN(strand_shading::Frame* const frame, inputs_.update(resources));
-    const visibility::DrawnPart part = visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px);
+    const visibility::DrawnPart part =
+        visibility::drawn_part(resources, parameters_of<Parameters>(resources).full_px, true);
     frame->drawn_segments = part.segments;
     const float width = widened(line_width(resources), part.width);
     frame->opacity_of_radius = opacity_of_radius(resources, part, width);
-    frame->half_size = glm::vec2(drawn_size(resources) * resources.get<Targets>().supersampling) / 2.0f;
     CUTICLE_ASSIGN(const gpu::GraphicsPipeline* pipeline, pipeline_of(resources, width));
     const DrawnBuffers buffers = packed_or_full(commands, resources);
     frame->packed_vertices = buffers.packed ? 1 : 0;

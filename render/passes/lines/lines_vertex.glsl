@@ -27,7 +27,6 @@ layout(constant_id = 9) const uint k_direct = 0u;  // 1: light by `scattered`, f
 #include "render/passes/cull_strands/listed_strand.glsl"
 
 const uint k_of_opacity = 6u;  // purpose of a chance
-const float k_reach = 0.5;  // texels
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 tangent;
@@ -85,15 +84,6 @@ vec3 light_by_formulas(uint vertex) {
   return sum;
 }
 
-// A segment as short as a texel loses samples at its ends on software Vulkan, and where a strand bends two segments leave
-// a wedge between them. So ends that meet another segment reach further, away from `other`.
-vec4 reaching(vec4 inside, vec4 other) {
-  if (min(inside.w, other.w) <= 0.0) return inside;
-  const vec2 along = (inside.xy / inside.w - other.xy / other.w) * half_size;
-  const float len = length(along);
-  return len > 0.0 ? inside + vec4(along * (k_reach / len * inside.w) / half_size, 0.0, 0.0) : inside;
-}
-
 void main() {
   const uint segment = uint(gl_VertexIndex) >> 1, strand = strand_at(segment / drawn_segments), begin = segment % drawn_segments;
   const uint vertex = vertex_of(strand, begin + (uint(gl_VertexIndex) & 1u));
@@ -112,9 +102,6 @@ void main() {
   const bool kept = fraction_of(vertex_of(strand, begin + 1u)) <= kept_length(strand, tip_variation) &&
                     has_numbers(vertex) && has_numbers(other);
   gl_Position = kept ? world_to_clip * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
-  const uint end = begin + (uint(gl_VertexIndex) & 1u);
-  if (kept && end > 0u && end < drawn_segments)
-    gl_Position = reaching(gl_Position, world_to_clip * vec4(position_of(other), 1.0));
   opacity = opacity_of_radius > 0.0 ? opacity_of_radius * radius_of(vertex) / max(gl_Position.w, 1e-9) : 1.0;
   chance = mixed(strand, k_of_opacity);
 }
