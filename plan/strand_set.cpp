@@ -155,9 +155,10 @@ void note_long_segments(const scene::Scene& scene, StrandSet& set) {
   const std::size_t segments = set.control.vertex_count() - set.control.strand_count();
   const double mean = length / double(std::max<std::size_t>(segments, 1));
   if (mean <= k_long * segment_parts(scene)) return;
-  set.notes.push_back(fmt::format("drawn segments are {:.2g} mm long in the mean, and light is interpolated along them: "
-                                  "groom.segment_parts = {} cuts them, for a picture nearer to the path tracer's",
-                                  1000 * mean / segment_parts(scene), std::clamp(std::round(mean / k_wanted), 2.0, 64.0)));
+  set.notes.push_back(
+      fmt::format("drawn segments are {:.2g} mm long in the mean, along which all methods but 'reference' interpolate "
+                  "light: groom.segment_parts = {} cuts them",
+                  1000 * mean / segment_parts(scene), std::clamp(std::round(mean / k_wanted), 2.0, 64.0)));
 }
 
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
