@@ -33,7 +33,7 @@ def arguments():
     parser.add_argument("--evaluate", choices=("direct", "tables"), default="direct", help="of the real-time ways")
     parser.add_argument("--shadow", type=json.loads, action="append", help="method with its parameters, JSON; may be given again")
     parser.add_argument("--to-light", default="0.6,0.9,0.8")
-    parser.add_argument("--segment-parts", type=int, help="into which the real-time ways cut segments (default: measured_scenes.SEGMENT_PARTS)")
+    parser.add_argument("--segment-parts", type=int, help="of segments, in the real-time ways (default: chosen by the program)")
     parser.add_argument("--densities", help="d_f,d_b of dual scattering")
     parser.add_argument("--only", choices=("direct", "dual"))
     return parser.parse_args()
@@ -93,9 +93,8 @@ def changed(scene, options, dual, shadow):
     """The scene for a real-time way."""
     scene = json.loads(json.dumps(scene))
     scene["material"]["evaluate"] = options.evaluate
-    parts = options.segment_parts or measured_scenes.SEGMENT_PARTS.get(scene.get("name"))
-    if parts:
-        scene["groom"]["segment_parts"] = parts
+    if options.segment_parts:
+        scene["groom"]["segment_parts"] = options.segment_parts
     if shadow:
         scene["shadow"]["method"] = shadow
     if dual:

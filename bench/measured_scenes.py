@@ -33,9 +33,6 @@ GROOMS = {
     },
 }
 
-# Into which the real-time ways cut segments: those of the others are short.
-SEGMENT_PARTS = {"ponytail": 8, "testhair": 4}
-
 
 def grown(strands, radius, folder, settings=""):
     """A file of grown hair; made once for a folder."""

@@ -25,6 +25,7 @@ struct DeviceInfo {
   std::uint32_t subgroup_size = 0;
   bool subgroup_broadcast = false;  ///< compute shaders may broadcast and vote in a subgroup
   std::uint64_t max_storage_buffer_bytes = 0;
+  std::uint64_t max_texel_buffer_bytes = 0;  ///< of a buffer that is read as texels of 16 bytes
   std::uint64_t heap_bytes = 0;
   std::uint32_t max_workgroup_invocations = 0;
   std::uint32_t max_image_size = 0;
@@ -57,7 +58,7 @@ enum class DepthCompare { less_or_equal, less, equal };
 
 class Device;
 
-/// Device memory, addressed as a storage buffer. Move-only; empty when default-constructed.
+/// Device memory, addressed as a storage buffer; or a part of it (part_of). Move-only; empty when default-constructed.
 class Buffer {
  public:
   Buffer();
@@ -71,8 +72,13 @@ class Buffer {
 
  private:
   friend class Device;
+  friend Buffer part_of(const Buffer& buffer, std::size_t offset, std::size_t bytes);
   std::unique_ptr<Impl> impl_;
 };
+
+/// `bytes` of a buffer from `offset` on, a multiple of 256, which share its memory and keep it alive: how a shader
+/// writes a buffer that is too large to be bound as a whole. A part that is not within the buffer is a broken promise.
+Buffer part_of(const Buffer& buffer, std::size_t offset, std::size_t bytes);
 
 /// A 2D image, sampled (clamped to the edge) and, if asked for, rendered to.
 class Texture {
@@ -272,6 +278,8 @@ class Device : public std::enable_shared_from_this<Device> {
 
   /// Error: out_of_memory, naming size and limit (a single buffer is at most info().max_storage_buffer_bytes).
   Result<Buffer> make_buffer(std::size_t bytes);
+  /// A buffer that shaders read as texels of 16 bytes and write in parts: at most info().max_texel_buffer_bytes.
+  Result<Buffer> make_texel_buffer(std::size_t bytes);
   Result<void> upload(const Buffer& buffer, std::span<const std::byte> data, std::size_t offset = 0);
   Result<void> download(const Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0);
 
@@ -300,6 +308,7 @@ class Device : public std::enable_shared_from_this<Device> {
 
  private:
   Device();
+  Result<Buffer> make_up_to(std::size_t bytes, std::uint64_t most);
   std::unique_ptr<Impl> impl_;
 };
 

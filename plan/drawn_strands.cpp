@@ -12,10 +12,10 @@ namespace cuticle::plan {
 namespace {
 
 /// Follow hairs keep their offsets in the head's frame.
-strands::Groom placed_at(const StrandSet& set, strands::Groom control, const glm::dmat3& turn, std::uint32_t parts) {
+strands::Groom placed_at(const StrandSet& set, strands::Groom control, const glm::dmat3& turn) {
   const glm::dmat3 back = glm::transpose(turn);
   for (glm::vec3& position : control.positions) position = glm::vec3(back * glm::dvec3(position));
-  strands::Groom placed = strands::place(control, set.placed, parts);
+  strands::Groom placed = strands::place(control, set.placed);
   for (glm::vec3& position : placed.positions) position = glm::vec3(turn * glm::dvec3(position));
   return placed;
 }
@@ -55,7 +55,7 @@ strands::Groom drawn_strands_at(const scene::Scene& scene, const StrandSet& set,
                                 const glm::dmat3& turn) {
   strands::Groom moved = set.control;
   moved.positions.assign(control.begin(), control.end());
-  return scene::draws_as_given(scene) ? placed_at(set, std::move(moved), turn, segment_parts(scene))
+  return scene::draws_as_given(scene) ? placed_at(set, std::move(moved), turn)
                                       : blended_at(scene, set, std::move(moved));
 }
 

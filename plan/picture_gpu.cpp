@@ -80,7 +80,7 @@ Result<void> Picture::make_generator() {
   if (scene::draws_as_given(scene_)) {
     CUTICLE_ASSIGN(generator_,
                    strands::StrandPlacer::create(device_, set_.control, set_.placed,
-                                                 resources_.wants<render::DrawnVelocities>(), segment_parts(scene_)));
+                                                 resources_.wants<render::DrawnVelocities>(), set_.segment_parts));
     return {};
   }
   const strands::StrandGeneratorInput input{.control = &set_.control,
@@ -106,7 +106,7 @@ Result<void> Picture::make_strands() {
                                                {}},
                                    .tangents = &generator_->tangents(),
                                    .vertices_per_strand = generator_->vertices_per_strand(),
-                                   .segment_parts = scene::draws_as_given(scene_) ? segment_parts(scene_) : 1,
+                                   .segment_parts = set_.segment_parts,
                                    .radius = double(set_.radius)});
   if (generator_->velocities()) resources_.put(render::DrawnVelocities{&generator_->velocities()});
   resources_.edit<render::FrameView>().frame_duration = 1 / scene_.frames_per_second;
@@ -204,12 +204,13 @@ std::uint32_t Picture::strands_of_level() const {
 
 /// H11: shadows cast by a prefix of the strands drawn, which are in random order, and received by all.
 shadows::GpuStrands Picture::casters() const {
-  shadows::GpuStrands strands = resources_.get<render::DrawnHair>().strands;
-  const std::uint32_t segments = resources_.get<render::DrawnHair>().vertices_per_strand - 1,
-                      all = strands.segment_count / segments;
+  const render::DrawnHair& hair = resources_.get<render::DrawnHair>();
+  shadows::GpuStrands strands = hair.strands;
+  const std::uint32_t segments = hair.vertices_per_strand - 1, all = strands.segment_count / segments;
   const auto wanted = std::uint32_t(std::lround(scene_.caster_share * strands_of_level()));
   const std::uint32_t casting = std::clamp(wanted, std::min(1u, all), all);
-  strands.segment_count = casting * segments;
+  strands.segment_parts = hair.segment_parts;
+  strands.segment_count = casting * (segments / hair.segment_parts);
   strands.caster_width = casting > 0 ? float(all) / float(casting) : 1;
   strands.seen_from = resources_.get<render::FrameView>().camera.position;
   return strands;
@@ -374,11 +375,11 @@ Result<strands::Groom> Picture::read_strands() const {
   const std::size_t row = generator_->vertices_per_strand();
   strands::Groom groom;
   for (std::size_t s = 0; s < generator_->strand_count(); ++s) {
-    const std::size_t size =
-        as_given ? strands::cut_size(set_.control.strand_size(set_.placed[s].guide), segment_parts(scene_)) : row;
-    for (std::size_t v = s * row; v < s * row + size; ++v) {
-      groom.positions.emplace_back(vertices[v]);
-      groom.radii.push_back(vertices[v].w);
+    const std::size_t size = as_given ? set_.control.strand_size(set_.placed[s].guide) : row;
+    for (std::size_t k = 0; k < size; ++k) {  // not the ends of parts between a segment's ends
+      const glm::vec4& vertex = vertices[s * row + k * set_.segment_parts];
+      groom.positions.emplace_back(vertex);
+      groom.radii.push_back(vertex.w);
     }
     groom.offsets.push_back(std::uint32_t(groom.positions.size()));
   }

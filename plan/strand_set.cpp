@@ -13,10 +13,10 @@
 #include "sim/colliders/distance_field.h"
 #include "strands/binding/binding.h"
 #include "strands/formats/formats.h"
+#include "strands/groom.h"
 #include "strands/growing/bust.h"
 #include "strands/growing/grow.h"
 #include "strands/growing/mesh_head.h"
-#include "strands/groom.h"
 #include "strands/refine.h"
 
 namespace cuticle::plan {
@@ -146,19 +146,42 @@ Result<void> add_baked_and_moving(const scene::Scene& scene, StrandSet& set) {
   return {};
 }
 
-/// Light is found at vertices and interpolated between them.
-void note_long_segments(const scene::Scene& scene, StrandSet& set) {
-  constexpr double k_long = 0.01, k_wanted = 0.005;  // metres
-  if (!scene::draws_as_given(scene)) return;
+double mean_segment(const strands::Groom& control) {
   double length = 0;
-  for (std::size_t s = 0; s < set.control.strand_count(); ++s) length += strands::strand_length(set.control, s);
-  const std::size_t segments = set.control.vertex_count() - set.control.strand_count();
-  const double mean = length / double(std::max<std::size_t>(segments, 1));
-  if (mean <= k_long * segment_parts(scene)) return;
-  set.notes.push_back(
-      fmt::format("drawn segments are {:.2g} mm long in the mean, along which all methods but 'reference' interpolate "
-                  "light: groom.segment_parts = {} cuts them",
-                  1000 * mean / segment_parts(scene), std::clamp(std::round(mean / k_wanted), 2.0, 64.0)));
+  for (std::size_t s = 0; s < control.strand_count(); ++s) length += strands::strand_length(control, s);
+  const std::size_t segments = control.vertex_count() - control.strand_count();
+  return length / double(std::max<std::size_t>(segments, 1));
+}
+
+constexpr double k_long_segment = 0.01;  // metres
+
+/// Parts of long segments that are 2 mm, at most 8. Ours: chosen by direct light of grooms with segments of 16 and 37
+/// mm (docs/shadows.md).
+std::uint32_t chosen_parts(const scene::Scene& scene, const StrandSet& set, double segment) {
+  constexpr double k_wanted = 0.002, k_most = 8;                   // metres
+  constexpr double k_most_vertices = 4e6, k_most_scattered = 8e6;  // of all strands; times lights
+  if (segment <= k_long_segment || scene.render_method == "lines") return 1;
+  const double vertices = double(set.placed.size()) * strands::longest_strand(set.control);
+  const double lights = scene.material.evaluate == "direct" ? double(scene.lights.size()) : 0;
+  const double room = std::min(k_most_vertices, k_most_scattered / std::max(1.0, lights)) / vertices;
+  return std::uint32_t(std::max(1.0, std::min({std::round(segment / k_wanted), k_most, std::floor(room)})));
+}
+
+/// Light is found at the ends of parts of segments and interpolated between them.
+void cut_segments(const scene::Scene& scene, StrandSet& set) {
+  if (!scene::draws_as_given(scene) || scene.render_method == "reference") return;
+  const double segment = mean_segment(set.control);
+  const bool is_chosen = scene.groom.segment_parts == 0;
+  set.segment_parts = is_chosen ? chosen_parts(scene, set, segment) : std::uint32_t(scene.groom.segment_parts);
+  if (segment <= k_long_segment) return;
+  std::string note = fmt::format("drawn segments are {:.2g} mm long in the mean: ", 1000 * segment);
+  if (scene.render_method == "lines")
+    note += "'lines' interpolates light along them; 'tiles' finds it at places between";
+  else if (set.segment_parts > 1)
+    note += fmt::format("light is found at {} places along each (groom.segment_parts)", set.segment_parts);
+  else
+    note += "light is interpolated along them (groom.segment_parts)";
+  set.notes.push_back(note);
 }
 
 Result<void> limit(const scene::Scene& scene, const StrandSet& set) {
@@ -199,8 +222,8 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene) {
   set.colliders.insert(set.colliders.end(), scene.colliders.begin(), scene.colliders.end());
   set.boxes = scene.boxes;
   CUTICLE_TRY(add_baked_and_moving(scene, set));
+  cut_segments(scene, set);
   CUTICLE_TRY(limit(scene, set));
-  note_long_segments(scene, set);
   return set;
 }
 
@@ -209,9 +232,8 @@ std::size_t drawn_strands(const scene::Scene& scene, const StrandSet& set) {
 }
 
 int drawn_vertices(const scene::Scene& scene, const StrandSet& set) {
-  return scene::draws_as_given(scene)
-             ? int(strands::cut_size(strands::longest_strand(set.control), segment_parts(scene)))
-             : scene.strand_vertices;
+  return scene::draws_as_given(scene) ? int(strands::cut_size(strands::longest_strand(set.control), set.segment_parts))
+                                      : scene.strand_vertices;
 }
 
 registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set) {

@@ -25,8 +25,9 @@ struct StrandSet {
   /// A file's strands as they are, and the follow hairs beside them; what is drawn where the scene draws them as given,
   /// with the control hairs' radii. Empty: hair of no file.
   std::vector<strands::PlacedStrand> placed;
-  float follow_reach = 0;                               ///< how far from its guide a follow hair may lie, metres
-  strands::Mesh head, scalp;                            ///< drawn; empty where the scene has none
+  std::uint32_t segment_parts = 1;  ///< of a segment of these: light is found at the ends of each part
+  float follow_reach = 0;           ///< how far from its guide a follow hair may lie, metres
+  strands::Mesh head, scalp;        ///< drawn; empty where the scene has none
   std::shared_ptr<const strands::Character> character;  ///< what the control hairs follow; null: the head
   std::vector<strands::Root> control_roots;             ///< on the character's mesh, one per control hair
   std::vector<Sphere> colliders;                        ///< in the head's rest space
@@ -48,8 +49,6 @@ Result<StrandSet> build_strand_set(const scene::Scene& scene);
 /// Strands that the scene draws, and vertices of each (of the longest, where it draws them as given).
 std::size_t drawn_strands(const scene::Scene& scene, const StrandSet& set);
 int drawn_vertices(const scene::Scene& scene, const StrandSet& set);
-/// Parts of a segment of strands that are drawn as given.
-inline std::uint32_t segment_parts(const scene::Scene& scene) { return std::uint32_t(scene.groom.segment_parts); }
 
 /// Sizes of a frame of this scene.
 registry::FrameShape shape_of(const scene::Scene& scene, const StrandSet& set);

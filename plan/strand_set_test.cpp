@@ -53,12 +53,35 @@ std::vector<glm::vec3> on_sphere(const glm::vec3& center, float radius) {
   return points;
 }
 
-TEST(StrandSet, LongSegmentsDrawnAsGiven_AreNoted) {
-  scene::Scene scene = of_file(0);  // segments of 50 mm
-  EXPECT_THAT(build_strand_set(scene)->notes, testing::Contains(HasSubstr("segments are 50 mm long in the mean")));
-  EXPECT_THAT(build_strand_set(scene)->notes, testing::Contains(HasSubstr("groom.segment_parts = 10 cuts them")));
-  scene.groom.segment_parts = 10;
-  EXPECT_THAT(build_strand_set(scene)->notes, testing::Not(testing::Contains(HasSubstr("segment_parts"))));
+/// Segments of 50 mm.
+StrandSet with_long_segments(const std::string& method, int parts) {
+  scene::Scene scene = of_file(0);
+  scene.render_method = method;
+  scene.groom.segment_parts = parts;
+  return *build_strand_set(scene);
+}
+
+TEST(StrandSet, LongSegments_AreGivenPartsForLightAndNoted) {
+  for (const auto& [method, parts, wanted, note] : {std::tuple{"tiles", 0, 8u, "light is found at 8 places along each"},
+                                                    {"tiles", 10, 10u, "light is found at 10 places along each"},
+                                                    {"tiles", 1, 1u, "light is interpolated along them"},
+                                                    {"lines", 0, 1u, "'lines' interpolates light along them"}}) {
+    const StrandSet set = with_long_segments(method, parts);
+    EXPECT_EQ(set.segment_parts, wanted) << method << parts;
+    EXPECT_THAT(set.notes, testing::Contains(testing::AllOf(HasSubstr("segments are 50 mm long"), HasSubstr(note))));
+  }
+}
+
+TEST(StrandSet, SegmentsOfTracedStrands_HaveNoParts) {
+  for (const int parts : {0, 4}) EXPECT_EQ(with_long_segments("reference", parts).segment_parts, 1u);
+}
+
+TEST(StrandSet, PartsOfSegmentsUnderManyLights_FitTheirBuffers) {
+  scene::Scene scene = of_file(0);
+  scene.render_method = "tiles";
+  scene.material.evaluate = "direct";
+  scene.lights.resize(300'000);  // times 9 vertices, up to 8 million
+  EXPECT_EQ(build_strand_set(scene)->segment_parts, 2u);
 }
 
 TEST(FitSphere, PointsOnASphere_GiveIt) {

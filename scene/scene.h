@@ -40,7 +40,8 @@ struct GroomSource {
   bool interpolate = false;                          ///< a file's strands are control hairs; false: drawn as they are
   std::optional<strands::FollowHairs> follow_hairs;  ///< beside each strand of a file or a specification; absent: as
                                                      ///< the file asks
-  int segment_parts = 1;        ///< into which segments of strands that are drawn as they are are cut
+  int segment_parts = 0;        ///< of segments of strands that are drawn as they are, at whose ends light is found; 0:
+                                ///< as many as plan chooses
   double thickness_spread = 0;  ///< of strands that are drawn as they are, by chance
   std::optional<double> taper;  ///< share of a root's radius that is gone at the tip; absent: taper_of in plan
   strands::Style grow;          ///< where neither file nor specification gives hair

@@ -92,9 +92,9 @@ Spec groom() {
                "the file's strands are control hairs: smoothed, strand_count strands between them; false unless given: "
                "they are drawn as they are, with follow hairs where a TressFX project asks for them"),
        follow_hairs(),
-       integer("segment_parts", 1, 64,
-               "parts into which each segment is cut where strands are drawn as given: light is found at vertices and "
-               "interpolated between them, which long segments show; 1 unless given"),
+       integer("segment_parts", 0, 64,
+               "parts of each segment, where strands are drawn as given, between which light is interpolated: long "
+               "segments show it; 0: segments above 10 mm in the mean have parts of 2 mm, at most 8, unless drawn as 'lines'"),
        real("thickness_spread", 0, 1,
             "share by which chance makes strands thicker and thinner that are drawn as given"),
        real("taper", 0, 1,

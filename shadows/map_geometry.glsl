@@ -20,6 +20,8 @@ layout(push_constant) uniform Push {
   uint strip_word;           // strip_number(), strip_count(), strip_margin()
   float eye[3];              // the viewer, metres, where k_seen is set
 } push;
+/// Parts of a segment that casts: there are vertices between its ends, on one line.
+uint segment_parts() { return (push.flags >> 16 & 0x3fu) + 1u; }
 const uint k_poisson = 1u;
 const uint k_byte_target = 0x20000000u;  // a number in a drawn target is one of 255 whole steps
 const uint k_seen = 0x40000000u;         // points lie on the surface that the viewer sees, not on axes

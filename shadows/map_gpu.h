@@ -29,6 +29,8 @@ struct MapPush {
     return i | (count << 8) | (margin << 16);
   }
 };
+/// Of `flags`: the parts of a segment, less 1, begin at this bit.
+inline constexpr std::uint32_t k_parts_shift = 16;
 inline constexpr std::uint32_t k_poisson_flag = 1, k_byte_target_flag = 1u << 29, k_seen_flag = 1u << 30,
                                k_square_flag = 1u << 31;
 

@@ -17,8 +17,8 @@ vec3 place(MapPlacement placement, vec3 seen) {
   return vec3(snap(point.x), snap(point.y), point.z);
 }
 
-/// The first vertex of segment s.
-uint first_vertex(uint s) { return texelFetch(segments, int(s)).r; }
+/// The first vertex of segment s, which ends segment_parts() vertices after it.
+uint first_vertex(uint s) { return texelFetch(segments, int(s * segment_parts())).r; }
 
 struct MapVertex {
   vec3 seen;  // by the light
@@ -43,8 +43,8 @@ MapSegment segment_between(MapPlacement placement, MapVertex first, MapVertex la
 }
 
 MapSegment map_segment(uint s) {
-  const uint v = first_vertex(s);
-  const bool is_first = s == 0u || first_vertex(s - 1u) + 1u != v;
-  const bool is_last = s + 1u == push.segment_count || first_vertex(s + 1u) != v + 1u;
-  return segment_between(placement_of(least), map_vertex(v), map_vertex(v + 1u), is_first, is_last);
+  const uint v = first_vertex(s), end = v + segment_parts();
+  const bool is_first = s == 0u || first_vertex(s - 1u) + segment_parts() != v;
+  const bool is_last = s + 1u == push.segment_count || first_vertex(s + 1u) != end;
+  return segment_between(placement_of(least), map_vertex(v), map_vertex(end), is_first, is_last);
 }

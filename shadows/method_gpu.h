@@ -13,9 +13,12 @@ namespace cuticle::shadows {
 /// Strands on the device: vec4 (position, radius) per vertex, and one uint per segment: the index of its first vertex.
 struct GpuStrands {
   const gpu::Buffer* vertices = nullptr;  ///< vec4 x vertex_count
-  const gpu::Buffer* segments = nullptr;  ///< uint x segment_count; the segment joins vertex k and k + 1
+  const gpu::Buffer* segments = nullptr;  ///< uint x segment_count; each part joins vertex k and k + 1
   std::uint32_t vertex_count = 0, segment_count = 0;
-  strands::Bounds bounds;                   ///< of all vertices, metres; the light's frame is fitted to it
+  strands::Bounds bounds;  ///< of all vertices, metres; the light's frame is fitted to it
+  /// So many segments of the list after each other lie on one line and cast as one, between vertex k and k +
+  /// segment_parts; 1 .. 64. segment_count counts those that cast.
+  std::uint32_t segment_parts = 1;
   float caster_width = 1;                   ///< factor on the radii of segments that cast shadows (H11)
   std::optional<glm::vec3> seen_from = {};  ///< Receivers::seen_from
   /// A list of strands (strands/lod/strand_list_gpu.h) whose vertices receive shadow; null: all do. The transmittance

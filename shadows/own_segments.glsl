@@ -30,12 +30,24 @@ uint segment_from(uint v) {
 }
 
 bool begins_at(uint s, uint v) { return s < push.segment_count && first_vertex(s) == v; }
-bool ends_at(uint s, uint v) { return s > 0u && first_vertex(s - 1u) + 1u == v; }  // the one before s
+bool ends_at(uint s, uint v) { return s > 0u && first_vertex(s - 1u) + segment_parts() == v; }  // the one before s
+
+/// Where a receiver at vertex v stands: on segment s from its first vertex on, `at`; or at v, `at`, where none holds it
+/// before its end and s is the first that begins behind it.
+struct OwnPlace {
+  uint s, at;
+};
+OwnPlace own_place(uint v) {
+  const uint s = segment_from(v);
+  const bool is_within = s > 0u && first_vertex(s - 1u) + segment_parts() > v;
+  return OwnPlace(is_within ? s - 1u : s, is_within ? first_vertex(s - 1u) : v);
+}
 
 /// A vector along the strand at vertex v: of segment s, which begins there, or of its last one; zero where v has none.
 vec3 own_along(uint s, uint v) {
-  const uint from = begins_at(s, v) ? v : ends_at(s, v) ? v - 1u : k_no_vertex;
-  return from == k_no_vertex ? vec3(0.0) : texelFetch(vertices, int(from + 1u)).xyz - texelFetch(vertices, int(from)).xyz;
+  const uint parts = segment_parts(), from = begins_at(s, v) ? v : ends_at(s, v) ? v - parts : k_no_vertex;
+  if (from == k_no_vertex) return vec3(0.0);
+  return texelFetch(vertices, int(from + parts)).xyz - texelFetch(vertices, int(from)).xyz;
 }
 
 /// At vertex v, where segment s begins or would.
@@ -53,7 +65,8 @@ void find_own_segments(uint s, uint v, float reach, float slack) {
   uint at = v;
   bool goes_on = has_after;
   while (goes_on) {
-    const float next = visit_own_vertex(++at);
+    at += segment_parts();
+    const float next = visit_own_vertex(at);
     const bool is_joined = begins_at(own_end + 1u, at);
     visit_own_segment(own_end, false, own_end == s && !has_before, !is_joined);
     ++own_end;
@@ -66,7 +79,8 @@ void find_own_segments(uint s, uint v, float reach, float slack) {
   at = v;
   visit_own_vertex(v);
   while (goes_on) {
-    const float next = visit_own_vertex(--at);
+    at -= segment_parts();
+    const float next = visit_own_vertex(at);
     const bool is_joined = ends_at(own_begin - 1u, at);
     visit_own_segment(own_begin - 1u, true, !is_joined, own_begin == s && !has_after);
     --own_begin;

@@ -48,19 +48,24 @@ def sensor(camera):
     }
 
 
-def main():
-    folder, picture, bounces, samples, seed = sys.argv[1], sys.argv[2], *map(int, sys.argv[3:6])
-    mi.set_variant("scalar_rgb")
+def described(folder, bounces):
+    """The scene of compare.py for mi.load_dict."""
     with open(os.path.join(folder, "scene.json")) as file:
         scene = json.load(file)
     light = np.array(scene["lights"][0]["to_light"])
-    made = mi.load_dict({
+    return {
         "type": "scene", "integrator": {"type": "path", "max_depth": bounces + 1, "rr_depth": 20},
         "sensor": sensor(scene["camera"]),
         "light": {"type": "directional", "direction": (-light / np.linalg.norm(light)).tolist(),
                   "irradiance": {"type": "rgb", "value": scene["lights"][0]["irradiance"]}},
         "hair": hair(scene["material"]["model"]["chiang"], write_curves(folder)),
-    })
+    }
+
+
+def main():
+    folder, picture, bounces, samples, seed = sys.argv[1], sys.argv[2], *map(int, sys.argv[3:6])
+    mi.set_variant("scalar_rgb")
+    made = mi.load_dict(described(folder, bounces))
     np.save(picture, np.array(mi.render(made, spp=samples, seed=seed)))
 
 

@@ -63,6 +63,8 @@ void describe_limits(DeviceInfo& info, const VkPhysicalDeviceLimits& limits,
                      const VkPhysicalDeviceVulkan11Properties& core11) {
   info.max_storage_buffer_bytes =
       std::min({std::uint64_t(limits.maxStorageBufferRange), core13.maxBufferSize, core11.maxMemoryAllocationSize});
+  info.max_texel_buffer_bytes = std::min(
+      {16 * std::uint64_t(limits.maxTexelBufferElements), core13.maxBufferSize, core11.maxMemoryAllocationSize});
   info.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
   info.max_image_size = limits.maxImageDimension2D;
   info.sample_counts = sample_counts(limits);

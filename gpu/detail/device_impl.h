@@ -77,6 +77,7 @@ struct BufferObject {
 };
 struct Buffer::Impl {
   std::shared_ptr<BufferObject> object;
+  std::size_t offset = 0, bytes = 0;  ///< the part of it
 };
 
 struct TextureObject {

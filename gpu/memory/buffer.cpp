@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "core/expect.h"
 #include "gpu/detail/device_impl.h"
 
 namespace cuticle::gpu {
 namespace {
 
 constexpr std::size_t k_smallest_buffer = 16;
+constexpr std::size_t k_part_alignment = 256;  ///< the most that Vulkan lets a device ask for
 constexpr VkBufferUsageFlags k_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
                                        VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT;
@@ -17,9 +19,9 @@ Result<BufferObject*> checked_range(const Device* device, const Buffer& buffer, 
   if (!buffer) return internal_error("gpu: data moved to or from an empty buffer");
   BufferObject& object = *buffer.impl()->object;
   if (object.device.get() != device) return internal_error("gpu: a buffer of another device");
-  if (offset > object.size || bytes > object.size - offset)
+  if (offset > buffer.size() || bytes > buffer.size() - offset)
     return internal_error(
-        fmt::format("gpu: bytes {}..{} of a buffer of {} bytes", offset, offset + bytes, object.size));
+        fmt::format("gpu: bytes {}..{} of a buffer of {} bytes", offset, offset + bytes, buffer.size()));
   return &object;
 }
 
@@ -56,7 +58,16 @@ Buffer::Buffer() = default;
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&&) noexcept = default;
-std::size_t Buffer::size() const { return impl_ ? impl_->object->size : 0; }
+std::size_t Buffer::size() const { return impl_ ? impl_->bytes : 0; }
+
+Buffer part_of(const Buffer& buffer, std::size_t offset, std::size_t bytes) {
+  CUTICLE_EXPECT(buffer && offset % k_part_alignment == 0 && offset <= buffer.size() && bytes <= buffer.size() - offset,
+                 "a part lies within its buffer");
+  Buffer part;
+  part.impl_ =
+      std::make_unique<Buffer::Impl>(Buffer::Impl{buffer.impl()->object, buffer.impl()->offset + offset, bytes});
+  return part;
+}
 
 BufferObject::~BufferObject() {
   Device::Impl& owner = *device->impl();
@@ -75,23 +86,28 @@ Result<VkBuffer> create_buffer_handle(Device::Impl& device, std::size_t bytes, V
   return buffer;
 }
 
-Result<Buffer> Device::make_buffer(std::size_t bytes) {
-  if (bytes > info().max_storage_buffer_bytes)
-    return out_of_memory_error(fmt::format("a buffer of {} bytes: {} allows at most {} bytes in one buffer", bytes,
-                                           info().name, info().max_storage_buffer_bytes),
-                               "use fewer strands, smaller pictures or smaller grids");
+Result<Buffer> Device::make_buffer(std::size_t bytes) { return make_up_to(bytes, info().max_storage_buffer_bytes); }
+Result<Buffer> Device::make_texel_buffer(std::size_t bytes) { return make_up_to(bytes, info().max_texel_buffer_bytes); }
+
+Result<Buffer> Device::make_up_to(std::size_t bytes, std::uint64_t most) {
+  if (bytes > most)
+    return out_of_memory_error(
+        fmt::format("a buffer of {} bytes: {} allows at most {} bytes in one buffer", bytes, info().name, most),
+        "use fewer strands, smaller pictures or smaller grids");
   auto object = std::make_shared<BufferObject>();
   object->device = shared_from_this();
   object->size = std::max(bytes, k_smallest_buffer);
   CUTICLE_TRY(create_buffer(*object));
   Buffer buffer;
-  buffer.impl_ = std::make_unique<Buffer::Impl>(Buffer::Impl{std::move(object)});
+  const std::size_t size = object->size;
+  buffer.impl_ = std::make_unique<Buffer::Impl>(Buffer::Impl{std::move(object), 0, size});
   return buffer;
 }
 
 Result<void> Device::upload(const Buffer& buffer, std::span<const std::byte> data, std::size_t offset) {
   CUTICLE_ASSIGN(BufferObject * object, checked_range(this, buffer, data.size(), offset));
   if (data.empty()) return {};
+  offset += buffer.impl()->offset;
   if (object->memory.mapped) {
     std::memcpy(object->memory.mapped + offset, data.data(), data.size());
     return {};
@@ -105,6 +121,7 @@ Result<void> Device::upload(const Buffer& buffer, std::span<const std::byte> dat
 Result<void> Device::download(const Buffer& buffer, std::span<std::byte> data, std::size_t offset) {
   CUTICLE_ASSIGN(BufferObject * object, checked_range(this, buffer, data.size(), offset));
   if (data.empty()) return {};
+  offset += buffer.impl()->offset;
   if (object->memory.mapped) {
     std::memcpy(data.data(), object->memory.mapped + offset, data.size());
     return {};

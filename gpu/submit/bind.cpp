@@ -62,16 +62,17 @@ VkWriteDescriptorSet write_of(VkDescriptorSet set, std::size_t binding, VkDescri
   return write;
 }
 
-VkBufferView view_of(Commands::Impl& commands, const BufferObject& buffer, TextureFormat format) {
+VkBufferView view_of(Commands::Impl& commands, const Buffer::Impl& buffer, TextureFormat format) {
   Device::Impl& device = *commands.device->impl();
-  const std::size_t texels = buffer.size / bytes_per_texel(format);
+  const std::size_t texels = buffer.bytes / bytes_per_texel(format);
   if (texels > device.limits.maxTexelBufferElements)
     return fail(commands, bad_input(fmt::format("gpu: a buffer of {} texels: the device allows 0..{}", texels,
                                                 device.limits.maxTexelBufferElements))),
            VK_NULL_HANDLE;
   VkBufferViewCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
-  info.buffer = buffer.handle;
+  info.buffer = buffer.object->handle;
+  info.offset = buffer.offset;
   info.format = vulkan_format(format);
   info.range = texels * bytes_per_texel(format);
   VkBufferView view = VK_NULL_HANDLE;
@@ -84,8 +85,8 @@ VkBufferView view_of(Commands::Impl& commands, const BufferObject& buffer, Textu
 bool collect_texels(Commands::Impl& commands, const ShaderInterface& interface, const Resources& resources,
                     Writes& writes) {
   for (const TexelBinding& texel : interface.texels) {
-    const BufferObject& buffer = *resources.buffers[texel.binding]->impl()->object;
-    writes.texels.emplace_back(texel.binding, view_of(commands, buffer, texel.format));
+    writes.texels.emplace_back(texel.binding,
+                               view_of(commands, *resources.buffers[texel.binding]->impl(), texel.format));
     if (writes.texels.back().second == VK_NULL_HANDLE) return false;
   }
   return true;
@@ -95,7 +96,7 @@ bool collect(Commands::Impl& commands, const Resources& resources, Writes& write
   for (const Buffer* buffer : resources.buffers) {
     const auto object = object_of(commands, buffer);
     if (!object) return false;
-    writes.buffers.push_back({object->handle, 0, VK_WHOLE_SIZE});
+    writes.buffers.push_back({object->handle, buffer->impl()->offset, buffer->impl()->bytes});
   }
   for (const Texture* texture : resources.textures) {
     const auto object = object_of(commands, texture);

@@ -136,13 +136,13 @@ void Commands::dispatch_counted(const Kernel& kernel, std::span<const Buffer* co
   if (!kernel) return fail(*impl_, internal_error("gpu: an empty kernel was dispatched"));
   const auto object = object_of(*impl_, &numbers);
   if (!object) return;
-  if (offset % 4 != 0 || offset + sizeof(VkDispatchIndirectCommand) > object->size)
+  if (offset % 4 != 0 || offset + sizeof(VkDispatchIndirectCommand) > numbers.size())
     return fail(*impl_, internal_error(fmt::format("gpu: numbers of workgroups at {} in a buffer of {} bytes", offset,
-                                                   object->size)));
+                                                   numbers.size())));
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
   if (!bind(*impl_, VK_PIPELINE_BIND_POINT_COMPUTE, kernel.impl()->object, {buffers, textures, push_constants})) return;
-  device.vk.vkCmdDispatchIndirect(impl_->buffer, object->handle, offset);
+  device.vk.vkCmdDispatchIndirect(impl_->buffer, object->handle, numbers.impl()->offset + offset);
   if (impl_->open_passes > 0) ++impl_->passes.back().dispatches;
 }
 
@@ -152,7 +152,9 @@ void Commands::fill(const Buffer& buffer, std::uint32_t value) {
   if (!object) return;
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
-  device.vk.vkCmdFillBuffer(impl_->buffer, object->handle, 0, VK_WHOLE_SIZE, value);
+  const Buffer::Impl& part = *buffer.impl();
+  const VkDeviceSize bytes = part.offset + part.bytes == object->size ? VK_WHOLE_SIZE : part.bytes;
+  device.vk.vkCmdFillBuffer(impl_->buffer, object->handle, part.offset, bytes, value);
 }
 
 void Commands::copy(const Buffer& from, const Buffer& to, std::size_t bytes, std::size_t from_offset,
@@ -160,11 +162,10 @@ void Commands::copy(const Buffer& from, const Buffer& to, std::size_t bytes, std
   if (!open_for_work(*impl_, "copy") || bytes == 0) return;
   const auto source = object_of(*impl_, &from), target = object_of(*impl_, &to);
   if (!source || !target) return;
-  if (!copy_fits(*impl_, source->size, from_offset, bytes) || !copy_fits(*impl_, target->size, to_offset, bytes))
-    return;
+  if (!copy_fits(*impl_, from.size(), from_offset, bytes) || !copy_fits(*impl_, to.size(), to_offset, bytes)) return;
   Device::Impl& device = *impl_->device->impl();
   full_barrier(device, impl_->buffer);
-  const VkBufferCopy region{from_offset, to_offset, bytes};
+  const VkBufferCopy region{from.impl()->offset + from_offset, to.impl()->offset + to_offset, bytes};
   device.vk.vkCmdCopyBuffer(impl_->buffer, source->handle, target->handle, 1, &region);
 }
 
@@ -176,11 +177,11 @@ void Commands::copy(const Buffer& from, const Texture& to, std::size_t from_offs
   const TextureDescription& description = target->description;
   const glm::ivec2 size = description.size;
   const std::size_t texel = bytes_per_texel(description.format);
-  if (!copy_fits(*impl_, source->size, from_offset, texel * std::size_t(size.x) * std::size_t(size.y))) return;
+  if (!copy_fits(*impl_, from.size(), from_offset, texel * std::size_t(size.x) * std::size_t(size.y))) return;
   if (from_offset % texel != 0 || description.samples > 1)
     return fail(*impl_, internal_error("gpu: texels copied from between two texels, or to a multisampled texture"));
   VkBufferImageCopy region{};
-  region.bufferOffset = from_offset;
+  region.bufferOffset = from.impl()->offset + from_offset;
   region.imageSubresource = {aspect_of(description.format), 0, 0, 1};
   region.imageExtent = {std::uint32_t(size.x), std::uint32_t(size.y), 1};
   Device::Impl& device = *impl_->device->impl();

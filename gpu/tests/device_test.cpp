@@ -117,5 +117,24 @@ TEST(GpuBuffer, FillAndCopy_MoveWords) {
   EXPECT_EQ(must(read_buffer<std::uint32_t>(device, to, 4)), (std::vector<std::uint32_t>{1, 7, 7, 4}));
 }
 
+TEST(GpuBuffer, Part_IsFilledCopiedAndReadWithinItsBuffer) {
+  Device& device = shared_device();
+  std::vector<std::uint32_t> words(192, 1);
+  const Buffer all = must(make_buffer_from<std::uint32_t>(device, words)), copied = must(device.make_buffer(256));
+  const Buffer part = part_of(all, 256, 256);
+  ASSERT_EQ(part.size(), 256u);
+  Commands commands = device.record();
+  commands.fill(part, 7);
+  commands.copy(part, copied, 256);
+  must(device.submit(std::move(commands)));
+  std::fill(words.begin() + 64, words.begin() + 128, 7u);
+  words[65] = 9;
+  ASSERT_TRUE(device.upload(part, std::as_bytes(std::span(words).subspan(65, 1)), 4).ok());
+  EXPECT_EQ(must(read_buffer<std::uint32_t>(device, all, 192)), words);
+  EXPECT_EQ(must(read_buffer<std::uint32_t>(device, part, 2)), (std::vector<std::uint32_t>{7, 9}));
+  EXPECT_EQ(must(read_buffer<std::uint32_t>(device, copied, 64)), std::vector<std::uint32_t>(64, 7));
+  EXPECT_FALSE(device.upload(part, std::as_bytes(std::span(words).first(65))).ok());
+}
+
 }  // namespace
 }  // namespace cuticle::gpu::device_test

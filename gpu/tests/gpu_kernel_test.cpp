@@ -98,6 +98,17 @@ TEST(GpuKernel, BuffersReadAsTexels_AreConverted) {
   for (std::size_t i = 0; i < k_items; ++i) EXPECT_EQ(result[i], glm::vec4(float(i), 2, 2, float(4 * i + 3))) << i;
 }
 
+TEST(GpuKernel, PartsOfABuffer_AreWrittenEachByItsDispatch) {
+  Device& device = shared_device();
+  const Buffer source = must(make_buffer_from<float>(device, ramp(64))), target = must(device.make_texel_buffer(512));
+  const Kernel kernel = scale_kernel();
+  Commands commands = device.record();
+  for (std::size_t k = 0; k < 2; ++k) scale(commands, kernel, source, part_of(target, 256 * k, 256), float(k + 2));
+  must(device.submit(std::move(commands)));
+  const auto result = must(read_buffer<float>(device, target, 128));
+  for (std::size_t i = 0; i < 128; ++i) EXPECT_EQ(result[i], float(i % 64 + 1) * float(i / 64 + 2)) << i;
+}
+
 TEST(GpuKernel, TooManyPushConstants_AreRefusedNamingTheLimit) {
   const auto kernel = shared_device().make_kernel(scale_comp, {.storage_buffers = 2, .push_constant_bytes = 132});
   ASSERT_FALSE(kernel.ok());

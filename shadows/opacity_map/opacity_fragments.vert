@@ -19,8 +19,8 @@ void main() {
   segment = uint(gl_VertexIndex) / 6u;
   const uint per_segment = uint(push.own[1]), side = uint(push.own[2]);
   const uvec2 corner = k_corners[gl_VertexIndex % 6];
-  const int first = int(texelFetch(segments, int(segment)).r);
-  const vec4 from = texelFetch(vertices, first), to = texelFetch(vertices, first + 1);
+  const int parts = int(segment_parts()), first = int(texelFetch(segments, int(segment) * parts).r);
+  const vec4 from = texelFetch(vertices, first), to = texelFetch(vertices, first + parts);
   position = corner.x == 0u ? from.xyz : to.xyz;
   const MapPlacement placement = placement_of(least);
   const LookupPlace place = lookup_place(position, to.xyz - from.xyz, from.w);

@@ -12,8 +12,8 @@ struct SegmentDeposit {
   uint lanes, pieces, amount;  // of each lane's piece
 };
 SegmentDeposit segment_deposit(VolumePlacement placement, uint s) {
-  const int v = int(texelFetch(segments, int(s)).r);
-  const vec4 a = texelFetch(vertices, v), b = texelFetch(vertices, v + 1);
+  const int parts = int(segment_parts()), v = int(texelFetch(segments, int(s) * parts).r);
+  const vec4 a = texelFetch(vertices, v), b = texelFetch(vertices, v + parts);
   precise vec3 along = b.xyz - a.xyz;
   precise float width = a.w + b.w;
   const uint pieces = volume_pieces(placement, exact_length(along));

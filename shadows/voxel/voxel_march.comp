@@ -79,10 +79,10 @@ void main() {
   if (v >= push.count) return;
   placement = volume_placement(lower_of(least), upper_of(least), push.resolution);
   receiver = texelFetch(vertices, int(v)).xyz;
-  const uint s = segment_from(v);
-  const LookupPlace place = lookup_place(receiver, s, v);
+  const OwnPlace own = own_place(v);
+  const LookupPlace place = lookup_place(receiver, own.s, own.at);
   const vec3 from = place.point - place.held * push.forward.xyz;
-  find_own_segments(s, v, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
+  find_own_segments(own.s, own.at, push.filter_radius + k_own_cells * placement.cell + texelFetch(vertices, int(v)).w,
                     placement.cell);
   precise float cells = push.filter_radius * placement.per_metre;
   const int count = ray_count(cells);

@@ -5,5 +5,6 @@ layout(push_constant) uniform Push {
   uint vertices_per_strand;
   float width;  // factor on the radii
   uint light_count;
+  uint parts;  // of a segment, which are drawn as one
   float alpha[3];  // of one crossing: k_different of them
 };

@@ -15,8 +15,8 @@ const uint k_end[6] = uint[](0u, 0u, 1u, 1u, 0u, 1u);
 const float k_side[6] = float[](-1.0, 1.0, -1.0, -1.0, 1.0, 1.0);
 
 void main() {
-  const uint corner = uint(gl_VertexIndex) % 6u, first = segments[uint(gl_VertexIndex) / 6u];
-  const vec4 begin = vertices[first], end = vertices[first + 1u], here = k_end[corner] == 0u ? begin : end;
+  const uint corner = uint(gl_VertexIndex) % 6u, first = segments[uint(gl_VertexIndex) / 6u * parts];
+  const vec4 begin = vertices[first], end = vertices[first + parts], here = k_end[corner] == 0u ? begin : end;
   light = uint(gl_InstanceIndex) % light_count;
   opacity = uint(gl_InstanceIndex) / light_count;
   strand = first / vertices_per_strand;

@@ -30,7 +30,7 @@ constexpr double k_margin = 2;  // texels between what casts and the border of a
 struct HairPush {
   std::uint32_t vertices_per_strand;
   float width;
-  std::uint32_t light_count;
+  std::uint32_t light_count, parts;
   float alpha[3];
 };
 struct LookupPush {
@@ -248,11 +248,13 @@ class SurfaceShadow : public GpuPass {
     const shadows::GpuStrands& casters = hair.casters;
     const shadows::Channels channels = hair_channels(resources);
     const glm::vec3 alpha(channels.alpha[0], channels.alpha[1], channels.alpha[2]);
-    const std::uint32_t segments = hair.vertices_per_strand - 1, all = casters.segment_count / segments;
+    const std::uint32_t segments = (hair.vertices_per_strand - 1) / casters.segment_parts,
+                        all = casters.segment_count / segments;
     const auto drawn = std::max(std::min(1u, all), std::uint32_t(std::lround(settings_.hair_share * all)));
     const HairPush push{hair.vertices_per_strand,
                         casters.caster_width * float(all) / float(std::max(drawn, 1u)),
                         std::uint32_t(settings_.lights),
+                        casters.segment_parts,
                         {alpha.x, alpha.y, alpha.z}};
     commands.begin_rendering({}, &maps_.hair);
     commands.draw(kernels_.hair, {&frame_, casters.vertices, casters.segments}, {}, gpu::bytes_of(push),

@@ -29,10 +29,17 @@ constexpr std::uint32_t k_merged_run = 8;  // tiles, k_run of tiles.vert
 
 constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
 
+/// What projects the segments that begin at some of the vertices, for as many records as one binding holds.
+struct Prepare {
+  gpu::Kernel kernel;
+  gpu::Buffer records;  ///< a part of all
+};
+
 /// The fine rasteriser, and what projects segments for it where it reads records; else it does so itself.
 struct Fine {
-  gpu::Kernel prepare, draw;
+  gpu::Kernel draw;
   gpu::Buffer records;
+  std::vector<Prepare> prepares;
   FineForm form;
 };
 
@@ -53,11 +60,12 @@ class Tiles : public GpuPass {
     const DrawnHair& hair = resources.get<DrawnHair>();
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    const gpu::Groups segments = fine_.form.reads_records ? gpu::groups_for(push.segment_count) : gpu::Groups{0, 0};
-    commands.dispatch(fine_.prepare,
-                      {hair.strands.vertices, resources.get<shade_strands::StrandColors>().values,
-                       hair.strands.segments, &fine_.records},
-                      {}, gpu::bytes_of(push), segments.x, segments.y);
+    const gpu::Groups segments = gpu::groups_for(push.segment_count);
+    for (const Prepare& prepare : fine_.prepares)
+      commands.dispatch(prepare.kernel,
+                        {hair.strands.vertices, resources.get<shade_strands::StrandColors>().values,
+                         hair.strands.segments, &prepare.records},
+                        {}, gpu::bytes_of(push), segments.x, segments.y);
     for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
     std::vector<const gpu::Buffer*> buffers = buffers_of(resources);
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
@@ -106,17 +114,28 @@ class Tiles : public GpuPass {
 /// Where a subgroup is a tile's eight and runs in software: there every lane reads a segment faster than one tells it.
 bool reads_records(const gpu::DeviceInfo& device, std::size_t vertices) {
   return device.is_software && device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
-         vertices * k_record_bytes <= device.max_storage_buffer_bytes;
+         vertices * k_record_bytes <= device.max_texel_buffer_bytes;
 }
 
-Result<gpu::Kernel> make_prepare(gpu::Device& device) {
-  return device.make_kernel(
-      tiles_prepare_comp,
-      {4,
-       0,
-       sizeof(tile_lists::TilePush),
-       {},
-       {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}});
+Result<void> make_records(gpu::Device& device, std::size_t vertices, Fine& fine) {
+  constexpr std::size_t k_step = 16;  ///< vertices whose records end where a part may begin
+  const std::size_t most = device.info().max_storage_buffer_bytes / (k_step * k_record_bytes) * k_step;
+  CUTICLE_ASSIGN(fine.records, device.make_texel_buffer(vertices * k_record_bytes));
+  for (std::size_t first = 0; first < vertices; first += most) {
+    const std::size_t count = std::min(most, vertices - first);
+    CUTICLE_ASSIGN(
+        gpu::Kernel kernel,
+        device.make_kernel(
+            tiles_prepare_comp,
+            {4,
+             0,
+             sizeof(tile_lists::TilePush),
+             {std::uint32_t(first), std::uint32_t(count)},
+             {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}}));
+    fine.prepares.push_back(
+        {std::move(kernel), gpu::part_of(fine.records, first * k_record_bytes, count * k_record_bytes)});
+  }
+  return {};
 }
 
 std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_records) {
@@ -144,8 +163,7 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
     }
   };
   CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, spans, fine.form.reads_records), interface));
-  CUTICLE_ASSIGN(fine.prepare, make_prepare(device));
-  CUTICLE_ASSIGN(fine.records, device.make_buffer(fine.form.reads_records ? vertices * k_record_bytes : 0));
+  if (fine.form.reads_records) CUTICLE_TRY(make_records(device, vertices, fine));
   return fine;
 }
 

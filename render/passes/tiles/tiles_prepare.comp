@@ -7,13 +7,16 @@ layout(local_size_x = 64) in;
 #include "render/passes/tiles/projected_segment_vertices.glsl"
 
 layout(binding = 2) uniform usamplerBuffer segments;
-layout(std430, binding = 3) writeonly buffer Records { uvec4 records[]; };
+layout(std430, binding = 3) writeonly buffer Records { uvec4 records[]; };  // of the vertices of a part
+layout(constant_id = 0) const uint k_first = 0u;  // of these
+layout(constant_id = 1) const uint k_count = 0u;
 
 void main() {
   uint segment = invocation();
   if (segment >= push.segment_count) return;
   uint vertex = texelFetch(segments, int(segment)).r;
+  if (vertex - k_first >= k_count) return;
   uvec4 record[k_record_texels] = record_of(segment_from_vertex(vertex));
   [[unroll]] for (uint texel = 0u; texel < k_record_texels; ++texel)
-    records[k_record_texels * vertex + texel] = record[texel];
+    records[k_record_texels * (vertex - k_first) + texel] = record[texel];
 }
