@@ -151,10 +151,9 @@ Result<void> MapShadowGpu::make_kernels() {
 }
 
 std::uint32_t MapShadowGpu::flags_of(const MapSettings& settings, const GpuStrands& strands) const {
-  const bool has_bytes = description_.drawing.format == gpu::TextureFormat::rgba8;
   return (settings.accumulation.poisson ? k_poisson_flag : 0) | (targets_.empty() ? 0 : k_square_flag) |
-         (has_bytes ? k_byte_target_flag : 0) | (strands.seen_from ? k_seen_flag : 0) |
-         (strands.segment_parts - 1) << k_parts_shift;
+         (description_.drawing.format == gpu::TextureFormat::rgba8 ? k_byte_target_flag : 0) |
+         (strands.seen_from ? k_seen_flag : 0) | (strands.segment_parts - 1) << k_parts_shift;
 }
 
 MapPush MapShadowGpu::push_for(const LightAxes& axes, const GpuStrands& strands) const {
