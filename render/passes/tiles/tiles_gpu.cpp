@@ -112,14 +112,21 @@ class Tiles : public GpuPass {
 };
 
 /// Where a subgroup is a tile's eight and runs in software: there every lane reads a segment faster than one tells it.
-bool reads_records(const gpu::DeviceInfo& device, std::size_t vertices) {
-  return device.is_software && device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
+bool reads_records(const gpu::DeviceInfo& device, const PassParameters& parameters, std::size_t vertices) {
+  return parameters_of<tile_sort::Parameters>(parameters).slices == 0 &&
+         tile_lists::lanes_of(device, parameters) == tile_lists::k_tile && device.is_software &&
+         device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
          vertices * k_record_bytes <= device.max_texel_buffer_bytes;
 }
 
-Result<void> make_records(gpu::Device& device, std::size_t vertices, Fine& fine) {
+/// Vertices whose records one binding holds.
+std::size_t vertices_of_a_part(const gpu::DeviceInfo& device) {
   constexpr std::size_t k_step = 16;  ///< vertices whose records end where a part may begin
-  const std::size_t most = device.info().max_storage_buffer_bytes / (k_step * k_record_bytes) * k_step;
+  return device.max_storage_buffer_bytes / (k_step * k_record_bytes) * k_step;
+}
+
+Result<void> make_records(gpu::Device& device, std::size_t vertices, Fine& fine) {
+  const std::size_t most = vertices_of_a_part(device.info());
   CUTICLE_ASSIGN(fine.records, device.make_texel_buffer(vertices * k_record_bytes));
   for (std::size_t first = 0; first < vertices; first += most) {
     const std::size_t count = std::min(most, vertices - first);
@@ -154,8 +161,7 @@ Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
   const std::uint32_t lanes = tile_lists::lanes_of(device.info(), resources.parameters);
-  const bool records = !sliced && lanes == tile_lists::k_tile && reads_records(device.info(), vertices);
-  fine.form = {spans, records, std::max(rows, 1u), lanes};
+  fine.form = {spans, reads_records(device.info(), resources.parameters, vertices), std::max(rows, 1u), lanes};
   const gpu::TextureFormat form = fine.form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
   const gpu::ShaderInterface interface {
     sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, fine.form.rows, lanes}, {
@@ -185,10 +191,18 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
                                                           std::move(depth), std::move(seen)));
 }
 
+/// The fine rasteriser, and what projects segments for it.
+std::uint32_t dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
+                         const registry::FrameShape& shape) {
+  if (!reads_records(device, parameters, shape.vertices)) return 1;
+  const std::size_t most = vertices_of_a_part(device);
+  return 1 + std::uint32_t((shape.vertices + most - 1) / most);
+}
+
 }  // namespace
 
 const GpuPassEntry& gpu_entry() {
-  static const GpuPassEntry table{"tiles", create};
+  static const GpuPassEntry table{"tiles", create, dispatches};
   return table;
 }
 
