@@ -40,6 +40,8 @@ struct FrameRunner::Impl {
   struct Keys {
     std::uint64_t hair = 0, surfaces = 0, view = 0;
   } made_of;
+  int passed = k_none;  ///< the frame of passed_hair
+  std::vector<glm::vec3> passed_hair;
 
   Result<void> build(Progress& progress) {
     CUTICLE_TRY(check_told_strands(scene));
@@ -102,7 +104,7 @@ struct FrameRunner::Impl {
     if (next.camera.camera.resolution != scene.camera.camera.resolution)
       return usage_error("the resolution of a running scene cannot change");
     CUTICLE_TRY(check_told_strands(next));
-    painted = k_none;
+    painted = passed = k_none;
     const bool moves = next.simulation != scene.simulation;
     const bool draws = next.material != scene.material || next.shadow != scene.shadow || next.passes != scene.passes ||
                        next.render_method != scene.render_method;
@@ -227,10 +229,36 @@ struct FrameRunner::Impl {
     return std::optional(std::move(mesh));
   }
 
+  Result<void> advance_to(int frame, const FrameOptions& options, FrameResult& result) {
+    CUTICLE_ASSIGN(const gpu::SubmitCost cost, motion_memory->count(solver_name(), [&] {
+      return motion->advance_to(frame, trace, options.everything);
+    }));
+    add_cost(cost, result.cost);
+    plan_this(frame, options.everything);
+    return {};
+  }
+
+  /// The strands of the frame before, for an open shutter, unless they are known.
+  Result<void> pass_by(int frame, const FrameOptions& options, FrameResult& result) {
+    if (frame < 0 || frame == passed || !find_pass(plan, "reference") || !has_open_shutter(scene)) return {};
+    CUTICLE_TRY(advance_to(frame, options, result));
+    CUTICLE_TRY(paint_anew(frame, result));
+    painted = frame;
+    CUTICLE_ASSIGN(strands::Groom hair, picture->read_strands());
+    passed_hair = std::move(hair.positions);
+    passed = frame;
+    return {};
+  }
+
   Result<void> trace_paths(int frame, const FrameOptions& options, FrameResult& result) {
     TracedPlaces places{.head = motion->head(), .fins = motion->fins() ? &motion->fins()->mesh() : nullptr};
     CUTICLE_ASSIGN(places.hair, picture->read_strands());
     CUTICLE_ASSIGN(places.skin, deformed_skin());
+    if (has_open_shutter(scene)) {
+      if (frame > 0) places.before = {std::move(passed_hair), camera(frame - 1)};
+      passed_hair = places.hair.positions;
+      passed = frame;
+    }
     Progress& progress = options.progress ? *options.progress : silent_progress();
     CUTICLE_ASSIGN(TracedFrame traced,
                    trace_frame(scene, set, std::move(places), camera(frame), options.path_state, progress));
@@ -285,12 +313,10 @@ Result<FrameResult> FrameRunner::run(int frame, const FrameOptions& options) {
   if (frame < 0) return usage_error(fmt::format("frame {} is below 0", frame));
   const auto begin = std::chrono::steady_clock::now();
   FrameResult result;
-  CUTICLE_ASSIGN(const gpu::SubmitCost cost, impl_->motion_memory->count(impl_->solver_name(), [&] {
-    return impl_->motion->advance_to(frame, impl_->trace, options.everything);
-  }));
-  add_cost(cost, result.cost);
-  impl_->plan_this(frame, options.everything);
-  if (options.render && impl_->picture) CUTICLE_TRY(impl_->paint(frame, options, result));
+  const bool paints = options.render && impl_->picture;
+  if (paints) CUTICLE_TRY(impl_->pass_by(frame - 1, options, result));
+  CUTICLE_TRY(impl_->advance_to(frame, options, result));
+  if (paints) CUTICLE_TRY(impl_->paint(frame, options, result));
   if (options.read_state) {
     CUTICLE_ASSIGN(result.state, impl_->motion->state());
     result.colliders = impl_->motion->colliders();

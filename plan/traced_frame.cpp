@@ -1,10 +1,13 @@
 #include "plan/traced_frame.h"
 
+#include "render/passes/motion_blur/motion_blur.h"
+
 #ifdef CUTICLE_HAS_EMBREE
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/expect.h"
 #include "render/passes/depth_of_field/depth_of_field.h"
 #include "render/passes/fins/fins.h"
 #include "render/passes/head/head.h"
@@ -14,6 +17,18 @@
 #endif
 
 namespace cuticle::plan {
+
+namespace {
+
+/// In frames.
+double shutter_of(const scene::Scene& scene) {
+  if (!scene.passes.contains("motion_blur")) return 0;
+  return render::parameters_of<render::motion_blur::Parameters>(scene.passes).shutter;
+}
+
+}  // namespace
+
+bool has_open_shutter(const scene::Scene& scene) { return shutter_of(scene) > 0; }
 
 #ifdef CUTICLE_HAS_EMBREE
 namespace {
@@ -67,6 +82,29 @@ render::reference::Lens lens_of(const scene::Scene& scene, const Camera& camera)
   return {lens.lens_radius * 1e-3, lens.focus > 0 ? lens.focus : glm::distance(camera.target, camera.position)};
 }
 
+/// `frames` on from now, as it moved since the frame before.
+Camera moved_on(Camera now, const Camera& before, double frames) {
+  now.position += frames * (now.position - before.position);
+  now.target += frames * (now.target - before.target);
+  now.up += frames * (now.up - before.up);
+  now.vertical_field_of_view += frames * (now.vertical_field_of_view - before.vertical_field_of_view);
+  return now;
+}
+
+/// The scene as it is where the shutter opens, and where it closes.
+void open_shutter(double frames, const PlacesBefore& before, render::reference::TracedScene& traced) {
+  std::vector<glm::vec3>& positions = traced.hair.positions;
+  CUTICLE_EXPECT(before.hair.size() == positions.size(), "both frames have the same vertices");
+  traced.positions_at_end = positions;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const glm::vec3 way = float(frames / 2) * (positions[v] - before.hair[v]);
+    traced.positions_at_end[v] += way;
+    positions[v] -= way;
+  }
+  traced.camera_at_end = moved_on(traced.camera, before.camera, frames / 2);
+  traced.camera = moved_on(traced.camera, before.camera, -frames / 2);
+}
+
 /// The parameters of the pass, and what they take from the rest of the scene.
 Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, const Camera& camera,
                                                    const render::reference::Parameters& parameters) {
@@ -104,6 +142,7 @@ Result<Traced> traced_of(const scene::Scene& scene, const StrandSet& set, Traced
   CUTICLE_ASSIGN(traced.scene.model, bsdf::find_model(scene.material.model.name));
   traced.scene.values = scene.material.model.values;
   traced.scene.camera = camera;
+  if (places.before && has_open_shutter(scene)) open_shutter(shutter_of(scene), *places.before, traced.scene);
   CUTICLE_TRY(add_lights(scene, traced.scene));
   auto& surfaces = traced.scene.surfaces;
   if (!set.head.triangles.empty()) surfaces.push_back(traced_head(scene, set, places));

@@ -66,14 +66,21 @@ Result<strands::Groom> TracedSceneRunner::drawn_strands() {
   return drawn_strands_at(scene_, set_, state_.positions, glm::dmat3(path_.at(frame_)));
 }
 
+Camera TracedSceneRunner::camera(int frame) const {
+  return camera_at(scene_.camera, strands::bounds(set_.control),
+                   {.frame = frame, .seconds = frame / scene_.frames_per_second, .head_travel = path_.travel(frame)});
+}
+
 Result<TracedFrame> TracedSceneRunner::run(int frame, Progress& progress) {
-  CUTICLE_TRY(advance_to(frame, progress));
   TracedPlaces places{.head = path_.at(frame)};
+  if (has_open_shutter(scene_) && frame > 0) {
+    CUTICLE_TRY(advance_to(frame - 1, progress));
+    CUTICLE_ASSIGN(strands::Groom hair, drawn_strands());
+    places.before = {std::move(hair.positions), camera(frame - 1)};
+  }
+  CUTICLE_TRY(advance_to(frame, progress));
   CUTICLE_ASSIGN(places.hair, drawn_strands());
-  const Camera camera =
-      camera_at(scene_.camera, strands::bounds(set_.control),
-                {.frame = frame, .seconds = frame / scene_.frames_per_second, .head_travel = path_.travel(frame)});
-  return trace_frame(scene_, set_, std::move(places), camera, "", progress);
+  return trace_frame(scene_, set_, std::move(places), camera(frame), "", progress);
 }
 
 }  // namespace cuticle::plan

@@ -28,6 +28,7 @@ class TracedSceneRunner {
   explicit TracedSceneRunner(const scene::Scene& scene) : scene_(scene) {}
   Result<void> restart(Progress& progress);
   Result<void> simulate(int frame);
+  Camera camera(int frame) const;
 
   scene::Scene scene_;
   StrandSet set_;

@@ -10,7 +10,7 @@ namespace cuticle::render::motion_blur {
 
 namespace {
 
-constexpr std::string_view k_demands[] = {"motion_blur", "movement"};
+constexpr std::string_view k_demands[] = {"drawn_on_device", "motion_blur", "movement"};
 constexpr Use k_uses[] = {reads<FrameView>(), reads<pixel_depth::PixelDepth>(), reads<velocity::MotionVectors>(),
                           changes<Output>()};
 constexpr std::string_view k_after[] = {"ambient_occlusion", "temporal_antialiasing", "depth_of_field"};
