@@ -86,7 +86,7 @@ def pack(build, data, out):
         (top / "sources.txt").write_text(f"{sources_of(build)}\n")
         shutil.copytree(data, top / "data")
         shutil.copy(Path(__file__).parent / "run_all.sh", top)
-        # The driver of some NVIDIA machines is found only where it can load GLVND's EGL and GLX.
+        # NVIDIA's driver 580 was not found on a machine that lacked GLVND's EGL and GLX.
         for loaded_later in ["libvulkan.so.1", "libVkLayer_khronos_validation.so", "libXext.so.6", "libEGL.so.1", "libGLX.so.0"]:
             shutil.copy((SYSTEM_LIBRARIES / loaded_later).resolve(), top / "lib" / loaded_later)
         (top / "lib/VkLayer_khronos_validation.json").write_text(LAYER.read_text())
