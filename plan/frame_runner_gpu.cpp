@@ -240,7 +240,8 @@ struct FrameRunner::Impl {
 
   /// The strands of the frame before, for an open shutter, unless they are known.
   Result<void> pass_by(int frame, const FrameOptions& options, FrameResult& result) {
-    if (frame < 0 || frame == passed || !find_pass(plan, "reference") || !has_open_shutter(scene)) return {};
+    if (frame < 0 || frame == passed || !find_pass(plan, "reference") || !has_open_shutter(scene, plan.facts))
+      return {};
     CUTICLE_TRY(advance_to(frame, options, result));
     CUTICLE_TRY(paint_anew(frame, result));
     painted = frame;
@@ -254,7 +255,7 @@ struct FrameRunner::Impl {
     TracedPlaces places{.head = motion->head(), .fins = motion->fins() ? &motion->fins()->mesh() : nullptr};
     CUTICLE_ASSIGN(places.hair, picture->read_strands());
     CUTICLE_ASSIGN(places.skin, deformed_skin());
-    if (has_open_shutter(scene)) {
+    if (has_open_shutter(scene, plan.facts)) {
       if (frame > 0) places.before = {std::move(passed_hair), camera(frame - 1)};
       passed_hair = places.hair.positions;
       passed = frame;

@@ -17,20 +17,25 @@ struct Setting {
   double amplitude = 0;      ///< of the head's motion
   int finer = 1;             ///< frames in the time of one
   int samples = 64;          ///< paths a pixel
+  bool moves = true;         ///< the head, by its motion's amplitude
   std::string shutter = "";  ///< frames of 1/30 s; empty: none is asked for
 };
 
 scene::Scene scene_of(const Setting& setting) {
   const std::string blur =
       setting.shutter.empty() ? "" : fmt::format(R"(, "motion_blur": {{"shutter": {}}})", setting.shutter);
+  const std::string motion =
+      setting.moves ? fmt::format(R"("motion": {{"bvh": "motion/head_turn.bvh", "joint": "Head", "amplitude": {}}},)",
+                                  setting.amplitude)
+                    : "";
   const std::string text = fmt::format(
-      R"({{"schema_version": 1, "strand_count": 400, "strand_vertices": 12, "frames_per_second": {},
-      "motion": {{"bvh": "motion/head_turn.bvh", "joint": "Head", "amplitude": {}}}, "head": {{"present": false}},
+      R"({{"schema_version": 1, "strand_count": 400, "strand_vertices": 12, "frames_per_second": {}, {}
+      "head": {{"present": false}},
       "material": {{"model": {{"kajiya_kay": {{}}}}}},
       "lights": [{{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}}], "render": {{"method": "reference"}}, "camera":
       {{"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 14, "turntable_deg_per_frame": {},
       "resolution_px": [64, 64]}}, "passes": {{"reference": {{"samples": {}, "bounces": 1}}{}}}}})",
-      30 * setting.finer, setting.amplitude, setting.turn / setting.finer, setting.samples, blur);
+      30 * setting.finer, motion, setting.turn / setting.finer, setting.samples, blur);
   const auto scene = scene::parse_scene(text, CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
   return *scene;
@@ -112,6 +117,11 @@ TEST(OpenShutter, ClosedOrInFrame0_IsThePictureWithout) {
   EXPECT_EQ(on_device(*runner_of(closed), k_frame).pixels, on_device(*runner_of(none), k_frame).pixels);
   EXPECT_EQ(on_device(*runner_of(open), 0).pixels, on_device(*runner_of(none), 0).pixels);
   EXPECT_EQ(on_cpu(open, 0).pixels, on_cpu(none, 0).pixels);
+}
+
+TEST(OpenShutter, NothingMoves_ThePictureStays) {
+  EXPECT_EQ(on_device(*runner_of({.samples = 8, .moves = false, .shutter = "1"}), 1).pixels,
+            on_device(*runner_of({.samples = 8, .moves = false}), 1).pixels);
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ double shutter_of(const scene::Scene& scene) {
 
 }  // namespace
 
-bool has_open_shutter(const scene::Scene& scene) { return shutter_of(scene) > 0; }
+bool has_open_shutter(const scene::Scene& scene, const registry::Facts& facts) {
+  return shutter_of(scene) > 0 && facts.at("movement").holds;
+}
 
 #ifdef CUTICLE_HAS_EMBREE
 namespace {
@@ -142,7 +144,7 @@ Result<Traced> traced_of(const scene::Scene& scene, const StrandSet& set, Traced
   CUTICLE_ASSIGN(traced.scene.model, bsdf::find_model(scene.material.model.name));
   traced.scene.values = scene.material.model.values;
   traced.scene.camera = camera;
-  if (places.before && has_open_shutter(scene)) open_shutter(shutter_of(scene), *places.before, traced.scene);
+  if (places.before) open_shutter(shutter_of(scene), *places.before, traced.scene);
   CUTICLE_TRY(add_lights(scene, traced.scene));
   auto& surfaces = traced.scene.surfaces;
   if (!set.head.triangles.empty()) surfaces.push_back(traced_head(scene, set, places));

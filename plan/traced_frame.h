@@ -34,10 +34,10 @@ struct TracedPlaces {
   const strands::Mesh* fins = nullptr;
 };
 
-/// Whether a frame shows the mean over a time: `passes.motion_blur`, with a shutter above 0. Hair and camera then go on
-/// evenly as they moved since the frame before, half of the shutter before the frame's time and half behind. In frame
-/// 0, which none precedes, they stand; so do surfaces and lights.
-bool has_open_shutter(const scene::Scene& scene);
+/// Whether a frame shows the mean over a time: `passes.motion_blur` has a shutter above 0, and by the plan's facts
+/// something moves. Hair and camera then go on evenly as they moved since the frame before, half of the shutter before
+/// the frame's time and half behind. In frame 0, which none precedes, they stand; so do surfaces and lights.
+bool has_open_shutter(const scene::Scene& scene, const registry::Facts& facts);
 
 /// `state`: file of the sums; empty: none. Head, floor and fins are diffuse, by the albedos of their passes. Errors:
 /// usage, where the build has no Embree; those of render::reference::trace_picture.

@@ -73,7 +73,7 @@ Camera TracedSceneRunner::camera(int frame) const {
 
 Result<TracedFrame> TracedSceneRunner::run(int frame, Progress& progress) {
   TracedPlaces places{.head = path_.at(frame)};
-  if (has_open_shutter(scene_) && frame > 0) {
+  if (has_open_shutter(scene_, plan_.facts) && frame > 0) {
     CUTICLE_TRY(advance_to(frame - 1, progress));
     CUTICLE_ASSIGN(strands::Groom hair, drawn_strands());
     places.before = {std::move(hair.positions), camera(frame - 1)};

@@ -97,7 +97,7 @@ TEST(StrandPlacer, SegmentsCutIntoParts_KeepTheirVerticesAndLieOnThem) {
               cut = draw(groom, placed, groom.positions, glm::mat3(1), motion, 0, k_parts);
   const Groom expected = place(groom, placed, k_parts);
   ASSERT_EQ(cut.row, cut_size(64, k_parts));
-  const double bound = tests::bound_for(device(), 1e-7, 2e-7);  // metres; measured on an H200: 1.3e-7
+  const double bound = tests::bound_for(device(), 1e-7, 2e-7);  // metres; measured on an H200: 1.2e-7
   for (std::size_t s = 0; s < placed.size(); ++s) {
     const std::size_t size = groom.strand_size(placed[s].guide);
     ASSERT_EQ(expected.strand_size(s), cut_size(size, k_parts));
