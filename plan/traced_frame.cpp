@@ -9,6 +9,7 @@
 
 #include "core/expect.h"
 #include "render/passes/depth_of_field/depth_of_field.h"
+#include "render/passes/dual_scattering/dual_scattering.h"
 #include "render/passes/fins/fins.h"
 #include "render/passes/head/head.h"
 #include "render/passes/reference/reference_entry.h"
@@ -122,6 +123,10 @@ Result<render::reference::TraceOptions> options_of(const scene::Scene& scene, co
                                           .clamp_indirect = parameters.clamp_indirect};
   options.turning = {parameters.twist, parameters.turn_seed};
   if (parameters.tables) options.tables = {scene.material.layout, scene.material.lut_size};
+  if (parameters.dual_scattering) {
+    const auto dual = render::parameters_of<render::dual_scattering::Parameters>(scene.passes);
+    options.dual_scattering = {dual.forward_density, dual.backward_density, dual.direction_spread};
+  }
   const std::string& shadow = parameters.shadow;
   if (shadow == "traced") return options;
   CUTICLE_ASSIGN(const shadows::Method* method, shadows::find_method(shadow));

@@ -1,5 +1,6 @@
 #include "bsdf/dual_scattering/dual_scattering.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "bsdf/shared/adaptive_quadrature.glslh"
 #include "bsdf/turns.h"
+#include "core/expect.h"
 #include "core/quadrature.h"
 
 namespace cuticle::bsdf {
@@ -157,7 +159,30 @@ Sums sums_of(const AverageScattering& a, int c, double density) {
           (1 + density * squared) * (backward * once + cubed * thrice) / (backward + cubed * (2 * f + 3 * b))};
 }
 
+HalfScattering between(const HalfScattering& below, const HalfScattering& above, double share) {
+  const glm::dvec3 variance = glm::mix(below.deviation * below.deviation, above.deviation * above.deviation, share);
+  return {glm::mix(below.share, above.share, share), glm::mix(below.shift, above.shift, share), glm::sqrt(variance)};
+}
+
 }  // namespace
+
+DualScatteringRow DualScatteringTable::at(double theta) const {
+  CUTICLE_EXPECT(!rows.empty(), "a table has rows");
+  const double last = double(rows.size() - 1);
+  const double place = std::clamp((theta / pi + 0.5) * double(rows.size()) - 0.5, 0.0, last);
+  const auto row = std::min(std::size_t(place), rows.size() - 1);
+  const DualScatteringRow &below = rows[row], &above = rows[std::min(row + 1, rows.size() - 1)];
+  const double share = place - double(row);
+  const auto half_of = [](const MultipleBackscattering& m) {
+    return HalfScattering{m.attenuation, m.shift, m.deviation};
+  };
+  const HalfScattering multiple = between(half_of(below.multiple), half_of(above.multiple), share);
+  return {.theta = theta,
+          .average = {.forward = between(below.average.forward, above.average.forward, share),
+                      .backward = between(below.average.backward, above.average.backward, share),
+                      .error = glm::max(below.average.error, above.average.error)},
+          .multiple = {multiple.share, multiple.shift, multiple.deviation}};
+}
 
 /// A flat fibre's average is that over turns of its cross-section; two turns are exact for a cubic in the index, and a
 /// sum over all azimuths is smooth in it.

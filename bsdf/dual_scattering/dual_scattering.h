@@ -16,8 +16,8 @@ struct HalfScattering {
 };
 
 /// The average fibre at an inclination: forward (|phi| > pi/2: on through the hair) is the paper's a_f, alpha_f,
-/// beta_f, backward its a_b, alpha_b, beta_b (equation 6); `error` is what the quadrature over theta_i estimates for the two shares
-/// together.
+/// beta_f, backward its a_b, alpha_b, beta_b (equation 6); `error` is what the quadrature over theta_i estimates for
+/// the two shares together.
 struct AverageScattering {
   HalfScattering forward, backward;
   glm::dvec3 error{0};
@@ -34,8 +34,12 @@ struct DualScatteringRow {
   AverageScattering average;
   MultipleBackscattering multiple;
 };
+/// Rows at even inclinations, the middles of equal parts of [-pi/2, pi/2].
 struct DualScatteringTable {
   std::vector<DualScatteringRow> rows;
+  /// Between the two rows about an inclination [rad] shares, shifts and variances are linear; beyond the first and the
+  /// last row, these.
+  DualScatteringRow at(double theta) const;
 };
 
 /// Average scattering of a model seen from theta_o in [-pi/2, pi/2]. Near-field models are averaged over 16 offsets,
@@ -51,7 +55,7 @@ Result<AverageScattering> average_scattering(const Model& model, const registry:
 /// 0: the sums diverge.
 Result<MultipleBackscattering> multiple_backscattering(const AverageScattering& average, double density = 0.7);
 
-/// Rows at `count` (1 .. 4096) even inclinations, the middles of equal parts of [-pi/2, pi/2]. Errors: bad_input,
+/// A table of `count` (1 .. 4096) rows. Errors: bad_input,
 /// naming count, or theta where the sums diverge.
 Result<DualScatteringTable> dual_scattering_terms(const Model& model, const registry::ParameterValues& values,
                                                   int count);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "bsdf/dual_scattering/dual_scattering.h"
+#include "bsdf/dual_scattering/kept_terms.h"
 
 namespace cuticle::bsdf::dual_scattering_test {
 namespace {
@@ -132,6 +133,33 @@ TEST(DualScattering, Table_HasItsRowsAtTheMiddlesOfEqualParts) {
   ASSERT_EQ(table.rows.size(), 4u);
   EXPECT_NEAR(table.rows[0].theta, -3 * pi / 8, 1e-15);
   EXPECT_NEAR(table.rows[2].average.forward.share.z, 0.5, 1e-14);
+}
+
+TEST(DualScattering, TableBetweenRows_IsNearTheAverageThere) {
+  const Model& deon = **find_model("deon");
+  const auto values = *parse_settings(deon, "", "sigma_a=0.3,beta_m=0.3,beta_n=0.3,azimuthal_tolerance=1e-3");
+  const DualScatteringTable table = *dual_scattering_terms(deon, values, 32);
+  const DualScatteringRow row = table.at(0.33);
+  const AverageScattering exact = *average_scattering(deon, values, 0.33);
+  EXPECT_NEAR(row.average.forward.share.x / exact.forward.share.x, 1, 2e-3);
+  EXPECT_NEAR(row.average.backward.deviation.x / exact.backward.deviation.x, 1, 2e-3);
+  EXPECT_NEAR(row.average.forward.shift.x, exact.forward.shift.x, 2e-3);
+  EXPECT_EQ(table.at(-2).average.forward.share.x, table.rows.front().average.forward.share.x);
+  EXPECT_EQ(table.at(2).multiple.attenuation.x, table.rows.back().multiple.attenuation.x);
+}
+
+// The far field's averages, which take minutes, are those of the near field.
+TEST(DualScattering, KeptTerms_AreOfTheNearField) {
+  const Model& chiang = **find_model("chiang");
+  const auto of_field = [&](const std::string& field) {
+    return *parse_settings(chiang, "", "sigma_a=0.3,beta_m=0.5,beta_n=0.5,field=" + field);
+  };
+  const auto kept = *kept_dual_scattering_terms(chiang, of_field("far"));
+  ASSERT_EQ(kept.rows.size(), std::size_t(k_dual_scattering_rows));
+  const DualScatteringRow& row = kept.rows[18];
+  const AverageScattering near = *average_scattering(chiang, of_field("near"), row.theta);
+  EXPECT_EQ(row.average.forward.share, near.forward.share);
+  EXPECT_EQ(row.average.backward.deviation, near.backward.deviation);
 }
 
 TEST(DualScattering, BadRequests_AreRefusedByName) {

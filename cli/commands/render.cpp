@@ -172,14 +172,14 @@ Result<void> add_restriction(std::string_view restriction, registry::ParameterTa
     values.set("field", std::string("far"));
   } else if (restriction == "single_scattering") {
     values.set("bounces", std::int64_t(1));
-  } else if (restriction == "tables") {
-    values.set("tables", true);
+  } else if (restriction == "tables" || restriction == "dual_scattering") {
+    values.set(restriction, true);
   } else if (restriction.starts_with(k_shadow)) {
     CUTICLE_ASSIGN(const registry::Parameter* shadow, registry::find_parameter(table, "shadow"));
     CUTICLE_ASSIGN(registry::Value method, registry::parse_value(*shadow, restriction.substr(k_shadow.size())));
     values.set("shadow", std::move(method));
   } else {
-    return usage_error(fmt::format("--match {}: not one of far_field, single_scattering, tables, shadow=METHOD",
+    return usage_error(fmt::format("--match {}: not one of far_field, single_scattering, tables, dual_scattering, shadow=METHOD",
                                    restriction),
                        "cuticle methods lists the shadow methods");
   }
@@ -297,7 +297,8 @@ void add_render(CLI::App& app, Context& context) {
       ->check(CLI::Range(0.0, 10.0));
   command->add_option("--match", options->match,
                       "reference: restrictions of the real-time ways: far_field (the model's mean over the width), "
-                      "single_scattering, tables (of the material's layout), shadow=METHOD (at the vertices)")
+                      "single_scattering, tables (of the material's layout), dual_scattering (fibres counted along rays), "
+                      "shadow=METHOD (at the vertices)")
       ->delimiter(',');
   command->add_option("--state", options->state,
                       "reference: files FILE.0000, ... of a frame's sums, written as it goes; where they are there, it goes on from them");

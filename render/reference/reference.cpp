@@ -176,6 +176,10 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
     hash.add(registry::to_json(options.shadows->values));
     hash.add(options.shadows->alpha);
   }
+  if (options.dual_scattering) {
+    const DualScatteringInstead& dual = *options.dual_scattering;
+    for (const double number : {dual.forward_density, dual.backward_density, dual.direction_spread}) hash.add(number);
+  }
   return hash.value();
 }
 

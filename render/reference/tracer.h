@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "render/reference/camera_rays.h"
 #include "render/reference/cross_sections.h"
+#include "render/reference/dual_scattering.h"
 #include "render/reference/random_numbers.h"
 #include "render/reference/restrictions.h"
 #include "render/reference/traced_scene.h"
@@ -25,6 +26,8 @@ struct TraceOptions {
   bool far_field = false;  ///< of models that have both fields
   std::optional<TablesInstead> tables = {};    ///< their field is the far one
   std::optional<ShadowsInstead> shadows = {};  ///< of the scene's lights on hair
+  /// Of light that scatters more than once at hair; paths end at their first scattering.
+  std::optional<DualScatteringInstead> dual_scattering = {};
   Lens lens = {};
   strands::CurveKind curves = {};  ///< what the hair's vertices are
   Turning turning = {};            ///< of flat cross-sections; a round one has no turn
@@ -59,7 +62,7 @@ using LightSplits = std::array<glm::dvec3, k_splits>;
 class Tracer {
  public:
   /// Errors: usage, where the model has no sampler; those of RayScene, SurroundingsLight,
-  /// TableScattering and VertexTransmittance.
+  /// TableScattering, VertexTransmittance and DualScattering.
   static Result<std::unique_ptr<Tracer>> make(const TracedScene& scene, const TraceOptions& options);
   ~Tracer();
   /// The light of each path; `paths` and `light` have one size, and `splits` too where layers are asked for.

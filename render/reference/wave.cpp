@@ -36,6 +36,10 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
   if (options.tables) {
     CUTICLE_ASSIGN(tables, TableScattering::make(*traced.model, traced.values, *options.tables));
   }
+  if (options.dual_scattering) {
+    CUTICLE_ASSIGN(dual_scattering, DualScattering::make(*traced.model, traced.values, *options.dual_scattering));
+    options.scatterings = 1;
+  }
   CUTICLE_ASSIGN(model, bsdf::BatchEvaluator::make(*traced.model, traced.values));
   if (traced.surroundings) {
     CUTICLE_ASSIGN(surroundings, SurroundingsLight::make(*traced.surroundings));
@@ -85,7 +89,7 @@ void Wave::run(std::span<const PathName> names, std::span<PathLight> light, std:
       for (const SurfacePoint& point : surface_points_) light_surface(point, round);
     }
     next_.clear();
-    scatter_fibres();
+    if (!scene_.dual_scattering) scatter_fibres();
     for (const SurfacePoint& point : surface_points_) scatter_surface(point);
     std::swap(live_, next_);
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bsdf/batch/batch.h"
+#include "render/reference/dual_scattering.h"
 #include "render/reference/fibre_point.h"
 #include "render/reference/surroundings_light.h"
 #include "render/reference/tracer.h"
@@ -24,6 +25,7 @@ struct WaveScene {
   std::unique_ptr<TableScattering> tables;           ///< in the place of the model's S; null: none
   std::optional<VertexTransmittance> transmittance;  ///< in the place of shadow rays through hair
   std::unique_ptr<strands::RayScene> surfaces;       ///< without hair; where `transmittance` is
+  std::optional<DualScattering> dual_scattering;     ///< in the place of light that scatters more than once
   std::optional<CameraRays> camera, camera_at_end;
 
   Result<void> build(const TracedScene& traced, const TraceOptions& trace_options);
@@ -32,8 +34,8 @@ struct WaveScene {
                       double time) const;
   /// S; arrays of one size.
   void evaluate(const bsdf::BatchPoints& points, const bsdf::OutputSpans& color) const;
-  /// Even surroundings are left to the directions that models draw.
-  bool draws_surroundings() const { return surroundings && !surroundings->is_even(); }
+  /// Even surroundings are left to the directions that models draw; dual scattering has none of those.
+  bool draws_surroundings() const { return surroundings && (dual_scattering || !surroundings->is_even()); }
 };
 
 /// Three arrays of one size.
@@ -104,6 +106,15 @@ class Wave {
   std::array<float, 4> numbers(std::uint32_t path, Purpose purpose) const {
     return random_numbers(scene_.options.seed, names_[path], scattering_, purpose);
   }
+  /// A light as dual scattering has it at a point.
+  struct DualLight {
+    glm::dvec3 direct{0};  ///< share that arrives
+    MultipleLight multiple;
+    int fibres = 0;  ///< on its way, at least
+  };
+  std::optional<FibresPassed> fibres_before(std::size_t point, const Arriving& light) const;
+  DualLight dual_light(std::size_t point, const Arriving& light) const;
+  void light_by_dual_scattering(std::size_t point, const Arriving& light, const Shares* shares);
   void find_shares(const VectorArray& to_light, std::vector<Shares>& shares) const;
 
   const WaveScene& scene_;

@@ -64,11 +64,16 @@ void Wave::light_fibres(int round) {
   }
   const bsdf::BatchPoints points{to_light_.in(), to_viewer_.in(), h_};
   scene_.evaluate(points, value_.out());
-  if (compared) must(scene_.model->pdf(points, density_));
+  if (compared && !scene_.dual_scattering) must(scene_.model->pdf(points, density_));
   std::vector<Shares> shares;
   if (splits() && scattering_ == 0) find_shares(to_light_, shares);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const std::uint32_t k = fibre_paths_[i];
+    const Shares* const of_lobes = shares.empty() ? shares_of(k) : &shares[i];
+    if (scene_.dual_scattering) {
+      light_by_dual_scattering(i, lights[i], of_lobes);
+      continue;
+    }
     const Path& path = paths_[k];
     glm::dvec3 light = path.throughput * glm::dvec3(value_[i]) * lights[i].irradiance;
     if (lights[i].density > 0) light *= lights[i].density / (lights[i].density + double(density_[i]));
@@ -77,7 +82,7 @@ void Wave::light_fibres(int round) {
     light *= reaching(i, lights[i]);
     if (!(std::max({light.x, light.y, light.z}) > 0)) continue;
     const int backward = path.backward + int(scattering_ > 0 && turns_back(i, to_light_[i]));
-    add(k, light, {scattering_ + 1, backward, shares.empty() ? shares_of(k) : &shares[i]});
+    add(k, light, {scattering_ + 1, backward, of_lobes});
   }
 }
 

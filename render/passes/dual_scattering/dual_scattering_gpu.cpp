@@ -1,12 +1,7 @@
-#include <algorithm>
-#include <deque>
-#include <mutex>
-
-#include "bsdf/chiang/chiang.h"
-#include "bsdf/dual_scattering/corrections.h"
-#include "bsdf/dual_scattering/dual_scattering.h"
-#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
+#include "bsdf/dual_scattering/corrections.h"
+#include "bsdf/dual_scattering/kept_terms.h"
+#include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/surface_shadow/surface_shadow_gpu.h"
 #include "strands/thickness.h"
 
@@ -14,43 +9,13 @@ namespace cuticle::render::dual_scattering {
 
 namespace {
 
-constexpr int k_rows = 32;  // as in dual_scattering.glsl, with the order of what is appended here
+// The shader reads what is appended here in this order, and this number of rows.
+static_assert(bsdf::k_dual_scattering_rows == 32);
 
 void append(const bsdf::HalfScattering& half, std::vector<glm::vec4>& terms) {
   terms.emplace_back(half.share, 0);
   terms.emplace_back(half.shift, 0);
   terms.emplace_back(half.deviation * half.deviation, 0);
-}
-
-struct Known {
-  const bsdf::Model* model;
-  registry::ParameterValues values;
-  bsdf::DualScatteringTable table;
-};
-
-/// The tables of the last materials are kept: one takes seconds, and a picture made anew mostly has the same.
-Result<bsdf::DualScatteringTable> table_of(const bsdf::Model& model, const registry::ParameterValues& values) {
-  constexpr std::size_t k_most = 8;
-  static std::mutex guard;
-  static std::deque<Known> known;
-  const std::lock_guard lock(guard);
-  for (const Known& one : known)
-    if (one.model == &model && one.values == values) return one.table;
-  CUTICLE_ASSIGN(bsdf::DualScatteringTable table, bsdf::dual_scattering_terms(model, values, k_rows));
-  known.push_back({&model, values, table});
-  if (known.size() > k_most) known.pop_front();
-  return table;
-}
-
-/// Averages over the fibre's width come several times faster from the near field, of models that have it for all h:
-/// `chiang` alone has a far field of a part of the width.
-registry::ParameterValues of_near_field(const bsdf::Model& model, registry::ParameterValues values) {
-  if (model.entry.name == "chiang") {
-    const auto fibre = registry::from_values<bsdf::chiang::Parameters>(values);
-    if (fibre.h_from != -1 || fibre.h_to != 1) return values;
-  }
-  if (values.all().contains("field")) values.set("field", std::string("near"));
-  return values;
 }
 
 /// Of each channel, by the albedo at inclination 0 and the thickness of the hair as shadows have it: a crossing of
@@ -76,7 +41,7 @@ Result<gpu::Buffer> make_terms(gpu::Device& device, const Resources& resources) 
   const lut::TableSet* set = bake_tables::table_set_of(resources);
   const bsdf::Model& model = set ? *set->model : *material.model;
   CUTICLE_ASSIGN(const bsdf::DualScatteringTable table,
-                 table_of(model, of_near_field(model, set ? set->values : *material.values)));
+                 bsdf::kept_dual_scattering_terms(model, set ? set->values : *material.values));
   const auto parameters = parameters_of<Parameters>(resources);
   const double spread = parameters.direction_spread;
   std::vector<glm::vec4> terms = {{parameters.forward_density, parameters.backward_density, spread * spread, 0}};

@@ -46,6 +46,10 @@ void describe(registry::Members& members, Parameters& p) {
   members(p.turn_seed, "turn_seed", 0, 4294967295.0, "of the strands' turns");
   members(p.tables, "tables",
           "lookup tables of the material's layout and size, of the far field, in the place of the model");
+  members(p.dual_scattering, "dual_scattering",
+          "in the place of light that scatters more than once: dual scattering with fibres counted along the rays to "
+          "the lights, by the densities and the spread of the pass dual_scattering, without its corrections; bounces "
+          "is not read then");
   members(p.shadow, "shadow", shadow_choices(),
           "what of a light arrives at hair: by rays, or by a shadow method at the vertices; with the parameters "
           "of shadow.method where it is the scene's, and with fibre_alpha");

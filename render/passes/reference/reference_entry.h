@@ -14,6 +14,7 @@ struct Parameters {
   double twist = 0;
   std::uint64_t turn_seed = 0;
   bool tables = false;
+  bool dual_scattering = false;  ///< with the numbers of the scene's pass of that name, or its defaults
   std::string shadow = "traced";        ///< or the name of a shadow method
   std::string curves = "round_linear";  ///< what vertices are: strands::curve_kind_names()
 };
