@@ -7,7 +7,8 @@
 
 Prints, for each way of drawing: its coverage, its light (mean radiance of red, green, blue) and the root mean square of the differences of
 means over 8 x 8 pixels (where the reference has light), each as a share of the reference's. Direct light is compared with paths of one
-scattering; with dual scattering (`passes.dual_scattering`), light with paths of any length, for each colour. Pictures that OUT has are kept.
+scattering; with dual scattering (`passes.dual_scattering`), light with paths of any length, for each colour. The method `rays` is the path tracer
+with dual scattering in the place of longer paths (`--match dual_scattering`). Pictures that OUT has are kept.
 """
 import argparse
 import json
@@ -102,6 +103,14 @@ def changed(scene, options, dual, shadow):
     return scene
 
 
+def drawn_by(method, options, dual):
+    """Options of a way of drawing."""
+    if method != "rays":
+        return ["--method", method]
+    restriction = "dual_scattering" if dual else "single_scattering"
+    return ["--method", "reference", "--samples", str(options.samples), "--match", restriction]
+
+
 def compare(name, scene, out, options, dual):
     bounces = [] if dual else ["--bounces", "1"]
     kind = "all" if dual else "direct"
@@ -110,7 +119,7 @@ def compare(name, scene, out, options, dual):
         for shadow in options.shadow or [None]:
             words = [method, kind, name_of(shadow), options.densities if dual and options.densities else ""]
             way = "_".join(word for word in words if word)
-            picture = render(changed(scene, options, dual, shadow), f"{out}/{way}", "--method", method)
+            picture = render(changed(scene, options, dual, shadow), f"{out}/{way}", *drawn_by(method, options, dual))
             show(f"{name} {method} {kind} {name_of(shadow)}".rstrip(), picture, reference)
 
 

@@ -40,8 +40,8 @@ struct FrameRunner::Impl {
   struct Keys {
     std::uint64_t hair = 0, surfaces = 0, view = 0;
   } made_of;
-  int passed = k_none;  ///< the frame of passed_hair
-  std::vector<glm::vec3> passed_hair;
+  int passed = k_none;  ///< the frame of passed_places
+  PlacesBefore passed_places;
 
   Result<void> build(Progress& progress) {
     CUTICLE_TRY(check_told_strands(scene));
@@ -238,7 +238,14 @@ struct FrameRunner::Impl {
     return {};
   }
 
-  /// The strands of the frame before, for an open shutter, unless they are known.
+  /// For an open shutter of the next frame.
+  void keep_places(int frame, std::vector<glm::vec3> hair, std::optional<strands::Mesh> skin) {
+    passed_places = {std::move(hair), camera(frame), motion->head(), std::move(skin)};
+    if (motion->fins()) passed_places.fins = motion->fins()->mesh();
+    passed = frame;
+  }
+
+  /// Where things were in the frame before, for an open shutter, unless it is known.
   Result<void> pass_by(int frame, const FrameOptions& options, FrameResult& result) {
     if (frame < 0 || frame == passed || !find_pass(plan, "reference") || !has_open_shutter(scene, plan.facts))
       return {};
@@ -246,8 +253,8 @@ struct FrameRunner::Impl {
     CUTICLE_TRY(paint_anew(frame, result));
     painted = frame;
     CUTICLE_ASSIGN(strands::Groom hair, picture->read_strands());
-    passed_hair = std::move(hair.positions);
-    passed = frame;
+    CUTICLE_ASSIGN(std::optional<strands::Mesh> skin, deformed_skin());
+    keep_places(frame, std::move(hair.positions), std::move(skin));
     return {};
   }
 
@@ -256,9 +263,8 @@ struct FrameRunner::Impl {
     CUTICLE_ASSIGN(places.hair, picture->read_strands());
     CUTICLE_ASSIGN(places.skin, deformed_skin());
     if (has_open_shutter(scene, plan.facts)) {
-      if (frame > 0) places.before = {std::move(passed_hair), camera(frame - 1)};
-      passed_hair = places.hair.positions;
-      passed = frame;
+      if (frame > 0) places.before = std::move(passed_places);
+      keep_places(frame, places.hair.positions, places.skin);
     }
     Progress& progress = options.progress ? *options.progress : silent_progress();
     CUTICLE_ASSIGN(TracedFrame traced,

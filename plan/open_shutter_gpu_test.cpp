@@ -19,6 +19,7 @@ struct Setting {
   int samples = 64;          ///< paths a pixel
   bool moves = true;         ///< the head, by its motion's amplitude
   std::string shutter = "";  ///< frames of 1/30 s; empty: none is asked for
+  bool head = false;
 };
 
 scene::Scene scene_of(const Setting& setting) {
@@ -29,13 +30,14 @@ scene::Scene scene_of(const Setting& setting) {
                                   setting.amplitude)
                     : "";
   const std::string text = fmt::format(
-      R"({{"schema_version": 1, "strand_count": 400, "strand_vertices": 12, "frames_per_second": {}, {}
-      "head": {{"present": false}},
+      R"({{"schema_version": 1, "strand_count": {}, "strand_vertices": 12, "frames_per_second": {}, {}
+      "head": {{"present": {}}},
       "material": {{"model": {{"kajiya_kay": {{}}}}}},
       "lights": [{{"to_light": [0.3, 0.6, 1], "irradiance": [6, 6, 6]}}], "render": {{"method": "reference"}}, "camera":
       {{"position_m": [0.2, 0.15, 1.1], "target_m": [0, 0.05, 0], "fov_deg": 14, "turntable_deg_per_frame": {},
       "resolution_px": [64, 64]}}, "passes": {{"reference": {{"samples": {}, "bounces": 1}}{}}}}})",
-      30 * setting.finer, motion, setting.turn / setting.finer, setting.samples, blur);
+      setting.head ? 4 : 400, 30 * setting.finer, motion, setting.head, setting.turn / setting.finer, setting.samples,
+      blur);
   const auto scene = scene::parse_scene(text, CUTICLE_SOURCE_DIR "/scenes", "test", catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
   return *scene;
@@ -56,15 +58,18 @@ Image on_cpu(const Setting& setting, int frame) {
       .color;
 }
 
-/// Of coverage, root mean square over blocks of 4 x 4 pixels.
-double difference(const Image& a, const Image& b) {
+constexpr int k_green = 1, k_coverage = 3;
+
+/// Root mean square over blocks of 4 x 4 pixels.
+double difference(const Image& a, const Image& b, int channel = k_coverage) {
   constexpr int k_side = 4;
   double squares = 0;
   for (int y = 0; y < a.height; y += k_side)
     for (int x = 0; x < a.width; x += k_side) {
       double sum = 0;
       for (int p = 0; p < k_side * k_side; ++p)
-        sum += double(a.at(x + p % k_side, y + p / k_side, 3)) - double(b.at(x + p % k_side, y + p / k_side, 3));
+        sum += double(a.at(x + p % k_side, y + p / k_side, channel)) -
+               double(b.at(x + p % k_side, y + p / k_side, channel));
       squares += sum * sum / std::pow(k_side, 4);
     }
   return std::sqrt(squares * k_side * k_side / (a.width * a.height));
@@ -84,22 +89,27 @@ Image mean_over_shutter(Setting setting) {
 }
 
 /// `most`: of the difference of a still picture.
-void expect_mean_over_shutter(Setting setting, double most) {
+void expect_mean_over_shutter(Setting setting, double most, int channel = k_coverage) {
   const Image wanted = mean_over_shutter(setting);
   setting.samples *= k_moments;
-  const double still = difference(on_device(*runner_of(setting), k_frame), wanted);
+  const double still = difference(on_device(*runner_of(setting), k_frame), wanted, channel);
   setting.shutter = "1";
-  const double open = difference(on_device(*runner_of(setting), k_frame), wanted);
+  const double open = difference(on_device(*runner_of(setting), k_frame), wanted, channel);
   fmt::print("still {:.4f}, open {:.4f}\n", still, open);
   EXPECT_LT(open, most * still);
 }
 
 TEST(OpenShutter, CarriedHair_IsTheMeanOverItsTime) { expect_mean_over_shutter({.amplitude = 4}, 0.5); }
 
+// A head that turns covers what it covered; its light moves.
+TEST(OpenShutter, HeadThatTurns_IsTheMeanOverItsTime) {
+  expect_mean_over_shutter({.amplitude = 4, .head = true}, 0.5, k_green);
+}
+
 TEST(OpenShutter, CameraThatTurns_IsTheMeanOverItsTime) { expect_mean_over_shutter({.turn = 8}, 0.5); }
 
 TEST(OpenShutter, OnTheCpu_IsTheDevices) {
-  const Setting setting{.turn = 8, .amplitude = 4, .shutter = "1"};
+  const Setting setting{.turn = 8, .amplitude = 4, .shutter = "1", .head = true};
   EXPECT_LT(difference(on_cpu(setting, k_frame), on_device(*runner_of(setting), k_frame)), 0.002);
 }
 

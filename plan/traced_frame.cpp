@@ -38,12 +38,32 @@ namespace {
 
 using render::reference::Surface;
 
-/// The head where the frame has it: turned, or as a character deforms it.
+/// The head where a frame has it: turned, or as a character deforms it.
+strands::Mesh head_mesh(const StrandSet& set, const glm::dmat4& head, const std::optional<strands::Mesh>& skin) {
+  return skin ? *skin : strands::transformed(set.head, head);
+}
+
+/// A mesh on its way between two frames: `frames` on from `now`.
+strands::Mesh moved_on(strands::Mesh now, const strands::Mesh& before, double frames) {
+  CUTICLE_EXPECT(now.positions.size() == before.positions.size(), "both frames have the same vertices");
+  for (std::size_t v = 0; v < now.positions.size(); ++v)
+    now.positions[v] += float(frames) * (now.positions[v] - before.positions[v]);
+  for (std::size_t v = 0; v < now.normals.size(); ++v)
+    now.normals[v] += float(frames) * (now.normals[v] - before.normals[v]);
+  return now;
+}
+
+void move(Surface& surface, const strands::Mesh& before, double frames) {
+  if (surface.mesh.positions == before.positions) return;
+  surface.at_end = moved_on(surface.mesh, before, frames / 2);
+  surface.mesh = moved_on(surface.mesh, before, -frames / 2);
+}
+
 Surface traced_head(const scene::Scene& scene, const StrandSet& set, const TracedPlaces& places) {
   const auto parameters = render::parameters_of<render::head::Parameters>(scene.passes);
   const glm::vec3 skin(parameters.skin), scalp(parameters.scalp);
   Surface surface;
-  surface.mesh = places.skin ? *places.skin : strands::transformed(set.head, places.head);
+  surface.mesh = head_mesh(set, places.head, places.skin);
   const std::vector<float> shares =
       render::head::scalp_shares(set.head, set.scalp.triangles.empty() ? nullptr : &set.scalp);
   for (const float share : shares) surface.albedo.push_back(glm::mix(skin, scalp, share));
@@ -152,9 +172,16 @@ Result<Traced> traced_of(const scene::Scene& scene, const StrandSet& set, Traced
   if (places.before) open_shutter(shutter_of(scene), *places.before, traced.scene);
   CUTICLE_TRY(add_lights(scene, traced.scene));
   auto& surfaces = traced.scene.surfaces;
-  if (!set.head.triangles.empty()) surfaces.push_back(traced_head(scene, set, places));
+  const double shutter = places.before ? shutter_of(scene) : 0;
+  if (!set.head.triangles.empty()) {
+    surfaces.push_back(traced_head(scene, set, places));
+    if (places.before) move(surfaces.back(), head_mesh(set, places.before->head, places.before->skin), shutter);
+  }
   if (scene.floor) surfaces.push_back(traced_floor(*scene.floor));
-  if (places.fins) surfaces.push_back(traced_fins(scene, set, *places.fins));
+  if (places.fins) {
+    surfaces.push_back(traced_fins(scene, set, *places.fins));
+    if (places.before && places.before->fins) move(surfaces.back(), *places.before->fins, shutter);
+  }
   const auto parameters = render::parameters_of<render::reference::Parameters>(scene.passes);
   CUTICLE_ASSIGN(traced.options, options_of(scene, camera, parameters));
   traced.quality = {.samples = parameters.samples, .max_error = parameters.max_error};

@@ -19,10 +19,13 @@ struct TracedFrame {
   double seconds = 0, processor_seconds = 0;
 };
 
-/// Where hair and camera were in the frame before, world.
+/// Where things were in the frame before, world.
 struct PlacesBefore {
   std::vector<glm::vec3> hair;  ///< vertices of the drawn strands
   Camera camera;
+  glm::dmat4 head{1};                      ///< from rest
+  std::optional<strands::Mesh> skin = {};  ///< a character's
+  std::optional<strands::Mesh> fins = {};
 };
 
 /// Where things are in the frame, world.
@@ -35,8 +38,9 @@ struct TracedPlaces {
 };
 
 /// Whether a frame shows the mean over a time: `passes.motion_blur` has a shutter above 0, and by the plan's facts
-/// something moves. Hair and camera then go on evenly as they moved since the frame before, half of the shutter before
-/// the frame's time and half behind. In frame 0, which none precedes, they stand; so do surfaces and lights.
+/// something moves. Hair, surfaces and camera then go on evenly as they moved since the frame before, half of the
+/// shutter before the frame's time and half behind. In frame 0, which none precedes, they stand. Lights do not move in
+/// scenes.
 bool has_open_shutter(const scene::Scene& scene, const registry::Facts& facts);
 
 /// `state`: file of the sums; empty: none. Head, floor and fins are diffuse, by the albedos of their passes. Errors:

@@ -76,7 +76,7 @@ Result<TracedFrame> TracedSceneRunner::run(int frame, Progress& progress) {
   if (has_open_shutter(scene_, plan_.facts) && frame > 0) {
     CUTICLE_TRY(advance_to(frame - 1, progress));
     CUTICLE_ASSIGN(strands::Groom hair, drawn_strands());
-    places.before = {std::move(hair.positions), camera(frame - 1)};
+    places.before = {std::move(hair.positions), camera(frame - 1), path_.at(frame - 1)};
   }
   CUTICLE_TRY(advance_to(frame, progress));
   CUTICLE_ASSIGN(places.hair, drawn_strands());

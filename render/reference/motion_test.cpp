@@ -69,5 +69,24 @@ TEST(Motion, OtherNumberOfVertices_IsRefused) {
   EXPECT_FALSE(trace_picture(scene, {}, {.samples = 1}, silent_progress()).ok());
 }
 
+// A plate that passes a fibre stands before it for half of the time, and is seen where it is.
+TEST(Motion, SurfaceThatMoves_CoversForTheTimeThatItIsThere) {
+  TracedScene scene = one_fibre("kajiya_kay", "");
+  scene.lights = {{.name = "key", .to_light = {0, 0, 1}, .irradiance = {1, 1, 1}}};
+  const Mean lit = mean_where_covered(picture_of(scene, {.scatterings = 1}, {.samples = 512}));
+  Surface plate;
+  plate.mesh.positions = {{-2, 1, 0.5f}, {2, 1, 0.5f}, {-2, 4, 0.5f}, {2, 4, 0.5f}};
+  plate.mesh.normals.assign(4, glm::vec3(0, 0, 1));
+  plate.mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+  plate.albedo.assign(4, glm::vec3(0));
+  plate.at_end = plate.mesh;
+  for (glm::vec3& position : plate.at_end.positions) position.y -= 2;
+  scene.surfaces = {plate};
+  const Mean passed = mean_where_covered(picture_of(scene, {.scatterings = 1}, {.samples = 512}));
+  const double pixels = 24 * 24;
+  EXPECT_NEAR(passed.color.x * passed.coverage / (lit.color.x * lit.coverage), 0.5, 0.01);
+  EXPECT_NEAR(passed.coverage / pixels, 0.5 + 0.5 * lit.coverage / pixels, 0.01);
+}
+
 }  // namespace
 }  // namespace cuticle::render::reference::motion_test

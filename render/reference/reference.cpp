@@ -148,6 +148,7 @@ std::uint64_t key_of(const TracedScene& scene, const TraceOptions& options) {
   for (const Surface& surface : scene.surfaces) {
     hash.add(std::span<const glm::vec3>(surface.mesh.positions));
     hash.add(std::span<const glm::vec3>(surface.albedo));
+    hash.add(std::span<const glm::vec3>(surface.at_end.positions));
   }
   if (scene.surroundings) {
     hash.add(std::span<const float>(scene.surroundings->picture.pixels));

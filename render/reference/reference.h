@@ -18,9 +18,9 @@ struct Quality {
 struct Picture {
   Image color, layers;            ///< layers: as Film's
   std::vector<SeenShare> shares;  ///< with TraceOptions::strands, as Film's
-  int samples = 0;      ///< most of a pixel
-  double error = 0;     ///< standard error of a pixel, root mean square over the tiles that hold light, over their mean
-  double seconds = 0;            ///< of its paths; what is made ready before (ray tree, tables, shadow maps) is left out
+  int samples = 0;                ///< most of a pixel
+  double error = 0;    ///< standard error of a pixel, root mean square over the tiles that hold light, over their mean
+  double seconds = 0;  ///< of its paths; what is made ready before (ray tree, tables, shadow maps) is left out
   double processor_seconds = 0;  ///< the same, of all threads
 };
 

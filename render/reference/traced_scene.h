@@ -1,5 +1,6 @@
 #pragma once
 // What the reference draws: hair, its model, surfaces, lights, camera. World space, metres, linear radiance.
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace cuticle::render::reference {
 struct Surface {
   strands::Mesh mesh;
   std::vector<glm::vec3> albedo;  ///< one per vertex, 0 .. 1
+  strands::Mesh at_end = {};      ///< where it is when the shutter closes; no vertices: it stands
 };
 
 /// Radiance from all around, as scene::Environment lays it out.
@@ -32,11 +34,14 @@ struct TracedScene {
   std::vector<Surface> surfaces;
   Camera camera;
   /// Where vertices and camera are when the shutter closes; it opens at the above, and all moves evenly between. Empty:
-  /// still. Surfaces and lights stand; a restriction to a shadow method is that of the shutter's opening.
+  /// still. Lights stand; a restriction to a shadow method is that of the shutter's opening.
   std::vector<glm::vec3> positions_at_end = {};
   std::optional<Camera> camera_at_end = {};
 
-  bool moves() const { return !positions_at_end.empty() || camera_at_end.has_value(); }
+  bool moves() const {
+    return !positions_at_end.empty() || camera_at_end.has_value() ||
+           std::ranges::any_of(surfaces, [](const Surface& surface) { return !surface.at_end.positions.empty(); });
+  }
 };
 
 }  // namespace cuticle::render::reference

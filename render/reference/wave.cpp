@@ -26,12 +26,15 @@ Result<void> WaveScene::build(const TracedScene& traced, const TraceOptions& tra
   }
   if (bsdf::is_turned_by_viewer(traced.values))
     cross_sections.emplace(traced.hair, traced.positions_at_end, options.turning);
-  std::vector<strands::Mesh> meshes;
-  for (const Surface& surface : traced.surfaces) meshes.push_back(surface.mesh);
-  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end, options.curves));
+  std::vector<strands::Mesh> meshes, at_end;
+  for (const Surface& surface : traced.surfaces) {
+    meshes.push_back(surface.mesh);
+    at_end.push_back(surface.at_end);
+  }
+  CUTICLE_ASSIGN(rays, strands::RayScene::build(traced.hair, meshes, traced.positions_at_end, options.curves, at_end));
   if (options.shadows) {
     CUTICLE_ASSIGN(transmittance, VertexTransmittance::make(traced, *options.shadows));
-    CUTICLE_ASSIGN(surfaces, strands::RayScene::build({}, meshes));
+    CUTICLE_ASSIGN(surfaces, strands::RayScene::build({}, meshes, {}, {}, at_end));
   }
   if (options.tables) {
     CUTICLE_ASSIGN(tables, TableScattering::make(*traced.model, traced.values, *options.tables));
@@ -69,6 +72,16 @@ FibrePoint WaveScene::point_of(const strands::RayHit& hit, const glm::dvec3& ori
   if (cross_sections) cross_sections->turn(point, time);
   return point;
 }
+
+namespace {
+
+glm::dvec3 normal_at(const Surface& surface, std::uint32_t corner, double time) {
+  const glm::dvec3 at_begin(surface.mesh.normals[corner]);
+  return surface.at_end.normals.empty() ? at_begin
+                                        : glm::mix(at_begin, glm::dvec3(surface.at_end.normals[corner]), time);
+}
+
+}  // namespace
 
 void Wave::run(std::span<const PathName> names, std::span<PathLight> light, std::span<LightSplits> splits) {
   names_ = names;
@@ -181,7 +194,7 @@ void Wave::meet_surface(std::uint32_t k, const strands::RayHit& hit) {
   const glm::dvec3 weights(1 - hit.barycentrics.x - hit.barycentrics.y, hit.barycentrics);
   SurfacePoint point{k, path.origin + hit.distance * path.direction, glm::dvec3(0), glm::dvec3(0)};
   for (int c = 0; c < 3; ++c) {
-    point.normal += weights[c] * glm::dvec3(surface.mesh.normals[corners[std::size_t(c)]]);
+    point.normal += weights[c] * normal_at(surface, corners[std::size_t(c)], path.time);
     point.albedo += weights[c] * glm::dvec3(surface.albedo[corners[std::size_t(c)]]);
   }
   const double length = glm::length(point.normal);

@@ -30,7 +30,8 @@ struct RayScene::Impl {
   CurveKind kind;
   CurveSet curves;  ///< in the place of segments and spheres, where the kind is not the cone
 
-  Result<void> build(const Groom& groom, std::span<const Mesh> surfaces, std::span<const glm::vec3> positions_at_end);
+  Result<void> build(const Groom& groom, std::span<const Mesh> surfaces, std::span<const glm::vec3> positions_at_end,
+                     std::span<const Mesh> surfaces_at_end);
   void add_cones(const Groom& groom, std::span<const glm::vec3> positions_at_end);
   void add_curves(const Groom& groom, std::span<const glm::vec3> positions_at_end);
   glm::vec4 sphere_at(std::uint32_t vertex, float time) const {
@@ -172,14 +173,15 @@ void filter_surface(const RTCFilterFunctionNArguments* arguments) {
 }  // namespace
 
 Result<void> RayScene::Impl::build(const Groom& groom, std::span<const Mesh> surfaces,
-                                   std::span<const glm::vec3> positions_at_end) {
+                                   std::span<const glm::vec3> positions_at_end, std::span<const Mesh> surfaces_at_end) {
   CUTICLE_TRY(tree.open(RTC_BUILD_QUALITY_HIGH));
   if (kind.is_cone())
     add_cones(groom, positions_at_end);
   else
     add_curves(groom, positions_at_end);
   for (std::size_t k = 0; k < surfaces.size(); ++k)
-    tree.add_mesh(surfaces[k], k_fibres + 1 + unsigned(k), filter_surface);
+    tree.add_mesh(surfaces[k], surfaces_at_end.empty() ? std::span<const glm::vec3>() : surfaces_at_end[k].positions,
+                  k_fibres + 1 + unsigned(k), filter_surface);
   return tree.commit(kind.is_cone() ? segments.size() : curves.first().size());
 }
 
@@ -197,18 +199,35 @@ void RayScene::Impl::add_curves(const Groom& groom, std::span<const glm::vec3> p
   tree.add_curves(kind, curves.controls(), curves.controls_at_end(), curves.first(), k_fibres, filter_curve);
 }
 
+namespace {
+
+Result<void> check_surfaces_at_end(std::span<const Mesh> surfaces, std::span<const Mesh> at_end) {
+  if (!at_end.empty() && at_end.size() != surfaces.size())
+    return internal_error(
+        fmt::format("{} surfaces at the end of the motion, {} before", at_end.size(), surfaces.size()));
+  for (std::size_t k = 0; k < at_end.size(); ++k)
+    if (!at_end[k].positions.empty() && at_end[k].positions.size() != surfaces[k].positions.size())
+      return internal_error(fmt::format("surface {}: {} positions at the end of the motion, {} vertices", k,
+                                        at_end[k].positions.size(), surfaces[k].positions.size()));
+  return {};
+}
+
+}  // namespace
+
 RayScene::RayScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayScene::~RayScene() = default;
 
 Result<std::unique_ptr<RayScene>> RayScene::build(const Groom& groom, std::span<const Mesh> surfaces,
-                                                  std::span<const glm::vec3> positions_at_end, CurveKind kind) {
+                                                  std::span<const glm::vec3> positions_at_end, CurveKind kind,
+                                                  std::span<const Mesh> surfaces_at_end) {
   CUTICLE_TRY(validate(groom, kind));
+  CUTICLE_TRY(check_surfaces_at_end(surfaces, surfaces_at_end));
   if (!positions_at_end.empty() && positions_at_end.size() != groom.vertex_count())
     return internal_error(fmt::format("{} positions at the end of the motion, {} vertices", positions_at_end.size(),
                                       groom.vertex_count()));
   auto impl = std::make_unique<Impl>();
   impl->kind = kind;
-  CUTICLE_TRY(impl->build(groom, surfaces, positions_at_end));
+  CUTICLE_TRY(impl->build(groom, surfaces, positions_at_end, surfaces_at_end));
   return std::unique_ptr<RayScene>(new RayScene(std::move(impl)));
 }
 

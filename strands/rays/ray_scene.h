@@ -48,10 +48,12 @@ class RayScene {
  public:
   struct Impl;
   /// `positions_at_end`: of the groom's vertices at time 1, between which and its own, at time 0, they move evenly;
-  /// empty: nothing moves. Errors: internal, where the groom is not valid; usage, where Bezier curves lack vertices;
-  /// out_of_memory, naming the segments.
+  /// empty: they stand; `surfaces_at_end`: the same of the surfaces, mesh by mesh, of which a mesh without positions
+  /// stands. Errors: internal, where the groom is not valid, or numbers of vertices differ; usage, where Bezier curves
+  /// lack vertices; out_of_memory, naming the segments.
   static Result<std::unique_ptr<RayScene>> build(const Groom& groom, std::span<const Mesh> surfaces,
-                                                 std::span<const glm::vec3> positions_at_end = {}, CurveKind kind = {});
+                                                 std::span<const glm::vec3> positions_at_end = {}, CurveKind kind = {},
+                                                 std::span<const Mesh> surfaces_at_end = {});
   ~RayScene();
   /// The first hit along the unit direction, at a time from 0 to 1.
   RayHit closest(const glm::dvec3& origin, const glm::dvec3& direction, const FibreLeft& from = {},

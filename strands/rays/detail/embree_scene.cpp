@@ -39,6 +39,12 @@ void fill_vertices(RTCGeometry geometry, unsigned step, std::size_t count, float
   for (std::size_t i = 0; vertices && i < count; ++i) vertices[i] = sphere(i) * glm::vec4(1, 1, 1, wider);
 }
 
+/// Corners of triangles at a time step.
+void fill_corners(RTCGeometry geometry, unsigned step, std::span<const glm::vec3> positions) {
+  auto* corners = new_buffer<glm::vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions.size(), step);
+  if (corners) std::ranges::copy(positions, corners);
+}
+
 RTCGeometryType geometry_of(CurveKind kind) {
   switch (kind.basis) {
     case SplineBasis::linear:
@@ -160,13 +166,15 @@ void EmbreeScene::add_points(std::span<const glm::vec4> spheres, std::span<const
   attach(geometry, id, filter);
 }
 
-void EmbreeScene::add_mesh(const Mesh& mesh, unsigned id, RTCFilterFunctionN filter) {
+void EmbreeScene::add_mesh(const Mesh& mesh, std::span<const glm::vec3> positions_at_end, unsigned id,
+                           RTCFilterFunctionN filter) {
   if (mesh.triangles.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = new_buffer<glm::vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions.size());
+  if (!positions_at_end.empty()) rtcSetGeometryTimeStepCount(geometry, 2);
+  fill_corners(geometry, 0, mesh.positions);
+  if (!positions_at_end.empty()) fill_corners(geometry, 1, positions_at_end);
   auto* triangles = new_buffer<std::array<std::uint32_t, 3>>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
                                                              mesh.triangles.size());
-  if (vertices) std::ranges::copy(mesh.positions, vertices);
   if (triangles) std::ranges::copy(mesh.triangles, triangles);
   attach(geometry, id, filter);
 }

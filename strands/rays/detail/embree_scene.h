@@ -46,7 +46,8 @@ class EmbreeScene {
                   std::span<const std::uint32_t> first, unsigned id, RTCFilterFunctionN filter);
   void add_points(std::span<const glm::vec4> spheres, std::span<const RaySegment> points, unsigned id,
                   RTCFilterFunctionN filter);
-  void add_mesh(const Mesh& mesh, unsigned id, RTCFilterFunctionN filter);
+  /// `positions_at_end`: of the mesh's vertices at time 1; empty: it stands.
+  void add_mesh(const Mesh& mesh, std::span<const glm::vec3> positions_at_end, unsigned id, RTCFilterFunctionN filter);
   /// Builds the tree. Errors: out_of_memory, naming the segments; internal.
   Result<void> commit(std::size_t segments);
   RTCScene scene() const { return scene_; }
