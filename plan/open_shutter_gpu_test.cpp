@@ -1,11 +1,15 @@
 // Pictures of paths while hair and camera move, against the mean of still ones from all over the shutter.
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "plan/frame_runner_gpu.h"
 #include "plan/traced_scene_runner.h"
+#include "render/passes/motion_blur/motion_blur.h"
+#include "render/passes/reference/reference_entry.h"
 
 namespace cuticle::plan::open_shutter_gpu_test {
 namespace {
@@ -43,9 +47,42 @@ scene::Scene scene_of(const Setting& setting) {
   return *scene;
 }
 
-std::unique_ptr<FrameRunner> runner_of(const Setting& setting) {
+/// A scene of a file in scenes/, without simulation.
+scene::Scene scene_of_file(const std::string& name, const Setting& setting) {
+  scene::Scene scene = scene::load_scene(CUTICLE_SOURCE_DIR "/scenes/" + name, catalogue()).value();
+  scene.simulation = {};
+  scene.frames_per_second *= setting.finer;
+  scene.camera.camera.resolution = {64, 64};
+  scene.render_method = "reference";
+  registry::ParameterValues paths = registry::default_values(render::reference::entry().entry.parameters);
+  paths.set("samples", std::int64_t(setting.samples));
+  paths.set("bounces", std::int64_t(1));
+  scene.passes.insert_or_assign("reference", paths);
+  if (setting.shutter.empty()) return scene;
+  registry::ParameterValues blur = registry::default_values(render::motion_blur::entry().entry.parameters);
+  blur.set("shutter", std::stod(setting.shutter));
+  scene.passes.insert_or_assign("motion_blur", blur);
+  return scene;
+}
+
+scene::Scene fins_of(const Setting& setting) {
+  scene::Scene scene = scene_of_file("nalu.json", setting);
+  scene.strand_count = 4;
+  scene.motion->amplitude = setting.amplitude;
+  return scene;
+}
+
+scene::Scene fox_of(const Setting& setting) {
+  scene::Scene scene = scene_of_file("fox.json", setting);
+  scene.groom.specification->strands.share = 0.002;
+  return scene;
+}
+
+using SceneOf = std::function<scene::Scene(const Setting&)>;
+
+std::unique_ptr<FrameRunner> runner_of(const Setting& setting, const SceneOf& scene = scene_of) {
   static const std::shared_ptr<gpu::Device> device = gpu::Device::open({.choice = ""}).value();
-  return FrameRunner::create(device, scene_of(setting), silent_progress()).value();
+  return FrameRunner::create(device, scene(setting), silent_progress()).value();
 }
 
 Image on_device(FrameRunner& runner, int frame) { return runner.run(frame).value().color; }
@@ -76,9 +113,9 @@ double difference(const Image& a, const Image& b, int channel = k_coverage) {
 }
 
 /// Of pictures at the middles of equal parts of a frame's time.
-Image mean_over_shutter(Setting setting) {
+Image mean_over_shutter(Setting setting, const SceneOf& scene) {
   setting.finer = 2 * k_moments;
-  const auto fine = runner_of(setting);
+  const auto fine = runner_of(setting, scene);
   Image mean;
   for (int k = 0; k < k_moments; ++k) {
     const Image moment = on_device(*fine, 2 * k_moments * k_frame + 2 * k + 1 - k_moments);
@@ -89,12 +126,12 @@ Image mean_over_shutter(Setting setting) {
 }
 
 /// `most`: of the difference of a still picture.
-void expect_mean_over_shutter(Setting setting, double most, int channel = k_coverage) {
-  const Image wanted = mean_over_shutter(setting);
+void expect_mean_over_shutter(Setting setting, double most, int channel = k_coverage, const SceneOf& scene = scene_of) {
+  const Image wanted = mean_over_shutter(setting, scene);
   setting.samples *= k_moments;
-  const double still = difference(on_device(*runner_of(setting), k_frame), wanted, channel);
+  const double still = difference(on_device(*runner_of(setting, scene), k_frame), wanted, channel);
   setting.shutter = "1";
-  const double open = difference(on_device(*runner_of(setting), k_frame), wanted, channel);
+  const double open = difference(on_device(*runner_of(setting, scene), k_frame), wanted, channel);
   fmt::print("still {:.4f}, open {:.4f}\n", still, open);
   EXPECT_LT(open, most * still);
 }
@@ -104,6 +141,15 @@ TEST(OpenShutter, CarriedHair_IsTheMeanOverItsTime) { expect_mean_over_shutter({
 // A head that turns covers what it covered; its light moves.
 TEST(OpenShutter, HeadThatTurns_IsTheMeanOverItsTime) {
   expect_mean_over_shutter({.amplitude = 4, .head = true}, 0.5, k_green);
+}
+
+TEST(OpenShutter, FinsThatTurn_AreTheMeanOverTheirTime) {
+  expect_mean_over_shutter({.amplitude = 4}, 0.5, k_green, fins_of);
+}
+
+TEST(OpenShutter, CharacterThatRuns_IsTheMeanOverItsTime) {
+  if (!std::getenv("CUTICLE_TEST_DATA")) GTEST_SKIP() << "CUTICLE_TEST_DATA";
+  expect_mean_over_shutter({.samples = 256}, 0.5, k_green, fox_of);
 }
 
 TEST(OpenShutter, CameraThatTurns_IsTheMeanOverItsTime) { expect_mean_over_shutter({.turn = 8}, 0.5); }
