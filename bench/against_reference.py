@@ -40,23 +40,23 @@ def arguments():
     return parser.parse_args()
 
 
-def pixels(folder):
-    with OpenEXR.File(os.path.join(folder, "frame_0000.exr")) as file:
+def pixels(folder, frame=0):
+    with OpenEXR.File(os.path.join(folder, f"frame_{frame:04}.exr")) as file:
         channels = file.channels()
         if "RGBA" in channels:
             return channels["RGBA"].pixels.astype(float)
         return np.stack([channels[name].pixels for name in "RGBA"], -1).astype(float)
 
 
-def render(scene, out, *options):
-    if not os.path.exists(os.path.join(out, "frame_0000.exr")):
+def render(scene, out, *options, frame=0):
+    if not os.path.exists(os.path.join(out, f"frame_{frame:04}.exr")):
         os.makedirs(out, exist_ok=True)
         path = measured_scenes.write(scene, os.path.join(out, "scene.json"))
-        done = subprocess.run([measured_scenes.PROGRAM, "render", path, "--out", out, *options], capture_output=True,
+        done = subprocess.run([measured_scenes.PROGRAM, "render", path, "--frames", f"{frame}:{frame}", "--out", out, *options], capture_output=True,
                               text=True)
         if done.returncode:
             sys.exit(f"{out}: {done.stderr}")
-    return pixels(out)
+    return pixels(out, frame)
 
 
 def block_means(picture, side=8):

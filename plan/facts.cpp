@@ -131,13 +131,21 @@ void add_culling(const scene::Scene& scene, registry::Facts& facts) {
                                shades_all ? "the scene wants strands shaded that are out of view" : method};
 }
 
+/// Whether any two of a camera's keys differ.
+bool travels(const std::vector<scene::CameraKey>& keys) {
+  return std::ranges::any_of(keys, [&](const scene::CameraKey& key) {
+    return key.position != keys[0].position || key.target != keys[0].target ||
+           key.vertical_field_of_view != keys[0].vertical_field_of_view;
+  });
+}
+
 /// What can move a pixel from one frame to the next.
 registry::Fact movement_fact(const scene::Scene& scene) {
   if (scene.motion) return {true, "the head moves"};
   if (scene.character && !scene.character->clip.empty()) return {true, "the character moves"};
   if (scene.simulation.solver) return {true, "the hair is simulated"};
-  const bool turns = scene.camera.turntable_degrees_per_frame != 0;
-  return {turns, turns ? "the camera moves" : "nothing moves: neither head, hair nor camera"};
+  const bool moves = scene.camera.turntable_degrees_per_frame != 0 || travels(scene.camera.keys);
+  return {moves, moves ? "the camera moves" : "nothing moves: neither head, hair nor camera"};
 }
 
 }  // namespace

@@ -96,10 +96,14 @@ TEST(Plan, MotionBlur_RunsWhereSomethingMoves) {
   const Plan still = with("");
   EXPECT_EQ(why_left_out(still, "motion_blur"), "nothing moves: neither head, hair nor camera");
   EXPECT_EQ(names(still), names(planned(R"("render": {"method": "tiles"})")));
+  const std::string_view held = R"("camera": {"position_m": [0, 0, 1], "keys": [{"time_s": 0}, {"time_s": 1}]})";
+  EXPECT_EQ(find_pass(with(held), "motion_blur"), nullptr);
   for (const auto& [fields, why] :
        {std::pair(R"("motion": {"bvh": ")" CUTICLE_SOURCE_DIR R"(/scenes/motion/head_turn.bvh"})", "the head moves"),
         {R"("simulation": {"solver": {"classic": {}}})", "the hair is simulated"},
-        {R"("camera": {"turntable_deg_per_frame": 2})", "the camera moves"}}) {
+        {R"("camera": {"turntable_deg_per_frame": 2})", "the camera moves"},
+        {R"("camera": {"position_m": [0, 0, 1], "keys": [{"time_s": 0}, {"time_s": 1, "target_m": [0, 0.1, 0]}]})",
+         "the camera moves"}}) {
     const Plan plan = with(fields);
     ASSERT_NE(find_pass(plan, "motion_blur"), nullptr) << fields;
     EXPECT_THAT(find_pass(plan, "motion_blur")->reason, HasSubstr(why));

@@ -2,10 +2,13 @@
 
   pip install -r bench/peers/requirements.txt      (in a virtual environment of its own; Python 3.11)
   export CUTICLE=build/release/bin/cuticle
-  python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320] [--hair apart]
+  python bench/peers/compare.py OUT [--programs mitsuba,cycles] [--bounces 1,64] [--samples 32] [--size 320] [--hair apart] [--shutter .5]
 
 `--hair`: `dense`, a grown head, whose fibres pass through each other; `apart`, straight fibres in all directions, none of which touch. Cycles meets
 the inner side of a fibre around the point where a ray begins, the others do not: only on hair that lies apart should all three agree.
+
+`--shutter`: the camera travels by a fifth of the picture's height a frame, and the picture is
+the mean over so many frames; by Cycles alone.
 
 Each program draws two pictures with other random numbers. Their difference gives its noise, their mean is compared with ours: coverage, mean
 radiance of red, green and blue, root mean square of the differences of means over 8 x 8 pixels, and the part of it that is noise. Time is that of the
@@ -36,6 +39,7 @@ def arguments():
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--size", type=int, default=320)
     parser.add_argument("--hair", choices=("dense", "apart"), default="dense")
+    parser.add_argument("--shutter", type=float, default=0, help="open for so many frames; 0: a still picture")
     return parser.parse_args()
 
 
@@ -81,7 +85,22 @@ def hair_of(name, out):
     return [positions[a:b] for a, b in zip(offsets[:-1], offsets[1:])], radius, None
 
 
-def prepare(out, size, hair):
+def travel(scene, shutter):
+    """The camera goes up and aside by a fifth of the picture's height from frame 0 to frame 1, which is drawn."""
+    camera, rate = scene["camera"], 30
+    position, target = (np.array(camera[key]) for key in ("position_m", "target_m"))
+    toward = target - position
+    aside = np.cross(toward, [0, 1, 0])
+    up = np.cross(aside, toward)
+    way = 0.2 * 2 * np.linalg.norm(toward) * np.tan(np.radians(camera["fov_deg"] / 2))
+    step = way * (0.6 * aside / np.linalg.norm(aside) + 0.8 * up / np.linalg.norm(up))
+    camera["keys"] = [{"time_s": time, "position_m": (position + share * step).tolist(), "target_m": (target + share * step).tolist()}
+                      for time, share in ((0, -1), (1 / rate, 0))]
+    scene["frames_per_second"] = rate
+    scene["passes"]["motion_blur"] = {"shutter": shutter}
+
+
+def prepare(out, size, hair, shutter):
     """Control points for Mitsuba; the curve's points for ours and Cycles; the scene."""
     strands, radius, camera = hair_of(hair, out)
     offsets = np.concatenate([[0], np.cumsum([len(strand) for strand in strands])])
@@ -92,6 +111,8 @@ def prepare(out, size, hair):
              positions=np.concatenate(curves).astype(np.float32), radii=np.full(sum(counts), radius, np.float32))
     groom = {"file": os.path.abspath(os.path.join(out, "curves.npz")), "metres_per_unit": 1, "radius_m": radius}
     scene = measured_scenes.scene("dense", out, size=size, groom=groom, camera=camera)
+    if shutter:
+        travel(scene, shutter)
     measured_scenes.write(scene, os.path.join(out, "scene.json"))
     return scene
 
@@ -107,8 +128,9 @@ def ours(scene, out, bounces, samples, seed):
     folder = f"{out}/ours_{bounces}_{seed}"
     scene = json.loads(json.dumps(scene))
     scene["passes"]["reference"] = {"seed": seed}
+    frame = 1 if "keys" in scene["camera"] else 0
     return against_reference.render(scene, folder, "--method", "reference", "--samples", str(samples), "--bounces",
-                                    str(bounces))
+                                    str(bounces), frame=frame)
 
 
 def theirs(program, out, bounces, samples, seed):
@@ -143,7 +165,9 @@ def main():
     options = arguments()
     os.makedirs(options.out, exist_ok=True)
     out = os.path.abspath(options.out)
-    scene = prepare(out, options.size, options.hair)
+    if options.shutter and "mitsuba" in options.programs:
+        sys.exit("--shutter is compared with Cycles alone: --programs cycles")
+    scene = prepare(out, options.size, options.hair, options.shutter)
     for bounces in [int(part) for part in options.bounces.split(",")]:
         mine = twice(lambda seed: ours(scene, out, bounces, options.samples, seed))
         for program in options.programs.split(","):

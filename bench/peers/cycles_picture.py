@@ -77,6 +77,24 @@ def add_camera(scene, camera):
     scene.render.resolution_x, scene.render.resolution_y = camera["resolution_px"]
 
 
+def open_shutter(scene, camera, shutter):
+    """The camera goes on as it went between two keys, and the mean over a time about the second is drawn."""
+    held, way = scene.camera, mathutils.Vector(camera["keys"][1]["position_m"]) - mathutils.Vector(camera["keys"][0]["position_m"])
+    for frame, at in ((0, held.location - way), (2, held.location + way)):
+        held.location = at
+        held.keyframe_insert("location", frame=frame)
+    for curve in curves_of(held.animation_data.action):
+        for key in curve.keyframe_points:
+            key.interpolation = "LINEAR"
+    scene.frame_set(1)
+    scene.render.use_motion_blur, scene.render.motion_blur_shutter, scene.render.motion_blur_position = True, shutter, "CENTER"
+
+
+def curves_of(action):
+    """Of the only object that is animated."""
+    return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+
+
 def drawn(scene, path):
     """The picture as an array, its first row at the top."""
     scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
@@ -98,6 +116,8 @@ def main():
     add_hair(scene, asked["material"]["model"]["chiang"], os.path.join(folder, "curves.npz"))
     add_light(scene, asked["lights"][0])
     add_camera(scene, asked["camera"])
+    if "keys" in asked["camera"]:
+        open_shutter(scene, asked["camera"], asked["passes"]["motion_blur"]["shutter"])
     np.save(picture, drawn(scene, picture.replace(".npy", ".exr")))
 
 
