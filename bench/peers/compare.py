@@ -100,7 +100,7 @@ def travel(scene, shutter):
     scene["passes"]["motion_blur"] = {"shutter": shutter}
 
 
-def prepare(out, size, hair, shutter):
+def prepare(out, size, hair, shutter=0):
     """Control points for Mitsuba; the curve's points for ours and Cycles; the scene."""
     strands, radius, camera = hair_of(hair, out)
     offsets = np.concatenate([[0], np.cumsum([len(strand) for strand in strands])])
