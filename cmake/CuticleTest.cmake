@@ -5,6 +5,8 @@
 # The targets `all_tests` and `all_fuzz_targets` build just what their runs need.
 add_custom_target(all_tests)
 add_custom_target(all_fuzz_targets)
+# Sweeps take as long as they take: where they are asked for, this is every test's limit of time, in seconds.
+set(CUTICLE_SWEEPS_TIMEOUT 14400)
 set(CUTICLE_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 if(CUTICLE_SANITIZE)
   set(CUTICLE_TEST_OPTIMISATION -O0)
@@ -64,6 +66,9 @@ function(cuticle_test FILE)
   endif()
   if(CUTICLE_SANITIZE)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 5")
+  endif()
+  if(NOT "$ENV{CUTICLE_SWEEPS}" STREQUAL "")
+    set(ARG_TIMEOUT ${CUTICLE_SWEEPS_TIMEOUT})
   endif()
   add_test(NAME ${stem} COMMAND ${CMAKE_BINARY_DIR}/tests/${stem})
   set_tests_properties(${stem} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
@@ -134,6 +139,9 @@ function(cuticle_pytest NAME FOLDER)
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
+  endif()
+  if(NOT "$ENV{CUTICLE_SWEEPS}" STREQUAL "")
+    set(ARG_TIMEOUT ${CUTICLE_SWEEPS_TIMEOUT})
   endif()
   add_test(NAME ${NAME} COMMAND ${PROJECT_SOURCE_DIR}/.venv/bin/python -m pytest -q -p no:cacheprovider ${FOLDER}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
