@@ -17,7 +17,6 @@ namespace cuticle::hard_cases::search::search_test {
 namespace {
 
 constexpr double k_sweep_seconds = 1800;
-constexpr int k_steps = 120;
 
 bool is_sweep() { return std::getenv("CUTICLE_SWEEPS") != nullptr; }
 
@@ -52,7 +51,7 @@ TEST_P(Search, ClimbingTheError_StaysWithinWhatIsAllowed) {
   Found worst{Place(space().size, 0.5), 0};
   long climbs = 0;
   for (Budget budget(space()); budget.allows_another() && std::isfinite(worst.error); ++climbs) {
-    const Found found = climb(space(), chance, k_steps);
+    const Found found = climb(space(), chance, space().steps);
     if (found.error > worst.error) worst = found;
   }
   std::printf("%s: %.3g of %.3g at most, %ld climbs, seed %u\n", space().name.c_str(), worst.error, space().at_most,
@@ -108,7 +107,7 @@ Space with_a_needle() {
 TEST(Climb, SmoothHill_IsClimbed) {
   RandomStream chance(1);
   double best = 0;
-  for (int k = 0; k < 20; ++k) best = std::max(best, climb(with_a_needle(), chance, k_steps).error);
+  for (int k = 0; k < 20; ++k) best = std::max(best, climb(with_a_needle(), chance, with_a_needle().steps).error);
   EXPECT_GT(best, 0.95);
 }
 

@@ -19,6 +19,7 @@ struct Space {
   /// The case at a place: "subject", "inputs" and "expect".
   std::function<Json(const Place&)> case_at;
   int climbs = 10;     ///< in every run of the tests, 0: none; with the sweeps the clock ends them
+  int steps = 120;     ///< of a climb, at most
   double at_most = 1;  ///< what error_at may be
   /// How far from what is expected; null: share_used of the case.
   std::function<double(const Place&)> error = {};

@@ -44,7 +44,8 @@ std::vector<Space> table_spaces() {
     all.push_back({.name = "table_" + std::string(layout->entry.name),
                    .size = 5 + most_parameters(),
                    .case_at = [layout](const Place& place) { return table_case(*layout, place); },
-                   .climbs = 0});
+                   .climbs = 0,
+                   .steps = 6});
   return all;
 }
 
