@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -17,8 +17,6 @@ namespace cuticle::hard_cases::search::search_test {
 namespace {
 
 constexpr double k_sweep_seconds = 1800;
-
-bool is_sweep() { return std::getenv("CUTICLE_SWEEPS") != nullptr; }
 
 const std::vector<Space>& all_spaces() {
   static const std::vector<Space> all = spaces();

@@ -1,5 +1,4 @@
 // Shadow methods: the transmittance of any strands by any settings lies in 0 .. 1, and a lone strand is lit.
-#include <cstdlib>
 #include <string_view>
 
 #include "shadows/method.h"
@@ -43,7 +42,7 @@ Json lone_case(const shadows::Method& method, const Place& place) {
 struct Lone {
   std::string_view method;
   double usual = 1, hardest = 1;
-  double at_most() const { return std::getenv("CUTICLE_SWEEPS") ? hardest : usual; }
+  double at_most() const { return is_sweep() ? hardest : usual; }
 };
 constexpr Lone k_lone[] = {{"opacity_map"},        {"deep_opacity"}, {"moments"},    {"fourier"},
                            {"deep_shadow", 2, 22}, {"exact_list"},   {"shadow_map"}, {"voxel"}};

@@ -1,7 +1,7 @@
 #include "tests/hard_cases/search/space.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include <fmt/core.h>
@@ -28,6 +28,8 @@ const Subject& subject_named(const std::string& name) {
 }
 
 }  // namespace
+
+bool is_sweep() { return std::getenv("CUTICLE_SWEEPS") != nullptr; }
 
 double share_used(const Json& item) {
   const Subject& subject = subject_named(item.at("subject").text());

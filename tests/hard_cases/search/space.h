@@ -25,6 +25,9 @@ struct Space {
   std::function<double(const Place&)> error = {};
 };
 
+/// Whether everything is searched (CUTICLE_SWEEPS, scripts/test.sh --full).
+bool is_sweep();
+
 /// Share of its tolerance that a case uses on the CPU in double and float; infinite where a value is not finite or out
 /// of its bounds, or an error of our own came. 0 where the inputs are refused (usage, bad_input): that is sound.
 double share_used(const Json& item);
@@ -34,7 +37,7 @@ double error_at(const Space& space, const Place& place);
 std::string catalogue_text(const Space& space, const Place& place, double error);
 
 std::vector<Space> function_spaces();
-/// S of every model in float against double.
+/// S of every model but `huang` in float against double.
 std::vector<Space> float_spaces();
 /// Every quantity of every model: finite and not negative; albedos: no more light than came.
 std::vector<Space> model_spaces();
