@@ -22,7 +22,7 @@ struct FloatModel {
 constexpr FloatModel k_float_models[] = {{"marschner", 0.16, 1.8, 40},    {"kajiya_kay", 1.2e-5, 5e-4, 40},
                                          {"karis", 1e-4, 1e-3, 40},       {"scheuermann", 4e-5, 0.08, 40},
                                          {"hairworks", 1.3e-5, 5e-3, 40}, {"chiang", 0.03, 0.7, 10},
-                                         {"deon", 0.03, 0.3, 10},         {"yan_fur", 0.03, 0.03, 2}};
+                                         {"deon", 4e-4, 2.5e-3, 10},      {"yan_fur", 0.03, 0.03, 2}};
 
 constexpr std::size_t k_float_angles = 5;
 
