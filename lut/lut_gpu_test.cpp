@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "lut/bake_gpu.h"
 #include "lut/format.h"
 
@@ -13,10 +14,7 @@ const bsdf::Model& marschner() { return *bsdf::find_model("marschner").value(); 
 registry::ParameterValues parameters() {
   return registry::parse_assignments(marschner().entry.parameters, "eta=1.55,sigma_a=0.1/0.2/0.4,beta_deg=6").value();
 }
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> opened = gpu::Device::open().value();
-  return opened;
-}
+using tests::device;
 
 const TableSet& device_tables(const char* layout) {
   static std::map<std::string, TableSet> made;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "lut/live_tables_gpu.h"
 
 namespace cuticle::lut::lut_live_test {
@@ -23,10 +24,8 @@ const registry::ParameterValues& second_values() {
   static const registry::ParameterValues made = values("eta=1.45,sigma_a=0.8/0.3/0.05,beta_deg=9,alpha_deg=-3");
   return made;
 }
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> opened = gpu::Device::open({.choice = {}, .validation = true}).value();
-  return opened;
-}
+using tests::device;
+
 /// Tables of marschner in the layout nalu, of the first values; made once, because a kernel takes seconds to compile.
 LiveTables& live_tables() {
   static LiveTables live =

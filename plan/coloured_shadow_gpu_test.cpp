@@ -40,12 +40,12 @@ const Drawn& drawn(std::string_view way, std::string_view passes, std::string_vi
   static std::map<std::string, Drawn> all;
   const auto [place, is_new] = all.try_emplace(fmt::format("{}{}{}", way, passes, alpha));
   if (!is_new) return place->second;
-  const std::size_t before = test_device()->allocated_bytes();
+  const std::size_t before = device()->allocated_bytes();
   const scene::Scene scene = scene_of({k_two_lights, k_layers, passes, way, shadow_of("opacity_map", alpha)});
-  auto made = FrameRunner::create(test_device(), scene, silent_progress());
+  auto made = FrameRunner::create(device(), scene, silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   FrameResult frame = frame_of(**made, 0);
-  return place->second = {std::move(frame.color), std::move(frame.aovs), test_device()->allocated_bytes() - before};
+  return place->second = {std::move(frame.color), std::move(frame.aovs), device()->allocated_bytes() - before};
 }
 
 double mean_of(const Image& image, std::size_t channel) {
@@ -138,17 +138,17 @@ class EveryMethod : public testing::TestWithParam<std::string> {};
 void expect_agreement(const std::string& method, std::string_view more) {
   const strands::Groom hair = coat(1500, 8, 0.03, 1e-4f, 5);
   const scene::Scene scene = scene_of({k_two_lights, shadow_of(method, "[0.1, 0.3, 0.8]", more)});
-  const auto on_device = *shadows::upload_groom(*test_device(), hair);
+  const auto on_device = *shadows::upload_groom(*device(), hair);
   render::Resources resources;
   resources.edit<render::FibreMaterial>().fibre_alpha = *scene.fibre_alpha;
   resources.edit<render::Lights>().all = scene.lights;
   resources.edit<render::DrawnHair>().strands = resources.edit<render::DrawnHair>().casters = on_device->strands;
-  auto shadows = render::HairShadows::create(test_device(), method, scene.shadow->values, resources);
+  auto shadows = render::HairShadows::create(device(), method, scene.shadow->values, resources);
   ASSERT_TRUE(shadows) << shadows.error().message;
   (*shadows)->publish(resources);
-  gpu::Commands commands = test_device()->record();
+  gpu::Commands commands = device()->record();
   ASSERT_TRUE((*shadows)->record(commands, resources));
-  ASSERT_TRUE(test_device()->submit(std::move(commands)));
+  ASSERT_TRUE(device()->submit(std::move(commands)));
   ASSERT_EQ(render::transmittance_of(resources).reached.size(), 6u);
   const tests::VertexReceivers receivers = tests::vertex_receivers(hair);
   double worst = 0;
@@ -159,14 +159,13 @@ void expect_agreement(const std::string& method, std::string_view more) {
     ASSERT_TRUE(cpu) << cpu.error().message;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto reached = *gpu::read_buffer<float>(
-          *test_device(), *render::transmittance_of(resources).reached[3 * light + c], hair.vertex_count());
+          *device(), *render::transmittance_of(resources).reached[3 * light + c], hair.vertex_count());
       for (std::size_t v = 0; v < reached.size(); ++v)
         worst = std::max(worst, std::abs(double(reached[v]) - double(cpu->values[v][int(c)])));
     }
   }
   std::printf("%s%s: at most %.2g apart\n", method.c_str(), std::string(more).c_str(), worst);
-  EXPECT_LT(worst,
-            tests::bound_for(*test_device(), 3e-5, 4e-4));  // measured: 1.4e-5, of deep_shadow; 1.3e-6 of the others
+  EXPECT_LT(worst, tests::bound_for(*device(), 3e-5, 4e-4));  // measured: 1.4e-5, of deep_shadow; 1.3e-6 of the others
 }
 
 TEST_P(EveryMethod, PerChannel_AgreesWithTheCpu) {

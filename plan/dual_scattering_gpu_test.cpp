@@ -20,7 +20,7 @@ constexpr std::string_view k_without = R"("passes": {})", k_with = R"("passes": 
 /// Mean luminance of the picture.
 double luminance(std::string_view way, std::string_view passes) {
   const scene::Scene scene = scene_of({k_frame, way, passes});
-  auto made = FrameRunner::create(test_device(), scene, silent_progress());
+  auto made = FrameRunner::create(device(), scene, silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   const Image image = frame_of(**made, 0).color;
   double sum = 0;

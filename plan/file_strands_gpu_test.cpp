@@ -61,7 +61,7 @@ std::unique_ptr<FrameRunner> runner_of(const std::string& groom, std::string_vie
   std::string text = fmt::format(R"({{"schema_version": 1, {}, {}, {}, {}}})", groom, method, k_view, more);
   const auto scene = scene::parse_scene(text, "/", "test", plan::catalogue());
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
-  auto made = FrameRunner::create(test_device(), *scene, silent_progress());
+  auto made = FrameRunner::create(device(), *scene, silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }
@@ -197,7 +197,7 @@ TEST(StrandsOfAFile, WithNaN_AreRefusedByTheDeviceAsByTheCpu) {
     const auto scene = scene::parse_scene(fmt::format(R"({{"schema_version": 1, {}, {}}})", of_file(path), method), "/",
                                           "test", plan::catalogue());
     ASSERT_TRUE(scene);
-    const auto on_device = FrameRunner::create(test_device(), *scene, silent_progress());
+    const auto on_device = FrameRunner::create(device(), *scene, silent_progress());
     const auto on_cpu = TracedSceneRunner::create(*scene, silent_progress());
     ASSERT_FALSE(on_device) << method;
     ASSERT_FALSE(on_cpu) << method;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "plan/head_path.h"
 #include "plan/strand_set.h"
 
@@ -26,7 +27,7 @@ scene::Scene small_mermaid() {
 }
 
 std::unique_ptr<FrameRunner> runner_of(const scene::Scene& scene) {
-  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), scene, silent_progress());
+  auto runner = FrameRunner::create(tests::device(), scene, silent_progress());
   EXPECT_TRUE(runner) << (runner ? "" : runner.error().message);
   return std::move(*runner);
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "plan/strand_set.h"
 #include "strands/binding/binding.h"
 #include "strands/binding/nearest_triangle.h"
@@ -65,9 +66,7 @@ class FoxScene : public testing::TestWithParam<bool> {};
 
 TEST_P(FoxScene, RootsOfDrawnFur_NeverLeaveTheSkin) {
   const scene::Scene scene = small_fox(GetParam());
-  auto device = gpu::Device::open({.choice = "", .validation = true});
-  ASSERT_TRUE(device);
-  auto runner = FrameRunner::create(*device, scene, silent_progress());
+  auto runner = FrameRunner::create(tests::device(), scene, silent_progress());
   ASSERT_TRUE(runner) << runner.error().message;
   const auto set = build_strand_set(scene);
   ASSERT_TRUE(set);
@@ -91,9 +90,7 @@ TEST_P(FoxScene, RootsOfDrawnFur_NeverLeaveTheSkin) {
 INSTANTIATE_TEST_SUITE_P(Methods, FoxScene, testing::Bool());
 
 TEST(FoxScene, PassesOfAFrame_AreThoseOfThePlan) {
-  auto device = gpu::Device::open({.choice = "", .validation = true});
-  ASSERT_TRUE(device);
-  auto runner = FrameRunner::create(*device, small_fox(true), silent_progress());
+  auto runner = FrameRunner::create(tests::device(), small_fox(true), silent_progress());
   ASSERT_TRUE(runner) << runner.error().message;
   const auto drawn = (*runner)->run(7);
   ASSERT_TRUE(drawn) << drawn.error().message;
@@ -133,8 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, SimulatedFur, testing::Values("classic", "exac
 
 TEST_P(SimulatedFur, InTheRun_StaysRootedOnTheSkinAtItsLength) {
   const scene::Scene scene = small_fox_by(GetParam());
-  auto runner =
-      FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), scene, silent_progress());
+  auto runner = FrameRunner::create(tests::device(), scene, silent_progress());
   ASSERT_TRUE(runner) << runner.error().message;
   const auto set = build_strand_set(scene);
   ASSERT_TRUE(set);
@@ -165,8 +161,7 @@ TEST_P(SimulatedFur, InTheRun_StaysRootedOnTheSkinAtItsLength) {
 
 /// Hair of a fox that stands, after ten frames.
 sim::State settled(const scene::Scene& scene) {
-  auto runner =
-      FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), scene, silent_progress());
+  auto runner = FrameRunner::create(tests::device(), scene, silent_progress());
   EXPECT_TRUE(runner) << runner.error().message;
   for (int frame = 0; frame < 9; ++frame) EXPECT_TRUE((*runner)->run(frame, {.render = false}));
   return (*runner)->run(9, {.render = false, .read_state = true})->state;
@@ -195,8 +190,7 @@ TEST_P(SimulatedFur, BesideABall_StaysOutOfIt) {
 }
 
 TEST(FoxFur, Simulated_RunsSkinThenSimulationAsPlanned) {
-  auto runner = FrameRunner::create(*gpu::Device::open({.choice = "", .validation = true}), small_simulated_fox(),
-                                    silent_progress());
+  auto runner = FrameRunner::create(tests::device(), small_simulated_fox(), silent_progress());
   ASSERT_TRUE(runner) << runner.error().message;
   const auto drawn = (*runner)->run(0);
   ASSERT_TRUE(drawn) << drawn.error().message;
@@ -214,7 +208,7 @@ TEST(FoxFur, EffectThatHairOnASkinCannotHave_IsRefused) {
   scene::Scene scene = small_fox_by("exact");
   scene.simulation.effects["clumping"] =
       registry::parse_assignments((*sim::find_effect("clumping"))->entry.parameters, "").value();
-  const auto made = FrameRunner::create(*gpu::Device::open({.choice = ""}), scene, silent_progress());
+  const auto made = FrameRunner::create(tests::device(), scene, silent_progress());
   ASSERT_FALSE(made);
   EXPECT_NE(made.error().message.find("'clumping'"), std::string::npos) << made.error().message;
 }

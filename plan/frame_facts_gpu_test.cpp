@@ -138,7 +138,7 @@ TEST(FrameFacts, HairAsleep_IsNotSimulated) {
 }
 
 TEST(FrameFacts, SolverOnTheCpu_IsThatOfTheDevice) {
-  if (!test_device()->info().is_software) GTEST_SKIP() << "on a GPU the device solves unless asked otherwise";
+  if (!device()->info().is_software) GTEST_SKIP() << "on a GPU the device solves unless asked otherwise";
   const auto state = [](const char* solver, const char* where) {
     const std::string simulation = fmt::format(
         R"("strand_count": 64, "simulation": {{"solver": {{"{}": {{}}}}, "effects": {{"gravity": {{}}, "wind": {{}}}}, "solve_on": "{}"}}, "outputs": {{"color": false}})",
@@ -197,8 +197,7 @@ Shares shares_of_passes() {
 }
 
 TEST(FrameFacts, CostOfAFrame_IsWhatTheClockSays) {
-  if (!test_device()->info().is_software)
-    GTEST_SKIP() << "on a GPU recording and reading back take most of a small frame";
+  if (!device()->info().is_software) GTEST_SKIP() << "on a GPU recording and reading back take most of a small frame";
   // A frame that is drawn twice and counted once has .44 in each try. The rest: recording, what is read back, other
   // programs, for which a low share is asked again. Measured: .88 of the clock in passes, .99 of the submissions.
   Shares best;

@@ -161,7 +161,7 @@ TEST(FrameRunner, PictureOf16384Pixels_IsDrawnByTilesAndRefusedByTheOthers) {
   std::printf("%d of %zu pixels covered\n", covered, wide.pixels.size() / 4);
   EXPECT_GT(covered, 100);
   for (std::string_view method : {k_lines, k_quads, k_cards}) {
-    const auto made = FrameRunner::create(test_device(), scene_of({k_light, method, k_wide}), silent_progress());
+    const auto made = FrameRunner::create(device(), scene_of({k_light, method, k_wide}), silent_progress());
     ASSERT_FALSE(made) << method;
     EXPECT_NE(made.error().message.find("4096"), std::string::npos) << made.error().message;
   }
@@ -307,7 +307,7 @@ std::string differing_channel(const Image& picture, const Image& golden) {
 
 // plan/golden: with CUTICLE_WRITE_GOLDEN=1 the test writes what it draws there.
 TEST(FrameRunner, PicturesAndLayers_AreTheStoredOnesAndAFaultOfOnePixelIsSeen) {
-  if (!test_device()->info().is_software) GTEST_SKIP() << "the stored pictures are software Vulkan's";
+  if (!device()->info().is_software) GTEST_SKIP() << "the stored pictures are software Vulkan's";
   constexpr std::string_view k_small = R"("outputs": {"aovs": true},
     "passes": {"lines": {"tip_variation": 0.2, "variation": 0.22}}, "camera": {"position_m": [0.2, 0.15, 1.1],
     "target_m": [0.03, 0.1, 0], "fov_deg": 12, "resolution_px": [32, 32]})";

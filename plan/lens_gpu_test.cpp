@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/shared/disc.glslh"
+#include "gpu/tests/test_device.h"
 
 namespace cuticle::plan::lens_gpu_test {
 namespace {
@@ -15,11 +16,7 @@ namespace {
 constexpr std::uint32_t k_views = 16;
 constexpr double k_lens = 0.03, k_focus = 0.95;  // metres
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
+using tests::device;
 
 const glm::dvec3 k_eye{0.2, 0.15, 1.1}, k_target{0, 0.05, 0};
 

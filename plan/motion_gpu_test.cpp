@@ -1,5 +1,6 @@
 // Motion blur against the mean of pictures from all over the shutter;
 // antialiasing over frames against more samples.
+#include "gpu/tests/test_device.h"
 #include "plan/frame_runner_gpu.h"
 
 #include <algorithm>
@@ -14,11 +15,7 @@ namespace {
 constexpr double k_turn = 5;                // degrees a frame
 constexpr int k_moments = 8, k_size = 192;  // of an open shutter; pixels of its picture
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
+using tests::device;
 
 struct Setting {
   std::string method = "tiles";

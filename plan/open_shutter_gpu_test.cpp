@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "plan/frame_runner_gpu.h"
 #include "plan/traced_scene_runner.h"
 #include "render/passes/motion_blur/motion_blur.h"
@@ -81,8 +82,7 @@ scene::Scene fox_of(const Setting& setting) {
 using SceneOf = std::function<scene::Scene(const Setting&)>;
 
 std::unique_ptr<FrameRunner> runner_of(const Setting& setting, const SceneOf& scene = scene_of) {
-  static const std::shared_ptr<gpu::Device> device = gpu::Device::open({.choice = ""}).value();
-  return FrameRunner::create(device, scene(setting), silent_progress()).value();
+  return FrameRunner::create(tests::device(), scene(setting), silent_progress()).value();
 }
 
 Image on_device(FrameRunner& runner, int frame) { return runner.run(frame).value().color; }

@@ -1,4 +1,5 @@
 // Point lights in whole pictures, by every way of drawing.
+#include "gpu/tests/test_device.h"
 #include "plan/frame_runner_gpu.h"
 
 #include <cmath>
@@ -11,11 +12,7 @@
 namespace cuticle::plan::point_light_gpu_test {
 namespace {
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
+using tests::device;
 
 Image picture(const std::string& method, const std::string& light) {
   const std::string text = fmt::format(

@@ -193,7 +193,7 @@ std::vector<RandomScene> scenes_of_all() {
 std::unique_ptr<FrameRunner> runner_of(const std::string& text) {
   const auto scene = scene::parse_scene(text, CUTICLE_SOURCE_DIR "/scenes", "chance", catalogue());
   EXPECT_TRUE(scene) << text;
-  auto made = FrameRunner::create(test_device(), *scene, silent_progress());
+  auto made = FrameRunner::create(device(), *scene, silent_progress());
   EXPECT_TRUE(made) << text << (made ? "" : made.error().message);
   return made ? std::move(*made) : nullptr;
 }
@@ -234,7 +234,7 @@ std::size_t together(const FrameRunner& runner) {
 
 void expect_as_planned(const RandomScene& scene, std::set<std::string_view>& planned) {
   SCOPED_TRACE(scene.text());
-  const std::size_t before = test_device()->allocated_bytes();
+  const std::size_t before = device()->allocated_bytes();
   const auto runner = runner_of(scene.text());
   ASSERT_TRUE(runner);
   expect_demanded(runner->plan());
@@ -242,7 +242,7 @@ void expect_as_planned(const RandomScene& scene, std::set<std::string_view>& pla
   for (int frame = 0; frame < 2; ++frame) {
     const FrameResult result = frame_of(*runner, frame);
     if (result.repeats == 0) expect_dispatched_as_planned(*runner, result);
-    EXPECT_EQ(together(*runner), test_device()->allocated_bytes() - before);
+    EXPECT_EQ(together(*runner), device()->allocated_bytes() - before);
   }
 }
 

@@ -109,7 +109,7 @@ TEST(SeenStrands, DeepPicture_LaidOverEachOtherIsThePictureWithItsHead) {
 }
 
 std::string refusal_of(std::initializer_list<std::string_view> parts) {
-  const auto refused = FrameRunner::create(test_device(), scene_of(parts), silent_progress());
+  const auto refused = FrameRunner::create(device(), scene_of(parts), silent_progress());
   return refused ? "it is not refused" : refused.error().message;
 }
 

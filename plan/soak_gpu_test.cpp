@@ -62,10 +62,10 @@ double longest_stretch(FrameRunner& runner, const FrameResult& frame) {
 }
 
 TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
-  const std::size_t before = test_device()->allocated_bytes();
+  const std::size_t before = device()->allocated_bytes();
   std::array<Quarter, 4> quarters;
   {
-    auto made = FrameRunner::create(test_device(), scene_with(1), silent_progress());
+    auto made = FrameRunner::create(device(), scene_with(1), silent_progress());
     ASSERT_TRUE(made) << made.error().message;
     FrameRunner& runner = **made;
     const int count = frames();
@@ -75,7 +75,7 @@ TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
       const FrameResult result = runner.run(frame, {.render = frame % 8 == 0, .read_state = true}).value();
       quarter.seconds += double(std::clock() - begin) / CLOCKS_PER_SEC;
       quarter.resident = resident_bytes();
-      quarter.on_device = std::max(quarter.on_device, test_device()->allocated_bytes() - before);
+      quarter.on_device = std::max(quarter.on_device, device()->allocated_bytes() - before);
       for (const glm::vec3& place : result.state.positions)
         ASSERT_TRUE(std::isfinite(place.x + place.y + place.z)) << "frame " << frame;
       for (float value : result.color.pixels) ASSERT_TRUE(std::isfinite(value)) << "frame " << frame;
@@ -93,7 +93,7 @@ TEST(Soak, ThousandsOfFramesWithEverythingOn_StayFlatFiniteAndAtTheirLength) {
   for (const Quarter& quarter : quarters)
     std::printf("%.2f s, %zu KiB resident, %zu KiB on the device\n", quarter.seconds, quarter.resident >> 10,
                 quarter.on_device >> 10);
-  EXPECT_EQ(test_device()->allocated_bytes(), before) << "all is given back";
+  EXPECT_EQ(device()->allocated_bytes(), before) << "all is given back";
   EXPECT_LE(quarters[3].on_device, quarters[1].on_device * 1.01);
   EXPECT_LT(double(quarters[3].resident), 1.05 * double(quarters[1].resident) + 4e6);
   EXPECT_LT(quarters[3].seconds, 1.5 * quarters[1].seconds) << "frames take longer and longer";

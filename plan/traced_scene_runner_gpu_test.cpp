@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "plan/frame_runner_gpu.h"
 
 namespace cuticle::plan::traced_scene_runner_gpu_test {
@@ -18,8 +19,7 @@ scene::Scene scene_of(const std::string& changes) {
 
 /// The largest distance of a drawn vertex in frame 3, metres.
 float largest_distance(const scene::Scene& scene) {
-  const auto device = gpu::Device::open({.choice = ""}).value();
-  const auto on_device = FrameRunner::create(device, scene, silent_progress()).value();
+  const auto on_device = FrameRunner::create(tests::device(), scene, silent_progress()).value();
   EXPECT_TRUE(on_device->run(3).ok());
   const strands::Groom expected = on_device->drawn_strands().value();
   const auto on_cpu = TracedSceneRunner::create(scene, silent_progress()).value();

@@ -1,4 +1,5 @@
 // A camera moved by hand, and a session without its window.
+#include "gpu/tests/test_device.h"
 #include "play/session.h"
 
 #include <limits>
@@ -25,10 +26,7 @@ scene::Scene small_scene() {
   return *scene;
 }
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  return *opened;
-}
+using tests::device;
 
 std::unique_ptr<Session> session(int frames = 10, int first = 0) {
   auto made = Session::create(device(), small_scene(), FrameRange{first, first + frames - 1}, silent_progress());

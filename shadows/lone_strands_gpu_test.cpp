@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "shadows/groom_gpu.h"
 #include "shadows/light_frame.h"
 #include "tests/support/lone_strands.h"
@@ -14,10 +15,7 @@ namespace cuticle::shadows::lone_strands_gpu_test {
 
 namespace {
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
-  return shared;
-}
+using tests::device;
 
 /// Mean T over the vertices.
 double light_left(GroomOnDevice& on_device, const std::string& method, const std::string& set, double alpha,

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "shadows/clouds.h"
 #include "shadows/groom_gpu.h"
 #include "shadows/light_frame.h"
@@ -17,10 +18,8 @@ namespace cuticle::shadows::map_gpu_test {
 
 namespace {
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
-  return shared;
-}
+using tests::device;
+
 const Method& method_of(const GpuMethod& gpu) { return **find_method(gpu.name); }
 
 /// The study's cases, the first two with other filters, and every other choice of a parameter that offers some; maps of

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "shadows/groom_gpu.h"
 #include "tests/support/shadow_runs.h"
 #include "tests/support/synthetic_grooms.h"
@@ -12,10 +13,7 @@ namespace cuticle::shadows::map_strips_gpu_test {
 
 namespace {
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
-  return shared;
-}
+using tests::device;
 
 constexpr glm::dvec3 k_to_light{0.6, 0.8, 0};
 constexpr double k_alpha = 0.4;

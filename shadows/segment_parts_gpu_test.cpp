@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "shadows/groom_gpu.h"
 #include "shadows/light_frame.h"
 #include "tests/support/lone_strands.h"
@@ -19,10 +20,7 @@ constexpr std::uint32_t k_parts = 4;
 const std::string k_methods[] = {"opacity_map", "deep_opacity", "moments",    "fourier",
                                  "exact_list",  "deep_shadow",  "shadow_map", "voxel"};
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
-  return shared;
-}
+using tests::device;
 
 /// Every segment in k_parts.
 strands::Groom cut(const strands::Groom& groom) {

@@ -2,22 +2,13 @@
 // For tests: one software device with validation, shared by the tests of a file.
 #include <stdexcept>
 
-#include <gtest/gtest.h>
-
-#include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 
 namespace cuticle::gpu {
 
-inline std::shared_ptr<Device> open_device() {
-  auto device = Device::open({.choice = "", .validation = true});
-  if (!device) ADD_FAILURE() << device.error().message;
-  return device ? *device : nullptr;
-}
+using tests::open_device;
 
-inline Device& shared_device() {
-  static const std::shared_ptr<Device> device = open_device();
-  return *device;
-}
+inline Device& shared_device() { return *tests::device(); }
 
 /// The value; an error ends the test with its text.
 template <class T>

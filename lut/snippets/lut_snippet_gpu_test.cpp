@@ -13,6 +13,7 @@
 
 #include "core/file.h"
 #include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #include "lut/evaluate.h"
 #include "lut/format.h"
 #include "lut/snippets/snippet.h"
@@ -22,10 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> opened = gpu::Device::open().value();
-  return opened;
-}
+using tests::device;
 
 TableSet stored_set(std::string_view layout, const char* format) {
   const bsdf::Model& model = *bsdf::find_model("marschner").value();

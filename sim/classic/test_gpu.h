@@ -1,14 +1,13 @@
 #pragma once
 // What the tests of the kernels share: a device, solvers on it, and what every kernel must hold.
+#include "gpu/tests/test_device.h"
 #include "sim/classic/test_strands.h"
 #include "sim/solver_gpu.h"
 
 namespace cuticle::sim::testing {
 
-inline std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> shared = gpu::Device::open().value();
-  return shared;
-}
+using tests::device;
+
 inline std::unique_ptr<GpuSolver> make_gpu(std::string_view name, const strands::Groom& groom,
                                            const std::string& settings, const EffectBlocks& effects) {
   return (*find_gpu_effect(name))->create(device(), groom, settings_of(name, settings), effects).value();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "tests/support/synthetic_grooms.h"
 
 namespace cuticle::strands::packing_gpu_test {
@@ -22,7 +23,7 @@ Groom coat() {
 }
 
 PackedGroom packed_on_device(const Groom& groom) {
-  const auto device = *gpu::Device::open({.choice = "", .validation = true});
+  const auto& device = tests::device();
   std::vector<glm::vec4> vertices, along;
   for (std::size_t v = 0; v < groom.vertex_count(); ++v) vertices.emplace_back(groom.positions[v], groom.radii[v]);
   for (const glm::vec3& tangent : tangents(groom)) along.emplace_back(tangent, 0);

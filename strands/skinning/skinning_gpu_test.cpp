@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/random.h"
+#include "gpu/tests/test_device.h"
 #include "strands/binding/carry_gpu.h"
 #include "tests/support/device_bound.h"
 
@@ -81,33 +82,31 @@ void expect_near(std::span<const glm::vec4> device, std::span<const glm::vec3> h
 class SkinningOnDevice : public testing::TestWithParam<Skinning> {};
 
 TEST_P(SkinningOnDevice, MeshAndStrands_AreThoseOfTheCpu) {
-  auto device = gpu::Device::open({"", true});
-  ASSERT_TRUE(device) << device.error().message;
+  const auto& device = tests::device();
   const Mesh mesh = sheet();
   const auto influences = random_influences(mesh.positions.size());
   const auto motions = random_motions();
   const auto roots = scatter_roots(mesh, 200, 7);
   const RestOnMesh rest = rest_on_mesh(strands_on(mesh, roots), mesh, roots);
-  auto skinned =
-      GpuSkin::create(**device, mesh, influences, k_joints, std::vector<float>(mesh.positions.size(), 0.75f));
-  auto carried = GpuCarry::create(**device, rest);
+  auto skinned = GpuSkin::create(*device, mesh, influences, k_joints, std::vector<float>(mesh.positions.size(), 0.75f));
+  auto carried = GpuCarry::create(*device, rest);
   ASSERT_TRUE(skinned && carried);
-  gpu::Commands commands = (*device)->record();
+  gpu::Commands commands = device->record();
   ASSERT_TRUE(skinned->record(commands, motions, GetParam()));
   carried->record(commands, skinned->positions(), skinned->normals());
-  const auto cost = (*device)->submit(std::move(commands));
+  const auto cost = device->submit(std::move(commands));
   ASSERT_TRUE(cost) << cost.error().message;
 
   Mesh moved;
   skin(mesh, influences, motions, GetParam(), moved);
   std::vector<glm::vec3> places(rest.locals.size());
   carry(rest, moved, places);
-  const auto positions = gpu::read_buffer<glm::vec4>(**device, skinned->positions(), mesh.positions.size());
-  const auto normals = gpu::read_buffer<glm::vec4>(**device, skinned->normals(), mesh.positions.size());
-  const auto strands = gpu::read_buffer<glm::vec4>(**device, carried->positions(), places.size());
+  const auto positions = gpu::read_buffer<glm::vec4>(*device, skinned->positions(), mesh.positions.size());
+  const auto normals = gpu::read_buffer<glm::vec4>(*device, skinned->normals(), mesh.positions.size());
+  const auto strands = gpu::read_buffer<glm::vec4>(*device, carried->positions(), places.size());
   ASSERT_TRUE(positions && normals && strands);
   EXPECT_EQ((*positions)[17].w, 0.75f);
-  const float bound = float(tests::bound_for(**device, 1e-6, 1.6e-6));
+  const float bound = float(tests::bound_for(*device, 1e-6, 1.6e-6));
   expect_near(*positions, moved.positions, bound);
   expect_near(*normals, moved.normals, 2e-5f);
   expect_near(*strands, places, bound);

@@ -7,16 +7,14 @@
 #include <glm/geometric.hpp>
 
 #include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #include "strands/spline/place_gpu.h"
 #include "tests/support/device_bound.h"
 
 namespace cuticle::strands::place_gpu_test {
 namespace {
 
-gpu::Device& device() {
-  static const std::shared_ptr<gpu::Device> opened = *gpu::Device::open();
-  return *opened;
-}
+gpu::Device& device() { return *tests::device(); }
 
 /// Curls of different sizes, each vertex with a radius of its own.
 Groom uneven() {

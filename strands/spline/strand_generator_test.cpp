@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #include "strands/spline/smooth_gpu.h"
 #include "tests/support/device_bound.h"
 
@@ -69,10 +70,7 @@ struct Generated {
   gpu::SubmitCost cost;
 };
 
-gpu::Device& device() {
-  static const std::shared_ptr<gpu::Device> opened = *gpu::Device::open();
-  return *opened;
-}
+gpu::Device& device() { return *tests::device(); }
 
 Generated generate(const Groom& control, const Drawn& drawn, int vertices = k_vertices) {
   auto generator = *StrandGenerator::create(

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "plan/plan.h"
 
 namespace cuticle::study::ladder_gpu_test {
@@ -28,10 +29,7 @@ LadderRequest small_request(const std::string& hair) {
   return request;
 }
 
-std::shared_ptr<gpu::Device> device() {
-  static const std::shared_ptr<gpu::Device> opened = *gpu::Device::open({});
-  return opened;
-}
+using tests::device;
 
 const Ladder& small_ladder() {
   static const Ladder ladder = *climb(device(), small_request("blond"), silent_progress());

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "plan/plan.h"
 
 namespace cuticle::study::accuracy_gpu_test {
@@ -29,14 +30,13 @@ double measured(const std::shared_ptr<gpu::Device>& device, const plan::Accuracy
 }
 
 TEST(AccuracyTable, ErrorsOnHairThatItWasNotMeasuredOn_StayBelowItsBounds) {
-  const auto device = gpu::Device::open({.choice = ""}).value();
   const plan::AccuracyTable table = plan::read_accuracy_table(CUTICLE_SOURCE_DIR "/scenes/accuracy.json").value();
   int compared = 0;
   for (const plan::AccuracyRow& row : table.rows) {
     const bool chosen = row.method == "tiles" || row.settings == "layers=8,resolution=256" ||
                         row.settings == "slices=32,resolution=256";
     if (!chosen) continue;
-    const double error = measured(device, row);
+    const double error = measured(tests::device(), row);
     std::printf("%s %s: %.4f, below %.4f with 95 %%\n", row.method.c_str(), row.settings.c_str(), error, row.at_most);
     EXPECT_LE(error, row.at_most) << row.method << " " << row.settings;
     EXPECT_GT(error, 0.02 * row.error) << row.method << " " << row.settings;

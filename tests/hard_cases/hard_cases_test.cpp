@@ -9,7 +9,7 @@
 #include "tests/hard_cases/catalogue.h"
 #include "tests/hard_cases/hard_case_runner.h"
 #ifdef CUTICLE_HAS_GPU
-#include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #endif
 
 namespace cuticle::hard_cases::hard_cases_test {
@@ -19,9 +19,7 @@ using ::testing::HasSubstr;
 
 std::shared_ptr<gpu::Device> device() {
 #ifdef CUTICLE_HAS_GPU
-  auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
+  return tests::device();
 #else
   return nullptr;
 #endif
@@ -43,9 +41,11 @@ TEST_P(HardCasesOf, EveryCaseInEveryPrecision_Holds) {
   const std::vector<Verdict> verdicts = run_hard_cases(choice, shared, silent_progress()).value();
   EXPECT_FALSE(verdicts.empty());
   for (const Verdict& verdict : verdicts)
-    EXPECT_NE(verdict.state, State::failed) << verdict.id << " in " << name_of(verdict.precision) << ": " << verdict.detail;
+    EXPECT_NE(verdict.state, State::failed)
+        << verdict.id << " in " << name_of(verdict.precision) << ": " << verdict.detail;
 }
-INSTANTIATE_TEST_SUITE_P(Families, HardCasesOf, testing::ValuesIn(families()), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Families, HardCasesOf, testing::ValuesIn(families()),
+                         [](const auto& tested) { return tested.param; });
 
 TEST(HardCases, Catalogue_HoldsCasesUnderNamesOfTheirOwnWithTheirSources) {
   const std::vector<Case> cases = all_cases().value();
@@ -71,8 +71,10 @@ TEST(HardCases, OfOneFamily_AreThoseOfTheCatalogue) {
 }
 
 Verdict verdict_of(const std::string& expect) {
-  const std::string text = R"({"cases": [{"id": "x", "subject": "function", "why": "a test", "inputs": {"function": "exp", "x": 1},
-    "expect": )" + expect + "}]}";
+  const std::string text =
+      R"({"cases": [{"id": "x", "subject": "function", "why": "a test", "inputs": {"function": "exp", "x": 1},
+    "expect": )" +
+      expect + "}]}";
   return run_document(text, nullptr, silent_progress()).value().front();
 }
 
@@ -93,11 +95,15 @@ TEST(HardCaseRunner, ValueOffByHalfOfWhatIsAllowed_UsesHalf) {
 
 TEST(HardCaseRunner, ValueOutsideBounds_Fails) { EXPECT_EQ(verdict_of(R"({"bounds": [0, 1]})").state, State::failed); }
 
-TEST(HardCaseRunner, ErrorThatDoesNotCome_Fails) { EXPECT_EQ(verdict_of(R"({"error": "bad_input"})").state, State::failed); }
+TEST(HardCaseRunner, ErrorThatDoesNotCome_Fails) {
+  EXPECT_EQ(verdict_of(R"({"error": "bad_input"})").state, State::failed);
+}
 
 TEST(HardCaseRunner, NotANumber_Fails) {
   const auto verdicts = run_document(R"({"cases": [{"id": "x", "subject": "function", "why": "a test",
-    "inputs": {"function": "sin", "x": "nan"}, "expect": {}}]})", nullptr, silent_progress()).value();
+    "inputs": {"function": "sin", "x": "nan"}, "expect": {}}]})",
+                                     nullptr, silent_progress())
+                            .value();
   EXPECT_EQ(verdicts.front().state, State::failed);
   EXPECT_EQ(verdicts.front().not_finite, 1u);
 }

@@ -3,16 +3,14 @@
 
 #include "core/shared/philox.glslh"
 #include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #include "tests/hard_cases/elementary.glslh"
 #include "tests/hard_cases/elementary_gpu.h"
 
 namespace cuticle::hard_cases::functions_parity_test {
 namespace {
 
-gpu::Device& device() {
-  static const std::shared_ptr<gpu::Device> opened = gpu::Device::open({.choice = "", .validation = true}).value();
-  return *opened;
-}
+gpu::Device& device() { return *tests::device(); }
 
 /// Largest error over a grid; relative, except for sine and cosine (1 and 2), which cross 0.
 double largest_error(std::uint32_t function, double from, double to) {

@@ -9,15 +9,10 @@
 
 #include "core/random.h"
 #include "gpu/device.h"
+#include "gpu/tests/test_device.h"
 #include "render/passes/supersampled/rasterise.h"
 
 namespace cuticle::tests {
-
-inline std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
 
 template <class T>
 gpu::Buffer upload(const std::vector<T>& data) {
@@ -56,7 +51,7 @@ struct Drawing {
   }
   Image truth(int samples = 16) const {
     return render::supersampled::rasterise(camera(), {vertices, colors, segments}, {},
-                                    {.samples = samples, .opacity = opacity});
+                                           {.samples = samples, .opacity = opacity});
   }
 };
 

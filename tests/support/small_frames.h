@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/tests/test_device.h"
 #include "plan/plan.h"
 
 namespace cuticle::tests {
@@ -25,12 +26,6 @@ inline constexpr std::string_view k_velocity = R"("passes": {"velocity": {}})";
 inline constexpr std::string_view k_points = R"("passes": {"shade_strands": {"point_px": 8}})";
 inline constexpr std::string_view k_surfaces = R"("passes": {"surface_shadow": {"resolution": 128}})";
 inline constexpr std::string_view k_motion = R"("motion": {"bvh": "motion/head_turn.bvh"})";
-
-inline std::shared_ptr<gpu::Device> test_device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
 
 /// What a scene has unless a part of the same key is given.
 inline constexpr std::string_view k_usual_parts[] = {
@@ -53,7 +48,7 @@ inline scene::Scene scene_of(std::initializer_list<std::string_view> parts) {
 }
 
 inline std::unique_ptr<plan::FrameRunner> runner(std::initializer_list<std::string_view> parts) {
-  auto made = plan::FrameRunner::create(test_device(), scene_of(parts), silent_progress());
+  auto made = plan::FrameRunner::create(device(), scene_of(parts), silent_progress());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
   return std::move(*made);
 }

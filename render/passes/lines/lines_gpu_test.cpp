@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "lut/bake_gpu.h"
 #include "lut/live_tables_gpu.h"
 #include "render/pass_gpu.h"
@@ -22,11 +23,7 @@ namespace {
 constexpr int k_size = 17;  // odd: the middle pixel looks along the camera's axis
 const glm::dvec3 k_eye(0, 0, 1);
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
+using tests::device;
 
 const bsdf::Model& model() { return **bsdf::find_model("marschner"); }
 registry::ParameterValues material(std::string_view text) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "gpu/tests/test_device.h"
 #include "lut/bake_gpu.h"
 #include "render/pass_gpu.h"
 #include "render/passes/bake_tables/bake_tables.h"
@@ -22,11 +23,7 @@ constexpr int k_pixels = 48, k_fine = 8;
 constexpr int k_vertices = 4 * k_pixels;  ///< of a strand
 constexpr int k_strands = 2 * k_pixels;
 
-std::shared_ptr<gpu::Device> device() {
-  static const auto opened = gpu::Device::open({.choice = "", .validation = true});
-  EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
-  return opened ? *opened : nullptr;
-}
+using tests::device;
 
 const lut::TableSet& tables() {
   static const lut::TableSet set = [] {
