@@ -84,7 +84,6 @@ TEST_P(Search, PlacesByChance_Hold) {
 }
 
 TEST_P(Search, CaseOfTheDefaults_IsNotRefused) {
-  if (space().climbs == 0 && !is_sweep()) GTEST_SKIP() << "takes long: scripts/test.sh --full";
   const Place middle(space().size, 0.5);
   EXPECT_FALSE(is_refused(space().case_at(middle))) << catalogue_text(space(), middle, 0);
 }
