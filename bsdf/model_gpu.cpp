@@ -89,6 +89,14 @@ void GpuEvaluator::record(gpu::Commands& commands, const gpu::Buffer& parameters
   commands.dispatch(kernel_, {&parameters, &points, &results}, {}, gpu::bytes_of(batch), groups.x, groups.y);
 }
 
+void GpuEvaluator::record_counted(gpu::Commands& commands, const gpu::Buffer& parameters, const gpu::Buffer& points,
+                                  const gpu::Buffer& results, std::uint32_t count, const gpu::Buffer& numbers,
+                                  std::size_t offset) const {
+  const Batch batch{count, std::int32_t(Quantity::S), -1};
+  const gpu::Buffer* const buffers[] = {&parameters, &points, &results};
+  commands.dispatch_counted(kernel_, buffers, {}, gpu::bytes_of(batch), numbers, offset);
+}
+
 Result<gpu::Buffer> GpuEvaluator::upload(const registry::ParameterValues& values) const {
   return gpu::make_buffer_from(*device_, std::span<const float>(model_->pack(values)));
 }

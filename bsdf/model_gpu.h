@@ -34,6 +34,11 @@ class GpuEvaluator {
   /// checked; three floats each to `results`. `parameters`: what `upload` gave.
   void record(gpu::Commands& commands, const gpu::Buffer& parameters, const gpu::Buffer& points,
               const gpu::Buffer& results, std::uint32_t count, Quantity quantity, int lobe) const;
+  /// The same of S, summed over the lobes, in as many workgroups of 64 points as `numbers` says on three axes, 32 bits
+  /// each, from `offset` bytes on; at most `count` points.
+  void record_counted(gpu::Commands& commands, const gpu::Buffer& parameters, const gpu::Buffer& points,
+                      const gpu::Buffer& results, std::uint32_t count, const gpu::Buffer& numbers,
+                      std::size_t offset) const;
   /// Draws directions in float, as bsdf::sample does on the CPU; its kernel is compiled at the first call. Errors:
   /// usage, where the model has no sampler; as check_queries.
   Result<void> sample(const registry::ParameterValues& values, std::span<const SampleQuery> queries,

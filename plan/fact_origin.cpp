@@ -43,6 +43,7 @@ constexpr std::pair<std::string_view, std::string_view> k_origins[] = {
     {"strand_colors", "render.method"},
     {"strands", "groom"},
     {"strands_as_given", "groom"},
+    {"hidden_vertices_unshaded", "render.method, material.evaluate, passes.tile_sort, passes.seen_vertices"},
     {"strands_by_sight", "render.method, passes.strands_in_sight"},
     {"strands_interpolated", "groom"},
     {"surfaces", "head, floor"},

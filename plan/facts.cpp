@@ -5,7 +5,9 @@
 
 #include "plan/plan.h"
 #include "render/passes/cull_strands/cull_strands.h"
+#include "render/passes/seen_vertices/seen_vertices.h"
 #include "render/passes/strands_in_sight/strands_in_sight.h"
+#include "render/passes/tile_sort/tile_sort.h"
 #include "shadows/channels.h"
 
 namespace cuticle::plan {
@@ -119,6 +121,11 @@ bool is_refused(const scene::Scene& scene) {
   return asked != scene.passes.end() && !registry::from_values<Parameters>(asked->second).wanted;
 }
 
+bool is_sliced(const scene::Scene& scene) {
+  const auto given = scene.passes.find(render::tile_sort::Parameters::name);
+  return given != scene.passes.end() && registry::from_values<render::tile_sort::Parameters>(given->second).slices > 0;
+}
+
 void add_culling(const scene::Scene& scene, registry::Facts& facts) {
   const bool as_primitives = scene.render_method == "lines" || scene.render_method == "quads",
              strand_by_strand = as_primitives || scene.render_method == "tiles",
@@ -127,6 +134,15 @@ void add_culling(const scene::Scene& scene, registry::Facts& facts) {
   const std::string method = fmt::format("strands are drawn by '{}'", scene.render_method);
   facts["culled_strands"] = {as_primitives && !draws_all,
                              draws_all ? "the scene wants strands drawn that are not seen" : method};
+  const bool shades_hidden = is_refused<render::seen_vertices::Parameters>(scene),
+             by_formulas = scene.render_method == "tiles" && scene.material.evaluate == "direct",
+             by_slices = is_sliced(scene);
+  facts["hidden_vertices_unshaded"] = {
+      by_formulas && !by_slices && !shades_hidden,
+      shades_hidden ? "the scene wants vertices shaded that do not show"
+      : by_slices   ? "strands are blended by slices"
+      : by_formulas ? "formulas at a vertex cost more than to find out whether it shows"
+                    : "shading costs less than to find out what shows, or other passes than 'tiles' draw"};
   facts["strands_by_sight"] = {strand_by_strand && !shades_all,
                                shades_all ? "the scene wants strands shaded that are out of view" : method};
 }

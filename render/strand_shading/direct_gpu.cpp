@@ -7,12 +7,18 @@
 
 #include "bsdf/turns.h"
 #include "gpu/groups.h"
+#include "render/passes/seen_vertices/seen_vertices_gpu.h"
 
 #include <strand_angles_comp.spv.h>
 
 namespace cuticle::render::strand_shading {
 
 namespace {
+
+/// As strand_angles.comp reads it.
+struct AnglesPush {
+  std::uint32_t light, is_listed;
+};
 
 constexpr std::size_t k_point_bytes = bsdf::coordinate_count * sizeof(float), k_value_bytes = 3 * sizeof(float);
 
@@ -47,7 +53,7 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resou
   CUTICLE_TRY(check(device, resources));
   CUTICLE_TRY(bsdf::check_loops(device, *material.model, evaluated_values(resources), bsdf::Quantity::S));
   CUTICLE_ASSIGN(bsdf::GpuEvaluator evaluator, bsdf::GpuEvaluator::make(device, *material.model));
-  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp, {4, 0, sizeof(std::uint32_t)}));
+  CUTICLE_ASSIGN(gpu::Kernel angles, device.make_kernel(strand_angles_comp, {5, 0, sizeof(AnglesPush)}));
   DirectScattering direct(std::move(evaluator), std::move(angles));
   const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count,
                     lights = std::max<std::size_t>(1, resources.get<Lights>().all.size());
@@ -59,20 +65,34 @@ Result<DirectScattering> DirectScattering::make(gpu::Device& device, const Resou
 }
 
 Result<void> DirectScattering::record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
-                                      const gpu::Buffer& frame) {
+                                      const gpu::Buffer& frame, const gpu::Buffer* listed) {
   const FibreMaterial& material = resources.get<FibreMaterial>();
-  const DrawnHair& hair = resources.get<DrawnHair>();
   const std::vector<float> packed = material.model->pack(evaluated_values(resources));
   CUTICLE_TRY(device.upload(parameters_, std::as_bytes(std::span(packed))));
-  const std::uint32_t vertices = hair.strands.vertex_count;
-  const gpu::Groups groups = gpu::groups_for(vertices);
+  const std::size_t bytes = resources.get<DrawnHair>().strands.vertex_count * k_value_bytes;
   for (std::uint32_t light = 0; light < resources.get<Lights>().all.size(); ++light) {
-    commands.dispatch(angles_, {hair.strands.vertices, hair.tangents, &points_, &frame}, {}, gpu::bytes_of(light),
-                      groups.x, groups.y);
-    evaluator_.record(commands, parameters_, points_, of_light_, vertices, bsdf::Quantity::S, -1);
-    commands.copy(of_light_, scattered_, vertices * k_value_bytes, 0, light * vertices * k_value_bytes);
+    record_light(commands, resources, frame, listed, light);
+    commands.copy(of_light_, scattered_, bytes, 0, light * bytes);
   }
   return {};
+}
+
+void DirectScattering::record_light(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& frame,
+                                    const gpu::Buffer* listed, std::uint32_t light) const {
+  const DrawnHair& hair = resources.get<DrawnHair>();
+  const std::uint32_t vertices = hair.strands.vertex_count;
+  const AnglesPush push{light, listed ? 1u : 0u};
+  const gpu::Buffer* const buffers[] = {hair.strands.vertices, hair.tangents, &points_, &frame,
+                                        listed ? listed : &frame};
+  if (listed) {
+    commands.dispatch_counted(angles_, buffers, {}, gpu::bytes_of(push), *listed, seen_vertices::k_listed_groups);
+    evaluator_.record_counted(commands, parameters_, points_, of_light_, vertices, *listed,
+                              seen_vertices::k_listed_groups);
+    return;
+  }
+  const gpu::Groups groups = gpu::groups_for(vertices);
+  commands.dispatch(angles_, buffers, {}, gpu::bytes_of(push), groups.x, groups.y);
+  evaluator_.record(commands, parameters_, points_, of_light_, vertices, bsdf::Quantity::S, -1);
 }
 
 }  // namespace cuticle::render::strand_shading

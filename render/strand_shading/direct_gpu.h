@@ -10,15 +10,18 @@ class DirectScattering {
   /// Errors: bad_input where the model, with these parameters, is a function of h, which a vertex does not know, or has
   /// no kernel; what the device says.
   static Result<DirectScattering> make(gpu::Device& device, const Resources& resources);
-  /// S of every light at every vertex; `frame` is that of frame.glsl. Error: what the device says.
+  /// S of every light at every vertex, or at those of a list (seen_vertices::SeenVertices::list) in its order; `frame`
+  /// is that of frame.glsl. Error: what the device says.
   Result<void> record(gpu::Device& device, gpu::Commands& commands, const Resources& resources,
-                      const gpu::Buffer& frame);
-  /// rgb per light and vertex.
+                      const gpu::Buffer& frame, const gpu::Buffer* listed);
+  /// rgb per light and vertex, or place in the list.
   const gpu::Buffer& scattered() const { return scattered_; }
 
  private:
   DirectScattering(bsdf::GpuEvaluator evaluator, gpu::Kernel angles)
       : evaluator_(std::move(evaluator)), angles_(std::move(angles)) {}
+  void record_light(gpu::Commands& commands, const Resources& resources, const gpu::Buffer& frame,
+                    const gpu::Buffer* listed, std::uint32_t light) const;
 
   bsdf::GpuEvaluator evaluator_;
   gpu::Kernel angles_;

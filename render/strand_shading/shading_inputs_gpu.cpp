@@ -43,10 +43,10 @@ Result<Frame*> ShadingInputs::update(const Resources& resources) {
   return &frame_;
 }
 
-Result<void> ShadingInputs::record(gpu::Commands& commands, const Resources& resources) {
+Result<void> ShadingInputs::record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer* listed) {
   CUTICLE_TRY(device_->upload(frame_buffer_, gpu::bytes_of(frame_)));
   transmittance_.record(commands, resources);
-  if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, frame_buffer_));
+  if (direct_) CUTICLE_TRY(direct_->record(*device_, commands, resources, frame_buffer_, listed));
   return {};
 }
 

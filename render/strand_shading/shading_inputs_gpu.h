@@ -17,7 +17,8 @@ class ShadingInputs {
   Result<Frame*> update(const Resources& resources);
   /// Uploads the constants and records the copies of the lights' transmittance, and the model's formulas where the
   /// scene wants them in place of tables or what stands in place of them.
-  Result<void> record(gpu::Commands& commands, const Resources& resources);
+  /// `listed`: seen_vertices::SeenVertices::list, of whose vertices the formulas are evaluated alone; null: of all.
+  Result<void> record(gpu::Commands& commands, const Resources& resources, const gpu::Buffer* listed = nullptr);
 
   const gpu::Buffer& frame() const { return frame_buffer_; }
   const gpu::Buffer& transmittance() const { return transmittance_.buffer(); }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The angles between the fibre at a vertex, one light and the eye, as bsdf/gpu/evaluate.comp reads its points; one
-// invocation per vertex.
+// invocation per vertex, of all or of a list.
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
 #include "render/strand_shading/frame.glsl"
@@ -10,14 +10,20 @@ layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[]; };
 layout(std430, set = 0, binding = 2) writeonly buffer Points { float points[]; };  // six each: bsdf::Point
-layout(push_constant) uniform Push { uint light; };
+layout(std430, set = 0, binding = 4) readonly buffer List { uint list_count, list_groups[3], list[]; };
+layout(push_constant) uniform Push {
+  uint light;
+  uint is_listed;  // 1: points of the listed vertices alone, in their order
+};
 
 // By tangents, which stay exact where a sine or a cosine is nearly 1.
 float inclination(vec3 w, vec3 t, vec3 across) { return atan(dot(w, t), length(across)); }
 
 void main() {
-  uint vertex = invocation();
-  if (vertex >= vertex_count) return;
+  uint place = invocation(), vertex = place;
+  if (place >= vertex_count) return;
+  // Past the list's end its last vertex stands again: whole workgroups are evaluated.
+  if (is_listed != 0u) vertex = list[min(place, list_count - 1u)];
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(vertex / vertices_per_strand, variation));
   vec3 to_eye = normalize(eye.xyz - vertices[vertex].xyz);
   vec3 to_light = arriving_at(vertices[vertex].xyz, lights[light]).to_light;
@@ -25,7 +31,7 @@ void main() {
   float theta_i = inclination(to_light, t, across_i), theta_o = inclination(to_eye, t, across_o);
   float turned = length(cross(across_i, across_o)), phi = turned > 0.0 ? atan(turned, dot(across_i, across_o)) : 0.0;
   if (turned == 0.0 && dot(across_i, across_o) < 0.0) phi = 3.14159265;
-  uint first = 6u * vertex;
+  uint first = 6u * place;
   points[first] = theta_i;
   points[first + 1u] = theta_o;
   points[first + 2u] = 0.5 * (theta_o - theta_i);

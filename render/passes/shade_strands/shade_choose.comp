@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { vec4 vertices[]; };
 layout(std430, binding = 1) readonly buffer Visible { uint visible[]; };    // a bit per vertex
 layout(std430, binding = 2) writeonly buffer Points { uint points[]; };     // per strand
-layout(std430, binding = 3) buffer Shaded { uint shaded_count, shaded[]; };  // vertices, in any order
+layout(std430, binding = 3) buffer Shaded { uint shaded_count, unused[3], shaded[]; };  // vertices, in any order
 layout(push_constant) uniform Push {
   vec3 eye;
   float points_per_size;  // points = 1 + this * length / distance

@@ -12,14 +12,14 @@ layout(std430, set = 0, binding = 1) readonly buffer Tangents { vec4 tangents[];
 layout(std430, set = 0, binding = 2) writeonly buffer Colors { uvec2 colors[]; };  // r g b, 1 where the strand is kept
 layout(std430, set = 0, binding = 4) readonly buffer Transmittance { float transmittance[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Visible { uint visible[]; };  // a bit per vertex
-layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, shaded[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Shaded { uint shaded_count, unused[3], shaded[]; };
 layout(set = 0, binding = 10) uniform sampler2D table_first;
 layout(set = 0, binding = 11) uniform sampler2D table_second;
 layout(set = 0, binding = 12) uniform sampler2D table_rest;
 layout(constant_id = 6) const uint k_direct = 0u;  // 1: `scattered` in place of the tables
 layout(push_constant) uniform Push {
   uint only_visible;
-  uint listed;  // 1: the vertices of the list `shaded`
+  uint listed;  // 1: the vertices of the list `shaded`; 2: of which S by the model's formulas stands in the same order
 };
 #define SCATTERED_BINDING 9
 #include "render/strand_shading/scattered.glsl"
@@ -34,9 +34,9 @@ vec3 evaluated = vec3(0.0);
 #include "render/passes/dual_scattering/lit.glsl"
 
 void main() {
-  uint vertex = invocation();
-  if (vertex >= (listed != 0u ? shaded_count : vertex_count)) return;
-  if (listed != 0u) vertex = shaded[vertex];
+  uint place = invocation(), vertex = place;
+  if (place >= (listed != 0u ? shaded_count : vertex_count)) return;
+  if (listed != 0u) vertex = shaded[place];
   else if (only_visible != 0u && (visible[vertex >> 5] >> (vertex & 31u) & 1u) == 0u) return;
   uint strand = vertex / vertices_per_strand;
   vec3 t = normalize(tangents[vertex].xyz + tilt_of(strand, variation));
@@ -44,7 +44,7 @@ void main() {
   vec3 sum = vec3(0.0);
   uint k = 0u;
   do {  // a loop that asks before its first turn runs its body once more on lavapipe, masked
-    if (k_direct != 0u && k < light_count) evaluated = scattered_at(k, vertex);
+    if (k_direct != 0u && k < light_count) evaluated = scattered_at(k, listed == 2u ? place : vertex);
     if (k < light_count)
       sum += lit(arriving_at(vertices[vertex].xyz, lights[k]), transmitted(k, vertex), past_surfaces(k, vertex), t, to_eye);
   } while (++k < light_count);

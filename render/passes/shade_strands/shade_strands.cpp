@@ -4,6 +4,7 @@
 #include "render/inputs.h"
 #include "render/passes/bake_tables/bake_tables.h"
 #include "render/passes/dual_scattering/dual_scattering.h"
+#include "render/passes/seen_vertices/seen_vertices.h"
 #include "render/passes/surface_shadow/surface_shadow.h"
 #include "render/passes/tile_lists/tile_lists.h"
 #include "render/shading.h"
@@ -19,12 +20,13 @@ constexpr Use k_uses[] = {reads<FrameView>(),
                           reads<DrawnHair>(),
                           reads<Targets>(),
                           may_read<tile_lists::TileLists>(),
+                          may_read<seen_vertices::SeenVertices>(),
                           may_read<bake_tables::Tables>(),
                           may_read<HairTransmittance>(),
                           may_read<surface_shadow::Maps>(),
                           may_read<dual_scattering::Terms>(),
                           writes<StrandColors>()};
-constexpr std::string_view k_after[] = {"tile_lists", "dual_scattering"};
+constexpr std::string_view k_after[] = {"tile_lists", "seen_vertices", "dual_scattering"};
 constexpr std::string_view k_systems[] = {"F5"};
 std::uint32_t dispatches(const registry::ParameterValues& values, const registry::FrameShape&) {
   return registry::from_values<Parameters>(values).point_px > 0 ? 3 : 1;  // choose, shade, fill

@@ -6,6 +6,7 @@
 #include "render/passes/bake_tables/bake_tables_gpu.h"
 #include "render/passes/dual_scattering/dual_scattering_gpu.h"
 #include "render/passes/lines/lines.h"
+#include "render/passes/seen_vertices/seen_vertices_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/strand_shading/shading_inputs_gpu.h"
 
@@ -50,7 +51,9 @@ class ShadeStrands : public GpuPass {
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
     CUTICLE_TRY(inputs_.update(resources));
-    CUTICLE_TRY(inputs_.record(commands, resources));
+    CUTICLE_TRY(inputs_.record(commands, resources, listed_seen(resources)));
+    // What does not show is blended with no weight, which takes a number.
+    if (resources.find<seen_vertices::SeenVertices>()) commands.fill(buffers_.colors, 0);
     if (point_px_ > 0) record_choose(commands, resources);
     record_shade(commands, resources);
     if (point_px_ > 0) record_fill(commands, resources);
@@ -62,7 +65,14 @@ class ShadeStrands : public GpuPass {
     return resources.find<tile_lists::TileLists>() ? 1 : 0;
   }
   const gpu::Buffer& visible(const Resources& resources) const {
+    if (const auto* const seen = resources.find<seen_vertices::SeenVertices>()) return seen->bits;
     return resources.find<tile_lists::TileLists>() ? resources.get<tile_lists::TileLists>().visible : inputs_.frame();
+  }
+
+  /// The list of those that show; null: there is none, or shading points are chosen among them.
+  const gpu::Buffer* listed_seen(const Resources& resources) const {
+    const auto* const seen = resources.find<seen_vertices::SeenVertices>();
+    return seen && !(point_px_ > 0) ? &seen->list : nullptr;
   }
 
   void record_choose(gpu::Commands& commands, const Resources& resources) const {
@@ -80,15 +90,28 @@ class ShadeStrands : public GpuPass {
 
   void record_shade(gpu::Commands& commands, const Resources& resources) const {
     const DrawnHair& hair = resources.get<DrawnHair>();
-    const ShadePush push{only_visible(resources), point_px_ > 0 ? 1u : 0u};
+    const gpu::Buffer* const listed = listed_seen(resources);
+    const ShadePush push{only_visible(resources), listed ? 2u : point_px_ > 0 ? 1u : 0u};
     const gpu::Groups groups = gpu::groups_for(hair.strands.vertex_count);
     const dual_scattering::Inputs dual = dual_scattering::inputs_of(resources, inputs_.frame());
-    commands.dispatch(
-        kernels_.shade,
-        {hair.strands.vertices, hair.tangents, &buffers_.colors, &inputs_.frame(), &inputs_.transmittance(),
-         &visible(resources), &buffers_.shaded, dual.terms, dual.visibility, &inputs_.scattered()},
-        {inputs_.table(resources, 0), inputs_.table(resources, 1), inputs_.table(resources, 2)}, gpu::bytes_of(push),
-        groups.x, groups.y);
+    const gpu::Buffer* const buffers[] = {hair.strands.vertices,
+                                          hair.tangents,
+                                          &buffers_.colors,
+                                          &inputs_.frame(),
+                                          &inputs_.transmittance(),
+                                          &visible(resources),
+                                          listed ? listed : &buffers_.shaded,
+                                          dual.terms,
+                                          dual.visibility,
+                                          &inputs_.scattered()};
+    const gpu::Texture* const tables[] = {inputs_.table(resources, 0), inputs_.table(resources, 1),
+                                          inputs_.table(resources, 2)};
+    if (listed) {
+      commands.dispatch_counted(kernels_.shade, buffers, tables, gpu::bytes_of(push), *listed,
+                                seen_vertices::k_listed_groups);
+    } else {
+      commands.dispatch(kernels_.shade, buffers, tables, gpu::bytes_of(push), groups.x, groups.y);
+    }
   }
 
   void record_fill(gpu::Commands& commands, const Resources& resources) const {
@@ -125,7 +148,7 @@ Result<Buffers> make_buffers(gpu::Device& device, const Resources& resources, bo
   Buffers buffers;
   CUTICLE_ASSIGN(buffers.colors, device.make_buffer(vertices * sizeof(glm::uvec2)));
   CUTICLE_ASSIGN(buffers.points, device.make_buffer(by_points ? vertices / hair.vertices_per_strand * word : word));
-  CUTICLE_ASSIGN(buffers.shaded, device.make_buffer(by_points ? (1 + vertices) * word : 2 * word));
+  CUTICLE_ASSIGN(buffers.shaded, device.make_buffer((seen_vertices::k_list_head + (by_points ? vertices : 1)) * word));
   return buffers;
 }
 

@@ -7,7 +7,7 @@ namespace cuticle::render::shade_strands {
 
 struct StrandColors {
   const gpu::Buffer* values = nullptr;           ///< per vertex four halves: radiance, 1 where the strand is kept
-  const gpu::Buffer* shaded_vertices = nullptr;  ///< uint: how many vertices were shaded, then which; by points
+  const gpu::Buffer* shaded_vertices = nullptr;  ///< as seen_vertices::SeenVertices::list; by points
 };
 
 }  // namespace cuticle::render::shade_strands

@@ -129,7 +129,7 @@ class Field {
     if (const gpu::Buffer* const list_buffer = resources.get<shade_strands::StrandColors>().shaded_vertices) {
       const gpu::Buffer& list = *list_buffer;
       const auto words = *gpu::read_buffer<std::uint32_t>(*device(), list, list.size() / 4);
-      shaded.vertices.assign(words.begin() + 1, words.begin() + 1 + words[0]);
+      shaded.vertices.assign(words.begin() + 4, words.begin() + 4 + words[0]);
       std::ranges::sort(shaded.vertices);
     }
     const std::uint32_t count = resources.get<DrawnHair>().strands.vertex_count;

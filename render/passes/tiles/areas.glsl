@@ -24,4 +24,5 @@ void draw(Prepared own, vec2 first_pixel) {
     covered *= clamp(size.z - abs(s), 0.0, size.w);
     take(k, own.vertex, inverse_depth >= scene[k] ? covered : 0.0, middle.rgb + at * change.rgb, inverse_depth);
   }
+  end_segment(own.vertex);
 }

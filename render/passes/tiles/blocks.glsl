@@ -1,6 +1,6 @@
 // A workgroup per tile, each invocation some of its pixels, on which it draws segments in the order of the tile's list.
 // Loops over few are unrolled: the loops of an invocation may make 65,535 turns together on lavapipe, after
-// which it leaves them. The shader that includes this defines depth_culled() and take(), and includes exchange_shared.glsl
+// which it leaves them. The shader that includes this defines depth_culled(), take() and end_segment(), and includes exchange_shared.glsl
 // or exchange_records.glsl, and areas.glsl or spans.glsl.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -29,6 +29,7 @@ bool depth_culled(float least, float most);
 
 // A segment covers a share of a pixel of the block, in front of the scene.
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth);
+void end_segment(uint vertex);  // it has been drawn on all pixels of the block
 
 uint vertex_of(uint entry) { return texelFetch(ordered, int(2u * entry + 1u)).r; }
 

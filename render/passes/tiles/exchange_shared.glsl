@@ -3,6 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "render/passes/tiles/prepared.glsl"
+#ifdef MARKS_SEEN
+#define COLOR_OF(vertex) vec3(0.0)
+#endif
 #include "render/passes/tiles/projected_segment_vertices.glsl"
 
 const bool k_draws_lists = k_lanes > 8u;

@@ -95,4 +95,5 @@ void draw(Prepared own, vec2 first_pixel) {
     }
     take(k, own.vertex, float(fresh) * share, middle.rgb + at * change.rgb, inverse_depth);
   }
+  end_segment(own.vertex);
 }

@@ -2,6 +2,7 @@
 
 #include "render/frame.h"
 #include "render/inputs.h"
+#include "render/passes/seen_vertices/seen_vertices.h"
 #include "render/passes/shade_strands/shade_strands.h"
 #include "render/passes/tile_lists/tile_lists.h"
 #include "render/passes/tile_sort/tile_sort.h"
@@ -18,6 +19,7 @@ constexpr Use k_uses[] = {reads<FrameView>(),
                           reads<tile_lists::TileLists>(),
                           reads<tile_sort::SortedLists>(),
                           reads<shade_strands::StrandColors>(),
+                          may_read<seen_vertices::SeenVertices>(),
                           may_read<DrawnSurfaces>(),
                           writes<SeenHair>(),
                           writes<StrandPixels>()};

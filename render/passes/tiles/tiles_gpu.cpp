@@ -1,14 +1,12 @@
+#include "render/passes/seen_vertices/seen_vertices_gpu.h"
 #include "render/passes/shade_strands/shade_strands_gpu.h"
 #include "render/passes/tile_lists/tile_lists_gpu.h"
 #include "render/passes/tile_sort/tile_sort.h"
 #include "render/passes/tiles/tiles.h"
 #include "render/passes/tiles/tiles_shares_gpu.h"
 
-#include "gpu/groups.h"
-
 #include <tiles_comp.spv.h>
 #include <tiles_frag.spv.h>
-#include <tiles_prepare_comp.spv.h>
 #include <tiles_records_comp.spv.h>
 #include <tiles_sliced_comp.spv.h>
 #include <tiles_spans_comp.spv.h>
@@ -27,20 +25,13 @@ struct MergePush {
 
 constexpr std::uint32_t k_merged_run = 8;  // tiles, k_run of tiles.vert
 
-constexpr std::size_t k_record_bytes = 48;  // k_record_texels of stroke.glsl
-
-/// What projects the segments that begin at some of the vertices, for as many records as one binding holds.
-struct Prepare {
-  gpu::Kernel kernel;
-  gpu::Buffer records;  ///< a part of all
-};
-
 /// The fine rasteriser, and what projects segments for it where it reads records; else it does so itself.
 struct Fine {
   gpu::Kernel draw;
-  gpu::Buffer records;
-  std::vector<Prepare> prepares;
   FineForm form;
+  Records own;                    ///< where no pass before has made them
+  const Records* made = nullptr;  ///< by `seen_vertices`
+  const Records& records() const { return made ? *made : own; }
 };
 
 class Tiles : public GpuPass {
@@ -57,15 +48,10 @@ class Tiles : public GpuPass {
   void publish(Resources& resources) const override { resources.put(SeenHair{.pixels = &seen_}); }
 
   Result<void> record(gpu::Commands& commands, const Resources& resources) override {
-    const DrawnHair& hair = resources.get<DrawnHair>();
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const tile_lists::TilePush push = push_of(resources, lists);
-    const gpu::Groups segments = gpu::groups_for(push.segment_count);
-    for (const Prepare& prepare : fine_.prepares)
-      commands.dispatch(prepare.kernel,
-                        {hair.strands.vertices, resources.get<shade_strands::StrandColors>().values,
-                         hair.strands.segments, &prepare.records},
-                        {}, gpu::bytes_of(push), segments.x, segments.y);
+    if (fine_.form.reads_records)
+      fine_.records().record(commands, resources, push, resources.get<shade_strands::StrandColors>().values);
     for (const gpu::Buffer* cleared : {&picture_, &seen_}) commands.fill(*cleared, 0);
     std::vector<const gpu::Buffer*> buffers = buffers_of(resources);
     if (push.slices > 0) buffers.push_back(&lists.depth_ranges);
@@ -95,7 +81,7 @@ class Tiles : public GpuPass {
   std::vector<const gpu::Buffer*> buffers_of(const Resources& resources) const {
     const tile_lists::TileLists& lists = resources.get<tile_lists::TileLists>();
     const gpu::Buffer* const vertices = resources.get<DrawnHair>().strands.vertices;
-    return {fine_.form.reads_records ? &fine_.records : vertices,
+    return {fine_.form.reads_records ? &fine_.records().all() : vertices,
             resources.get<shade_strands::StrandColors>().values,
             &lists.offsets,
             &lists.sorted,
@@ -111,40 +97,6 @@ class Tiles : public GpuPass {
   gpu::Buffer picture_, depth_, seen_;
 };
 
-/// Where a subgroup is a tile's eight and runs in software: there every lane reads a segment faster than one tells it.
-bool reads_records(const gpu::DeviceInfo& device, const PassParameters& parameters, std::size_t vertices) {
-  return parameters_of<tile_sort::Parameters>(parameters).slices == 0 &&
-         tile_lists::lanes_of(device, parameters) == tile_lists::k_tile && device.is_software &&
-         device.subgroup_size == tile_lists::k_tile && device.subgroup_broadcast &&
-         vertices * k_record_bytes <= device.max_texel_buffer_bytes;
-}
-
-/// Vertices whose records one binding holds.
-std::size_t vertices_of_a_part(const gpu::DeviceInfo& device) {
-  constexpr std::size_t k_step = 16;  ///< vertices whose records end where a part may begin
-  return device.max_storage_buffer_bytes / (k_step * k_record_bytes) * k_step;
-}
-
-Result<void> make_records(gpu::Device& device, std::size_t vertices, Fine& fine) {
-  const std::size_t most = vertices_of_a_part(device.info());
-  CUTICLE_ASSIGN(fine.records, device.make_texel_buffer(vertices * k_record_bytes));
-  for (std::size_t first = 0; first < vertices; first += most) {
-    const std::size_t count = std::min(most, vertices - first);
-    CUTICLE_ASSIGN(
-        gpu::Kernel kernel,
-        device.make_kernel(
-            tiles_prepare_comp,
-            {4,
-             0,
-             sizeof(tile_lists::TilePush),
-             {std::uint32_t(first), std::uint32_t(count)},
-             {{0, gpu::TextureFormat::rgba32f}, {1, gpu::TextureFormat::rgba16f}, {2, gpu::TextureFormat::r32u}}}));
-    fine.prepares.push_back(
-        {std::move(kernel), gpu::part_of(fine.records, first * k_record_bytes, count * k_record_bytes)});
-  }
-  return {};
-}
-
 std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_records) {
   using Code = std::span<const std::uint32_t>;
   if (sliced) return tiles_sliced_comp;
@@ -154,22 +106,16 @@ std::span<const std::uint32_t> fine_code(bool sliced, bool spans, bool reads_rec
 
 /// By slices where the scene asks for them, else as sorted.
 Result<Fine> make_fine(gpu::Device& device, const Resources& resources) {
-  const auto parameters = parameters_of<Parameters>(resources);
   const bool sliced = parameters_of<tile_sort::Parameters>(resources).slices > 0;
-  const std::uint32_t rows = parameters.coverage_rows;
-  const bool spans = !sliced && rows > 0 && parameters.opacity >= 1;
-  const std::size_t vertices = resources.get<DrawnHair>().strands.vertex_count;
   Fine fine;
-  const std::uint32_t lanes = tile_lists::lanes_of(device.info(), resources.parameters);
-  fine.form = {spans, reads_records(device.info(), resources.parameters, vertices), std::max(rows, 1u), lanes};
-  const gpu::TextureFormat form = fine.form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
-  const gpu::ShaderInterface interface {
-    sliced ? 9u : 8u, 0, sizeof(tile_lists::TilePush), {resources.wants<SeenHair>() ? 1u : 0u, fine.form.rows, lanes}, {
-      {0, form}, {1, gpu::TextureFormat::rgba16f}, { 3, gpu::TextureFormat::r32u }
-    }
-  };
-  CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, spans, fine.form.reads_records), interface));
-  if (fine.form.reads_records) CUTICLE_TRY(make_records(device, vertices, fine));
+  fine.form = fine_form(device.info(), resources);
+  const gpu::ShaderInterface interface = fine_interface(fine.form, sliced ? 9 : 8, resources.wants<SeenHair>());
+  CUTICLE_ASSIGN(fine.draw, device.make_kernel(fine_code(sliced, fine.form.spans, fine.form.reads_records), interface));
+  if (const auto* const seen = resources.find<seen_vertices::SeenVertices>())
+    fine.made = &seen->records;
+  else if (fine.form.reads_records) {
+    CUTICLE_ASSIGN(fine.own, Records::make(device, resources.get<DrawnHair>().strands.vertex_count));
+  }
   return fine;
 }
 
@@ -194,9 +140,7 @@ Result<std::unique_ptr<GpuPass>> create(std::shared_ptr<gpu::Device> device, con
 /// The fine rasteriser, and what projects segments for it.
 std::uint32_t dispatches(const gpu::DeviceInfo& device, const PassParameters& parameters,
                          const registry::FrameShape& shape) {
-  if (!reads_records(device, parameters, shape.vertices)) return 1;
-  const std::size_t most = vertices_of_a_part(device);
-  return 1 + std::uint32_t((shape.vertices + most - 1) / most);
+  return 1 + prepare_dispatches(device, parameters, shape.vertices);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #extension GL_EXT_control_flow_attributes : require
 layout(local_size_x = 64) in;
 #include "gpu/groups.glsl"
+layout(constant_id = 2) const uint k_has_colors = 1u;  // 0: they are not known yet, and stand as black
+#define COLOR_OF(vertex) (k_has_colors != 0u ? texelFetch(colors, int(vertex)).rgb : vec3(0.0))
 #include "render/passes/tiles/projected_segment_vertices.glsl"
 
 layout(binding = 2) uniform usamplerBuffer segments;

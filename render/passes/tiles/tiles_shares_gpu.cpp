@@ -21,16 +21,6 @@ std::span<const std::uint32_t> code_of(const FineForm& form) {
   return form.reads_records ? Code(tiles_shares_records_comp) : Code(tiles_shares_comp);
 }
 
-Result<gpu::Kernel> make_kernel(gpu::Device& device, const FineForm& form) {
-  const gpu::TextureFormat first = form.reads_records ? gpu::TextureFormat::rgba32u : gpu::TextureFormat::rgba32f;
-  return device.make_kernel(code_of(form),
-                            {9,
-                             0,
-                             sizeof(tile_lists::TilePush),
-                             {0u, form.rows, form.lanes},
-                             {{0, first}, {1, gpu::TextureFormat::rgba16f}, {3, gpu::TextureFormat::r32u}}});
-}
-
 void append(std::vector<SeenShare>& shares, std::span<const std::uint32_t> words, std::uint32_t vertices_per_strand) {
   const auto real = [&](std::size_t k) { return std::bit_cast<float>(words[k]); };
   for (std::size_t at = k_head_words; at + k_record_words <= words.size(); at += k_record_words)
@@ -45,7 +35,7 @@ void append(std::vector<SeenShare>& shares, std::span<const std::uint32_t> words
 Result<std::vector<SeenShare>> shares_of_tiles(gpu::Device& device, const FineForm& form,
                                                std::vector<const gpu::Buffer*> bound, const tile_lists::TilePush& push,
                                                glm::uvec2 grid) {
-  CUTICLE_ASSIGN(const gpu::Kernel kernel, make_kernel(device, form));
+  CUTICLE_ASSIGN(const gpu::Kernel kernel, device.make_kernel(code_of(form), fine_interface(form, 9, false)));
   const std::size_t bytes = std::min<std::size_t>(k_most_bytes, device.info().max_storage_buffer_bytes);
   const std::size_t room = (bytes / sizeof(std::uint32_t) - k_head_words) / k_record_words;
   CUTICLE_ASSIGN(const gpu::Buffer records,

@@ -5,15 +5,9 @@
 
 #include "core/image/deep.h"
 #include "gpu/device.h"
-#include "render/passes/tile_lists/tile_lists_gpu.h"
+#include "render/passes/tiles/fine_gpu.h"
 
 namespace cuticle::render::tiles {
-
-/// How the picture was drawn: by spans of samples or by areas, from records or from vertices, a tile by how many lanes.
-struct FineForm {
-  bool spans = false, reads_records = false;
-  std::uint32_t rows = 1, lanes = 8;
-};
 
 /// Draws the lists once more and keeps a record of each segment that a pixel sees, band by band of the picture where
 /// they do not fit into one buffer. `bound`: bindings 0 .. 7 of tiles.comp. Shares and light add up to what `tiles`

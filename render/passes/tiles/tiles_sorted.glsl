@@ -1,13 +1,17 @@
 // Fine rasteriser: blends each tile's segments from near to far, as they were sorted, with pixels in registers.
 
+bool depth_culled(float least, float most) { return false; }
+
+#ifdef MARKS_SEEN
+#include "render/passes/tiles/seen_marks.glsl"
+void begin_shares(uvec2 block) {}
+#else
 #ifdef TELLS_STRANDS
 #include "render/passes/tiles/seen_shares.glsl"
 #else
 void begin_shares(uvec2 block) {}
 void tell_share(int k, uint vertex, float weight, vec3 color, float inverse_depth) {}
 #endif
-
-bool depth_culled(float least, float most) { return false; }
 
 void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
   float weight = seen_share(transmittance[k], covered);
@@ -21,6 +25,10 @@ void take(int k, uint vertex, float covered, vec3 color, float inverse_depth) {
     most_seen[k] = max(most_seen[k], weight);
   }
 }
+
+void end_segment(uint vertex) {}
+void end_picture(uvec2 block) { end_block(block); }
+#endif
 
 void main() {
   uint tile = tile_of_group();
@@ -36,5 +44,5 @@ void main() {
     looked_at += min(k_chunk, end - first);
     first += k_chunk;
   } while (first < end && !is_closed());
-  end_block(block);
+  end_picture(block);
 }
