@@ -72,6 +72,7 @@ bool go_together(std::string_view solver, const std::vector<std::string>& effect
 struct RandomScene {
   std::vector<Part> parts;
   std::string solver, solve_on = "auto", shadow, draw;  ///< empty: none
+  bool by_formulas = false;                             ///< the material, in place of tables
   std::vector<std::string> effects;
   std::vector<Part> passes;
 
@@ -83,10 +84,12 @@ struct RandomScene {
                        fmt::join(blocks, ", "), solve_on);
   }
   std::string text() const {
-    std::string text = fmt::format(R"({{"schema_version": 1, "strand_count": 200, "strand_vertices": 8,
-      "material": {{"lut_size": 16, "layout": "nalu"}}, "camera": {{"position_m": [0.2, 0.15, 1.1], "target_m": [0.1, 0.05, 0],
+    std::string text = fmt::format(
+        R"({{"schema_version": 1, "strand_count": 200, "strand_vertices": 8,
+      "material": {{{}}}, "camera": {{"position_m": [0.2, 0.15, 1.1], "target_m": [0.1, 0.05, 0],
       "fov_deg": 20, "resolution_px": [32, 32]}}, "render": {{"method": "{}"}})",
-                                   draw);
+        by_formulas ? R"("model": {"kajiya_kay": {}}, "evaluate": "direct")" : R"("lut_size": 16, "layout": "nalu")",
+        draw);
     for (const Part& part : parts) text += fmt::format(", {}", part.text);
     text += simulation();
     if (!shadow.empty()) text += fmt::format(R"(, "shadow": {{"method": {{"{}": {{}}}}}})", shadow);
@@ -134,6 +137,7 @@ RandomScene scene_by_chance(std::mt19937& chance) {
   for (const std::string& effect : names_of(catalogue().effects))
     if (coin()) scene.add_effect(effect);
   scene.draw = k_draws[chance() % std::size(k_draws)];
+  scene.by_formulas = scene.draw == "tiles" && coin();
   for (const Part& pass : k_passes)
     if (coin() && coin()) scene.passes.push_back(pass);
   return scene;
@@ -183,6 +187,7 @@ std::vector<RandomScene> scenes_of_all() {
     scene.solve_on = k % 4 == 3 ? "auto" : "device";
     for (std::size_t i = 0; i < 4; ++i) scene.add_effect(effects[(4 * k + i) % effects.size()]);
     scene.draw = k_draws[(k + 2) % std::size(k_draws)];
+    scene.by_formulas = scene.draw == "tiles" && k % 8 == 0;
     for (std::size_t i = 0; i < 3; ++i) scene.passes.push_back(k_passes[(3 * k + i) % 8]);
     scenes.push_back(scene);
   }

@@ -29,6 +29,8 @@ void add_registered(std::vector<SceneChange>& changes) {
   for (const registry::Entry* entry : catalogue().passes)
     changes.push_back({fmt::format("passes: \"{}\": {{}}", entry->name),
                        [entry](Scene& scene) { scene.passes.emplace(entry->name, defaults(*entry)); }});
+  changes.push_back(
+      {R"(set "material.evaluate" to "direct")", [](Scene& scene) { scene.material.evaluate = "direct"; }});
   for (std::string_view method : scene::k_render_methods)
     changes.push_back({fmt::format("\"render\": {{\"method\": \"{}\"}}", method),
                        [method](Scene& scene) { scene.render_method = method; }});
